@@ -1,0 +1,54 @@
+# Sourced by ./steadyhand and the set-up scripts: the cache folder, words to the user, apt-get.
+
+CACHE=${STEADYHAND_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/steadyhand}
+mkdir -p "$CACHE/log" || exit 1
+CACHE=$(cd "$CACHE" && pwd)
+
+say() { printf '== %s\n' "$*" >&2; }
+
+fail() {
+	printf 'steadyhand: %s\n' "$*" >&2
+	exit 1
+}
+
+# once NAME KEY: true if set-up step NAME has already been done for this KEY.
+once() { [[ -f $CACHE/stamps/$1 && $(<"$CACHE/stamps/$1") == "$2" ]]; }
+
+# done_with NAME KEY: what once() asks for.
+done_with() {
+	mkdir -p "$CACHE/stamps"
+	printf '%s\n' "$2" >"$CACHE/stamps/$1"
+}
+
+# Two set-ups at once (a demo and a test, say) wait for each other rather than write the same files.
+lock_cache() {
+	exec 9>"$CACHE/lock"
+	flock -n 9 || { say "waiting for another set-up that uses $CACHE" && flock 9; }
+}
+
+# Reads apt-get's status lines: one line redrawn on a terminal, a line per quarter elsewhere.
+show_apt_progress() {
+	local kind percent drawn=-1 step
+	while IFS=: read -r kind _ percent _; do
+		[[ $kind == dlstatus || $kind == pmstatus ]] || continue
+		percent=${percent%%.*}
+		step=$percent
+		[[ -t 2 ]] || step=$((percent / 25 * 25))
+		((step == drawn)) && continue
+		drawn=$step
+		if [[ -t 2 ]]; then printf '\r   %-8s %3d %%' "$1" "$step" >&2; else printf '   %s %d %%\n' "$1" "$step" >&2; fi
+	done
+	[[ ! -t 2 || $drawn == -1 ]] || printf '\n' >&2
+}
+
+# run_apt LABEL COMMAND...: an apt-get command line; what it says goes to a log, its last lines are shown on failure.
+# The status lines share its standard output since sudo closes every other descriptor.
+run_apt() {
+	local label=$1 log=$CACHE/log/apt-$1.log
+	shift
+	if ! "$@" -o APT::Status-Fd=1 -o Acquire::Retries=2 -o APT::Update::Error-Mode=any </dev/null 2>&1 |
+		tee "$log" | show_apt_progress "$label"; then
+		grep -v 'status:' "$log" | tail -n 5 | cut -c 1-300 >&2
+		return 1
+	fi
+}
