@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace steadyhand {
+
+/// The points of a hand that a track can hold: five fingertips, the palm's centre, the wrist.
+enum class Joint : std::uint8_t { THUMB, INDEX, MIDDLE, RING, PINKY, PALM, WRIST };
+
+inline constexpr std::size_t JOINT_COUNT = 7;
+
+/// One moment of a tracked hand. Positions in metres, x right, y up, -z forward (Godot's convention); time in
+/// seconds on the device's own clock.
+struct HandFrame {
+	double t_s = 0.0;
+	std::array<Eigen::Vector3d, JOINT_COUNT> positions_m{};
+	std::uint8_t tracked =
+			0; ///< bit i set: joint i was seen in this frame, positions_m[i] is valid and finite
+	double confidence = 1.0; ///< 0..1 as the device reports it; 1 where it reports none
+
+	[[nodiscard]] bool has(Joint joint) const { return (tracked >> static_cast<unsigned>(joint)) & 1U; }
+	[[nodiscard]] const Eigen::Vector3d &position(Joint joint) const {
+		return positions_m[static_cast<std::size_t>(joint)];
+	}
+	void set(Joint joint, const Eigen::Vector3d &position_m) {
+		positions_m[static_cast<std::size_t>(joint)] = position_m;
+		tracked = static_cast<std::uint8_t>(tracked | (1U << static_cast<unsigned>(joint)));
+	}
+};
+
+} // namespace steadyhand

@@ -1,0 +1,312 @@
+#include "tracking/track_csv.h"
+
+#include "tracking/csv_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace steadyhand {
+
+namespace {
+
+constexpr std::array<std::string_view, JOINT_COUNT> JOINT_NAMES = { "thumb", "index", "middle", "ring",
+	"pinky", "palm", "wrist" };
+constexpr std::string_view AXES = "xyz";
+
+// Beyond these a number is no hand's: a column of another unit or a damaged file.
+constexpr double POSITION_MAX_M = 1e9;
+constexpr double TIME_MAX_S = 1e12;
+
+enum class ColumnKind : std::uint8_t { TIME, COORDINATE, CONFIDENCE, UNKNOWN };
+
+struct Column {
+	ColumnKind kind = ColumnKind::UNKNOWN;
+	std::size_t joint = 0;
+	Eigen::Index axis = 0;
+	std::size_t unknown = 0; ///< index into Track::unknown_columns
+};
+
+struct Header {
+	std::vector<std::string> names;
+	std::vector<Column> columns;
+};
+
+std::uint8_t joint_bit(std::size_t joint) {
+	return static_cast<std::uint8_t>(1U << joint);
+}
+
+std::string coordinate_name(std::size_t joint, std::size_t axis) {
+	return std::string(JOINT_NAMES[joint]) + '_' + AXES[axis];
+}
+
+Column column_of(std::string_view name) {
+	if (name == "t") {
+		return { .kind = ColumnKind::TIME };
+	}
+	if (name == "confidence") {
+		return { .kind = ColumnKind::CONFIDENCE };
+	}
+	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
+		for (std::size_t axis = 0; axis < AXES.size(); ++axis) {
+			if (name == coordinate_name(joint, axis)) {
+				return {
+					.kind = ColumnKind::COORDINATE, .joint = joint, .axis = static_cast<Eigen::Index>(axis)
+				};
+			}
+		}
+	}
+	return {};
+}
+
+std::pair<std::string, std::string> parse_metadata(std::string_view line) {
+	const std::string_view text = trim(line.substr(1));
+	for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
+			colon = text.find(':', colon + 1)) {
+		if (colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t') {
+			return { std::string(trim(text.substr(0, colon))), std::string(trim(text.substr(colon + 1))) };
+		}
+	}
+	return { "", std::string(text) };
+}
+
+class Reader {
+public:
+	Reader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
+
+	TrackReading read() {
+		reading_.error = read_metadata_and_header();
+		std::string_view line;
+		while (!reading_.error && lines_.next(line)) {
+			if (trim(line).empty()) {
+				reading_.error = check_only_blank_lines_follow();
+				break;
+			}
+			reading_.error = read_row(line);
+		}
+		return std::move(reading_);
+	}
+
+private:
+	[[nodiscard]] Error error(std::string_view column, std::string_view what) const {
+		return error_at(source_, lines_.line_number(), column, what);
+	}
+
+	std::optional<Error> read_metadata_and_header() {
+		std::string_view line;
+		while (lines_.next(line)) {
+			if (line.starts_with('#')) {
+				if (find_not_text(line)) {
+					return error("metadata", quoted(line) + " is not text");
+				}
+				reading_.track.metadata.push_back(parse_metadata(line));
+			} else if (!trim(line).empty()) {
+				return read_header(line);
+			}
+		}
+		return error_at(source_, std::max<std::size_t>(lines_.line_number(), 1), "t", "no header line");
+	}
+
+	std::optional<Error> read_header(std::string_view line) {
+		split_cells(line, cells_);
+		if (auto wrong = check_header(source_, lines_.line_number(), cells_)) {
+			return wrong;
+		}
+		std::array<unsigned, JOINT_COUNT> axes_seen{};
+		for (const std::string_view name : cells_) {
+			Column column = column_of(name);
+			if (column.kind == ColumnKind::COORDINATE) {
+				axes_seen[column.joint] |= 1U << column.axis;
+			} else if (column.kind == ColumnKind::CONFIDENCE) {
+				reading_.track.has_confidence = true;
+			} else if (column.kind == ColumnKind::UNKNOWN) {
+				column.unknown = reading_.track.unknown_columns.size();
+				reading_.track.unknown_columns.push_back({ std::string(name), {} });
+			}
+			header_.names.emplace_back(name);
+			header_.columns.push_back(column);
+		}
+		if (std::find(cells_.begin(), cells_.end(), "t") == cells_.end()) {
+			return error("t", "the header has no such column");
+		}
+		for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
+			for (std::size_t axis = 0; axes_seen[joint] != 0 && axis < AXES.size(); ++axis) {
+				if (((axes_seen[joint] >> axis) & 1U) == 0) {
+					return error(coordinate_name(joint, axis),
+							"the header has no such column, but others of " +
+									std::string(JOINT_NAMES[joint]));
+				}
+			}
+			if (axes_seen[joint] != 0) {
+				reading_.track.joints |= joint_bit(joint);
+			}
+		}
+		return std::nullopt;
+	}
+
+	std::optional<Error> read_row(std::string_view line) {
+		split_cells(line, cells_);
+		if (auto wrong = check_row(source_, lines_.line_number(), line, cells_, header_.names)) {
+			return wrong;
+		}
+		HandFrame frame;
+		std::array<unsigned, JOINT_COUNT> axes_filled{};
+		for (std::size_t i = 0; i < cells_.size(); ++i) {
+			const Column &column = header_.columns[i];
+			if (column.kind == ColumnKind::UNKNOWN ||
+					(cells_[i].empty() && column.kind != ColumnKind::TIME)) {
+				continue;
+			}
+			const bool is_time = column.kind == ColumnKind::TIME;
+			const Result<double> number = parse_number(cells_[i], is_time ? TIME_MAX_S : POSITION_MAX_M);
+			if (!number) {
+				return error(header_.names[i], number.error());
+			}
+			if (is_time) {
+				frame.t_s = number.value();
+				if (frame.t_s < previous_t_s_) {
+					return error("t", std::string(cells_[i]) + " is before the row above");
+				}
+			} else if (column.kind == ColumnKind::CONFIDENCE) {
+				frame.confidence = number.value();
+				if (frame.confidence < 0.0 || frame.confidence > 1.0) {
+					return error("confidence", quoted(cells_[i]) + " is not within 0..1");
+				}
+			} else {
+				frame.positions_m[column.joint][column.axis] = number.value();
+				axes_filled[column.joint] |= 1U << column.axis;
+			}
+		}
+		for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
+			if (axes_filled[joint] == 0b111U) {
+				frame.tracked |= joint_bit(joint);
+			} else {
+				frame.positions_m[joint].setZero();
+			}
+		}
+		previous_t_s_ = frame.t_s;
+		reading_.track.frames.push_back(frame);
+		for (std::size_t i = 0; i < cells_.size(); ++i) {
+			if (header_.columns[i].kind == ColumnKind::UNKNOWN) {
+				reading_.track.unknown_columns[header_.columns[i].unknown].cells.emplace_back(cells_[i]);
+			}
+		}
+		return std::nullopt;
+	}
+
+	std::optional<Error> check_only_blank_lines_follow() {
+		const std::size_t blank_line = lines_.line_number();
+		std::string_view line;
+		while (lines_.next(line)) {
+			if (!trim(line).empty()) {
+				return error_at(source_, blank_line, "t", "a blank line among the rows");
+			}
+		}
+		return std::nullopt;
+	}
+
+	CsvLines lines_;
+	std::string_view source_;
+	Header header_;
+	TrackReading reading_;
+	std::vector<std::string_view> cells_;
+	double previous_t_s_ = -std::numeric_limits<double>::infinity();
+};
+
+void append_cells(std::string &r_out, const HandFrame &frame, const TrackColumns &columns) {
+	append_number(r_out, frame.t_s);
+	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
+		if ((columns.joints & joint_bit(joint)) == 0) {
+			continue;
+		}
+		const Eigen::Vector3d &position_m = frame.positions_m[joint];
+		if ((frame.tracked & joint_bit(joint)) == 0 || !position_m.allFinite()) {
+			r_out += ",,,";
+			continue;
+		}
+		for (const double coordinate : position_m) {
+			r_out += ',';
+			append_number(r_out, coordinate);
+		}
+	}
+	if (columns.confidence) {
+		r_out += ',';
+		append_number(r_out, std::isfinite(frame.confidence) ? std::clamp(frame.confidence, 0.0, 1.0) : 0.0);
+	}
+}
+
+void append_metadata(std::string &r_out, const std::vector<std::pair<std::string, std::string>> &metadata) {
+	for (const auto &[key, value] : metadata) {
+		r_out += "# ";
+		append_plain_text(r_out, key, true);
+		r_out += key.empty() ? "" : ": ";
+		append_plain_text(r_out, value, true);
+		r_out += '\n';
+	}
+}
+
+void append_column_names(std::string &r_out, const TrackColumns &columns) {
+	r_out += 't';
+	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
+		for (std::size_t axis = 0; (columns.joints & joint_bit(joint)) != 0 && axis < AXES.size(); ++axis) {
+			r_out += ',' + coordinate_name(joint, axis);
+		}
+	}
+	r_out += columns.confidence ? ",confidence" : "";
+}
+
+} // namespace
+
+TrackReading read_track_csv(std::string_view text, std::string_view source_name) {
+	return Reader(text, source_name).read();
+}
+
+Result<Track> parse_track_csv(std::string_view text, std::string_view source_name) {
+	TrackReading reading = read_track_csv(text, source_name);
+	if (reading.error) {
+		return *std::move(reading.error);
+	}
+	return std::move(reading.track);
+}
+
+std::string format_track_csv(const Track &track) {
+	const TrackColumns columns{ track.joints, track.has_confidence };
+	std::string out;
+	append_metadata(out, track.metadata);
+	append_column_names(out, columns);
+	for (const UnknownColumn &column : track.unknown_columns) {
+		out += ',';
+		append_plain_text(out, column.name, false);
+	}
+	out += '\n';
+	for (std::size_t i = 0; i < track.frames.size(); ++i) {
+		append_cells(out, track.frames[i], columns);
+		for (const UnknownColumn &column : track.unknown_columns) {
+			out += ',';
+			append_plain_text(out, i < column.cells.size() ? column.cells[i] : "", false);
+		}
+		out += '\n';
+	}
+	return out;
+}
+
+std::string track_csv_header(
+		const TrackColumns &columns, const std::vector<std::pair<std::string, std::string>> &metadata) {
+	std::string out;
+	append_metadata(out, metadata);
+	append_column_names(out, columns);
+	out += '\n';
+	return out;
+}
+
+void append_track_csv_row(std::string &r_out, const HandFrame &frame, const TrackColumns &columns) {
+	append_cells(r_out, frame, columns);
+	r_out += '\n';
+}
+
+std::string_view joint_name(Joint joint) {
+	return JOINT_NAMES[static_cast<std::size_t>(joint)];
+}
+
+} // namespace steadyhand
