@@ -1,0 +1,172 @@
+#include "tracking/trial_set.h"
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+
+using namespace steadyhand;
+
+namespace {
+
+const std::string HEADER =
+		"trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_z,axis_x,axis_y,axis_z,"
+		"amplitude_m\n";
+
+std::string error_of(const std::string &rows) {
+	const Result<std::vector<Trial>> trials = parse_trials_csv(HEADER + rows, "trials.csv");
+	return trials ? "no error" : trials.error();
+}
+
+std::vector<Trial> parsed(const std::string &text) {
+	Result<std::vector<Trial>> trials = parse_trials_csv(text, "trials.csv");
+	REQUIRE_MESSAGE(trials.ok(), trials.error());
+	return std::move(trials).value();
+}
+
+} // namespace
+
+TEST_SUITE("trial set") {
+	TEST_CASE("a drag fills all cells, zoom radius and growth, none nothing") {
+		const std::vector<Trial> trials = parsed(HEADER +
+				"d1,horizontal_drag,unstable,s1,0.5,1.75,0.1,0.2,-0.3,-1,0,0,0.2\n"
+				"z1,zoom,stable,s2,0.5,1.5,0.015,,,,,,0.03\n"
+				"n1,none,stable,s2,0,4,,,,,,,\n"
+				"n2,none,stable,s2,,,,,,,,,\n");
+		REQUIRE(trials.size() == 4);
+		CHECK(trials[0].trial == "d1");
+		CHECK(trials[0].gesture == "horizontal_drag");
+		CHECK(trials[0].position == HandPosition::UNSTABLE);
+		CHECK(trials[0].subject == "s1");
+		CHECK(trials[0].start_s == 0.5);
+		CHECK(trials[0].end_s == 1.75);
+		CHECK(trials[0].start_m == Eigen::Vector3d(0.1, 0.2, -0.3));
+		CHECK(trials[0].axis == Eigen::Vector3d(-1, 0, 0));
+		CHECK(trials[0].amplitude_m == 0.2);
+		CHECK(trials[0].has_axis());
+		CHECK(trials[1].start_m == Eigen::Vector3d(0.015, 0, 0));
+		CHECK_FALSE(trials[1].has_axis());
+		CHECK(trials[1].amplitude_m == 0.03);
+		CHECK_FALSE(trials[2].has_axis());
+		CHECK(trials[2].amplitude_m == 0.0);
+		CHECK(trials[2].end_s == 4.0);
+		CHECK(trials[3].end_s == 0.0);
+	}
+
+	TEST_CASE("a gesture of any name is described by the cells it fills") {
+		const std::vector<Trial> trials = parsed(HEADER +
+				"c1,circle,stable,s1,0,1,0,0,0,0,0,1,0.1\n"
+				"c2,squeeze,stable,s1,0,1,0.03,,,,,,0.02\n"
+				"c3,wave,stable,s1,0,1,,,,,,,\n");
+		CHECK(trials[0].has_axis());
+		CHECK(trials[1].start_m.x() == 0.03);
+		CHECK(trials[2].amplitude_m == 0.0);
+	}
+
+	TEST_CASE("columns come in any order and others are ignored") {
+		const std::vector<Trial> trials =
+				parsed("note,amplitude_m,trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_"
+					   "z,axis_x,"
+					   "axis_y,axis_z\r\nhello,0.15,t1,tap,stable,s,0,1,1,2,3,0,0,-1\r\n\r\n");
+		REQUIRE(trials.size() == 1);
+		CHECK(trials[0].amplitude_m == 0.15);
+		CHECK(trials[0].start_m == Eigen::Vector3d(1, 2, 3));
+		CHECK(trials[0].axis == Eigen::Vector3d(0, 0, -1));
+	}
+
+	TEST_CASE("any set reads back as itself, to the last bit") {
+		std::mt19937_64 engine(5);
+		std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+		std::vector<Trial> trials;
+		for (int i = 0; i < 200; ++i) {
+			Trial trial;
+			trial.trial = "trial " + std::to_string(i) + "_ä";
+			trial.gesture = std::array{ "horizontal_drag", "tap", "zoom", "none" }[i % 4];
+			trial.position = i % 3 == 0 ? HandPosition::UNSTABLE : HandPosition::STABLE;
+			trial.subject = "s" + std::to_string(i % 7);
+			trial.start_s = uniform(engine);
+			trial.end_s = trial.start_s + uniform(engine) + 1.0;
+			if (i % 4 < 2) {
+				trial.start_m = { uniform(engine), uniform(engine), uniform(engine) };
+				trial.axis = Eigen::Vector3d(uniform(engine), uniform(engine), uniform(engine)).normalized();
+			} else if (i % 4 == 2) {
+				trial.start_m.x() = 1.0 + uniform(engine);
+			}
+			trial.amplitude_m = i % 4 == 3 ? 0.0 : 1.5 + uniform(engine);
+			trials.push_back(trial);
+		}
+		const std::vector<Trial> again = parsed(format_trials_csv(trials));
+		REQUIRE(again.size() == trials.size());
+		for (std::size_t i = 0; i < trials.size(); ++i) {
+			CHECK(again[i].trial == trials[i].trial);
+			CHECK(again[i].gesture == trials[i].gesture);
+			CHECK(again[i].position == trials[i].position);
+			CHECK(again[i].subject == trials[i].subject);
+			CHECK(again[i].start_s == trials[i].start_s);
+			CHECK(again[i].end_s == trials[i].end_s);
+			CHECK(again[i].start_m == trials[i].start_m);
+			CHECK(again[i].axis == trials[i].axis);
+			CHECK(again[i].amplitude_m == trials[i].amplitude_m);
+		}
+	}
+
+	TEST_CASE("bad rows get one error that names file, line and column") {
+		const std::string task = "0,1,1,2,3,0,0,-1,0.15\n";
+		CHECK(error_of("t1,tap,stable,s," + task) == "no error");
+		CHECK(error_of("../t1,tap,stable,s," + task) ==
+				"trials.csv:2: trial: '../t1' has a character that no file name may have");
+		CHECK(error_of("..,tap,stable,s," + task) ==
+				"trials.csv:2: trial: '..' starts or ends with a dot or space, which no file name may");
+		CHECK(error_of("a\\b,tap,stable,s," + task) ==
+				"trials.csv:2: trial: 'a\\b' has a character that no file name may have");
+		CHECK(error_of(",tap,stable,s," + task) == "trials.csv:2: trial: '' is empty");
+		CHECK(error_of(std::string(201, 'n') + ",tap,stable,s," + task) ==
+				"trials.csv:2: trial: '" + std::string(40, 'n') + "...' is too long for a file name");
+		CHECK(error_of("t1,tap,stable,s," + task + "t1,tap,stable,s," + task) ==
+				"trials.csv:3: trial: 't1' comes twice");
+		CHECK(error_of("t1,,stable,s," + task) == "trials.csv:2: gesture: empty");
+		CHECK(error_of("t1,tap,shaky,s," + task) ==
+				"trials.csv:2: position: 'shaky' is neither stable nor unstable");
+		CHECK(error_of("t1,tap,stable,s,,1,1,2,3,0,0,-1,0.15\n") == "trials.csv:2: start_s: empty");
+		CHECK(error_of("t1,tap,stable,s,2,1,1,2,3,0,0,-1,0.15\n") ==
+				"trials.csv:2: end_s: 1 is before start_s 2");
+		CHECK(error_of("t1,tap,stable,s,0,inf,1,2,3,0,0,-1,0.15\n") ==
+				"trials.csv:2: end_s: 'inf' is not finite");
+		CHECK(error_of("t1,tap,stable,s,0,1,1,,3,0,0,-1,0.15\n") == "trials.csv:2: start_y: empty");
+		CHECK(error_of("t1,tap,stable,s,0,1,1,2,3,0,0,-2,0.15\n") ==
+				"trials.csv:2: axis_x: the axis is no unit vector, its length is 2");
+		CHECK(error_of("t1,tap,stable,s,0,1,1,2,3,0,0,-1,0\n") ==
+				"trials.csv:2: amplitude_m: '0' is not positive");
+		CHECK(error_of("z1,zoom,stable,s,0,1,0.01,0,0,,,,0.03\n") ==
+				"trials.csv:2: start_y: '0' where zoom has none");
+		CHECK(error_of("z1,zoom,stable,s,0,1,-0.01,,,,,,0.03\n") ==
+				"trials.csv:2: start_x: '-0.01' is no radius");
+		CHECK(error_of("n1,none,stable,s,0,1,,,,,,,0.2\n") ==
+				"trials.csv:2: amplitude_m: '0.2' where none has none");
+		CHECK(error_of("t1,tap,stable\n") == "trials.csv:2: subject: the row ends after 3 cells of 13");
+		CHECK(parse_trials_csv("trial,gesture\n", "x").error() ==
+				"x:1: position: the header has no such column");
+		CHECK(parse_trials_csv("", "x").error() == "x:1: trial: no header line");
+	}
+
+	TEST_CASE("real trial sets are read, and each trial's tracks are there") {
+		for (const std::filesystem::path folder : { "../shared/real/drags", "../shared/real/drags_train" }) {
+			if (!std::filesystem::exists(folder)) {
+				MESSAGE("skipped: no " << folder.string() << " here");
+				continue;
+			}
+			std::ostringstream text;
+			text << std::ifstream(folder / "trials.csv", std::ios::binary).rdbuf();
+			const std::vector<Trial> trials = parsed(text.str());
+			CHECK(trials.size() > 10);
+			for (const Trial &trial : trials) {
+				CHECK(trial.has_axis());
+				CHECK(std::filesystem::exists(folder / (trial.trial + ".measured.csv")));
+				CHECK(std::filesystem::exists(folder / (trial.trial + ".reference.csv")));
+			}
+		}
+	}
+}
