@@ -1,0 +1,34 @@
+#include "gesture/feature.h"
+
+#include <array>
+
+namespace steadyhand {
+namespace {
+
+std::optional<double> index_along_axis(const HandFrame &frame, const Task &task) {
+	if (!frame.has(Joint::INDEX)) {
+		return std::nullopt;
+	}
+	return (frame.position(Joint::INDEX) - task.start_m).dot(task.axis);
+}
+
+constexpr std::array FEATURES{
+	Feature{ "index_along_axis", index_along_axis },
+};
+
+} // namespace
+
+std::span<const Feature> features() {
+	return FEATURES;
+}
+
+const Feature *find_feature(std::string_view name) {
+	for (const Feature &feature : FEATURES) {
+		if (feature.name == name) {
+			return &feature;
+		}
+	}
+	return nullptr;
+}
+
+} // namespace steadyhand

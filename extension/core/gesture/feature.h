@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gesture/task.h"
+#include "tracking/frame.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace steadyhand {
+
+/// A motion element: one number in metres, 0 where the task starts and the task's amplitude where it ends.
+struct Feature {
+	std::string_view name; ///< as written in model files
+	/// Nothing where a joint it needs is not tracked in the frame.
+	std::optional<double> (*measure)(const HandFrame &frame, const Task &task);
+};
+
+/// Every feature there is. A new one is a row of the table in feature.cpp.
+std::span<const Feature> features();
+
+/// Null where there is none of that name.
+const Feature *find_feature(std::string_view name);
+
+} // namespace steadyhand

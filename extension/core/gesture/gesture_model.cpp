@@ -1,0 +1,38 @@
+#include "gesture/gesture_model.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+
+CurvePoint evaluate(const GestureModel &model, double phase) {
+	if (model.elements.empty()) {
+		return {};
+	}
+	phase = std::clamp(phase, 0.0, 1.0);
+	const PrimitiveMotionElement *element = &model.elements.back();
+	for (const PrimitiveMotionElement &candidate : model.elements) {
+		if (phase < candidate.phase_end) {
+			element = &candidate;
+			break;
+		}
+	}
+	const double length = element->phase_end - element->phase_begin;
+	const Polynomial::Point point = element->curve.evaluate((phase - element->phase_begin) / length);
+	return { point.value, point.first / length, point.second / (length * length) };
+}
+
+double phase_of_value(const GestureModel &model, double value) {
+	const Eigen::VectorXd &mean = model.reference_mean;
+	for (Eigen::Index i = 0; i < mean.size(); ++i) {
+		if (mean(i) >= value) {
+			const double step = 1.0 / static_cast<double>(mean.size() - 1);
+			if (i == 0) {
+				return 0.0;
+			}
+			return step * (static_cast<double>(i) - (mean(i) - value) / (mean(i) - mean(i - 1)));
+		}
+	}
+	return 1.0;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "gesture/vector_quantiser.h"
+#include "hmm/discrete_hmm.h"
+#include "signal/polynomial.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steadyhand {
+
+/// What a state sounds and looks like: the piece of the reference curve that is played out while it lasts (paper, "The
+/// definition of primitive motion elements"), and how long that is.
+struct PrimitiveMotionElement {
+	double phase_begin = 0.0; ///< of the reference curve, 0..1
+	double phase_end = 1.0;
+	Polynomial curve; ///< normalised value over the element's own time, 0..1
+	double deviation = 0.0; ///< standard deviation of the recordings about the reference, mean over the element
+	double duration_mean_s = 0.0; ///< of the state in the training recordings (Viterbi alignment)
+	double duration_deviation_s = 0.0;
+};
+
+/// Where a model came from, so that it can be made again.
+struct Provenance {
+	std::string trial_set; ///< as the trainer was told
+	std::string trained_with; ///< program and version
+	std::vector<std::string> dropped; ///< recordings under r2_threshold
+	int recordings = 0; ///< kept ones
+	double r2_threshold = 0.0; ///< T_h
+	std::vector<double> objective; ///< Baum-Welch, per iteration (nats)
+};
+
+/// One trained gesture: all that recognition and synthesis need, and nothing of a scene.
+struct GestureModel {
+	std::string gesture;
+	std::string feature;
+	double amplitude_mean_m = 0.2;
+	double duration_mean_s = 1.0; ///< of the whole movement
+	double duration_deviation_s = 0.0;
+	Eigen::VectorXd reference_mean; ///< CURVE_POINTS over phase 0..1, normalised value
+	Eigen::VectorXd reference_deviation;
+	VectorQuantiser quantiser;
+	DiscreteHmm hmm;
+	std::vector<PrimitiveMotionElement> elements; ///< one per state, in order
+	Provenance provenance;
+};
+
+/// Value and derivatives with respect to phase of the primitive motion elements at a phase (clamped to 0..1).
+struct CurvePoint {
+	double value = 0.0;
+	double slope = 0.0; ///< d value / d phase
+	double curvature = 0.0; ///< d2 value / d phase2
+};
+CurvePoint evaluate(const GestureModel &model, double phase);
+
+/// The smallest phase at which the reference reaches the value; 0 below its start, 1 beyond its end.
+double phase_of_value(const GestureModel &model, double value);
+
+} // namespace steadyhand

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace steadyhand {
+
+/// HMM symbols are taken at fixed instants, whole multiples of PERIOD_S on the frames' clock, whatever the sensor's
+/// rate: so that one model's transition probabilities hold for a 30 Hz camera and a 240 Hz tracker alike ("normalise
+/// in time stamp"). 100 Hz, the common rate of hand trackers. An instant without a new frame since the one before has
+/// nothing to observe.
+class SymbolClock {
+public:
+	static constexpr double PERIOD_S = 0.01;
+
+	/// Forgets everything; the next instant is the first one at or after t_s.
+	void start(double t_s) { next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)); }
+
+	/// True while an instant at or before t_s is due.
+	[[nodiscard]] bool due(double t_s) const { return static_cast<double>(next_) * PERIOD_S <= t_s; }
+	[[nodiscard]] double next_s() const { return static_cast<double>(next_) * PERIOD_S; }
+	void advance() { ++next_; }
+
+private:
+	std::int64_t next_ = 0;
+};
+
+} // namespace steadyhand

@@ -1,0 +1,233 @@
+#include "gesture/trainer.h"
+
+#include "gesture/feature.h"
+#include "gesture/observation.h"
+#include "gesture/reference_curve.h"
+#include "gesture/symbol_clock.h"
+#include "hmm/viterbi.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// What is left of a recording once its reference has been looked at.
+struct Movement {
+	const TrainingRecording *recording = nullptr;
+	MovementSpan span;
+	double travel_m = 0.0;
+};
+
+RecordedCurve feature_curve(const Feature &feature, const Track &track, const Task &task) {
+	RecordedCurve curve;
+	for (const HandFrame &frame : track.frames) {
+		const std::optional<double> x_m = feature.measure(frame, task);
+		if (x_m && (curve.t_s.empty() || frame.t_s > curve.t_s.back())) {
+			curve.t_s.push_back(frame.t_s);
+			curve.x_m.push_back(*x_m);
+		}
+	}
+	return curve;
+}
+
+/// Normalised observations at the symbol clock's instants over the movement; empty ones where nothing new was seen.
+std::vector<std::optional<Observation>> observe(
+		const Feature &feature, const Movement &movement, double duration_mean_s) {
+	const TrainingRecording &recording = *movement.recording;
+	std::vector<std::optional<Observation>> observations;
+	ObservationWindow window;
+	SymbolClock clock;
+	clock.start(movement.span.onset_s);
+	bool fresh = false;
+	const auto tick_until = [&](double t_s) {
+		while (clock.due(std::min(t_s, movement.span.end_s))) {
+			observations.push_back(fresh
+							? std::optional(window.normalised(recording.task.amplitude_m, duration_mean_s))
+							: std::nullopt);
+			fresh = false;
+			clock.advance();
+		}
+	};
+	for (const HandFrame &frame : recording.measured.frames) {
+		// An instant before this frame saw only the frames before it.
+		tick_until(std::nextafter(frame.t_s, -1.0));
+		if (const std::optional<double> x_m = feature.measure(frame, recording.task)) {
+			window.push(frame.t_s, *x_m);
+			fresh = true;
+		}
+	}
+	tick_until(movement.span.end_s);
+	return observations;
+}
+
+struct MeanAndDeviation {
+	double mean = 0.0;
+	double deviation = 0.0;
+};
+
+template <class Values> MeanAndDeviation mean_and_deviation(const Values &values) {
+	const Eigen::Map<const Eigen::VectorXd> v(values.data(), static_cast<Eigen::Index>(values.size()));
+	const double n = static_cast<double>(values.size());
+	const double mean = v.mean();
+	return { mean, n > 1.0 ? std::sqrt((v.array() - mean).square().sum() / (n - 1.0)) : 0.0 };
+}
+
+/// Cuts the reference curve where the states change on average, and fits each piece (paper, "primitive elements are
+/// synthesized from polynomial curves with the best fit in each state").
+void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<const double> durations_s,
+		std::size_t degree, GestureModel &r_model) {
+	const auto states = static_cast<std::size_t>(r_model.hmm.states());
+	std::vector<std::vector<double>> state_s(states);
+	std::vector<double> share(states, 0.0);
+	for (std::size_t r = 0; r < sequences.size(); ++r) {
+		const ViterbiPath path = viterbi(r_model.hmm, sequences[r]);
+		std::vector<double> frames(states, 0.0);
+		for (const int state : path.states) {
+			frames[static_cast<std::size_t>(state)] += 1.0;
+		}
+		for (std::size_t i = 0; i < states; ++i) {
+			const double part = frames[i] / static_cast<double>(path.states.size());
+			share[i] += part;
+			state_s[i].push_back(part * durations_s[r]);
+		}
+	}
+
+	// A state that the best paths skip still needs a piece of the curve: at least two points of it.
+	constexpr double SMALLEST = 2.0 / static_cast<double>(CURVE_POINTS - 1);
+	double total = 0.0;
+	for (double &part : share) {
+		part = std::max(part / static_cast<double>(sequences.size()), SMALLEST);
+		total += part;
+	}
+	double phase = 0.0;
+	for (std::size_t i = 0; i < states; ++i) {
+		PrimitiveMotionElement element;
+		element.phase_begin = phase;
+		element.phase_end = i + 1 < states ? phase + share[i] / total : 1.0;
+		const MeanAndDeviation duration = mean_and_deviation(state_s[i]);
+		element.duration_mean_s = std::max(duration.mean, SMALLEST * r_model.duration_mean_s);
+		element.duration_deviation_s = duration.deviation;
+
+		std::vector<double> s, y;
+		double deviation_sum = 0.0;
+		for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {
+			const double at = static_cast<double>(k) / static_cast<double>(CURVE_POINTS - 1);
+			const double local = (at - element.phase_begin) / (element.phase_end - element.phase_begin);
+			if (local >= 0.0 && local <= 1.0) {
+				s.push_back(local);
+				y.push_back(r_model.reference_mean(k));
+				deviation_sum += r_model.reference_deviation(k);
+			}
+		}
+		element.curve = fit_polynomial(s, y, degree).polynomial;
+		element.deviation = s.empty() ? 0.0 : deviation_sum / static_cast<double>(s.size());
+		phase = element.phase_end;
+		r_model.elements.push_back(element);
+	}
+}
+
+std::string range_error(const TrainingOptions &options) {
+	if (options.states < 1 || options.states > 20) {
+		return "states: " + std::to_string(options.states) + " is not in 1..20";
+	}
+	if (options.symbols < 1 || options.symbols > 1024) {
+		return "symbols: " + std::to_string(options.symbols) + " is not in 1..1024";
+	}
+	return {};
+}
+
+} // namespace
+
+Result<GestureModel> train(const std::string &gesture, const std::string &feature_name,
+		std::span<const TrainingRecording> recordings, const TrainingOptions &options) {
+	if (const std::string fault = range_error(options); !fault.empty()) {
+		return Error{ gesture + ": " + fault };
+	}
+	const Feature *feature = find_feature(feature_name);
+	if (feature == nullptr) {
+		return Error{ gesture + ": there is no feature '" + feature_name + "'" };
+	}
+	const auto go_on = [&](double done) { return !options.progress || options.progress(done); };
+	const Error stopped{ gesture + ": training was stopped" };
+
+	std::vector<Movement> movements;
+	std::vector<Eigen::VectorXd> curves;
+	for (const TrainingRecording &recording : recordings) {
+		const RecordedCurve curve = feature_curve(*feature, recording.reference, recording.task);
+		if (curve.t_s.size() < 2) {
+			continue;
+		}
+		const MovementSpan span = movement_span(curve, recording.start_s, recording.end_s);
+		Eigen::VectorXd normalised = normalised_curve(curve, span);
+		if (!normalised.isZero(0.0)) {
+			movements.push_back({ &recording, span, recording.task.amplitude_m });
+			curves.push_back(std::move(normalised));
+		}
+	}
+	if (movements.empty()) {
+		return Error{ gesture + ": the feature '" + feature_name + "' moves in none of the " +
+			std::to_string(recordings.size()) + " recordings" };
+	}
+
+	GestureModel model;
+	model.gesture = gesture;
+	model.feature = feature_name;
+	const ReferenceCurve reference = reference_curve(curves, options.r2_threshold);
+	model.reference_mean = reference.mean;
+	model.reference_deviation = reference.deviation;
+	model.provenance.r2_threshold = options.r2_threshold;
+	std::vector<Movement> kept;
+	std::vector<double> durations_s, amplitudes_m;
+	for (std::size_t i = 0; i < movements.size(); ++i) {
+		if (!reference.kept[i]) {
+			model.provenance.dropped.push_back(movements[i].recording->name);
+			continue;
+		}
+		kept.push_back(movements[i]);
+		durations_s.push_back(movements[i].span.end_s - movements[i].span.onset_s);
+		amplitudes_m.push_back(movements[i].travel_m);
+	}
+	model.provenance.recordings = static_cast<int>(kept.size());
+	const MeanAndDeviation duration = mean_and_deviation(durations_s);
+	model.duration_mean_s = duration.mean;
+	model.duration_deviation_s = duration.deviation;
+	model.amplitude_mean_m = mean_and_deviation(amplitudes_m).mean;
+	if (!go_on(0.1)) {
+		return stopped;
+	}
+
+	std::vector<std::vector<std::optional<Observation>>> observed;
+	std::vector<Observation> seen;
+	for (const Movement &movement : kept) {
+		observed.push_back(observe(*feature, movement, model.duration_mean_s));
+		for (const std::optional<Observation> &o : observed.back()) {
+			if (o) {
+				seen.push_back(*o);
+			}
+		}
+	}
+	model.quantiser = VectorQuantiser::trained(seen, options.symbols);
+	if (!go_on(0.4)) {
+		return stopped;
+	}
+	std::vector<SymbolSequence> sequences;
+	for (const auto &observations : observed) {
+		SymbolSequence &sequence = sequences.emplace_back();
+		for (const std::optional<Observation> &o : observations) {
+			sequence.push_back(o ? model.quantiser.symbol(*o) : UNSEEN);
+		}
+	}
+	BaumWelchResult trained = baum_welch(
+			left_right_from_equal_segments(sequences, options.states, options.symbols, options.baum_welch.pseudo),
+			sequences, options.baum_welch);
+	model.hmm = std::move(trained.hmm);
+	model.provenance.objective = std::move(trained.objective);
+	cut_into_elements(sequences, durations_s, options.polynomial_degree, model);
+	if (!go_on(1.0)) {
+		return stopped;
+	}
+	return model;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "base/result.h"
+#include "gesture/gesture_model.h"
+#include "gesture/task.h"
+#include "hmm/baum_welch.h"
+#include "tracking/track.h"
+
+#include <functional>
+#include <span>
+#include <string>
+
+namespace steadyhand {
+
+/// One recorded execution of a gesture, both sensors on one clock.
+struct TrainingRecording {
+	std::string name;
+	Task task;
+	double start_s = 0.0; ///< within the tracks
+	double end_s = 0.0;
+	Track measured; ///< what the HMM learns from: the sensor as it will be in use
+	Track reference; ///< what the motion elements are taken from: the stable sensor
+};
+
+struct TrainingOptions {
+	int states = 4; ///< paper: four for every gesture
+	int symbols = 16;
+	double r2_threshold = 0.9; ///< T_h; the paper found it by trial and error for each gesture
+	std::size_t polynomial_degree = 5;
+	BaumWelchOptions baum_welch;
+	/// Called as the work goes on, done 0..1; false stops it.
+	std::function<bool(double done)> progress;
+};
+
+/// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks, outliers
+/// dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay. Deterministic.
+/// Errors: unknown feature, no recording in which the feature moves, options out of range, stopped by progress.
+Result<GestureModel> train(const std::string &gesture, const std::string &feature,
+		std::span<const TrainingRecording> recordings, const TrainingOptions &options);
+
+} // namespace steadyhand
