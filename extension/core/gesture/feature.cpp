@@ -12,8 +12,14 @@ std::optional<double> index_along_axis(const HandFrame &frame, const Task &task)
 	return (frame.position(Joint::INDEX) - task.start_m).dot(task.axis);
 }
 
+void index_start_here(const HandFrame &frame, Task &r_task) {
+	if (frame.has(Joint::INDEX)) {
+		r_task.start_m = frame.position(Joint::INDEX);
+	}
+}
+
 constexpr std::array FEATURES{
-	Feature{ "index_along_axis", index_along_axis },
+	Feature{ "index_along_axis", index_along_axis, index_start_here },
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gesture/task.h"
 #include "gesture/vector_quantiser.h"
 #include "hmm/discrete_hmm.h"
 #include "signal/polynomial.h"
@@ -37,7 +38,7 @@ struct Provenance {
 struct GestureModel {
 	std::string gesture;
 	std::string feature;
-	double amplitude_mean_m = 0.2;
+	Task typical_task; ///< mean axis and amplitude of the recordings: stands in where a scene gives none
 	double duration_mean_s = 1.0; ///< of the whole movement
 	double duration_deviation_s = 0.0;
 	Eigen::VectorXd reference_mean; ///< CURVE_POINTS over phase 0..1, normalised value

@@ -97,6 +97,14 @@ Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zer
 	return out;
 }
 
+Eigen::Vector3d point(const Json &object, const char *key) {
+	const Eigen::VectorXd values = vector(member(object, key), key, false);
+	if (values.size() != 3) {
+		throw Fault(std::string(key) + ": not three numbers");
+	}
+	return values;
+}
+
 Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zero) {
 	const Json &rows = array(object, key);
 	Eigen::MatrixXd out;
@@ -176,7 +184,9 @@ GestureModel model_from_json(const Json &json) {
 	if (find_feature(model.feature) == nullptr) {
 		throw Fault("feature: there is no feature '" + model.feature + "'");
 	}
-	model.amplitude_mean_m = positive(json, "amplitude_mean_m");
+	model.typical_task.start_m = point(json, "typical_start_m");
+	model.typical_task.axis = point(json, "typical_axis");
+	model.typical_task.amplitude_m = positive(json, "typical_amplitude_m");
 	model.duration_mean_s = positive(json, "duration_mean_s");
 	model.duration_deviation_s = number(json, "duration_deviation_s");
 	model.reference_mean = reference(json, "reference_mean");
@@ -225,7 +235,9 @@ std::string format_model(const GestureModel &model) {
 		{ "version", FORMAT_VERSION },
 		{ "gesture", model.gesture },
 		{ "feature", model.feature },
-		{ "amplitude_mean_m", model.amplitude_mean_m },
+		{ "typical_start_m", row_to_json(model.typical_task.start_m) },
+		{ "typical_axis", row_to_json(model.typical_task.axis) },
+		{ "typical_amplitude_m", model.typical_task.amplitude_m },
 		{ "duration_mean_s", model.duration_mean_s },
 		{ "duration_deviation_s", model.duration_deviation_s },
 		{ "elements", elements },

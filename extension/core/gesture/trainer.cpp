@@ -16,7 +16,6 @@ namespace {
 struct Movement {
 	const TrainingRecording *recording = nullptr;
 	MovementSpan span;
-	double travel_m = 0.0;
 };
 
 RecordedCurve feature_curve(const Feature &feature, const Track &track, const Task &task) {
@@ -69,7 +68,7 @@ struct MeanAndDeviation {
 template <class Values> MeanAndDeviation mean_and_deviation(const Values &values) {
 	const Eigen::Map<const Eigen::VectorXd> v(values.data(), static_cast<Eigen::Index>(values.size()));
 	const double n = static_cast<double>(values.size());
-	const double mean = v.mean();
+	const double mean = n > 0.0 ? v.mean() : 0.0;
 	return { mean, n > 1.0 ? std::sqrt((v.array() - mean).square().sum() / (n - 1.0)) : 0.0 };
 }
 
@@ -80,8 +79,13 @@ void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<cons
 	const auto states = static_cast<std::size_t>(r_model.hmm.states());
 	std::vector<std::vector<double>> state_s(states);
 	std::vector<double> share(states, 0.0);
+	double aligned = 0.0;
 	for (std::size_t r = 0; r < sequences.size(); ++r) {
+		if (sequences[r].empty()) {
+			continue; // shorter than one period of the symbol clock
+		}
 		const ViterbiPath path = viterbi(r_model.hmm, sequences[r]);
+		aligned += 1.0;
 		std::vector<double> frames(states, 0.0);
 		for (const int state : path.states) {
 			frames[static_cast<std::size_t>(state)] += 1.0;
@@ -97,7 +101,7 @@ void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<cons
 	constexpr double SMALLEST = 2.0 / static_cast<double>(CURVE_POINTS - 1);
 	double total = 0.0;
 	for (double &part : share) {
-		part = std::max(part / static_cast<double>(sequences.size()), SMALLEST);
+		part = std::max(part / std::max(aligned, 1.0), SMALLEST);
 		total += part;
 	}
 	double phase = 0.0;
@@ -161,7 +165,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		const MovementSpan span = movement_span(curve, recording.start_s, recording.end_s);
 		Eigen::VectorXd normalised = normalised_curve(curve, span);
 		if (!normalised.isZero(0.0)) {
-			movements.push_back({ &recording, span, recording.task.amplitude_m });
+			movements.push_back({ &recording, span });
 			curves.push_back(std::move(normalised));
 		}
 	}
@@ -178,7 +182,8 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	model.reference_deviation = reference.deviation;
 	model.provenance.r2_threshold = options.r2_threshold;
 	std::vector<Movement> kept;
-	std::vector<double> durations_s, amplitudes_m;
+	std::vector<double> durations_s;
+	model.typical_task = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0 };
 	for (std::size_t i = 0; i < movements.size(); ++i) {
 		if (!reference.kept[i]) {
 			model.provenance.dropped.push_back(movements[i].recording->name);
@@ -186,13 +191,20 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		}
 		kept.push_back(movements[i]);
 		durations_s.push_back(movements[i].span.end_s - movements[i].span.onset_s);
-		amplitudes_m.push_back(movements[i].travel_m);
+		const Task &task = movements[i].recording->task;
+		model.typical_task.start_m += task.start_m;
+		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
+		model.typical_task.axis += std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis)) * task.axis;
+		model.typical_task.amplitude_m += task.amplitude_m;
 	}
 	model.provenance.recordings = static_cast<int>(kept.size());
 	const MeanAndDeviation duration = mean_and_deviation(durations_s);
 	model.duration_mean_s = duration.mean;
 	model.duration_deviation_s = duration.deviation;
-	model.amplitude_mean_m = mean_and_deviation(amplitudes_m).mean;
+	const double n = static_cast<double>(kept.size());
+	model.typical_task.start_m /= n;
+	model.typical_task.axis.normalize(); // a radius has none: stays zero
+	model.typical_task.amplitude_m /= n;
 	if (!go_on(0.1)) {
 		return stopped;
 	}

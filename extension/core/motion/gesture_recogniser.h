@@ -1,0 +1,45 @@
+#pragma once
+
+#include "motion/filtered_motion.h"
+#include "motion/gesture_follower.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace steadyhand {
+
+/// All models that a scene asked for, side by side on one stream of frames: says which gesture is under way, in which
+/// state, and what motion it makes. Costs nothing for a gesture that was not asked for. After construction nothing is
+/// allocated.
+class GestureRecogniser {
+public:
+	/// task: what the scene knows of the gesture's place; nothing where the start is to be found by the hand's rest.
+	GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models, const std::optional<Task> &task);
+
+	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
+	void push(const HandFrame &frame);
+	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
+	void advance(double t_s);
+
+	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else.
+	[[nodiscard]] Motion motion(MotionSource source) const;
+
+	/// Index of the model under way or just finished; -1 while all of them rest.
+	[[nodiscard]] int gesture() const { return leader_; }
+	[[nodiscard]] const GestureFollower *follower() const {
+		return leader_ >= 0 ? &followers_[static_cast<std::size_t>(leader_)] : nullptr;
+	}
+	[[nodiscard]] double time_s() const { return time_s_; }
+
+private:
+	std::vector<std::shared_ptr<const GestureModel>> models_;
+	std::vector<GestureFollower> followers_;
+	std::vector<FilteredMotion> filtered_; ///< one per follower
+	int leader_ = -1;
+	double time_s_;
+
+	void choose_leader();
+};
+
+} // namespace steadyhand

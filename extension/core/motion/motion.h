@@ -1,0 +1,17 @@
+#pragma once
+
+namespace steadyhand {
+
+/// The motion that drives vibration, at one instant. Derivatives are those of the motion elements, not of noisy samples;
+/// they are 0 for the conditions that hold a sample (measured, average, One Euro, Kalman).
+struct Motion {
+	double value_m = 0.0; ///< 0 at the task's start, the amplitude at its end
+	double velocity_m_s = 0.0;
+	double acceleration_m_s2 = 0.0;
+	double progress = 0.0; ///< 0..1: phase of the synthesised motion, value / amplitude clamped otherwise
+};
+
+/// Where the motion comes from: the conditions that a study compares.
+enum class MotionSource { SYNTHESISED, MEASURED, AVERAGE, ONE_EURO, KALMAN };
+
+} // namespace steadyhand

@@ -1,0 +1,46 @@
+#include "motion/paper_synthesiser.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+
+void PaperSynthesiser::play(double t_s, double phase_from, double element_duration_s) {
+	entered_s_ = t_s;
+	phase_at_entry_ = phase_from;
+	rate_per_s_ = (element(state_).phase_end - phase_from) / element_duration_s;
+}
+
+void PaperSynthesiser::begin(double t_s, double phase) {
+	state_ = 0;
+	began_s_ = t_s;
+	const PrimitiveMotionElement &first = element(0);
+	phase = std::clamp(phase, 0.0, first.phase_end);
+	// Nothing has been timed yet: the first state is expected to last as long as it does on average.
+	const double left = (first.phase_end - phase) / (first.phase_end - first.phase_begin);
+	play(t_s, phase, std::max(left, 1e-3) * first.duration_mean_s);
+}
+
+void PaperSynthesiser::enter_state(int state, double t_s) {
+	double expected_s = 0.0;
+	for (int i = 0; i < state; ++i) {
+		expected_s += element(i).duration_mean_s;
+	}
+	const double slower = (t_s - began_s_) / expected_s;
+	const double phase_now = phase(t_s);
+	state_ = state;
+	play(t_s, phase_now, std::max(slower, 1e-3) * element(state).duration_mean_s);
+}
+
+double PaperSynthesiser::phase(double t_s) const {
+	return std::min(phase_at_entry_ + rate_per_s_ * (t_s - entered_s_), element(state_).phase_end);
+}
+
+Motion PaperSynthesiser::motion(double t_s, double amplitude_m) const {
+	const double now = phase(t_s);
+	const double rate = now < element(state_).phase_end ? rate_per_s_ : 0.0;
+	const CurvePoint point = evaluate(*model_, now);
+	return { amplitude_m * point.value, amplitude_m * point.slope * rate,
+		amplitude_m * point.curvature * rate * rate, now };
+}
+
+} // namespace steadyhand

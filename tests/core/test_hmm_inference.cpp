@@ -1,0 +1,133 @@
+#include "hmm/forward.h"
+#include "hmm/log_sum.h"
+#include "hmm/viterbi.h"
+#include "hmm_random.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace steadyhand;
+
+namespace {
+
+double path_log_probability(const DiscreteHmm &hmm, const std::vector<int> &path, const SymbolSequence &symbols) {
+	double sum = hmm.log_pi(path[0]);
+	for (std::size_t t = 0; t < path.size(); ++t) {
+		sum += t > 0 ? hmm.log_a(path[t - 1], path[t]) : 0.0;
+		sum += symbols[t] >= 0 ? hmm.log_b(path[t], symbols[t]) : 0.0;
+	}
+	return sum;
+}
+
+struct AllPaths {
+	double best = -std::numeric_limits<double>::infinity();
+	std::vector<int> best_path;
+	double total = 0.0; ///< probability
+};
+
+/// Brute force over states^length paths.
+AllPaths enumerate(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
+	AllPaths all;
+	std::vector<int> path(symbols.size(), 0);
+	while (true) {
+		const double p = path_log_probability(hmm, path, symbols);
+		all.total += std::exp(p);
+		if (p > all.best) {
+			all.best = p;
+			all.best_path = path;
+		}
+		std::size_t digit = 0;
+		while (digit < path.size() && ++path[digit] == hmm.states()) {
+			path[digit++] = 0;
+		}
+		if (digit == path.size()) {
+			return all;
+		}
+	}
+}
+
+DiscreteHmm two_state_left_right() {
+	DiscreteHmm hmm;
+	const double never = -std::numeric_limits<double>::infinity();
+	hmm.log_pi = Eigen::Vector2d(0.0, never);
+	hmm.log_a.resize(2, 2);
+	hmm.log_a << std::log(0.99), std::log(0.01), never, 0.0;
+	hmm.log_b.resize(2, 2);
+	hmm.log_b << std::log(0.9), std::log(0.1), std::log(0.1), std::log(0.9);
+	return hmm;
+}
+
+} // namespace
+
+TEST_CASE("Viterbi and the forward variable agree with brute force over all paths") {
+	std::mt19937_64 random(1);
+	for (int round = 0; round < 40; ++round) {
+		const DiscreteHmm hmm = test::random_hmm(random, 3, 4);
+		SymbolSequence symbols = test::random_symbols(random, 7, 4);
+		if (round % 4 == 0) {
+			symbols[3] = UNSEEN;
+		}
+		const AllPaths all = enumerate(hmm, symbols);
+		const ViterbiPath best = viterbi(hmm, symbols);
+		CHECK(best.log_probability == doctest::Approx(all.best).epsilon(1e-12));
+		CHECK(best.states == all.best_path);
+		CHECK(log_likelihood(hmm, symbols) == doctest::Approx(std::log(all.total)).epsilon(1e-12));
+	}
+}
+
+TEST_CASE("online Viterbi ends every prefix as Viterbi over that prefix does") {
+	std::mt19937_64 random(2);
+	const DiscreteHmm hmm = test::random_hmm(random, 4, 16);
+	const SymbolSequence symbols = test::random_symbols(random, 200, 16);
+	OnlineViterbi online(hmm);
+	for (std::size_t t = 0; t < symbols.size(); ++t) {
+		online.push(symbols[t]);
+		const ViterbiPath path = viterbi(hmm, std::span(symbols).first(t + 1));
+		REQUIRE(online.state() == path.states.back());
+		REQUIRE(online.log_probability() == doctest::Approx(path.log_probability).epsilon(1e-12));
+	}
+}
+
+TEST_CASE("forward and backward variables give the same likelihood at every instant") {
+	std::mt19937_64 random(3);
+	const DiscreteHmm hmm = test::random_hmm(random, 4, 5);
+	const SymbolSequence symbols = test::random_symbols(random, 60, 5);
+	const Eigen::MatrixXd alpha = log_forward(hmm, symbols);
+	const Eigen::MatrixXd beta = log_backward(hmm, symbols);
+	const double expected = log_likelihood(hmm, symbols);
+	for (Eigen::Index t = 0; t < alpha.cols(); ++t) {
+		CHECK(log_sum_exp(alpha.col(t) + beta.col(t)) == doctest::Approx(expected).epsilon(1e-12));
+	}
+}
+
+TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
+	// After n symbols '0' the likelihood has a closed form: the sum over the frame k at which state 0 was left,
+	// 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k). A scaled forward pass loses it: PEERS.md.
+	const DiscreteHmm hmm = two_state_left_right();
+	const int n = 100'000;
+	const double stay = n * std::log(0.9) + (n - 1) * std::log(0.99);
+	// Each term k is the stay term times (0.01 / 0.99^(n-k)) (1/9)^(n-k): a geometric series in 1 / (9 * 0.99).
+	const double ratio = 1.0 / (9.0 * 0.99);
+	const double expected = stay + std::log1p(0.01 * ratio / (1.0 - ratio));
+	const SymbolSequence zeros(static_cast<std::size_t>(n), 0);
+	CHECK(log_likelihood(hmm, zeros) == doctest::Approx(expected).epsilon(1e-12));
+}
+
+TEST_CASE("log_sum_exp holds at the ends of the number range") {
+	CHECK(log_sum_exp(Eigen::Vector2d(-1e6, -1e6)) == doctest::Approx(-1e6 + std::log(2.0)).epsilon(1e-15));
+	CHECK(log_sum_exp(Eigen::Vector2d(800.0, 800.0)) == doctest::Approx(800.0 + std::log(2.0)));
+	const double never = -std::numeric_limits<double>::infinity();
+	CHECK(log_sum_exp(Eigen::Vector2d(never, never)) == never);
+	CHECK(log_sum_exp(Eigen::VectorXd()) == never);
+}
+
+TEST_CASE("nothing to observe weighs on no state") {
+	std::mt19937_64 random(4);
+	const DiscreteHmm hmm = test::random_hmm(random, 3, 4);
+	CHECK(log_likelihood(hmm, SymbolSequence{}) == 0.0);
+	CHECK(log_likelihood(hmm, SymbolSequence(50, UNSEEN)) == doctest::Approx(0.0).epsilon(1e-12));
+	CHECK(log_likelihood(hmm, SymbolSequence{ 1, 4 }) == doctest::Approx(log_likelihood(hmm, SymbolSequence{ 1, UNSEEN })));
+	CHECK(viterbi(hmm, SymbolSequence{}).states.empty());
+}
