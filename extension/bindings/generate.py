@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Writes the generated part of the bindings: python3 generate.py --api extension_api.json --out build/bindings
+
+Makes OUT/include/godot_cpp/** and OUT/src/*.cpp of what manifest.txt lists. A name that the API lacks is an error.
+"""
+
+import argparse
+import json
+import re
+from pathlib import Path
+
+from api import Api, lookup, snake_case
+from emit_builtin import emit_builtins
+from emit_class import emit_classes, emit_enum
+
+HEADER = "#pragma once\n\n"
+
+
+def read_manifest(path):
+    """{"class": {name: [methods]}, "builtin": {...}, "enums": [...], "utilities": [...], "structs": [...]}"""
+    manifest = {"class": {}, "builtin": {}, "enums": [], "utilities": [], "structs": []}
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if not line or line.startswith("#"):
+            continue
+        row = re.fullmatch(r"(\w+)(?: (\w+))?:(.*)", line)
+        if not row or row[1] not in manifest:
+            raise SystemExit(f"{path}:{number}: not a row of the manifest: {line}")
+        kind, name, words = row[1], row[2], row[3].split()
+        if name:
+            manifest[kind][name] = words
+        else:
+            manifest[kind] = words
+    return manifest
+
+
+def global_constants(api, names):
+    enums = "\n".join(emit_enum(lookup(api.enums, name, "the list of global enums")) for name in names)
+    casts = "".join(f"VARIANT_ENUM_CAST({name})\n" for name in names)
+    return f"{HEADER}#include <godot_cpp/core/enum_cast.hpp>\n\nnamespace godot {{\n\n{enums}\n}} // namespace godot\n\n{casts}"
+
+
+def native_struct(struct):
+    fields = "".join(f"\t{field.strip()};\n" for field in struct["format"].split(";"))
+    return HEADER + f"namespace godot {{\n\nstruct {struct['name']} {{\n{fields}}};\n\n}} // namespace godot\n"
+
+
+def utilities(api, names):
+    functions = "".join(
+        f"""
+	template <typename... Args> static void {name}(const Args &...p_arguments) {{
+		static const GDExtensionPtrUtilityFunction function =
+				internal::find_utility("{name}", {api.utilities[name]["hash"]});
+		const Variant arguments[] = {{ Variant(p_arguments)... }};
+		internal::call_vararg_utility(function, arguments, sizeof...(Args));
+	}}
+"""
+        for name in names
+    )
+    return (
+        HEADER
+        + "#include <godot_cpp/core/engine_call.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:"
+        + functions
+        + "};\n\n} // namespace godot\n"
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--api", type=Path, required=True, help="the engine's extension_api.json")
+    parser.add_argument("--out", type=Path, required=True, help="folder to write into")
+    arguments = parser.parse_args()
+
+    manifest = read_manifest(Path(__file__).with_name("manifest.txt"))
+    api = Api(json.loads(arguments.api.read_text(encoding="utf-8")), manifest)
+
+    files = {
+        "include/godot_cpp/classes/global_constants.hpp": global_constants(api, manifest["enums"]),
+        "include/godot_cpp/variant/utility_functions.hpp": utilities(api, manifest["utilities"]),
+    }
+    for name in manifest["structs"]:
+        files[f"include/godot_cpp/classes/{snake_case(name)}.hpp"] = native_struct(api.structs[name])
+    files.update(emit_builtins(api, manifest["builtin"]))
+    files.update(emit_classes(api))
+
+    for name, text in files.items():
+        path = arguments.out / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Left alone if unchanged, so that a build by time stamps does not start afresh.
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
