@@ -23,7 +23,7 @@ new_enough() {
 find_own() {
 	local candidate path
 	for candidate in "${GODOT:-}" godot godot4; do
-		[[ -n $candidate ]] && path=$(command -v "$candidate") || continue
+		path=$(command -v "$candidate") || continue
 		[[ $path -ef $WRAPPER ]] && continue
 		if new_enough "$path"; then
 			printf '%s\n' "$path"
@@ -36,6 +36,7 @@ find_own() {
 
 # The mirror this machine already uses for its own release.
 find_mirror() {
+	# shellcheck disable=SC2016 # apt-get fills in the fields
 	apt-get indextargets --format '$(REPO_URI) $(RELEASE)' 'Created-By: Packages' |
 		awk '$1 !~ /security/ { print $1; exit }'
 }
@@ -44,7 +45,7 @@ write_apt_configuration() {
 	local mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 	mirror=$(find_mirror)
 	[[ -n $mirror ]] || fail "apt has no package source; $advice"
-	mkdir -p "$work"/{lists,archives}/partial
+	mkdir -p "$work"/{lists,archives}/partial "$work/none"
 	: >"$work/status"
 	echo "deb [signed-by=$keyring] $mirror $SUITE main" >"$work/sources.list"
 	cat >"$work/apt.conf" <<-CONF
@@ -53,8 +54,8 @@ write_apt_configuration() {
 		#clear DPkg::Post-Invoke;
 		#clear Acquire::IndexTargets::deb::DEP-11;
 		Dir::Etc::sourcelist "$work/sources.list";
-		Dir::Etc::sourceparts "-";
-		Dir::Etc::preferencesparts "-";
+		Dir::Etc::sourceparts "$work/none";
+		Dir::Etc::preferencesparts "$work/none";
 		Dir::State::lists "$work/lists";
 		Dir::State::status "$work/status";
 		Dir::Cache "$work";
@@ -99,6 +100,7 @@ fetch() {
 	run_apt download "${apt[@]}" install --yes --download-only "${packages[@]}" ||
 		fail "could not download ${packages[*]} (is there a network?); $advice"
 	say "unpacking Godot"
+	# shellcheck disable=SC2016 # for the inner shell
 	find "$work/archives" -name '*.deb' -print0 |
 		xargs -0 -P "$(nproc)" -I{} bash -c 'set -euo pipefail; unpack "$1" "$2"' _ {} "$ROOT.new"
 	rm -rf "$ROOT" "$work"
@@ -107,14 +109,14 @@ fetch() {
 	new_enough "$WRAPPER" || fail "the Godot of Debian $SUITE does not start: $WRAPPER --headless --version; $advice"
 }
 
-advice="or put a Godot $MINIMUM or later on PATH or in \$GODOT"
+advice="put a Godot $MINIMUM or later on PATH or in \$GODOT"
 if find_own; then exit 0; fi
 mapfile -t packages <"$tools/requirements/godot-root.txt"
-key="$SUITE ${packages[*]} $(sha256sum "${BASH_SOURCE[0]}" | cut -c 1-16)"
+key="$SUITE ${packages[*]} $(declare -f unpack write_wrapper | sha256sum | cut -c 1-16)"
 lock_cache
 if ! once godot "$key"; then
-	[[ $(dpkg --print-architecture 2>/dev/null) == amd64 ]] && grep -qx 'ID=debian' /etc/os-release ||
-		fail "a Godot can be fetched on Debian on x86-64 only: put a Godot $MINIMUM or later on PATH or in \$GODOT"
+	[[ "$(uname -m) $(sed -n 's/^ID=//p' /etc/os-release)" == 'x86_64 debian' ]] ||
+		fail "a Godot can be fetched on Debian on x86-64 only; $advice"
 	fetch "${packages[@]}"
 	done_with godot "$key"
 fi

@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Sourced by ./steadyhand and the set-up scripts: the cache folder, words to the user, apt-get.
 
 CACHE=${STEADYHAND_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/steadyhand}
