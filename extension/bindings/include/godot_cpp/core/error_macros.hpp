@@ -19,6 +19,13 @@ void _err_print_error(const char *p_function, const char *p_file, int p_line, co
 void _err_print_index_error(const char *p_function, const char *p_file, int p_line, int64_t p_index,
 		int64_t p_size, const char *p_index_text, const char *p_size_text);
 
+namespace internal {
+// A function, since GCC warns of a comparison with an enumerator's value that the enum does not have.
+constexpr bool is_out_of_range(int64_t p_index, int64_t p_size) {
+	return p_index < 0 || p_index >= p_size;
+}
+} // namespace internal
+
 } // namespace godot
 
 #define GODOT_CPP_REPORT(...) ::godot::_err_print_error(__FUNCTION__, __FILE__, __LINE__, __VA_ARGS__)
@@ -45,7 +52,7 @@ void _err_print_index_error(const char *p_function, const char *p_file, int p_li
 #define ERR_FAIL_NULL(m_param) ERR_FAIL_NULL_V_MSG(m_param, , "")
 
 #define ERR_FAIL_INDEX_V(m_index, m_size, m_retval)                                                          \
-	if (int64_t(m_index) < 0 || int64_t(m_index) >= int64_t(m_size)) [[unlikely]] {                          \
+	if (::godot::internal::is_out_of_range(int64_t(m_index), int64_t(m_size))) [[unlikely]] {                \
 		::godot::_err_print_index_error(                                                                     \
 				__FUNCTION__, __FILE__, __LINE__, int64_t(m_index), int64_t(m_size), #m_index, #m_size);     \
 		return m_retval;                                                                                     \
