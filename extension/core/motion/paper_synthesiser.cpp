@@ -12,12 +12,13 @@ void PaperSynthesiser::play(double t_s, double phase_from, double element_durati
 
 void PaperSynthesiser::begin(double t_s, double phase) {
 	state_ = 0;
-	began_s_ = t_s;
 	const PrimitiveMotionElement &first = element(0);
 	phase = std::clamp(phase, 0.0, first.phase_end);
-	// Nothing has been timed yet: the first state is expected to last as long as it does on average.
-	const double left = (first.phase_end - phase) / (first.phase_end - first.phase_begin);
-	play(t_s, phase, std::max(left, 1e-3) * first.duration_mean_s);
+	// Nothing has been timed yet: the first state is expected to last as long as it does on average, and to have begun
+	// as long ago as the reference takes to get to this phase.
+	const double seconds_per_phase = first.duration_mean_s / (first.phase_end - first.phase_begin);
+	began_s_ = t_s - seconds_per_phase * (phase - first.phase_begin);
+	play(t_s, phase, std::max(seconds_per_phase * (first.phase_end - phase), 1e-3));
 }
 
 void PaperSynthesiser::enter_state(int state, double t_s) {
@@ -28,7 +29,7 @@ void PaperSynthesiser::enter_state(int state, double t_s) {
 	const double slower = (t_s - began_s_) / expected_s;
 	const double phase_now = phase(t_s);
 	state_ = state;
-	play(t_s, phase_now, std::max(slower, 1e-3) * element(state).duration_mean_s);
+	play(t_s, phase_now, std::max(slower * element(state).duration_mean_s, 1e-3));
 }
 
 double PaperSynthesiser::phase(double t_s) const {

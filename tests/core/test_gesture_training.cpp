@@ -1,0 +1,157 @@
+#include "gesture/feature.h"
+#include "gesture/model_file.h"
+#include "gesture/observation.h"
+#include "gesture/reference_curve.h"
+#include "gesture/trainer.h"
+#include "minimum_jerk_drag.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace steadyhand;
+
+TEST_CASE("the velocity of a steady ramp is its slope, whatever the sampling") {
+	std::mt19937_64 random(1);
+	std::uniform_real_distribution<double> step(0.001, 0.03);
+	ObservationWindow window;
+	double t_s = 3600.0;
+	for (int i = 0; i < 200; ++i) {
+		t_s += step(random);
+		window.push(t_s, 1e6 + 0.4 * t_s);
+	}
+	CHECK(window.velocity_m_s() == doctest::Approx(0.4).epsilon(1e-6));
+	CHECK(window.normalised(0.2, 0.5).y() == doctest::Approx(1.0).epsilon(1e-6));
+}
+
+TEST_CASE("equal and backward time stamps leave the velocity finite") {
+	ObservationWindow window;
+	window.push(1.0, 0.1);
+	window.push(1.0, 0.2);
+	CHECK(window.velocity_m_s() == 0.0);
+	window.push(0.5, 99.0);
+	CHECK(window.position_m() == 0.2);
+}
+
+TEST_CASE("the quantiser finds clusters that are there, and names the nearest") {
+	std::mt19937_64 random(2);
+	std::normal_distribution<double> noise(0.0, 0.01);
+	std::vector<Observation> points;
+	for (int i = 0; i < 400; ++i) {
+		points.emplace_back(0.25 * (i % 4) + noise(random), (i / 4) % 2 + noise(random));
+	}
+	const VectorQuantiser quantiser = VectorQuantiser::trained(points, 8);
+	REQUIRE(quantiser.symbols() == 8);
+	for (int k = 0; k < 8; ++k) {
+		const Observation centre(0.25 * (k / 2), k % 2);
+		CHECK((quantiser.codebook().row(quantiser.symbol(centre)).transpose() - centre).norm() < 0.01);
+	}
+}
+
+TEST_CASE("identical or no observations give a codebook of numbers") {
+	for (const std::size_t n : { 0U, 1U, 50U }) {
+		const VectorQuantiser quantiser = VectorQuantiser::trained(std::vector<Observation>(n, { 0.5, 1.0 }), 16);
+		CHECK(quantiser.symbols() == 16);
+		CHECK(quantiser.codebook().allFinite());
+		CHECK(quantiser.symbol({ 0.4, 1e9 }) >= 0);
+	}
+}
+
+TEST_CASE("a movement's onset is found where its speed passes 5 % of the peak") {
+	// v / v_peak = 16 s^2 (1 - s)^2 for a minimum jerk, so the onset lies at 4 s (1 - s) = sqrt(0.05): s = 0.0594.
+	const RecordedCurve curve = test::minimum_jerk_curve({ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 }, 240.0);
+	const MovementSpan span = movement_span(curve, 0.3, 1.6);
+	CHECK(span.onset_s == doctest::Approx(0.6594).epsilon(0.01));
+	CHECK(span.end_s == 1.6);
+	const Eigen::VectorXd normalised = normalised_curve(curve, { 0.6, 1.6 });
+	for (Eigen::Index i = 0; i < CURVE_POINTS; ++i) {
+		const double s = static_cast<double>(i) / 100.0;
+		CHECK(normalised(i) == doctest::Approx(s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)).epsilon(1e-3));
+	}
+}
+
+TEST_CASE("curves that are unlike the mean are dropped from the reference") {
+	std::vector<Eigen::VectorXd> curves(9, Eigen::VectorXd::LinSpaced(CURVE_POINTS, 0.0, 1.0));
+	curves.push_back(Eigen::VectorXd::LinSpaced(CURVE_POINTS, 1.0, 0.0));
+	const ReferenceCurve reference = reference_curve(curves, 0.9);
+	CHECK(reference.kept == std::vector<bool>{ true, true, true, true, true, true, true, true, true, false });
+	CHECK((reference.mean - curves.front()).norm() < 1e-12);
+	CHECK(reference.deviation.maxCoeff() < 1e-12);
+	// The mean of all ten is 0.1 + 0.8 s. R^2 of s against it: residual 0.2 s - 0.1, variance of s; 1 - 0.04.
+	CHECK(reference.r2.front() == doctest::Approx(0.96).epsilon(1e-9));
+}
+
+TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
+	const GestureModel model = test::trained_drag_model();
+	CHECK(model.provenance.recordings == 12);
+	CHECK(model.elements.size() == 4);
+	CHECK(model.typical_task.amplitude_m == doctest::Approx(0.2));
+	for (double phase = 0.0; phase <= 1.0; phase += 0.01) {
+		// The span begins at 5 % of the peak speed (s = 0.0594), and ends at s = 1.
+		const double s = 0.0594 + phase * (1.0 - 0.0594);
+		const double expected = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
+		CHECK(std::abs(evaluate(model, phase).value - expected) < 0.01);
+	}
+	const CurvePoint before = evaluate(model, 0.5 - 1e-5), after = evaluate(model, 0.5 + 1e-5);
+	CHECK(evaluate(model, 0.5).slope == doctest::Approx((after.value - before.value) / 2e-5).epsilon(1e-3));
+	CHECK(evaluate(model, 0.5).curvature == doctest::Approx((after.slope - before.slope) / 2e-5).epsilon(1e-2));
+	for (const double value : { 0.1, 0.5, 0.9 }) {
+		CHECK(evaluate(model, phase_of_value(model, value)).value == doctest::Approx(value).epsilon(0.01));
+	}
+}
+
+TEST_CASE("training is deterministic and says what it cannot do") {
+	CHECK(format_model(test::trained_drag_model()) == format_model(test::trained_drag_model()));
+	const std::vector<TrainingRecording> drags = test::drag_recordings();
+	CHECK(train("drag", "toe_angle", drags, {}).error() == "drag: there is no feature 'toe_angle'");
+	CHECK(train("drag", "index_along_axis", {}, {}).error() ==
+			"drag: the feature 'index_along_axis' moves in none of the 0 recordings");
+	TrainingOptions options;
+	options.states = 0;
+	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: states: 0 is not in 1..20");
+	options = {};
+	options.progress = [](double) { return false; };
+	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
+}
+
+TEST_CASE("one recording, and recordings of one frame, train or say why not") {
+	std::vector<TrainingRecording> one = test::drag_recordings();
+	one.resize(1);
+	CHECK(train("drag", "index_along_axis", one, {}).ok());
+	one[0].measured.frames.resize(1);
+	CHECK(train("drag", "index_along_axis", one, {}).ok());
+	one[0].reference.frames.resize(1);
+	CHECK_FALSE(train("drag", "index_along_axis", one, {}).ok());
+}
+
+TEST_CASE("a model file reads back to the same bits") {
+	const GestureModel model = test::trained_drag_model();
+	const std::string text = format_model(model);
+	const Result<GestureModel> read = parse_model(text, "a.gesture");
+	REQUIRE(read.ok());
+	CHECK(format_model(read.value()) == text);
+	CHECK(read.value().hmm.log_b == model.hmm.log_b);
+	CHECK(read.value().reference_mean == model.reference_mean);
+}
+
+TEST_CASE("a damaged model file gets one error that names what and where") {
+	const std::string text = format_model(test::trained_drag_model());
+	const auto replaced = [&](const std::string &what, const std::string &with) {
+		std::string damaged = text;
+		damaged.replace(damaged.find(what), what.size(), with);
+		return parse_model(damaged, "a.gesture").error();
+	};
+	CHECK(parse_model("", "a.gesture").error() == "a.gesture: byte 1: not valid JSON");
+	CHECK(parse_model(text.substr(0, 500), "a.gesture").error().starts_with("a.gesture: byte 50"));
+	CHECK(parse_model("[1, 2]", "a.gesture").error() == "a.gesture: format: not a steadyhand-gesture file");
+	CHECK(replaced("\"version\": 1", "\"version\": 9") == "a.gesture: version: this program reads version 1");
+	CHECK(replaced("\"feature\": \"index_along_axis\"", "\"feature\": \"toe\"") ==
+			"a.gesture: feature: there is no feature 'toe'");
+	CHECK(replaced("\"duration_mean_s\": ", "\"duration_mean_s\": -") ==
+			"a.gesture: duration_mean_s: must be greater than 0");
+	CHECK(replaced("\"log_b\"", "\"log_x\"") == "a.gesture: log_b: missing");
+	for (std::size_t length = 0; length < text.size(); length += 97) {
+		CHECK_FALSE(parse_model(text.substr(0, length), "cut").ok());
+	}
+}
