@@ -1,0 +1,23 @@
+extends Node
+## The mouse in place of a hand: pushes the point of the task's plane that the pointer covers, as
+## the index tip. The plane holds the task's axis and faces the camera.
+
+@export var tracker: HandTracker
+@export var task: GestureTask
+
+var active := false
+
+
+func _process(_delta: float) -> void:
+	var camera := get_viewport().get_camera_3d()
+	if not active or camera == null:
+		return
+	var axis := task.get_axis()
+	var view := camera.global_basis.z
+	var plane := Plane((view - axis * view.dot(axis)).normalized(), task.get_start())
+	var pointer := get_viewport().get_mouse_position()
+	var hit: Variant = plane.intersects_ray(
+		camera.project_ray_origin(pointer), camera.project_ray_normal(pointer)
+	)
+	if hit is Vector3:
+		tracker.push_frame(1e-6 * Time.get_ticks_usec(), {HandTracker.JOINT_INDEX: hit})

@@ -1,0 +1,41 @@
+extends CanvasLayer
+## The condition and the live values of all of them, in millimetres.
+
+const Conditions := preload("conditions.gd")
+
+const DRIVING := Color(1.0, 0.83, 0.3)
+const OTHER := Color(0.85, 0.88, 0.9)
+
+var _values: Array[Label] = []
+var _titles: Array[Label] = []
+
+@onready var _table: GridContainer = %Values
+@onready var _status: Label = %Status
+@onready var _vibration: ProgressBar = %Vibration
+
+
+func _ready() -> void:
+	for row in Conditions.TITLES.size():
+		_titles.append(_add_label("%d  %s" % [row + 1, Conditions.TITLES[row]]))
+		_values.append(_add_label(""))
+		_values[row].custom_minimum_size.x = 110
+		_values[row].horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+
+
+## `vibration`: its amplitude, 0..1.
+func show_live(motion: GestureHMM, vibration: float) -> void:
+	for row in Conditions.MOTIONS.size():
+		var colour := DRIVING if Conditions.MOTIONS[row] == motion.motion else OTHER
+		_titles[row].modulate = colour
+		_values[row].modulate = colour
+		_values[row].text = "%.1f mm" % (1000.0 * motion.get_motion_value(Conditions.MOTIONS[row]))
+	var gesture := String(motion.gesture) if motion.gesture else "at rest"
+	_status.text = "%s   state %d   %3.0f %%" % [gesture, motion.state, 100.0 * motion.progress]
+	_vibration.value = vibration
+
+
+func _add_label(text: String) -> Label:
+	var label := Label.new()
+	label.text = text
+	_table.add_child(label)
+	return label

@@ -1,0 +1,162 @@
+extends Node3D
+## A task of the study: plays trials on the HandTracker one after another, or follows the mouse;
+## lets the GestureHMM's motion move what the stage shows, and logs. A task differs from another by
+## its GestureTask and its stage, not by this script.
+
+signal trial_started(trial: String)
+signal trial_ended(trial: String)
+
+const Conditions := preload("conditions.gd")
+const MouseHand := preload("mouse_hand.gd")
+const Readout := preload("readout.gd")
+const Stage := preload("stage.gd")
+const TrialList := preload("trial_list.gd")
+const TrialLog := preload("trial_log.gd")
+
+## Share of the amplitude at which a motion has arrived (SPEC, section 4).
+const ARRIVED := 0.95
+
+## A trial set to play; empty: trials of synthetic people are made.
+@export_dir var trial_folder := ""
+## Where the logs go.
+@export_global_dir var log_folder := "user://logs"
+## Play trial after trial from the start.
+@export var autoplay := true
+
+## Instants of the present trial on the tracker's clock, s; NAN until they come.
+var start_s := NAN
+var end_s := NAN
+
+var _trials: TrialList = null
+var _log: TrialLog = null
+var _trial_name := ""
+var _mouse_trials := 0
+
+@onready var tracker: HandTracker = $HandTracker
+@onready var task: GestureTask = $GestureTask
+@onready var gesture_hmm: GestureHMM = $GestureHMM
+@onready var haptic_synth: HapticSynth = $HapticSynth
+@onready var _stage: Stage = $Stage
+@onready var _readout: Readout = $Readout
+@onready var _mouse: MouseHand = $MouseHand
+
+
+func _ready() -> void:
+	tracker.finished.connect(_on_tracker_finished)
+	gesture_hmm.gesture_started.connect(_on_gesture_started)
+	gesture_hmm.motion_updated.connect(_on_motion_updated)
+	_stage.place(task, "")
+	if autoplay:
+		_trials = TrialList.new(trial_folder, task.gesture)
+		play_next()
+
+
+func _process(_delta: float) -> void:
+	_readout.show_live(gesture_hmm, haptic_synth.get_amplitude())
+
+
+func _unhandled_key_input(event: InputEvent) -> void:
+	var key := event as InputEventKey
+	if not key.pressed or key.echo:
+		return
+	var condition := key.keycode - KEY_1
+	if condition >= 0 and condition < Conditions.MOTIONS.size():
+		gesture_hmm.motion = Conditions.MOTIONS[condition]
+	elif key.keycode == KEY_M:
+		follow_mouse(not _mouse.active)
+	elif key.keycode == KEY_N and not _mouse.active:
+		play_next()
+
+
+func _exit_tree() -> void:
+	_end_trial()
+
+
+## Plays a trial of a set. `trial`: a row of TrialSet.get_trial().
+func play(trial: Dictionary, measured_path: String) -> Error:
+	_end_trial()
+	tracker.stop()
+	task.global_position = trial["start"]
+	task.direction = task.global_basis.inverse() * trial["axis"]
+	task.amplitude = trial["amplitude_m"]
+	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.recording_path = measured_path
+	gesture_hmm.reset()
+	_begin_trial(trial["trial"], trial["position"])
+	return tracker.start()
+
+
+func play_next() -> void:
+	if _trials == null:
+		_trials = TrialList.new(trial_folder, task.gesture)
+	if not _trials.is_empty():
+		_trials.advance()
+		play(_trials.trial, _trials.measured_path)
+
+
+## The mouse in place of the hand, or the played trials again.
+func follow_mouse(on: bool) -> void:
+	_mouse.active = on
+	if not on:
+		play_next()
+		return
+	_end_trial()
+	tracker.stop()
+	tracker.source = HandTracker.SOURCE_SCRIPT
+	gesture_hmm.reset()
+	tracker.start()
+	_begin_mouse_trial()
+
+
+## Name of the condition that moves the box.
+func condition_name() -> String:
+	return Conditions.NAMES[Conditions.MOTIONS.find(gesture_hmm.motion)]
+
+
+func _begin_trial(trial_name: String, position_name: String) -> void:
+	_trial_name = trial_name
+	start_s = NAN
+	end_s = NAN
+	_stage.place(task, position_name)
+	_log = TrialLog.new(log_folder, trial_name, task.gesture)
+	trial_started.emit(trial_name)
+
+
+func _begin_mouse_trial() -> void:
+	_mouse_trials += 1
+	_begin_trial("mouse_%03d" % _mouse_trials, "")
+
+
+func _end_trial() -> void:
+	if _log == null:
+		return
+	_log.close(condition_name(), start_s, end_s)
+	_log = null
+	trial_ended.emit(_trial_name)
+
+
+func _on_tracker_finished() -> void:
+	_end_trial()
+	if autoplay:
+		play_next.call_deferred()
+
+
+func _on_gesture_started(_gesture: StringName) -> void:
+	# A played trial ends with its track; with the mouse each gesture is one.
+	if _mouse.active and not is_nan(start_s):
+		_end_trial()
+		_begin_mouse_trial()
+	if is_nan(start_s):
+		start_s = gesture_hmm.time
+		_stage.mark_started()
+
+
+func _on_motion_updated(time_s: float) -> void:
+	var value := gesture_hmm.value
+	if is_nan(end_s) and not is_nan(start_s) and value >= ARRIVED * task.amplitude:
+		end_s = time_s
+		_stage.mark_arrived()
+	_stage.show_motion(value)
+	_stage.show_hand(tracker)
+	if _log != null:
+		_log.add(time_s, condition_name(), gesture_hmm, haptic_synth.get_amplitude())

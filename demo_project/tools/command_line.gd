@@ -1,0 +1,58 @@
+extends RefCounted
+## `--name value` pairs as a tool's user gave them. Godot runs in the project's folder and not in
+## the user's, so that a path must be absolute (`./steadyhand` makes it so).
+
+## What is wrong with the arguments, with the name of the culprit; empty when all is well.
+var error := ""
+
+var _values: Dictionary[String, String] = {}
+
+
+## `defaults`: every known option and its value where it is not given.
+func _init(arguments: PackedStringArray, defaults: Dictionary[String, String]) -> void:
+	_values = defaults.duplicate()
+	var i := 0
+	while i < arguments.size():
+		var option := arguments[i].trim_prefix("--")
+		if not arguments[i].begins_with("--") or option not in defaults:
+			error = (
+				"unknown argument '%s'; known are --%s"
+				% [arguments[i], " --".join(defaults.keys())]
+			)
+			return
+		if i + 1 >= arguments.size() or arguments[i + 1].begins_with("--"):
+			error = "--%s needs a value" % option
+			return
+		_values[option] = arguments[i + 1]
+		i += 2
+
+
+func text(option: String) -> String:
+	return _values[option]
+
+
+## One of `allowed`.
+func choice(option: String, allowed: Array) -> String:
+	if _values[option] not in allowed:
+		_report("--%s is '%s'; it can be %s" % [option, _values[option], " or ".join(allowed)])
+	return _values[option]
+
+
+## A path that must be given. A folder that is written need not exist.
+func path(option: String) -> String:
+	if _values[option].is_empty():
+		_report("--%s PATH is missing" % option)
+	return optional_path(option)
+
+
+## Empty where it is not given.
+func optional_path(option: String) -> String:
+	var value := _values[option]
+	if not value.is_empty() and not value.is_absolute_path():
+		_report("--%s is '%s', which is no absolute path" % [option, value])
+	return value
+
+
+func _report(message: String) -> void:
+	if error.is_empty():
+		error = message

@@ -1,0 +1,52 @@
+extends "tool.gd"
+## godot --headless --path demo_project --script res://tools/evaluate.gd -- --trials DIR --out DIR
+##     [--models DIR] [--mode paper] [--context scene|open]
+##
+## Exit code: 0; 1 where a trial's tracks could not be read (the others are reported); 2 where
+## nothing could be done.
+
+const Evaluation := preload("evaluation.gd")
+const ModelFolder := preload("model_folder.gd")
+
+
+func work(arguments: PackedStringArray) -> void:
+	var options := (
+		CommandLine
+		. new(
+			arguments,
+			{
+				trials = "",
+				out = "",
+				models = ModelFolder.default_path(),
+				mode = Evaluation.MODES.keys()[0],
+				context = Evaluation.CONTEXTS[0],
+			}
+		)
+	)
+	var trials_folder := options.path("trials")
+	var out_folder := options.path("out")
+	var settings := {
+		mode = options.choice("mode", Evaluation.MODES.keys()),
+		context = options.choice("context", Evaluation.CONTEXTS),
+		models = options.path("models"),
+		trials = trials_folder,
+	}
+	if not options.error.is_empty():
+		fail(options.error, EXIT_BAD_INPUT)
+		return
+	var models := ModelFolder.load_all(settings["models"])
+	if models.is_empty():
+		exit_code = EXIT_BAD_INPUT
+		return
+	var trial_set := TrialSet.load_folder(trials_folder)
+	if trial_set == null:
+		exit_code = EXIT_BAD_INPUT
+		return
+	var evaluation := Evaluation.new()
+	evaluation.run(trial_set, models, settings, out_folder, root)
+	if not evaluation.error.is_empty():
+		fail(evaluation.error, EXIT_BAD_INPUT)
+	elif evaluation.broken > 0:
+		fail("%d trials left out, see above" % evaluation.broken, EXIT_INCOMPLETE)
+	else:
+		exit_code = 0

@@ -1,0 +1,69 @@
+extends RefCounted
+## Runs a trial set through the real nodes and reports it.
+
+const EvaluationReport := preload("evaluation_report.gd")
+const TrialRun := preload("trial_run.gd")
+
+## By their names on the command line; the first is the default.
+const MODES: Dictionary[String, GestureHMM.Mode] = {"paper": GestureHMM.MODE_PAPER}
+const CONTEXTS: Array[String] = ["scene", "open"]
+
+## Trials whose tracks could not be read; they are in no file of the report.
+var broken := 0
+## Nothing could be written; empty when all is well.
+var error := ""
+## As in EvaluationReport.
+var groups: Array[Dictionary] = []
+
+
+## `settings`: {mode, context, models}, which are also written down; `parent`: a node in the tree.
+func run(
+	trial_set: TrialSet,
+	models: Array[GestureModel],
+	settings: Dictionary,
+	out_folder: String,
+	parent: Node
+) -> void:
+	_note_gestures_without_model(trial_set, models)
+	var report := EvaluationReport.new(out_folder)
+	for index in trial_set.get_count():
+		if not report.error.is_empty():
+			break
+		var trial := trial_set.get_trial(index)
+		var trial_run := TrialRun.new(trial, parent)
+		trial_run.run(
+			trial_set.get_measured_path(index),
+			trial_set.get_reference_path(index),
+			models,
+			MODES[settings["mode"]],
+			settings["context"] == "scene"
+		)
+		if trial_run.error.is_empty():
+			report.add(trial, trial_run)
+		else:
+			printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
+			broken += 1
+		_show_progress(index + 1, trial_set.get_count())
+	if report.error.is_empty():
+		report.finish(settings)
+	groups = report.groups
+	error = report.error
+
+
+static func _note_gestures_without_model(trial_set: TrialSet, models: Array[GestureModel]) -> void:
+	var without: Dictionary[String, int] = {}
+	for index in trial_set.get_count():
+		var gesture: String = trial_set.get_trial(index)["gesture"]
+		if (
+			gesture != TrialRun.NO_GESTURE
+			and not models.any(func(model: GestureModel) -> bool: return model.gesture == gesture)
+		):
+			without[gesture] = without.get(gesture, 0) + 1
+	for gesture: String in without:
+		print("no model of '%s': its %d trials get no figures" % [gesture, without[gesture]])
+
+
+## A line at every tenth.
+static func _show_progress(done: int, count: int) -> void:
+	if done * 10 / count > (done - 1) * 10 / count:
+		print("  %d of %d trials" % [done, count])

@@ -1,0 +1,148 @@
+extends RefCounted
+## The files of an evaluation: TRIAL.curves.csv and a row of results.csv for each trial as it is
+## done, summary.json at the end.
+
+const Conditions := preload("res://scripts/conditions.gd")
+const TrialRun := preload("trial_run.gd")
+
+const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
+
+## What went wrong with the folder; empty when all is well.
+var error := ""
+## One per gesture and position, in the order in which they came first; filled by finish().
+var groups: Array[Dictionary] = []
+
+var _folder := ""
+var _results: FileAccess = null
+## Rows of results.csv by "gesture/position".
+var _rows: Dictionary[String, Array] = {}
+
+
+func _init(folder: String) -> void:
+	_folder = folder
+	DirAccess.make_dir_recursive_absolute(folder)
+	_results = _open("results.csv")
+	if _results == null:
+		return
+	var header := PackedStringArray(["trial", "gesture", "position", "subject", "recognised"])
+	for condition in Conditions.NAMES:
+		for figure in FIGURES:
+			header.append("%s_%s" % [figure, condition])
+	_results.store_csv_line(header)
+
+
+## `trial`: a row of TrialSet.get_trial().
+func add(trial: Dictionary, run: TrialRun) -> void:
+	_write_curves(trial["trial"], run)
+	var row := PackedStringArray(
+		[trial["trial"], trial["gesture"], trial["position"], trial["subject"], run.recognised]
+	)
+	for condition in Conditions.NAMES:
+		for figure in FIGURES:
+			row.append(_cell(run.figures, condition, figure))
+	_results.store_csv_line(row)
+	_results.flush()
+
+	var key := "%s/%s" % [trial["gesture"], trial["position"]]
+	_rows.get_or_add(key, []).append(
+		{trial = trial["trial"], recognised = run.recognised, figures = run.figures}
+	)
+
+
+## `settings`: what the figures depend on, kept beside them.
+func finish(settings: Dictionary) -> void:
+	for key: String in _rows:
+		var rows := _rows[key]
+		var names := key.split("/")
+		var group := {
+			gesture = names[0],
+			position = names[1],
+			trials = rows.size(),
+			recognised = rows.filter(_was_recognised.bind(names[0])).size(),
+			conditions = {},
+		}
+		var judged := rows.filter(
+			func(row: Dictionary) -> bool: return not row["figures"].is_empty()
+		)
+		for condition in Conditions.NAMES:
+			if not judged.is_empty():
+				group["conditions"][condition] = _summarise(judged, condition)
+		groups.append(group)
+	var summary := _open("summary.json")
+	if summary != null:
+		var content := {settings = settings, groups = groups}
+		summary.store_line(JSON.stringify(content, "\t", false, true))
+
+
+static func _was_recognised(row: Dictionary, gesture: String) -> bool:
+	return row["recognised"] == gesture
+
+
+## Of rows that all have figures. A missed end takes part in t_diff with the bound that its
+## record gives.
+static func _summarise(rows: Array, condition: String) -> Dictionary:
+	var r2 := PackedFloat64Array()
+	var r2_zero := PackedFloat64Array()
+	var t_diff := PackedFloat64Array()
+	var missed: Array[String] = []
+	for row: Dictionary in rows:
+		var figures: Dictionary = row["figures"][condition]
+		r2.append(figures["r2"])
+		r2_zero.append(figures["r2_zero"])
+		t_diff.append(figures["t_diff"])
+		if figures["missed"]:
+			missed.append(row["trial"])
+	return {
+		n = rows.size(),
+		r2 = _pick(r2, ["mean", "median", "p5"]),
+		r2_zero = _pick(r2_zero, ["mean", "median", "p5"]),
+		t_diff = _pick(t_diff, ["median", "p2_5", "p97_5"]),
+		missed = missed.size(),
+		missed_trials = missed,
+	}
+
+
+## Nulls where there are no values.
+static func _pick(values: PackedFloat64Array, names: Array[String]) -> Dictionary:
+	var statistics := {} if values.is_empty() else MotionMetrics.summarise(values)
+	var picked := {}
+	for name in names:
+		picked[name] = statistics.get(name)
+	return picked
+
+
+## Empty where there is no task to compare in, or no model.
+static func _cell(figures: Dictionary, condition: String, figure: String) -> String:
+	if condition not in figures:
+		return ""
+	return "%.6f" % figures[condition][figure]
+
+
+func _write_curves(name: String, run: TrialRun) -> void:
+	var file := _open("%s.curves.csv" % name)
+	if file == null:
+		return
+	file.store_line("t,reference,%s" % ",".join(Conditions.NAMES))
+	var columns: Array[PackedFloat64Array] = []
+	for condition in Conditions.NAMES:
+		columns.append(run.curves[condition])
+	var has_reference := TrialRun.REFERENCE in run.curves
+	var reference := run.curves.get(TrialRun.REFERENCE, columns[0]) as PackedFloat64Array
+	var numbers := ",%.9f".repeat(columns.size())
+	var cells: Array = []
+	cells.resize(columns.size())
+	for i in run.count:
+		for c in columns.size():
+			cells[c] = columns[c][i]
+		var first := "%.3f," % ((run.first_ms + i) / TrialRun.RATE_HZ)
+		if has_reference:
+			first += "%.9f" % reference[i]
+		file.store_line(first + numbers % cells)
+
+
+func _open(name: String) -> FileAccess:
+	var path := _folder.path_join(name)
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	if file == null and error.is_empty():
+		error = "cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())]
+	return file

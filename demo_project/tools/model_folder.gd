@@ -1,0 +1,31 @@
+extends RefCounted
+## The trained models of a folder.
+
+const INSTALLED := "res://addons/steadyhand/models"
+const IN_REPOSITORY := "res://../models"
+
+
+## Where models are when the user names no folder: in the add-on, or (not installed yet) beside
+## the project.
+static func default_path() -> String:
+	if DirAccess.dir_exists_absolute(INSTALLED):
+		return INSTALLED
+	return ProjectSettings.globalize_path(IN_REPOSITORY).simplify_path()
+
+
+## All *.gesture files in the order of their names; empty after one error on stderr.
+static func load_all(folder: String) -> Array[GestureModel]:
+	var models: Array[GestureModel] = []
+	var names: Array = Array(DirAccess.get_files_at(folder)).filter(
+		func(file: String) -> bool: return file.get_extension() == "gesture"
+	)
+	if names.is_empty():
+		printerr("no *.gesture file in '%s'" % folder)
+	names.sort()
+	for file: String in names:
+		var model := load(folder.path_join(file)) as GestureModel
+		if model == null:
+			printerr("cannot load model '%s'" % folder.path_join(file))
+			return []
+		models.append(model)
+	return models

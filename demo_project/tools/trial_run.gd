@@ -1,0 +1,134 @@
+extends RefCounted
+## One trial through the real nodes: every condition's curve at 1 kHz beside the reference's, and
+## their figures.
+
+const Conditions := preload("res://scripts/conditions.gd")
+
+const RATE_HZ := 1000.0
+const REFERENCE := "reference"
+const NO_GESTURE := "none"
+## Stamps are decimal text: what is this near to a whole millisecond (in ms) is one.
+const ROUNDING_MS := 1e-6
+
+## What is wrong with the trial's files; empty when all is well. The node that found it has said
+## so already.
+var error := ""
+## The gesture that was recognised to its end, NO_GESTURE where there was none.
+var recognised := NO_GESTURE
+## First instant of the curves, whole milliseconds on the trial's clock.
+var first_ms := 0
+## Number of instants, 1 ms apart; they span the reference's record.
+var count := 0
+## Samples by condition (and REFERENCE), in units of the task's amplitude; in metres where there
+## is no task. REFERENCE is missing where there is no task or no model that says what to measure.
+var curves: Dictionary[String, PackedFloat64Array] = {}
+## Result of MotionMetrics.compare() by condition; empty where REFERENCE is missing.
+var figures: Dictionary[String, Dictionary] = {}
+
+var _trial: Dictionary
+var _parent: Node
+
+
+## `trial`: a row of TrialSet.get_trial(). `parent`: a node in the tree, for the time of the run.
+func _init(trial: Dictionary, parent: Node) -> void:
+	_trial = trial
+	_parent = parent
+
+
+## `models`: those that may be used. `in_scene`: only the model of the trial's gesture is active,
+## and the task's place is given.
+func run(
+	measured_path: String,
+	reference_path: String,
+	models: Array[GestureModel],
+	mode: GestureHMM.Mode,
+	in_scene: bool
+) -> void:
+	var gesture: String = _trial["gesture"]
+	var own := models.filter(func(model: GestureModel) -> bool: return model.gesture == gesture)
+	var has_task := in_scene and gesture != NO_GESTURE
+	if not _span(reference_path):
+		return
+	var tracker := _make_tracker(measured_path)
+	if tracker == null:
+		return
+	var task := _make_task() if has_task else null
+	var hmm := GestureHMM.new()
+	hmm.mode = mode
+	hmm.models = own if has_task else models
+	hmm.tracker = tracker
+	hmm.task = task
+	_parent.add_child(hmm)
+
+	_record(tracker, hmm, 1.0 if gesture == NO_GESTURE else _trial["amplitude_m"])
+	if not hmm.recognised.is_empty():
+		recognised = hmm.recognised
+	if not own.is_empty():
+		_compare(reference_path, own[0].feature)
+
+	for node: Node in [hmm, task, tracker]:
+		if node != null:
+			node.free()
+
+
+func _span(reference_path: String) -> bool:
+	var reference := _make_tracker(reference_path)
+	if reference == null:
+		return false
+	var begin_ms := RATE_HZ * reference.get_start_time()
+	var end_ms := begin_ms + RATE_HZ * reference.get_duration()
+	reference.free()
+	first_ms = ceili(begin_ms - ROUNDING_MS)
+	count = maxi(floori(end_ms + ROUNDING_MS) - first_ms + 1, 0)
+	return true
+
+
+func _record(tracker: HandTracker, hmm: GestureHMM, unit_m: float) -> void:
+	var motions := Conditions.MOTIONS
+	var samples := PackedFloat64Array()
+	samples.resize(motions.size() * count)
+	for i in count:
+		tracker.advance_to((first_ms + i) / RATE_HZ)
+		var place := i
+		for motion in motions:
+			samples[place] = hmm.get_motion_value(motion) / unit_m
+			place += count
+	for c in motions.size():
+		curves[Conditions.NAMES[c]] = samples.slice(c * count, (c + 1) * count)
+
+
+func _compare(reference_path: String, feature: String) -> void:
+	var t0_s := first_ms / RATE_HZ
+	var reference := MotionMetrics.feature_curve(
+		reference_path, feature, _trial, t0_s, RATE_HZ, count
+	)
+	curves[REFERENCE] = reference
+	for condition in Conditions.NAMES:
+		figures[condition] = MotionMetrics.compare(
+			reference, curves[condition], RATE_HZ, t0_s, _trial["start_s"], _trial["end_s"]
+		)
+
+
+func _make_task() -> GestureTask:
+	var task := GestureTask.new()
+	task.gesture = _trial["gesture"]
+	task.amplitude = _trial["amplitude_m"]
+	task.position = _trial["start"]
+	task.direction = _trial["axis"]
+	_parent.add_child(task)
+	return task
+
+
+## A started tracker on a recording; null, and `error` set, where that cannot be read.
+func _make_tracker(path: String) -> HandTracker:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	tracker.autostart = false
+	tracker.recording_path = path
+	_parent.add_child(tracker)
+	if tracker.start() == OK:
+		return tracker
+	error = "cannot read %s" % path
+	tracker.free()
+	return null
