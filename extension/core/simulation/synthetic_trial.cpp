@@ -1,0 +1,121 @@
+#include "simulation/synthetic_trial.h"
+
+#include "base/random.h"
+#include "simulation/gesture_motion.h"
+#include "simulation/other_motion.h"
+#include "simulation/sensor.h"
+
+#include <string_view>
+#include <utility>
+
+namespace steadyhand {
+
+namespace {
+
+enum Stream : std::uint64_t { MOTION, MEASURED, REFERENCE };
+
+template <class Row>
+Error unknown_name(std::string_view what, std::string_view name, std::span<const Row> table) {
+	std::string message = "no synthetic " + std::string(what) + " '" + std::string(name) + "', there are:";
+	for (const Row &row : table) {
+		message += ' ' + std::string(row.name);
+	}
+	return Error{ std::move(message) };
+}
+
+/// FNV-1a: the same on every platform, which std::hash is not.
+std::uint64_t text_bits(std::string_view text) {
+	std::uint64_t bits = 0xCBF29CE484222325U;
+	for (const char character : text) {
+		bits = (bits ^ static_cast<unsigned char>(character)) * 0x100000001B3U;
+	}
+	return bits;
+}
+
+} // namespace
+
+Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request) {
+	const std::string_view default_sensor =
+			request.position == HandPosition::STABLE ? "leap_stable" : "leap_unstable";
+	const std::string_view sensor_name =
+			request.sensor.empty() ? default_sensor : std::string_view(request.sensor);
+	const SensorProfile *const sensor = find_sensor_profile(sensor_name);
+	if (sensor == nullptr) {
+		return unknown_name("sensor", sensor_name, sensor_profiles());
+	}
+
+	SyntheticTrial made;
+	made.trial = { .trial = request.name,
+		.gesture = request.gesture,
+		.position = request.position,
+		.subject = request.subject.id };
+	Random random(stream_seed(request.seed, MOTION));
+	TrueMotion motion;
+	std::string_view kind_name;
+	if (request.gesture == "none") {
+		const OtherMotion &any_kind = other_motions()[random.index(other_motions().size())];
+		const OtherMotion *const kind = request.kind.empty() ? &any_kind : find_other_motion(request.kind);
+		if (kind == nullptr) {
+			return unknown_name("kind of other motion", request.kind, other_motions());
+		}
+		kind_name = kind->name;
+		motion = make_other_motion(*kind, request.position, request.subject, request.duration_s, random);
+	} else {
+		const SimulatedGesture *const gesture = find_simulated_gesture(request.gesture);
+		if (gesture == nullptr) {
+			return unknown_name("gesture", request.gesture, simulated_gestures());
+		}
+		const GestureTask task = draw_task(*gesture, request.position, random);
+		motion = make_gesture_motion(
+				*gesture, task, request.position, request.subject, request.duration_s, random);
+		made.trial.start_m = task.axis.isZero(0.0) ? Eigen::Vector3d(task.radius_m, 0.0, 0.0) : task.start_m;
+		made.trial.axis = task.axis;
+		made.trial.amplitude_m = task.amplitude_m;
+	}
+	made.trial.start_s = motion.start_s;
+	made.trial.end_s = motion.end_s;
+	made.measured = record_track(motion, *sensor, stream_seed(request.seed, MEASURED));
+	made.reference =
+			record_track(motion, *find_sensor_profile("liberty"), stream_seed(request.seed, REFERENCE));
+	for (Track *track : { &made.measured, &made.reference }) {
+		track->metadata.insert(track->metadata.begin(),
+				{ { "origin", "synthetic" }, { "subject", request.subject.id },
+						{ "seed", std::to_string(request.seed) } });
+		if (!kind_name.empty()) {
+			track->metadata.emplace_back("kind", kind_name);
+		}
+	}
+	return made;
+}
+
+std::vector<SyntheticTrialRequest> plan_synthetic_set(const SyntheticSetOptions &options) {
+	std::vector<std::string> gestures = options.gestures;
+	if (gestures.empty()) {
+		for (const SimulatedGesture &gesture : simulated_gestures()) {
+			gestures.emplace_back(gesture.name);
+		}
+		gestures.emplace_back("none");
+	}
+	std::vector<SyntheticTrialRequest> requests;
+	for (std::uint32_t person = 0; person < options.subjects; ++person) {
+		const Subject subject = draw_subject(options.population, person);
+		for (const std::string &gesture : gestures) {
+			for (const HandPosition position : options.positions) {
+				for (std::uint32_t repetition = 0; repetition < options.repetitions; ++repetition) {
+					SyntheticTrialRequest request;
+					request.name = subject.id + '_' + gesture + '_' + std::string(position_name(position)) +
+							'_' + std::to_string(repetition);
+					request.gesture = gesture;
+					request.position = position;
+					request.subject = subject;
+					request.seed = text_bits(request.name);
+					request.duration_s = options.duration_s;
+					requests.push_back(std::move(request));
+				}
+			}
+		}
+	}
+	return requests;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,202 @@
+#include "simulation/gesture_motion.h"
+#include "simulation/other_motion.h"
+#include "simulation/synthetic_trial.h"
+#include "tracking/track_csv.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+SyntheticTrial made(const SyntheticTrialRequest &request) {
+	Result<SyntheticTrial> trial = make_synthetic_trial(request);
+	REQUIRE_MESSAGE(trial.ok(), trial.error());
+	return std::move(trial).value();
+}
+
+SyntheticTrialRequest request_of(const std::string &gesture, std::uint64_t seed) {
+	SyntheticTrialRequest request;
+	request.name = gesture;
+	request.gesture = gesture;
+	request.subject = draw_subject(Population::TUNE, 1);
+	request.seed = seed;
+	return request;
+}
+
+/// Radius of the circle through three points in the xy plane: a b c / (4 area).
+double circumradius(const HandFrame &frame) {
+	const Eigen::Vector2d thumb = frame.position(Joint::THUMB).head<2>();
+	const Eigen::Vector2d index = frame.position(Joint::INDEX).head<2>();
+	const Eigen::Vector2d middle = frame.position(Joint::MIDDLE).head<2>();
+	const Eigen::Vector2d side = index - thumb;
+	const Eigen::Vector2d other = middle - thumb;
+	const double area_twice = std::abs(side.x() * other.y() - side.y() * other.x());
+	return side.norm() * other.norm() * (index - middle).norm() / (2.0 * area_twice);
+}
+
+/// Motion element of the trial's gesture in units of its amplitude.
+double element(const Trial &trial, const HandFrame &frame) {
+	const double way_m = trial.has_axis() ? (frame.position(Joint::INDEX) - trial.start_m).dot(trial.axis)
+										  : circumradius(frame) - trial.start_m.x();
+	return way_m / trial.amplitude_m;
+}
+
+double reference_at(const SyntheticTrial &trial, double t_s) {
+	const auto next = std::find_if(trial.reference.frames.begin(), trial.reference.frames.end(),
+			[t_s](const HandFrame &frame) { return frame.t_s >= t_s; });
+	REQUIRE(next != trial.reference.frames.end());
+	return element(trial.trial, *next);
+}
+
+} // namespace
+
+TEST_SUITE("synthetic trial") {
+	TEST_CASE("a trial's times, start, axis and amplitude describe its reference") {
+		for (const SimulatedGesture &gesture : simulated_gestures()) {
+			for (std::uint64_t seed = 0; seed < 30; ++seed) {
+				SyntheticTrialRequest request = request_of(std::string(gesture.name), seed);
+				request.position = seed % 2 == 0 ? HandPosition::STABLE : HandPosition::UNSTABLE;
+				const SyntheticTrial trial = made(request);
+				CHECK(trial.trial.gesture == gesture.name);
+				CHECK(trial.trial.subject == "tune_1");
+				CHECK(trial.trial.start_s >= 0.5);
+				CHECK(trial.reference.frames.back().t_s - trial.trial.end_s > 0.75);
+				CHECK(trial.measured.frames.front().t_s < 0.1);
+				// Before the onset and at it the hand is at the start, but for sway and a start of its own.
+				CHECK(std::abs(reference_at(trial, 0.1)) < 0.06);
+				CHECK(std::abs(reference_at(trial, trial.trial.start_s)) < 0.06);
+				const double level = reference_at(trial, trial.trial.end_s);
+				CHECK(level == doctest::Approx(1.0).epsilon(gesture.through_max_m > 0.0 ? 0.04 : 0.2));
+				if (gesture.through_max_m == 0.0) {
+					CHECK(std::abs(reference_at(trial, trial.trial.end_s + 0.7) - level) < 0.05);
+				}
+				// SPEC: the end is where the curve first reaches 95 % of its level at end_s. It lies within
+				// the span.
+				double end_s = trial.trial.start_s;
+				while (reference_at(trial, end_s) < 0.95 * level) {
+					end_s += 1.0 / 240.0;
+				}
+				CHECK(end_s <= trial.trial.end_s + 1.0 / 240.0);
+				CHECK(end_s > 0.5 * (trial.trial.start_s + trial.trial.end_s));
+			}
+		}
+	}
+
+	TEST_CASE("the rows and tracks of a set are files that read back") {
+		SyntheticSetOptions options;
+		options.subjects = 2;
+		options.repetitions = 2;
+		const std::vector<SyntheticTrialRequest> requests = plan_synthetic_set(options);
+		CHECK(requests.size() == 2 * 5 * 2 * 2);
+		std::set<std::string> names;
+		std::vector<Trial> rows;
+		for (const SyntheticTrialRequest &request : requests) {
+			CHECK(names.insert(request.name).second);
+			const SyntheticTrial trial = made(request);
+			rows.push_back(trial.trial);
+			const std::string measured = format_track_csv(trial.measured);
+			const Result<Track> again = parse_track_csv(measured, request.name);
+			REQUIRE_MESSAGE(again.ok(), again.error());
+			CHECK(format_track_csv(again.value()) == measured);
+		}
+		const Result<std::vector<Trial>> again = parse_trials_csv(format_trials_csv(rows), "trials.csv");
+		REQUIRE_MESSAGE(again.ok(), again.error());
+		CHECK(format_trials_csv(again.value()) == format_trials_csv(rows));
+	}
+
+	TEST_CASE("equal requests give equal trials to the last bit, whatever else is in the set") {
+		SyntheticSetOptions small;
+		small.subjects = 1;
+		small.repetitions = 1;
+		small.gestures = { "tap" };
+		const SyntheticTrialRequest alone = plan_synthetic_set(small).front();
+		const std::vector<SyntheticTrialRequest> all =
+				plan_synthetic_set({ .subjects = 2, .repetitions = 3 });
+		const auto same = std::find_if(
+				all.begin(), all.end(), [&alone](const auto &request) { return request.name == alone.name; });
+		REQUIRE(same != all.end());
+		const SyntheticTrial left = made(alone);
+		const SyntheticTrial right = made(*same);
+		CHECK(format_track_csv(left.measured) == format_track_csv(right.measured));
+		CHECK(format_track_csv(left.reference) == format_track_csv(right.reference));
+		CHECK(format_trials_csv({ left.trial }) == format_trials_csv({ right.trial }));
+		SyntheticTrialRequest other = alone;
+		++other.seed;
+		CHECK(format_track_csv(left.measured) != format_track_csv(made(other).measured));
+	}
+
+	TEST_CASE("the sensor does not change what the hand did") {
+		SyntheticTrialRequest request = request_of("horizontal_drag", 4);
+		const SyntheticTrial leap = made(request);
+		request.sensor = "openxr";
+		const SyntheticTrial openxr = made(request);
+		CHECK(format_track_csv(leap.reference) == format_track_csv(openxr.reference));
+		CHECK(leap.measured.has_confidence);
+		CHECK_FALSE(openxr.measured.has_confidence);
+	}
+
+	TEST_CASE("where tracking is stable the measured curve is near the reference, where it is not it is far "
+			  "off") {
+		for (const SimulatedGesture &gesture : simulated_gestures()) {
+			double squares[2] = { 0.0, 0.0 };
+			int counts[2] = { 0, 0 };
+			for (std::uint64_t seed = 0; seed < 40; ++seed) {
+				SyntheticTrialRequest request = request_of(std::string(gesture.name), seed);
+				request.position = seed % 2 == 0 ? HandPosition::STABLE : HandPosition::UNSTABLE;
+				const SyntheticTrial trial = made(request);
+				for (const HandFrame &frame : trial.measured.frames) {
+					if (frame.tracked != 0 && frame.t_s >= trial.trial.start_s &&
+							frame.t_s <= trial.trial.end_s) {
+						squares[seed % 2] +=
+								std::pow(element(trial.trial, frame) - reference_at(trial, frame.t_s), 2);
+						++counts[seed % 2];
+					}
+				}
+			}
+			const double stable = std::sqrt(squares[0] / counts[0]);
+			const double unstable = std::sqrt(squares[1] / counts[1]);
+			INFO(gesture.name, " stable ", stable, " unstable ", unstable);
+			CHECK(stable < 0.15); // a tap covers a tenth of its way during the lag
+			CHECK(unstable > 1.5 * stable);
+			CHECK(unstable < 0.6);
+		}
+	}
+
+	TEST_CASE("none has a kind, a span and no task") {
+		for (const OtherMotion &kind : other_motions()) {
+			SyntheticTrialRequest request = request_of("none", 2);
+			request.kind = kind.name;
+			request.duration_s = 5.0;
+			const SyntheticTrial trial = made(request);
+			CHECK(trial.trial.start_s == 0.5);
+			CHECK(trial.trial.end_s == 4.5);
+			CHECK(trial.trial.amplitude_m == 0.0);
+			CHECK_FALSE(trial.trial.has_axis());
+			CHECK(trial.measured.metadata.back() ==
+					std::pair<std::string, std::string>("kind", std::string(kind.name)));
+		}
+	}
+
+	TEST_CASE("a name in no table is an error that lists what there is") {
+		CHECK(make_synthetic_trial(request_of("wave", 1)).error() ==
+				"no synthetic gesture 'wave', there are: horizontal_drag vertical_drag tap zoom");
+		SyntheticTrialRequest request = request_of("tap", 1);
+		request.sensor = "kinect";
+		CHECK(make_synthetic_trial(request).error() ==
+				"no synthetic sensor 'kinect', there are: leap_stable leap_unstable leap_loaded openxr "
+				"liberty");
+		request = request_of("none", 1);
+		request.kind = "sleeping";
+		CHECK(make_synthetic_trial(request).error() ==
+				"no synthetic kind of other motion 'sleeping', there are: idle reaching typing circling "
+				"wandering");
+	}
+}
