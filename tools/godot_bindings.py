@@ -37,8 +37,8 @@ def add_own(env, root: Path) -> list[str]:
     godot = find_godot(root)
     version = subprocess.run([godot, "--headless", "--version"], capture_output=True, text=True).stdout
     generator = root / "extension/bindings/generate.py"
-    sources = [*sorted(generator.parent.glob("*.py")), *sorted((root / "extension/nodes").glob("*.*"))]
-    key = hashlib.sha256(version.encode() + b"".join(source.read_bytes() for source in sources)).hexdigest()
+    parts = [*sorted(generator.parent.glob("*.py")), generator.with_name("manifest.txt")]
+    key = hashlib.sha256(version.encode() + b"".join(part.read_bytes() for part in parts)).hexdigest()
 
     api = root / "build/godot_api"
     generated = root / "build/bindings"

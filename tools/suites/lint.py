@@ -1,0 +1,68 @@
+"""Format, lint and layout checks. Each check is one test."""
+
+import hashlib
+import os
+import sys
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from suites.outcome import Outcome
+from suites.process import ROOT, run, scons
+
+PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
+VENV = Path(sys.executable).parent
+
+
+def outcomes() -> Iterator[Outcome]:
+    cpp, headers, gd, python = files(".cpp"), files(".h", ".hpp"), files(".gd"), files(".py")
+    shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
+    yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
+    yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
+    yield from clang_tidy(cpp, headers)
+    yield check("gdformat", [VENV / "gdformat", "--check", *gd])
+    yield check("gdlint", [VENV / "gdlint", *gd])
+    yield check("shellcheck", ["shellcheck", "-x", *shell])
+    yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
+    yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
+
+
+def files(*endings: str) -> list[Path]:
+    """The repo's own files with these endings; build products and generated code are left out."""
+    found = []
+    for folder, subfolders, names in os.walk(ROOT):
+        subfolders[:] = sorted(set(subfolders) - PRODUCTS)
+        found += [Path(folder, name) for name in sorted(names) if name.endswith(endings)]
+    return found
+
+
+def check(name: str, command: list) -> Outcome:
+    status, output = run(command)
+    return Outcome.of(f"lint/{name}", status == 0, output)
+
+
+def clang_tidy(cpp: list[Path], headers: list[Path]) -> Iterator[Outcome]:
+    """One outcome a source file; a file is looked at again only when it, a header or a setting has changed."""
+    status, output = scons("compiledb")
+    if status != 0:
+        yield Outcome.of("lint/clang-tidy", False, output)
+        return
+    common = hashlib.sha256()
+    for part in [*headers, *files(".clang-tidy")]:
+        common.update(part.read_bytes())
+    clean = ROOT / "build/clang_tidy"
+    clean.mkdir(parents=True, exist_ok=True)
+
+    def look(source: Path) -> Outcome:
+        key = common.copy()
+        key.update(source.read_bytes())
+        stamp = clean / f"{source.stem}.{key.hexdigest()[:32]}"
+        if stamp.exists():
+            return Outcome.of(f"lint/clang-tidy {source.relative_to(ROOT)}", True)
+        outcome = check(f"clang-tidy {source.relative_to(ROOT)}", ["clang-tidy", "--quiet", "-p", ".", source])
+        if not outcome.failed:
+            stamp.touch()
+        return outcome
+
+    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
+        yield from pool.map(look, cpp)

@@ -1,0 +1,35 @@
+"""Child processes with a kill time."""
+
+import os
+import signal
+import subprocess
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+KILLED = "killed after {} s"
+
+
+def run(command: list, kill_s: float = 600, **environment: str) -> tuple[int, str]:
+    """Runs it in the repo's root; its exit status and everything it said. A killed one has a status that is not 0."""
+    child = subprocess.Popen(
+        [str(word) for word in command],
+        cwd=ROOT,
+        env={**os.environ, **environment},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+    )
+    try:
+        output, _ = child.communicate(timeout=kill_s)
+        return child.returncode, output
+    except subprocess.TimeoutExpired:
+        os.killpg(child.pid, signal.SIGKILL)
+        output, _ = child.communicate()
+        return -signal.SIGKILL, f"{output}\n{KILLED.format(kill_s)}"
+
+
+def scons(*arguments: str) -> tuple[int, str]:
+    return run(["scons", "-s", *arguments])

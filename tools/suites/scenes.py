@@ -1,0 +1,57 @@
+"""The scene tests: each GDScript of tests/scenes in a headless Godot of its own, through the public API alone.
+
+A script ends with the line `END <n> passed, <m> failed`. Whatever the engine complains of fails the test too, unless
+the script says in a line `# expects error: TEXT` that it provokes it.
+"""
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from suites.outcome import Outcome
+from suites.process import ROOT, run, scons
+
+PROJECT = ROOT / "demo_project"
+KILL_S = 60
+END = re.compile(r"^END (\d+) passed, (\d+) failed$")
+COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR): (.*)|.*(Parse Error.*)")
+EXPECTED = re.compile(r"^\s*#+ expects error: (.+)$", re.MULTILINE)
+
+
+def outcomes() -> Iterator[Outcome]:
+    godot = os.environ["GODOT"]
+    status, output = scons()
+    if status == 0:
+        status, output = run([ROOT / "tools/import_project.sh", godot, PROJECT])
+    if status != 0:
+        yield Outcome.of("scenes: the add-on is built and imported", False, output)
+        return
+    scripts = sorted((ROOT / "tests/scenes").glob("*.gd"))
+    if not scripts:
+        yield Outcome.of("scenes: there are some", False)
+    for script in scripts:
+        yield run_script(godot, script)
+
+
+def run_script(godot: str, script: Path) -> Outcome:
+    status, output = run([godot, "--headless", "--path", PROJECT, "--script", script], kill_s=KILL_S)
+    ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
+    passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
+    faults = unexpected(output, EXPECTED.findall(script.read_text()))
+    if len(ends) != 1:
+        faults.append(f"{len(ends)} END lines")
+    elif passed + failed == 0:
+        faults.append("no test was run")
+    if status != 0 and failed == 0:
+        faults.append(f"exit status {status}")
+    text = "\n".join([output, *(f"-> {fault}" for fault in faults)])
+    return Outcome(f"scenes/{script.stem}", passed, failed + len(faults), output=text)
+
+
+def unexpected(output: str, expected: list[str]) -> list[str]:
+    """The engine's complaints that the script did not announce, and announced ones that did not come."""
+    complaints = [found[1] or found[2] for line in output.splitlines() if (found := COMPLAINT.match(line))]
+    faults = [f"error: {said}" for said in complaints if not any(text in said for text in expected)]
+    missing = [text for text in expected if not any(text in said for said in complaints)]
+    return faults + [f"expected error did not come: {text}" for text in missing]
