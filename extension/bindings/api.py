@@ -3,8 +3,13 @@
 import re
 
 NUMBERS = {"bool": "bool", "int": "int64_t", "float": "double"}
+
 # godot-cpp's name for a class whose own name it needs itself.
 RENAMED = {"ClassDB": "ClassDBSingleton"}
+
+
+def cpp_class(name):
+    return RENAMED.get(name, name)
 
 
 def snake_case(name):
@@ -12,6 +17,11 @@ def snake_case(name):
     name = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", name)
     name = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", name)
     return name.replace("2_D", "2D").replace("3_D", "3D").lower()
+
+
+def header_of(name):
+    """The header of a class or plain structure, below godot_cpp/."""
+    return f"classes/{snake_case(cpp_class(name))}.hpp"
 
 
 def by_name(rows):
@@ -37,7 +47,7 @@ class Api:
         self.classes = self._wanted_classes(manifest["class"])
 
     def _wanted_classes(self, rows):
-        """{class: [method rows]} with parents and the classes of signatures added, parents before children."""
+        """{class: [method rows]} with the parents and the classes of signatures added; parents come first."""
         wanted = {}
         queue = list(rows)
         while queue:
@@ -78,7 +88,7 @@ class Api:
         if kind == "typedarray":
             return f"TypedArray<{NUMBERS.get(name, name)}>"
         if type_ in self.all_classes:
-            name = RENAMED.get(type_, type_)
+            name = cpp_class(type_)
             return f"Ref<{name}>" if self.all_classes[type_]["is_refcounted"] else f"{name} *"
         return type_.replace("*", " *")
 

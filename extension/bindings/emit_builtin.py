@@ -28,7 +28,7 @@ namespace godot {{
 
 class {name}
 	: public internal::PackedArray<{name}, {element}, GDEXTENSION_VARIANT_TYPE_{upper}, internal::{upper}_SIZE,
-			  gdextension_interface::{lower}_operator_index, gdextension_interface::{lower}_operator_index_const> {{
+			gdextension_interface::{lower}_operator_index, gdextension_interface::{lower}_operator_index_const> {{
 public:
 	using PackedArray::PackedArray;
 
@@ -76,7 +76,7 @@ def definition(api, builtin, method):
     return (
         f"{result}{space}{builtin}::{method['name']}({parameters(api, method, False)}){const} {{\n"
         "\tstatic const GDExtensionPtrBuiltInMethod method = internal::find_builtin_method(\n"
-        f"\t\t\tGDEXTENSION_VARIANT_TYPE_{upper_name(builtin)}, \"{method['name']}\", {method['hash']});\n"
+        f'\t\t\tGDEXTENSION_VARIANT_TYPE_{upper_name(builtin)}, "{method["name"]}", {method["hash"]});\n'
         f"\treturn internal::call_builtin<{types}>({values});\n}}\n"
     )
 

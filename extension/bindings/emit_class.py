@@ -1,6 +1,6 @@
 """One header for each engine class, and one source with the bodies of all of them."""
 
-from api import RENAMED, snake_case
+from api import cpp_class, header_of
 
 # The two classes that ClassDB's own header needs complete: together in one header below it. The headers of their own
 # names include that and ClassDB, which all other classes' headers do.
@@ -57,34 +57,36 @@ class Method:
         )
 
     def definition(self):
-        cpp_class = RENAMED.get(self.class_name, self.class_name)
+        owner_class = cpp_class(self.class_name)
         if self.row["is_virtual"]:
             unnamed = ", ".join(self.api.cpp_argument(row).rstrip() for row in self.arguments)
             body = "" if self.result == "void" else f"\treturn {self.result}();\n"
             if self.result.endswith("*"):
                 body = "\treturn nullptr;\n"
-            return f"{spaced(self.result)}{cpp_class}::{self.name}({unnamed}){self.const} {{\n{body}}}\n"
+            return f"{spaced(self.result)}{owner_class}::{self.name}({unnamed}){self.const} {{\n{body}}}\n"
         lookup = (
             "\tstatic const GDExtensionMethodBindPtr method =\n"
-            f"\t\t\tinternal::find_method(\"{self.class_name}\", \"{self.name}\", {self.row['hash']});\n"
+            f'\t\t\tinternal::find_method("{self.class_name}", "{self.name}", {self.row["hash"]});\n'
         )
         if self.row["is_vararg"]:
             call = "internal::call_vararg(method, _owner, p_arguments, p_count)"
             call = call if self.result == "void" else f"return internal::from_variant<{self.result}>({call})"
-            head = f"{spaced(self.result)}{cpp_class}::_vararg_{self.name}(const Variant *p_arguments, size_t p_count)"
+            head = (
+                f"{spaced(self.result)}{owner_class}::_vararg_{self.name}(const Variant *p_arguments, size_t p_count)"
+            )
             return f"{head} {{\n{lookup}\t{call};\n}}\n"
         types = ", ".join([self.result] + [self.api.cpp_type(row) for row in self.arguments])
         owner = "nullptr" if self.row["is_static"] else "_owner"
         values = ", ".join(["method", owner] + [f"p_{row['name']}" for row in self.arguments])
         return (
-            f"{spaced(self.result)}{cpp_class}::{self.name}({self.parameters()}){self.const} {{\n"
+            f"{spaced(self.result)}{owner_class}::{self.name}({self.parameters()}){self.const} {{\n"
             f"{lookup}\treturn internal::call_method<{types}>({values});\n}}\n"
         )
 
     def registration(self):
         return (
             f"\t\tif constexpr (!std::is_same_v<decltype(&B::{self.name}), decltype(&T::{self.name})>) {{\n"
-            f"\t\t\tClassDB::bind_virtual_method(T::get_class_static(), \"{self.name}\",\n"
+            f'\t\t\tClassDB::bind_virtual_method(T::get_class_static(), "{self.name}",\n'
             f"\t\t\t\t\t&_call_virtual<&T::{self.name}>, {self.row['hash']});\n\t\t}}\n"
         )
 
@@ -101,16 +103,17 @@ def register_virtuals(parent, methods):
 def includes_of(api, name, parent, methods):
     """(headers, classes to declare)"""
     used = {class_ for method in methods for class_ in api.classes_of(method.row)} - {name, parent}
-    types = [row["type"] for method in methods for row in method.arguments + [method.row.get("return_value", {})] if row]
-    nested = {type_.partition("::")[2].split(".")[0] for type_ in types if type_.startswith(("enum::", "bitfield::"))}
+    rows = [row for method in methods for row in [*method.arguments, method.row.get("return_value")] if row]
+    types = {row["type"] for row in rows}
+    nested = {type_.split("::")[1].split(".")[0] for type_ in types if type_.startswith(("enum::", "bitfield::"))}
     complete = sorted(used & nested) + sorted({type_.rstrip("*") for type_ in types} & api.structs.keys())
-    headers = [f"classes/{snake_case(class_)}.hpp" for class_ in [parent] + complete]
+    headers = [header_of(class_) for class_ in [parent] + complete]
     return headers + ["classes/ref.hpp", "core/class_db.hpp"], sorted(used - nested)
 
 
 def class_text(api, name, methods):
     row = api.all_classes[name]
-    cpp_name = RENAMED.get(name, name)
+    cpp_name = cpp_class(name)
     parent = row.get("inherits", "Wrapped")
     public = "".join(indented(emit_enum(enum)) for enum in row.get("enums", []))
     public += "".join(f"\tstatic constexpr int {c['name']} = {c['value']};\n" for c in row.get("constants", []))
@@ -132,7 +135,9 @@ def class_header(api, name):
     headers, declared = includes_of(api, name, api.all_classes[name]["inherits"], methods)
     text = "#pragma once\n\n" + "".join(f"#include <godot_cpp/{header}>\n" for header in headers)
     if declared:
-        text += "\nnamespace godot {\n" + "".join(f"class {RENAMED.get(c, c)};\n" for c in declared) + "} // namespace godot\n"
+        text += (
+            "\nnamespace godot {\n" + "".join(f"class {cpp_class(c)};\n" for c in declared) + "} // namespace godot\n"
+        )
     return text + "\n" + class_text(api, name, methods)
 
 
@@ -144,21 +149,24 @@ def foundation(api):
 
 
 def bodies(api):
-    text = "".join(f"#include <godot_cpp/classes/{snake_case(RENAMED.get(n, n))}.hpp>\n" for n in api.classes)
-    text += "#include <godot_cpp/core/engine_call.hpp>\n#include <godot_cpp/core/object_binding.hpp>\n\nnamespace godot {\n\n"
+    text = "".join(f"#include <godot_cpp/{header_of(name)}>\n" for name in api.classes)
+    text += "#include <godot_cpp/core/engine_call.hpp>\n#include <godot_cpp/core/object_binding.hpp>\n"
+    text += "\nnamespace godot {\n\n"
     for name, methods in api.classes.items():
-        cpp_name = RENAMED.get(name, name)
+        cpp_name = cpp_class(name)
         if name in api.singletons:
             text += f"{cpp_name} *{cpp_name}::get_singleton() {{\n"
             text += f"\treturn static_cast<{cpp_name} *>(internal::get_singleton(get_class_static()));\n}}\n"
         text += "".join(Method(api, name, method).definition() for method in methods)
     text += "\nvoid internal::register_engine_classes() {\n"
     for name in api.classes:
-        cpp_name = RENAMED.get(name, name)
+        cpp_name = cpp_class(name)
         text += f"\tregister_binding_callbacks({cpp_name}::get_class_static(), &{cpp_name}::_binding_callbacks);\n"
     return text + "}\n\n} // namespace godot\n"
 
 
 def emit_classes(api):
-    files = {f"include/godot_cpp/classes/{snake_case(RENAMED.get(n, n))}.hpp": class_header(api, n) for n in api.classes}
-    return files | {"include/godot_cpp/core/foundation.hpp": foundation(api), "src/engine_classes.cpp": bodies(api)}
+    files = {f"include/godot_cpp/{header_of(name)}": class_header(api, name) for name in api.classes}
+    files["include/godot_cpp/core/foundation.hpp"] = foundation(api)
+    files["src/engine_classes.cpp"] = bodies(api)
+    return files

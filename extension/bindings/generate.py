@@ -9,7 +9,7 @@ import json
 import re
 from pathlib import Path
 
-from api import Api, lookup, snake_case
+from api import Api, header_of, lookup
 from emit_builtin import emit_builtins
 from emit_class import emit_classes, emit_enum
 
@@ -19,12 +19,11 @@ HEADER = "#pragma once\n\n"
 def read_manifest(path):
     """{"class": {name: [methods]}, "builtin": {...}, "enums": [...], "utilities": [...], "structs": [...]}"""
     manifest = {"class": {}, "builtin": {}, "enums": [], "utilities": [], "structs": []}
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-        if not line or line.startswith("#"):
-            continue
-        row = re.fullmatch(r"(\w+)(?: (\w+))?:(.*)", line)
+    rows = re.sub(r"\n[ \t]+", " ", path.read_text(encoding="utf-8")).splitlines()
+    for text in (row for row in rows if row and not row.startswith("#")):
+        row = re.fullmatch(r"(\w+)(?: (\w+))?:(.*)", text)
         if not row or row[1] not in manifest:
-            raise SystemExit(f"{path}:{number}: not a row of the manifest: {line}")
+            raise SystemExit(f"{path}: not a row of the manifest: {text}")
         kind, name, words = row[1], row[2], row[3].split()
         if name:
             manifest[kind][name] = words
@@ -36,7 +35,8 @@ def read_manifest(path):
 def global_constants(api, names):
     enums = "\n".join(emit_enum(lookup(api.enums, name, "the list of global enums")) for name in names)
     casts = "".join(f"VARIANT_ENUM_CAST({name})\n" for name in names)
-    return f"{HEADER}#include <godot_cpp/core/enum_cast.hpp>\n\nnamespace godot {{\n\n{enums}\n}} // namespace godot\n\n{casts}"
+    include = "#include <godot_cpp/core/enum_cast.hpp>\n\n"
+    return f"{HEADER}{include}namespace godot {{\n\n{enums}\n}} // namespace godot\n\n{casts}"
 
 
 def native_struct(struct):
@@ -44,24 +44,22 @@ def native_struct(struct):
     return HEADER + f"namespace godot {{\n\nstruct {struct['name']} {{\n{fields}}};\n\n}} // namespace godot\n"
 
 
-def utilities(api, names):
-    functions = "".join(
-        f"""
+UTILITY = """
 	template <typename... Args> static void {name}(const Args &...p_arguments) {{
-		static const GDExtensionPtrUtilityFunction function =
-				internal::find_utility("{name}", {api.utilities[name]["hash"]});
+		static const GDExtensionPtrUtilityFunction function = internal::find_utility("{name}", {hash});
 		const Variant arguments[] = {{ Variant(p_arguments)... }};
 		internal::call_vararg_utility(function, arguments, sizeof...(Args));
 	}}
 """
-        for name in names
-    )
-    return (
-        HEADER
-        + "#include <godot_cpp/core/engine_call.hpp>\n\nnamespace godot {\n\nclass UtilityFunctions {\npublic:"
-        + functions
-        + "};\n\n} // namespace godot\n"
-    )
+
+
+def utilities(api, names):
+    """Global functions that take any number of arguments and return nothing."""
+    rows = [lookup(api.utilities, name, "the list of functions") for name in names]
+    functions = "".join(UTILITY.format(name=row["name"], hash=row["hash"]) for row in rows)
+    include = "#include <godot_cpp/core/engine_call.hpp>\n\n"
+    body = f"class UtilityFunctions {{\npublic:{functions}}};\n"
+    return f"{HEADER}{include}namespace godot {{\n\n{body}\n}} // namespace godot\n"
 
 
 def main():
@@ -78,7 +76,9 @@ def main():
         "include/godot_cpp/variant/utility_functions.hpp": utilities(api, manifest["utilities"]),
     }
     for name in manifest["structs"]:
-        files[f"include/godot_cpp/classes/{snake_case(name)}.hpp"] = native_struct(api.structs[name])
+        files[f"include/godot_cpp/{header_of(name)}"] = native_struct(
+            lookup(api.structs, name, "the list of structures")
+        )
     files.update(emit_builtins(api, manifest["builtin"]))
     files.update(emit_classes(api))
 
