@@ -38,10 +38,16 @@ func choice(option: String, allowed: Array) -> String:
 	return _values[option]
 
 
-## A path that must be given. A folder that is written need not exist.
-func path(option: String) -> String:
+## What must not be left out.
+func given(option: String) -> String:
 	if _values[option].is_empty():
-		_report("--%s PATH is missing" % option)
+		_report("--%s is missing" % option)
+	return _values[option]
+
+
+## A path that must not be left out. A folder that is written need not exist.
+func path(option: String) -> String:
+	given(option)
 	return optional_path(option)
 
 

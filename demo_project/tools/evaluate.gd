@@ -10,19 +10,14 @@ const ModelFolder := preload("model_folder.gd")
 
 
 func work(arguments: PackedStringArray) -> void:
-	var options := (
-		CommandLine
-		. new(
-			arguments,
-			{
-				trials = "",
-				out = "",
-				models = ModelFolder.default_path(),
-				mode = Evaluation.MODES.keys()[0],
-				context = Evaluation.CONTEXTS[0],
-			}
-		)
-	)
+	var defaults: Dictionary[String, String] = {
+		trials = "",
+		out = "",
+		models = ModelFolder.default_path(),
+		mode = Evaluation.MODES.keys()[0],
+		context = Evaluation.CONTEXTS[0],
+	}
+	var options := CommandLine.new(arguments, defaults)
 	var trials_folder := options.path("trials")
 	var out_folder := options.path("out")
 	var settings := {

@@ -15,6 +15,8 @@ var error := ""
 ## As in EvaluationReport.
 var groups: Array[Dictionary] = []
 
+var _report: EvaluationReport = null
+
 
 ## `settings`: {mode, context, models}, which are also written down; `parent`: a node in the tree.
 func run(
@@ -48,6 +50,12 @@ func run(
 		report.finish(settings)
 	groups = report.groups
 	error = report.error
+	_report = report
+
+
+## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
+func typical_trial(gesture: String, position: String) -> String:
+	return _report.typical_trial(gesture, position)
 
 
 static func _note_gestures_without_model(trial_set: TrialSet, models: Array[GestureModel]) -> void:

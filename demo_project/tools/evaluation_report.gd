@@ -61,9 +61,7 @@ func finish(settings: Dictionary) -> void:
 			recognised = rows.filter(_was_recognised.bind(names[0])).size(),
 			conditions = {},
 		}
-		var judged := rows.filter(
-			func(row: Dictionary) -> bool: return not row["figures"].is_empty()
-		)
+		var judged := rows.filter(_has_figures)
 		for condition in Conditions.NAMES:
 			if not judged.is_empty():
 				group["conditions"][condition] = _summarise(judged, condition)
@@ -72,6 +70,20 @@ func finish(settings: Dictionary) -> void:
 	if summary != null:
 		var content := {settings = settings, groups = groups}
 		summary.store_line(JSON.stringify(content, "\t", false, true))
+
+
+## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
+func typical_trial(gesture: String, position: String) -> String:
+	var rows: Array = _rows.get("%s/%s" % [gesture, position], []).filter(_has_figures)
+	rows.sort_custom(
+		func(a: Dictionary, b: Dictionary) -> bool:
+			return a["figures"]["measured"]["r2_zero"] < b["figures"]["measured"]["r2_zero"]
+	)
+	return "" if rows.is_empty() else rows[rows.size() / 2]["trial"]
+
+
+static func _has_figures(row: Dictionary) -> bool:
+	return not row["figures"].is_empty()
 
 
 static func _was_recognised(row: Dictionary, gesture: String) -> bool:

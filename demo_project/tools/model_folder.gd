@@ -1,8 +1,9 @@
 extends RefCounted
 ## The trained models of a folder.
 
+const Repository := preload("repository.gd")
+
 const INSTALLED := "res://addons/steadyhand/models"
-const IN_REPOSITORY := "res://../models"
 
 
 ## Where models are when the user names no folder: in the add-on, or (not installed yet) beside
@@ -10,13 +11,15 @@ const IN_REPOSITORY := "res://../models"
 static func default_path() -> String:
 	if DirAccess.dir_exists_absolute(INSTALLED):
 		return INSTALLED
-	return ProjectSettings.globalize_path(IN_REPOSITORY).simplify_path()
+	return Repository.absolute(Repository.MODELS)
 
 
 ## All *.gesture files in the order of their names; empty after one error on stderr.
 static func load_all(folder: String) -> Array[GestureModel]:
 	var models: Array[GestureModel] = []
-	var names: Array = Array(DirAccess.get_files_at(folder)).filter(
+	var exists := DirAccess.dir_exists_absolute(folder)
+	var files := DirAccess.get_files_at(folder) if exists else PackedStringArray()
+	var names := Array(files).filter(
 		func(file: String) -> bool: return file.get_extension() == "gesture"
 	)
 	if names.is_empty():

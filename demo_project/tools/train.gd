@@ -1,11 +1,14 @@
 extends "tool.gd"
-## godot --headless --path demo_project --script res://tools/train.gd -- --trials DIR --gesture
-## NAME --out FILE
+## Trains one model:
 ##
-## trains one model. Or, to make the add-on's own models again from synthetic people (equal
-## input, equal bits):
+## godot --headless --path demo_project --script res://tools/train.gd --
+##     --trials DIR --gesture NAME --out FILE
 ##
-## godot --headless --path demo_project --script res://tools/train.gd -- --models DIR --work DIR
+## or, without these, the add-on's own models from synthetic people (equal bits on every run):
+##     [--models DIR] (default: the repository's models/)
+##     [--work DIR] for their trials (default: the repository's build/)
+
+const Repository := preload("repository.gd")
 
 ## What the add-on brings a model of, and how much it is trained on.
 const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag"]
@@ -16,48 +19,40 @@ var _tenths_shown := 0
 
 
 func work(arguments: PackedStringArray) -> void:
-	var options := CommandLine.new(
-		arguments, {trials = "", gesture = "", out = "", models = "", work = ""}
-	)
-	var is_own_set := options.optional_path("models") != "" or options.optional_path("work") != ""
-	var done := (
-		_train_own_models(options.path("models"), options.path("work"), options)
-		if is_own_set
-		else _train_one(options.path("trials"), options.path("out"), options)
-	)
+	var defaults: Dictionary[String, String] = {
+		trials = "",
+		gesture = "",
+		out = "",
+		models = Repository.absolute(Repository.MODELS),
+		work = Repository.absolute(Repository.BUILD),
+	}
+	var options := CommandLine.new(arguments, defaults)
+	var is_own_set := options.text("trials") + options.text("gesture") + options.text("out") == ""
+	var done := false
+	if is_own_set:
+		var models_folder := options.path("models")
+		var work_folder := options.path("work")
+		done = options.error.is_empty() and _train_own_models(models_folder, work_folder)
+	else:
+		var trials_folder := options.path("trials")
+		var gesture := options.given("gesture")
+		var out_file := options.path("out")
+		done = options.error.is_empty() and _train(trials_folder, gesture, out_file)
+	exit_code = 0 if done else EXIT_BAD_INPUT
 	if not options.error.is_empty():
 		fail(options.error, EXIT_BAD_INPUT)
-	else:
-		exit_code = 0 if done else EXIT_BAD_INPUT
 
 
-func _train_one(trials_folder: String, out_file: String, options: CommandLine) -> bool:
-	var gesture := options.text("gesture")
-	if gesture.is_empty() and options.error.is_empty():
-		options.error = "--gesture NAME is missing"
-	if not options.error.is_empty():
-		return false
-	return _train(trials_folder, gesture, out_file)
-
-
-func _train_own_models(models_folder: String, work_folder: String, options: CommandLine) -> bool:
-	if not options.error.is_empty():
-		return false
+func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	var trials_folder := work_folder.path_join("train")
 	print("making synthetic trials in %s" % trials_folder)
-	var made := (
-		TrialSet
-		. write_synthetic(
-			work_folder,
-			{
-				population = "train",
-				gestures = GESTURES,
-				subjects = SUBJECTS,
-				trials_per_subject = TRIALS_PER_SUBJECT,
-			}
-		)
-	)
-	if made != OK:
+	var options := {
+		population = "train",
+		gestures = GESTURES,
+		subjects = SUBJECTS,
+		trials_per_subject = TRIALS_PER_SUBJECT,
+	}
+	if TrialSet.write_synthetic(trials_folder, options) != OK:
 		return false
 	for gesture in GESTURES:
 		if not _train(trials_folder, gesture, models_folder.path_join(gesture + ".gesture")):

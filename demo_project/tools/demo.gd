@@ -1,0 +1,112 @@
+extends "tool.gd"
+## godot --headless --path demo_project --script res://tools/demo.gd -- --out DIR
+##     [--models DIR] [--real DIR]
+##
+## Runs trials of synthetic people, and those of real hands where they are there, through the real
+## nodes and the drag scene; prints one table. Leaves in DIR: evaluation/SET (as of evaluate.gd),
+## logs/SET, and of one unstable trial vibration.wav and vibration.curves.csv.
+
+const Evaluation := preload("evaluation.gd")
+const ModelFolder := preload("model_folder.gd")
+const Repository := preload("repository.gd")
+const ResultTable := preload("result_table.gd")
+const ScenePlayer := preload("scene_player.gd")
+
+const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag"]
+const SCENES: Dictionary[String, String] = {"horizontal_drag": "res://scenes/horizontal_drag.tscn"}
+## The gesture and the position of the trial whose vibration is kept, as in the paper's Fig. 6.
+const SHOWN_GESTURE := "horizontal_drag"
+const SHOWN_POSITION := "unstable"
+const SUBJECTS := 6
+const TRIALS_PER_SUBJECT := 3
+
+var _models: Array[GestureModel] = []
+var _models_folder := ""
+var _out := ""
+var _table := ResultTable.new()
+
+
+func work(arguments: PackedStringArray) -> void:
+	var options := CommandLine.new(
+		arguments, {out = "", models = ModelFolder.default_path(), real = ""}
+	)
+	_out = options.path("out")
+	_models_folder = options.path("models")
+	var real := options.optional_path("real")
+	if real.is_empty() and DirAccess.dir_exists_absolute(Repository.REAL_DRAGS):
+		real = Repository.absolute(Repository.REAL_DRAGS)
+	if not options.error.is_empty():
+		fail(options.error, EXIT_BAD_INPUT)
+		return
+	_models = ModelFolder.load_all(_models_folder)
+	var synthetic := _out.path_join("synthetic")
+	var sets: Dictionary[String, String] = {"synthetic": synthetic}
+	if not real.is_empty():
+		sets["real"] = real
+	if _models.is_empty() or not _make_synthetic_trials(synthetic):
+		exit_code = EXIT_BAD_INPUT
+		return
+	exit_code = 0
+	for set_name in sets:
+		_run_set(set_name, sets[set_name])
+	_table.show()
+
+
+func _make_synthetic_trials(folder: String) -> bool:
+	var options := {
+		population = "evaluate",
+		gestures = GESTURES,
+		subjects = SUBJECTS,
+		trials_per_subject = TRIALS_PER_SUBJECT,
+	}
+	return TrialSet.write_synthetic(folder, options) == OK
+
+
+func _run_set(set_name: String, folder: String) -> void:
+	var trial_set := TrialSet.load_folder(folder)
+	if trial_set == null:
+		exit_code = EXIT_BAD_INPUT
+		return
+	print("%s: %d trials through the nodes" % [set_name, trial_set.get_count()])
+	var settings := {
+		mode = Evaluation.MODES.keys()[0],
+		context = Evaluation.CONTEXTS[0],
+		models = _models_folder,
+		trials = folder,
+	}
+	var evaluation_folder := _out.path_join("evaluation").path_join(set_name)
+	var evaluation := Evaluation.new()
+	evaluation.run(trial_set, _models, settings, evaluation_folder, root)
+	if not evaluation.error.is_empty():
+		fail(evaluation.error, EXIT_BAD_INPUT)
+		return
+	if evaluation.broken > 0:
+		exit_code = EXIT_INCOMPLETE
+	_table.add(set_name, evaluation.groups)
+	for gesture in SCENES:
+		_play_scene(set_name, trial_set, gesture)
+	var shown := evaluation.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
+	if not shown.is_empty():
+		_keep_vibration(trial_set, shown, evaluation_folder)
+
+
+func _play_scene(set_name: String, trial_set: TrialSet, gesture: String) -> void:
+	var player := ScenePlayer.new(SCENES[gesture], _out.path_join("logs").path_join(set_name), root)
+	var played_s := player.play_all(trial_set, gesture)
+	print(
+		(
+			"%s: %s played in its scene, %.0f times as fast as real time"
+			% [set_name, gesture, played_s / player.taken_s]
+		)
+	)
+	player.free_scene()
+
+
+func _keep_vibration(trial_set: TrialSet, trial_name: String, evaluation_folder: String) -> void:
+	var player := ScenePlayer.new(SCENES[SHOWN_GESTURE], _out.path_join("logs/vibration"), root)
+	player.play_to_wav(trial_set, trial_name, _out.path_join("vibration.wav"))
+	player.free_scene()
+	DirAccess.copy_absolute(
+		evaluation_folder.path_join("%s.curves.csv" % trial_name),
+		_out.path_join("vibration.curves.csv")
+	)

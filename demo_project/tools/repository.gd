@@ -1,0 +1,11 @@
+extends RefCounted
+## Places outside of the project: those of the repository that it is part of.
+
+const MODELS := "res://../models"
+const BUILD := "res://../build"
+## Recordings of real hands; may be missing.
+const REAL_DRAGS := "res://../../shared/real/drags"
+
+
+static func absolute(path: String) -> String:
+	return ProjectSettings.globalize_path(path).simplify_path()

@@ -1,0 +1,55 @@
+extends RefCounted
+## A task scene that is stepped at 1 kHz of the trials' own time, as fast as the machine can.
+
+const TaskScene := preload("res://scripts/task_scene.gd")
+
+const STEP_S := 1e-3
+
+## Wall-clock time that was spent on playing, s.
+var taken_s := 0.0
+
+var _scene: TaskScene = null
+
+
+## `parent`: a node in the tree.
+func _init(scene_path: String, log_folder: String, parent: Node) -> void:
+	_scene = (load(scene_path) as PackedScene).instantiate()
+	_scene.autoplay = false
+	_scene.log_folder = log_folder
+	var tracker: HandTracker = _scene.get_node("HandTracker")
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	var haptic_synth: HapticSynth = _scene.get_node("HapticSynth")
+	haptic_synth.bus = &""
+	parent.add_child(_scene)
+
+
+func free_scene() -> void:
+	_scene.free()
+
+
+## Plays all trials of the gesture; how long they last on their own clocks, s.
+func play_all(trial_set: TrialSet, gesture: String) -> float:
+	var played_s := 0.0
+	for index in trial_set.get_count():
+		if trial_set.get_trial(index)["gesture"] == gesture:
+			played_s += _play(trial_set, index)
+	return played_s
+
+
+func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> void:
+	for index in trial_set.get_count():
+		if trial_set.get_trial(index)["trial"] == trial_name:
+			_scene.haptic_synth.wav_path = wav_path
+			_play(trial_set, index)
+			_scene.haptic_synth.stop_wav()
+
+
+func _play(trial_set: TrialSet, index: int) -> float:
+	var began_us := Time.get_ticks_usec()
+	var trial := trial_set.get_trial(index)
+	if _scene.play(trial, trial_set.get_measured_path(index)) != OK:
+		return 0.0
+	while not _scene.tracker.is_finished():
+		_scene.tracker.advance(STEP_S)
+	taken_s += 1e-6 * (Time.get_ticks_usec() - began_us)
+	return _scene.tracker.get_duration()

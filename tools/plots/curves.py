@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Draws the curves of one trial (TRIAL.curves.csv), as the paper's Fig. 6, and the vibration of a WAV file below."""
+
+import argparse
+import csv
+import sys
+import wave
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+
+RC = {"font.size": 11, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25}
+MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
+LEFT, ARRIVED = 0.02, 0.95  # share of the amplitude
+
+
+@dataclass
+class Style:
+    label: str
+    colour: str  # of Okabe and Ito's palette: told apart by colour-blind people too
+    width: float
+    dashes: str = "-"
+
+
+# In the order in which they are drawn, the last on top.
+STYLES = {
+    "one_euro": Style("One Euro filter", "#009e73", 1.1),
+    "kalman": Style("Kalman filter", "#cc79a7", 1.1),
+    "average": Style("41-point moving average", "#e69f00", 2.0),
+    "measured": Style("measured", "#d55e00", 1.4),
+    "reference": Style("reference", "#000000", 2.6, (0, (4, 1.5))),
+    "synthesised": Style("synthesised", "#0072b2", 2.6),
+}
+LEGEND_ORDER = ["reference", "measured", "synthesised", "average", "one_euro", "kalman"]
+
+
+def read_curves(path: Path) -> dict[str, np.ndarray]:
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    if not rows:
+        sys.exit(f"{path}: no curve in it")
+    return {
+        name: np.array([float(row[name]) for row in rows]) for name in rows[0] if all(row[name] != "" for row in rows)
+    }
+
+
+def read_wav(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Times from the first sample (s) and samples in -1..1 of the first channel of a 16-bit file."""
+    with wave.open(str(path)) as file:
+        if file.getsampwidth() != 2:
+            sys.exit(f"{path}: {8 * file.getsampwidth()} bits a sample, not 16")
+        samples = np.frombuffer(file.readframes(file.getnframes()), "<i2").reshape(-1, file.getnchannels())
+        return np.arange(len(samples)) / file.getframerate(), samples[:, 0] / 32768.0
+
+
+def shown_span(curves: dict[str, np.ndarray]) -> tuple[float, float]:
+    """From the reference's departure to the last curve's arrival, with a margin."""
+    t = curves["t"]
+    reference = curves.get("reference", curves["measured"])
+    leaves = t[np.argmax(reference > LEFT)]
+    motions = [curve for name, curve in curves.items() if name != "t"]
+    arrivals = [t[np.argmax(motion >= ARRIVED)] for motion in motions if max(motion) >= ARRIVED]
+    return max(leaves - MARGIN_S, t[0]), min(max(arrivals, default=t[-1]) + MARGIN_S, t[-1])
+
+
+def draw_curves(axes: Axes, curves: dict[str, np.ndarray]) -> None:
+    lines = {}
+    for name, style in STYLES.items():
+        if name in curves:
+            (lines[name],) = axes.plot(
+                curves["t"], curves[name], color=style.colour, lw=style.width, ls=style.dashes, label=style.label
+            )
+    axes.set_ylabel("motion element\n(share of the amplitude)")
+    axes.legend(handles=[lines[name] for name in LEGEND_ORDER if name in lines], loc="lower right", framealpha=0.95)
+
+
+def draw_vibration(axes: Axes, t: np.ndarray, samples: np.ndarray) -> None:
+    axes.plot(t, samples, color=STYLES["synthesised"].colour, lw=0.5)
+    axes.set_ylabel("vibration\n(full scale)")
+    axes.set_ylim(-1.05, 1.05)
+    axes.set_yticks([-1, 0, 1])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("curves", type=Path, metavar="CURVES.csv")
+    parser.add_argument("--wav", type=Path, help="the vibration of the same trial, from the same instant on")
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE.png")
+    parser.add_argument("--title", default="")
+    given = parser.parse_args()
+
+    curves = read_curves(given.curves)
+    plt.rcParams.update(RC)
+    rows = 2 if given.wav else 1
+    figure, axes = plt.subplots(
+        rows,
+        1,
+        figsize=(9, 3.9 + 1.6 * (rows - 1)),
+        sharex=True,
+        squeeze=False,
+        layout="constrained",
+        height_ratios=[3, 1][:rows],
+    )
+    draw_curves(axes[0, 0], curves)
+    if given.wav:
+        t, samples = read_wav(given.wav)
+        draw_vibration(axes[1, 0], curves["t"][0] + t, samples)
+    axes[0, 0].set_title(given.title)
+    axes[0, 0].set_xlim(*shown_span(curves))
+    axes[-1, 0].set_xlabel("time (s)")
+    figure.savefig(given.out, dpi=150)
+
+
+if __name__ == "__main__":
+    main()
