@@ -48,17 +48,25 @@ Moments moments_of(const std::vector<double> &sample) {
 	return moments;
 }
 
+std::vector<double> instants(double from, double to, double step) {
+	std::vector<double> points(static_cast<std::size_t>((to - from) / step));
+	for (std::size_t i = 0; i < points.size(); ++i) {
+		points[i] = from + static_cast<double>(i) * step;
+	}
+	return points;
+}
+
 double rate_of(const std::function<double(double)> &curve, double t) {
 	constexpr double STEP = 1e-5;
 	return (curve(t + STEP) - curve(t - STEP)) / (2.0 * STEP);
 }
 
-/// Duration, and where along it the speed of a single submovement peaks, by brute force.
+/// Where in its duration a single submovement is fastest, by brute force.
 double peak_fraction_of(double bend) {
 	const Progress progress(0.0, { { 0.0, 1.0, 1.0, bend } }, {});
 	double best_t = 0.0;
 	double best_rate = 0.0;
-	for (double t = 0.0; t <= 1.0; t += 1e-4) {
+	for (const double t : instants(0.0, 1.0, 1e-4)) {
 		const double rate = rate_of([&progress](double s) { return progress.at(s); }, t);
 		if (rate > best_rate) {
 			best_rate = rate;
@@ -141,7 +149,7 @@ TEST_SUITE("simulated movement") {
 		// fall-back of the clock adds its share: acceleration moves by less than 2000 /s^3 times the step.
 		const double step_s = 1e-4;
 		double previous = 0.0;
-		for (double t_s = -0.1; t_s < 1.5; t_s += step_s) {
+		for (const double t_s : instants(-0.1, 1.5, step_s)) {
 			const double acceleration =
 					(progress.at(t_s + step_s) - 2.0 * progress.at(t_s) + progress.at(t_s - step_s)) /
 					(step_s * step_s);
@@ -156,7 +164,7 @@ TEST_SUITE("simulated movement") {
 		CHECK(hesitant.at(0.4) == steady.at(0.4));
 		CHECK(hesitant.at(1.0) == doctest::Approx(steady.at(0.8)));
 		double slowest = 1e9;
-		for (double t_s = 0.41; t_s < 0.79; t_s += 1e-3) {
+		for (const double t_s : instants(0.41, 0.79, 1e-3)) {
 			slowest = std::min(slowest, rate_of([&hesitant](double t) { return hesitant.at(t); }, t_s));
 		}
 		CHECK(slowest > 0.0);
@@ -243,7 +251,7 @@ TEST_SUITE("simulated movement") {
 				const Progress progress = make_progress(gesture, subject, 0.8, random);
 				CHECK(std::abs(progress.at(0.0)) < 0.05);
 				double deepest = 0.0;
-				for (double t_s = 0.0; t_s < 5.0; t_s += 1e-3) {
+				for (const double t_s : instants(0.0, 5.0, 1e-3)) {
 					deepest = std::max(deepest, progress.at(t_s));
 				}
 				if (gesture.through_max_m > 0.0) {
@@ -256,7 +264,7 @@ TEST_SUITE("simulated movement") {
 					const double last = progress.at(5.0);
 					CHECK(last > 0.75);
 					CHECK(last < 1.25);
-					for (double t_s = 0.801; t_s < 2.0; t_s += 1e-3) {
+					for (const double t_s : instants(0.801, 2.0, 1e-3)) {
 						CHECK(std::abs(progress.at(t_s) - last) <= 0.0201);
 					}
 				}
@@ -298,7 +306,7 @@ TEST_SUITE("simulated movement") {
 				CHECK(motion.span_s == 6.0);
 				const Eigen::Vector3d place_m = motion.hand(0.0).position(Joint::INDEX);
 				Eigen::Vector3d previous_m = place_m;
-				for (double t_s = 0.01; t_s < 6.0; t_s += 0.01) {
+				for (const double t_s : instants(0.01, 6.0, 0.01)) {
 					const Eigen::Vector3d now_m = motion.hand(t_s).position(Joint::INDEX);
 					way_m += (now_m - previous_m).norm() / 20.0;
 					along_m = std::max(along_m, (now_m - previous_m).norm() / 0.01);

@@ -90,7 +90,7 @@ TEST_SUITE("simulated sensor") {
 			const bool is_long = i % 2 == 0;
 			const double value = process.step(is_long ? 0.5 : 0.02, random);
 			square += value * value / count;
-			(is_long ? long_product : short_product) += value * previous / (count / 2);
+			(is_long ? long_product : short_product) += value * previous / (0.5 * count);
 			previous = value;
 		}
 		// Var(mean of squares) = 2 tau / T for T = 104 000 s.
@@ -108,6 +108,7 @@ TEST_SUITE("simulated sensor") {
 		const double dt_s = 0.009;
 		const int lag = 50;
 		std::vector<double> values;
+		values.reserve(1000000);
 		for (int i = 0; i < 1000000; ++i) {
 			values.push_back(drift.step(dt_s, random));
 		}
