@@ -15,8 +15,13 @@ const TrialLog := preload("trial_log.gd")
 
 ## Share of the amplitude at which a motion has arrived (SPEC, section 4).
 const ARRIVED := 0.95
+## Of a synthetic person, at the stable and the unstable position in turns.
+const TRIALS_PER_SUBJECT := 6
+const POSITIONS: Array[HandTracker.SyntheticPosition] = [
+	HandTracker.POSITION_STABLE, HandTracker.POSITION_UNSTABLE
+]
 
-## A trial set to play; empty: trials of synthetic people are made.
+## A trial set to play; empty: synthetic people make the trials.
 @export_dir var trial_folder := ""
 ## Where the logs go.
 @export_global_dir var log_folder := "user://logs"
@@ -47,7 +52,6 @@ func _ready() -> void:
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
 	_stage.place(task, "")
 	if autoplay:
-		_trials = TrialList.new(trial_folder, task.gesture)
 		play_next()
 
 
@@ -76,17 +80,19 @@ func _exit_tree() -> void:
 func play(trial: Dictionary, measured_path: String) -> Error:
 	_end_trial()
 	tracker.stop()
-	task.global_position = trial["start"]
-	task.direction = task.global_basis.inverse() * trial["axis"]
-	task.amplitude = trial["amplitude_m"]
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
+	_move_task(trial)
 	gesture_hmm.reset()
 	_begin_trial(trial["trial"], trial["position"])
 	return tracker.start()
 
 
+## The next trial of `trial_folder`, or of a synthetic person.
 func play_next() -> void:
+	if trial_folder.is_empty():
+		_play_synthetic()
+		return
 	if _trials == null:
 		_trials = TrialList.new(trial_folder, task.gesture)
 	if not _trials.is_empty():
@@ -111,6 +117,28 @@ func follow_mouse(on: bool) -> void:
 ## Name of the condition that moves the box.
 func condition_name() -> String:
 	return Conditions.NAMES[Conditions.MOTIONS.find(gesture_hmm.motion)]
+
+
+func _play_synthetic() -> void:
+	_end_trial()
+	tracker.stop()
+	tracker.source = HandTracker.SOURCE_SYNTHETIC
+	tracker.synthetic_gesture = task.gesture
+	tracker.synthetic_seed += 1
+	tracker.synthetic_subject = tracker.synthetic_seed / TRIALS_PER_SUBJECT
+	tracker.synthetic_position = POSITIONS[tracker.synthetic_seed % POSITIONS.size()]
+	if tracker.start() != OK:
+		return
+	var trial := tracker.get_synthetic_trial()
+	_move_task(trial)
+	gesture_hmm.reset()
+	_begin_trial(trial["trial"], trial["position"])
+
+
+func _move_task(trial: Dictionary) -> void:
+	task.global_position = trial["start"]
+	task.direction = task.global_basis.inverse() * trial["axis"]
+	task.amplitude = trial["amplitude_m"]
 
 
 func _begin_trial(trial_name: String, position_name: String) -> void:

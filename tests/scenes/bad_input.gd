@@ -1,0 +1,140 @@
+extends "support/scene_test.gd"
+## Bad files get one clear error each, and what was asked of a node before and after still works.
+
+const Rig := preload("support/rig.gd")
+
+const GOOD_TRACK := "t,index_x,index_y,index_z\n0.0,0.1,0.2,0.3\n0.1,0.1,0.2,0.3\n"
+
+var _folder := DirAccess.create_temp("steadyhand_bad_input")
+var _messages: Array[String] = []
+
+
+func test_missing_recording() -> void:
+	# expects error: missing.csv
+	_check_tracker_refuses("missing.csv", "missing.csv")
+
+
+func test_broken_cell() -> void:
+	# expects error: cell.csv:3
+	_write("cell.csv", "t,index_x,index_y,index_z\n0.0,0.1,0.2,0.3\n0.1,abc,0.2,0.3\n")
+	_check_tracker_refuses("cell.csv", "cell.csv:3")
+
+
+func test_time_going_back() -> void:
+	# expects error: back.csv:3
+	_write("back.csv", "t,index_x,index_y,index_z\n5.0,0.1,0.2,0.3\n0.1,0.1,0.2,0.3\n")
+	_check_tracker_refuses("back.csv", "back.csv:3")
+
+
+func test_binary() -> void:
+	# expects error: binary.csv
+	var bytes := PackedByteArray()
+	for i in 4000:
+		bytes.append((i * 197 + i / 7) % 256)
+	FileAccess.open(_path("binary.csv"), FileAccess.WRITE).store_buffer(bytes)
+	_check_tracker_refuses("binary.csv", "binary.csv")
+
+
+func test_empty_file() -> void:
+	# expects error: empty.csv
+	_write("empty.csv", "")
+	_check_tracker_refuses("empty.csv", "empty.csv")
+
+
+func test_wrong_model() -> void:
+	# expects error: wrong.gesture
+	_write("wrong.gesture", '{"gesture": "horizontal_drag"}')
+	check(load(_path("wrong.gesture")) == null, "a file that is no model gives null")
+
+
+func test_text_that_is_no_model() -> void:
+	# expects error: GestureModel
+	var model := load(Rig.MODEL % "horizontal_drag") as GestureModel
+	var text := model.to_text()
+	var copy := GestureModel.new()
+	check_equal(copy.parse_text(text), OK, "a model's own text is read")
+	check(copy.parse_text("nonsense") != OK, "nonsense is refused")
+	check_equal(copy.to_text(), text, "and what was there stays")
+
+
+func test_missing_trial_set() -> void:
+	# expects error: no_set
+	check(TrialSet.load_folder(_path("no_set")) == null, "a folder that is not there gives null")
+
+
+func test_recording_to_a_bad_path() -> void:
+	# expects error: no_folder
+	var tracker := _make_tracker()
+	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.start()
+	check(tracker.start_recording(_path("no_folder/track.csv")) != OK, "refused")
+	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
+	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the tracker goes on")
+	tracker.free()
+
+
+func test_frames_that_are_no_frames() -> void:
+	# expects error: HandTracker
+	var rig := _make_script_rig()
+	rig.tracker.start()
+	rig.tracker.push_frame(1.0, {HandTracker.JOINT_INDEX: Vector3(0.01, 0, 0)})
+	rig.tracker.push_frame(NAN, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+	rig.tracker.push_frame(1.01, {HandTracker.JOINT_INDEX: Vector3(NAN, INF, 0)})
+	rig.tracker.push_frame(0.5, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+	rig.tracker.push_frame(1.02, {HandTracker.JOINT_INDEX: Vector3(1e30, -1e30, 0)})
+	rig.tracker.push_frame(1.03, {HandTracker.JOINT_INDEX: Vector3(0.02, 0, 0)})
+	var is_finite_everywhere := true
+	for motion in Rig.MOTIONS:
+		var value := rig.gesture_hmm.get_motion_value(motion)
+		is_finite_everywhere = is_finite_everywhere and is_finite(value)
+	check(is_finite_everywhere, "every condition stays finite")
+	check_equal(rig.tracker.get_time(), 1.03, "the clock goes on with the good frames")
+	rig.free_nodes()
+
+
+func _check_tracker_refuses(name: String, place: String) -> void:
+	_messages = []
+	var tracker := _make_tracker()
+	tracker.recording_path = _path(name)
+	tracker.source_unavailable.connect(func(message: String) -> void: _messages.append(message))
+	check(tracker.start() != OK, "%s is refused" % name)
+	check(not tracker.is_running(), "nothing runs")
+	check(
+		_messages.size() == 1 and _messages[0].contains(place),
+		"one message that names %s: %s" % [place, _messages]
+	)
+	_write("good.csv", GOOD_TRACK)
+	tracker.recording_path = _path("good.csv")
+	check_equal(tracker.start(), OK, "a good file is played after it")
+	tracker.advance(1.0)
+	check(tracker.is_finished(), "to its end")
+	tracker.free()
+
+
+func _make_tracker() -> HandTracker:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	tracker.autostart = false
+	root.add_child(tracker)
+	return tracker
+
+
+func _make_script_rig() -> Rig:
+	var trial := {
+		gesture = "horizontal_drag",
+		amplitude_m = 0.2,
+		start = Vector3.ZERO,
+		axis = Vector3.RIGHT,
+	}
+	var rig := Rig.new(trial, "", root)
+	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	return rig
+
+
+func _path(name: String) -> String:
+	return _folder.get_current_dir().path_join(name)
+
+
+func _write(name: String, text: String) -> void:
+	FileAccess.open(_path(name), FileAccess.WRITE).store_string(text)

@@ -1,0 +1,91 @@
+extends "support/scene_test.gd"
+## The evaluation's files, and what it does with a broken trial.
+
+const Rig := preload("support/rig.gd")
+const CommandLine := preload("res://tools/command_line.gd")
+const Evaluation := preload("res://tools/evaluation.gd")
+const ModelFolder := preload("res://tools/model_folder.gd")
+
+const CONDITIONS: Array[String] = ["measured", "average", "one_euro", "kalman", "synthesised"]
+const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
+
+var _folder := DirAccess.create_temp("steadyhand_evaluation")
+
+
+func test_files_of_an_evaluation() -> void:
+	var trials := Rig.write_trials(_path("trials"), 2)
+	var evaluation := _evaluate(trials, "out")
+	check_equal(evaluation.broken, 0, "no trial is broken")
+	var header := "trial,gesture,position,subject,recognised"
+	for condition in CONDITIONS:
+		for figure in FIGURES:
+			header += ",%s_%s" % [figure, condition]
+	var rows := _lines("out/results.csv")
+	check_equal(rows[0], header, "the columns of results.csv")
+	check_equal(rows.size(), trials.get_count() + 1, "a row a trial")
+	for row in rows.slice(1):
+		var cells := row.split(",")
+		var are_finite := true
+		for cell in cells.slice(5):
+			are_finite = are_finite and cell.is_valid_float() and is_finite(cell.to_float())
+		check(cells.size() == 30 and are_finite, "%s has 25 finite figures" % cells[0])
+		_check_curves(cells[0])
+	var summary: Dictionary = JSON.parse_string("\n".join(_lines("out/summary.json")))
+	check_equal(summary["groups"].size(), 2, "summary: stable and unstable")
+	check_equal(summary["settings"]["mode"], "paper", "and the settings")
+
+
+func test_a_broken_track_does_not_lose_the_others() -> void:
+	# expects error: measured.csv:4
+	var trials := Rig.write_trials(_path("broken"), 2)
+	var name: String = trials.get_trial(1)["trial"]
+	var track := "t,index_x,index_y,index_z\n0,0,0,0\n1,0,0,0\n2,0,zero,0\n"
+	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(track)
+	var evaluation := _evaluate(trials, "broken_out")
+	check_equal(evaluation.broken, 1, "one is counted")
+	var rows := _lines("broken_out/results.csv")
+	check_equal(rows.size(), trials.get_count(), "the others are there")
+	check(not "\n".join(rows).contains(name), "it is not")
+
+
+func test_arguments() -> void:
+	var known: Dictionary[String, String] = {trials = "", mode = "paper"}
+	var good := CommandLine.new(["--trials", "/a b/c"], known)
+	check_equal(good.path("trials"), "/a b/c", "a path")
+	check_equal(good.choice("mode", ["paper"]), "paper", "a default")
+	check_equal(good.error, "", "no error")
+	check(_fault(["--trails", "/x"], known).contains("--trails"), "an unknown option is named")
+	check(_fault(["--trials"], known).contains("--trials"), "a missing value")
+	check(_fault(["--trials", "x"], known).contains("absolute"), "a relative path")
+	check(_fault([], known).contains("--trials"), "a missing option")
+	check(_fault(["--trials", "/x", "--mode", "fast"], known).contains("fast"), "no such mode")
+
+
+func _fault(arguments: PackedStringArray, known: Dictionary[String, String]) -> String:
+	var line := CommandLine.new(arguments, known)
+	line.path("trials")
+	line.choice("mode", ["paper"])
+	return line.error
+
+
+func _evaluate(trials: TrialSet, out: String) -> Evaluation:
+	var evaluation := Evaluation.new()
+	var settings := {mode = "paper", context = "scene", models = ModelFolder.INSTALLED}
+	evaluation.run(trials, ModelFolder.load_all(ModelFolder.INSTALLED), settings, _path(out), root)
+	return evaluation
+
+
+func _check_curves(trial: String) -> void:
+	var lines := _lines("out/%s.curves.csv" % trial)
+	check_equal(lines[0], "t,reference,%s" % ",".join(CONDITIONS), "the columns of its curves")
+	var first := lines[1].get_slice(",", 0).to_float()
+	var last := lines[-1].get_slice(",", 0).to_float()
+	check_near(lines.size() - 2, 1000.0 * (last - first), 1e-6, "1 kHz without a gap")
+
+
+func _lines(name: String) -> PackedStringArray:
+	return FileAccess.get_file_as_string(_path(name)).split("\n", false)
+
+
+func _path(name: String) -> String:
+	return _folder.get_current_dir().path_join(name)

@@ -1,0 +1,162 @@
+extends "support/scene_test.gd"
+## Where frames come from: recordings, scripts, synthetic people.
+
+const TRACK := """# origin: test
+t,index_x,index_y,index_z,confidence
+1.0,0.01,0.02,-0.3,1
+1.01,0.02,0.02,-0.3,1
+1.02,,,,0
+1.5,,,,0
+1.51,0.05,0.02,-0.3,0.9
+"""
+
+var _folder := DirAccess.create_temp("steadyhand_tracker")
+var _stamps: Array[float] = []
+var _events: Array[String] = []
+
+
+func test_recorded_source_plays_frames_and_signals() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+	tracker.recording_path = _write("track.csv", TRACK)
+	check_equal(tracker.start(), OK, "a recording starts")
+	check_equal(tracker.get_start_time(), 1.0, "the clock starts with the first frame")
+	check_near(tracker.get_duration(), 0.51, 1e-12, "duration")
+	tracker.advance_to(1.015)
+	check_equal(_stamps, [1.0, 1.01] as Array[float], "frames up to the time, none beyond")
+	check_equal(tracker.get_time(), 1.015, "the clock is at that time")
+	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the index tip is tracked")
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "the thumb is not")
+	check_equal(
+		tracker.get_joint_position(HandTracker.JOINT_INDEX),
+		Vector3(0.02, 0.02, -0.3),
+		"the last frame's position"
+	)
+	tracker.advance(0.4)
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "an empty cell: not tracked")
+	tracker.advance(1.0)
+	check_equal(_stamps.size(), 5, "all frames came")
+	check(tracker.is_finished(), "finished")
+	check_equal(
+		_events, ["found", "lost", "found", "finished"] as Array[String], "found, lost, finished"
+	)
+	tracker.free()
+
+
+func test_frames_once_over_step_sizes() -> void:
+	for step_s: float in [0.001, 0.007, 0.3, 5.0]:
+		var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+		tracker.recording_path = _write("track.csv", TRACK)
+		tracker.start()
+		while not tracker.is_finished():
+			tracker.advance(step_s)
+		check_equal(_stamps, [1.0, 1.01, 1.02, 1.5, 1.51] as Array[float], "steps of %g s" % step_s)
+		tracker.free()
+
+
+func test_loop_never_goes_back_in_time() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+	tracker.recording_path = _write("track.csv", TRACK)
+	tracker.loop = true
+	tracker.start()
+	tracker.advance(2.0)
+	var is_rising := true
+	for i in range(1, _stamps.size()):
+		is_rising = is_rising and _stamps[i] > _stamps[i - 1]
+	check(_stamps.size() >= 15 and is_rising, "rounds follow one another in time")
+	check(not tracker.is_finished(), "a loop does not finish")
+	tracker.free()
+
+
+func test_script_source() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_SCRIPT)
+	tracker.start()
+	var tip := Vector3(0.1, 0.2, -0.3)
+	tracker.push_frame(10.0, {HandTracker.JOINT_INDEX: tip})
+	tracker.push_frame(10.02, {HandTracker.JOINT_INDEX: tip * 2.0})
+	check_equal(_stamps, [10.0, 10.02] as Array[float], "each pushed frame is received")
+	check_equal(tracker.get_joint_position(HandTracker.JOINT_INDEX), tip * 2.0, "its position")
+	check_equal(tracker.get_time(), 10.02, "the clock is the last stamp")
+	tracker.free()
+
+
+func test_synthetic_source() -> void:
+	var counts: Array[int] = []
+	var positions: Array[Vector3] = []
+	for seed: int in [1, 1, 2]:
+		var tracker := _make_tracker(HandTracker.SOURCE_SYNTHETIC)
+		tracker.synthetic_gesture = "horizontal_drag"
+		tracker.synthetic_seed = seed
+		check_equal(tracker.start(), OK, "synthetic person %d starts" % seed)
+		tracker.advance(1.5)
+		counts.append(_stamps.size())
+		positions.append(tracker.get_joint_position(HandTracker.JOINT_INDEX))
+		tracker.free()
+	check(counts[0] > 50, "frames come at a camera's rate")
+	check_equal(positions[0], positions[1], "one seed, one motion")
+	check(positions[0] != positions[2], "another seed, another motion")
+
+
+func test_plays_by_itself() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+	tracker.recording_path = _write("track.csv", TRACK)
+	tracker.update_mode = HandTracker.UPDATE_IDLE
+	tracker.start()
+	var began_ms := Time.get_ticks_msec()
+	while not tracker.is_finished() and Time.get_ticks_msec() - began_ms < 5000:
+		await process_frame
+	check(tracker.is_finished(), "the playback ends with nobody stepping it")
+	check_equal(_stamps.size(), 5, "all frames came")
+	tracker.free()
+
+
+func test_records_what_it_tracks() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_SYNTHETIC)
+	var copy_path := _folder.get_current_dir().path_join("copy.csv")
+	check_equal(tracker.start_recording(copy_path), OK, "a recording begins")
+	var positions := _collect_positions(tracker)
+	tracker.start()
+	while not tracker.is_finished():
+		tracker.advance(0.004)
+	tracker.stop_recording()
+	var stamps := _stamps
+	tracker.free()
+
+	var copy := _make_tracker(HandTracker.SOURCE_RECORDED)
+	copy.recording_path = copy_path
+	var copied_positions := _collect_positions(copy)
+	copy.start()
+	copy.advance(100.0)
+	check(stamps.size() > 100 and _stamps == stamps, "the copy has the same stamps")
+	check(copied_positions == positions, "and the same positions")
+	copy.free()
+
+
+## Filled as frames come.
+func _collect_positions(tracker: HandTracker) -> Array[Vector3]:
+	var positions: Array[Vector3] = []
+	tracker.frame_received.connect(
+		func(_time_s: float) -> void:
+			positions.append(tracker.get_joint_position(HandTracker.JOINT_INDEX))
+	)
+	return positions
+
+
+func _make_tracker(source: HandTracker.Source) -> HandTracker:
+	_stamps = []
+	_events = []
+	var tracker := HandTracker.new()
+	tracker.source = source
+	tracker.autostart = false
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	tracker.frame_received.connect(func(time_s: float) -> void: _stamps.append(time_s))
+	tracker.tracking_found.connect(func() -> void: _events.append("found"))
+	tracker.tracking_lost.connect(func() -> void: _events.append("lost"))
+	tracker.finished.connect(func() -> void: _events.append("finished"))
+	root.add_child(tracker)
+	return tracker
+
+
+func _write(name: String, text: String) -> String:
+	var path := _folder.get_current_dir().path_join(name)
+	FileAccess.open(path, FileAccess.WRITE).store_string(text)
+	return path

@@ -1,0 +1,84 @@
+extends "support/scene_test.gd"
+## The vibration as a WAV file: on the motion's own clock, however fast that runs.
+
+const Rig := preload("support/rig.gd")
+const Waveform := preload("support/waveform.gd")
+
+const RATE_HZ := 48000
+const FREQUENCY_HZ := 180.0
+## Whole periods of the vibration and whole milliseconds.
+const WINDOW_STEPS := 50
+const FIRST_STEP := 200
+const LAST_STEP := 2400
+
+var _folder := DirAccess.create_temp("steadyhand_wav")
+var _trials := Rig.write_trials(_folder.get_current_dir())
+
+
+func test_vibration_follows_the_motion() -> void:
+	var wav_path := _folder.get_current_dir().path_join("vibration.wav")
+	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
+	var synth := _make_synth(rig, wav_path)
+	var values := rig.record(FIRST_STEP, LAST_STEP)
+	check_near(synth.get_amplitude(), 1.0, 0.1, "the amplitude at the end of the drag")
+	synth.stop_wav()
+	synth.free()
+	var amplitude_m := rig.task.amplitude
+	rig.free_nodes()
+
+	var samples := Waveform.read_wav(wav_path, RATE_HZ)
+	var per_step := RATE_HZ * Rig.STEP_S
+	check_near(samples.size() / per_step, LAST_STEP - FIRST_STEP, 60.0, "length in ms")
+	var greatest := TAU * FREQUENCY_HZ / RATE_HZ
+	check(Waveform.greatest_step(samples) < 1.02 * greatest, "no step above the waveform's own")
+	_check_spectrum(samples.slice(samples.size() - int(WINDOW_STEPS * per_step)))
+	_check_envelope(samples, values, amplitude_m)
+
+
+func test_equal_runs_give_equal_files() -> void:
+	var texts: Array[PackedByteArray] = []
+	for name: String in ["a.wav", "b.wav"]:
+		var wav_path := _folder.get_current_dir().path_join(name)
+		var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
+		var synth := _make_synth(rig, wav_path)
+		rig.record(FIRST_STEP, LAST_STEP)
+		synth.stop_wav()
+		synth.free()
+		rig.free_nodes()
+		texts.append(FileAccess.get_file_as_bytes(wav_path))
+	check(texts[0].size() > 100000 and texts[0] == texts[1], "the same bytes")
+
+
+func _make_synth(rig: Rig, wav_path: String) -> HapticSynth:
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.frequency = FREQUENCY_HZ
+	synth.wav_sample_rate = RATE_HZ
+	synth.wav_path = wav_path
+	root.add_child(synth)
+	return synth
+
+
+func _check_spectrum(samples: PackedFloat32Array) -> void:
+	var at_peak := Waveform.amplitude_at(samples, RATE_HZ, FREQUENCY_HZ)
+	check(at_peak > 0.8, "180 Hz is there: %g" % at_peak)
+	for frequency_hz: float in [60.0, 120.0, 160.0, 200.0, 360.0, 540.0]:
+		var other := Waveform.amplitude_at(samples, RATE_HZ, frequency_hz)
+		check(other < 0.01 * at_peak, "nothing at %g Hz: %g" % [frequency_hz, other])
+
+
+## The amplitude of each window against the synthesised motion in its middle.
+func _check_envelope(
+	samples: PackedFloat32Array, values: PackedFloat64Array, amplitude_m: float
+) -> void:
+	var width := Rig.MOTIONS.size()
+	var window := int(WINDOW_STEPS * RATE_HZ * Rig.STEP_S)
+	var worst := 0.0
+	for step in range(0, samples.size() / (RATE_HZ / 1000) - WINDOW_STEPS, WINDOW_STEPS):
+		var first := step * RATE_HZ / 1000
+		var heard := Waveform.amplitude_at(
+			samples.slice(first, first + window), RATE_HZ, FREQUENCY_HZ
+		)
+		var value := values[(step + WINDOW_STEPS / 2) * width + width - 1]
+		worst = maxf(worst, absf(heard - clampf(value / amplitude_m, 0.0, 1.0)))
+	check(worst < 0.06, "the envelope is the motion's, within %g" % worst)
