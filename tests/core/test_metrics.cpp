@@ -74,7 +74,7 @@ TEST_CASE("R2 is that of its definition, summed in the plain way over every lag"
 		double sum = 0.0;
 		double sum_of_squares = 0.0;
 		int count = 0;
-		for (int i = 750; i <= 2250; ++i) { // 11 s - 0.25 s to 12 s + 0.25 s
+		for (std::ptrdiff_t i = 750; i <= 2250; ++i) { // 11 s - 0.25 s to 12 s + 0.25 s
 			const double ref = reference[static_cast<std::size_t>(i)];
 			const double shifted = x[static_cast<std::size_t>(i + lag)];
 			residual += (ref - shifted) * (ref - shifted);

@@ -64,7 +64,8 @@ TEST_CASE("a line through noise is the textbook's regression") {
 TEST_CASE("derivatives are those of central differences") {
 	const Polynomial polynomial{ { 0.3, -1.0, 2.0, 0.5, -3.0, 1.5, 4.0, -2.0 } };
 	const double h = 1e-4;
-	for (double s = 0.0; s <= 1.0; s += 0.0625) {
+	for (int step = 0; step <= 16; ++step) {
+		const double s = step / 16.0;
 		const Polynomial::Point point = polynomial.evaluate(s);
 		const double before = polynomial.value(s - h);
 		const double after = polynomial.value(s + h);
@@ -124,7 +125,8 @@ TEST_CASE("a fit works alike at any scale of the values") {
 		}
 		const PolynomialFit fit = fit_polynomial(samples.s, samples.y, 7);
 		CHECK(fit.degree == 7);
-		for (double s = 0.0; s <= 1.0; s += 0.125) {
+		for (int step = 0; step <= 8; ++step) {
+			const double s = step / 8.0;
 			CHECK(std::abs(fit.polynomial.value(s) - scale * truth.value(s)) < 1e-12 * scale);
 		}
 	}
