@@ -149,11 +149,12 @@ private:
 protected:                                                                                                   \
 	explicit m_class(const StringName &p_engine_class) : m_inherits(p_engine_class) {}                       \
 	explicit m_class(GodotObject *p_owner) : m_inherits(p_owner) {}                                          \
-	m_class() : m_class(get_class_static()) {}                                                               \
                                                                                                              \
 public:                                                                                                      \
 	using self_type = m_class;                                                                               \
 	using parent_type = m_inherits;                                                                          \
+                                                                                                             \
+	m_class() : m_class(get_class_static()) {}                                                               \
                                                                                                              \
 	static const StringName &get_class_static() {                                                            \
 		static constinit internal::CachedName name(#m_name);                                                 \
