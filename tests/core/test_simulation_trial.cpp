@@ -133,6 +133,23 @@ TEST_SUITE("synthetic trial") {
 		CHECK(format_track_csv(left.measured) != format_track_csv(made(other).measured));
 	}
 
+	TEST_CASE("a pace stretches the same movement") {
+		SyntheticSetOptions options;
+		options.subjects = 1;
+		options.repetitions = 2;
+		options.gestures = { "horizontal_drag" };
+		options.positions = { HandPosition::STABLE };
+		const std::vector<SyntheticTrialRequest> natural = plan_synthetic_set(options);
+		options.paces = { 1.0, 0.5 };
+		const std::vector<SyntheticTrialRequest> paced = plan_synthetic_set(options);
+		const auto duration_s = [](const SyntheticTrialRequest &request) {
+			const Trial trial = made(request).trial;
+			return trial.end_s - trial.start_s;
+		};
+		CHECK(duration_s(paced[0]) == duration_s(natural[0]));
+		CHECK(duration_s(paced[1]) == doctest::Approx(0.5 * duration_s(natural[1])).epsilon(0.05));
+	}
+
 	TEST_CASE("the sensor does not change what the hand did") {
 		SyntheticTrialRequest request = request_of("horizontal_drag", 4);
 		const SyntheticTrial leap = made(request);

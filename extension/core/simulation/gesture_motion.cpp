@@ -64,7 +64,8 @@ double draw_duration_s(const SimulatedGesture &gesture, const Subject &subject, 
 	const double log_variance = std::log1p(relative * relative);
 	const double tempo =
 			std::sqrt(BETWEEN_PEOPLE) * subject.tempo + std::sqrt(1.0 - BETWEEN_PEOPLE) * r_random.normal();
-	return gesture.duration_mean_s * std::exp(std::sqrt(log_variance) * tempo - 0.5 * log_variance);
+	return subject.pace * gesture.duration_mean_s *
+			std::exp(std::sqrt(log_variance) * tempo - 0.5 * log_variance);
 }
 
 /// A primary movement and up to two corrections that bring the hand from `initial` to where it means to stop.

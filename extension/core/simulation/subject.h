@@ -15,6 +15,7 @@ enum class Population : std::uint8_t { TRAIN, TUNE, EVALUATE };
 struct Subject {
 	std::string id;
 	double tempo = 0.0;          ///< standard normal over people: slow is positive
+	double pace = 1.0;           ///< times every duration: how fast the person was asked to be
 	double amplitude_gain = 1.0; ///< how far the hand goes, as a share of the task's amplitude
 	double amplitude_deviation = 0.0;
 	double peak_fraction = 0.5; ///< when in its duration a movement is fastest

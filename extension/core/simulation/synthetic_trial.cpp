@@ -108,6 +108,7 @@ std::vector<SyntheticTrialRequest> plan_synthetic_set(const SyntheticSetOptions 
 					request.gesture = gesture;
 					request.position = position;
 					request.subject = subject;
+					request.subject.pace = options.paces[repetition % options.paces.size()];
 					request.seed = text_bits(request.name);
 					request.duration_s = options.duration_s;
 					requests.push_back(std::move(request));

@@ -41,6 +41,8 @@ struct SyntheticSetOptions {
 	std::vector<std::string> gestures = {}; ///< empty: all there are, and none
 	std::vector<HandPosition> positions = { HandPosition::STABLE, HandPosition::UNSTABLE };
 	double duration_s = 0.0; ///< as in SyntheticTrialRequest
+	/// Subject::pace of the repetitions, in turn: { 1, 0.5 } asks for every other one in half the time.
+	std::vector<double> paces = { 1.0 };
 };
 
 /// A whole set, to be made one by one. Each trial depends on its own place alone: more subjects, repetitions
