@@ -7,6 +7,13 @@ extends Node
 
 var active := false
 
+var _pointer := Vector2.ZERO
+
+
+func _input(event: InputEvent) -> void:
+	if event is InputEventMouseMotion:
+		_pointer = event.position
+
 
 func _process(_delta: float) -> void:
 	var camera := get_viewport().get_camera_3d()
@@ -15,9 +22,8 @@ func _process(_delta: float) -> void:
 	var axis := task.get_axis()
 	var view := camera.global_basis.z
 	var plane := Plane((view - axis * view.dot(axis)).normalized(), task.get_start())
-	var pointer := get_viewport().get_mouse_position()
 	var hit: Variant = plane.intersects_ray(
-		camera.project_ray_origin(pointer), camera.project_ray_normal(pointer)
+		camera.project_ray_origin(_pointer), camera.project_ray_normal(_pointer)
 	)
 	if hit is Vector3:
 		tracker.push_frame(1e-6 * Time.get_ticks_usec(), {HandTracker.JOINT_INDEX: hit})

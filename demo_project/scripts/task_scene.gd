@@ -83,7 +83,6 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
 	_move_task(trial)
-	gesture_hmm.reset()
 	_begin_trial(trial["trial"], trial["position"])
 	return tracker.start()
 
@@ -109,7 +108,6 @@ func follow_mouse(on: bool) -> void:
 	_end_trial()
 	tracker.stop()
 	tracker.source = HandTracker.SOURCE_SCRIPT
-	gesture_hmm.reset()
 	tracker.start()
 	_begin_mouse_trial()
 
@@ -131,7 +129,6 @@ func _play_synthetic() -> void:
 		return
 	var trial := tracker.get_synthetic_trial()
 	_move_task(trial)
-	gesture_hmm.reset()
 	_begin_trial(trial["trial"], trial["position"])
 
 

@@ -83,10 +83,9 @@ func _move_mouse_along(scene: TaskScene) -> void:
 		var point := (
 			scene.task.get_start() + scene.task.get_axis() * scene.task.amplitude * step / 30.0
 		)
-		Input.warp_mouse(camera.unproject_position(point))
 		var motion := InputEventMouseMotion.new()
 		motion.position = camera.unproject_position(point)
-		root.push_input(motion)
+		root.push_input(motion, true)
 		await process_frame
 	await process_frame
 

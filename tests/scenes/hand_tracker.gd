@@ -37,7 +37,9 @@ func test_recorded_source_plays_frames_and_signals() -> void:
 	check_equal(_stamps.size(), 5, "all frames came")
 	check(tracker.is_finished(), "finished")
 	check_equal(
-		_events, ["found", "lost", "found", "finished"] as Array[String], "found, lost, finished"
+		_events,
+		["found", "lost", "found", "lost", "finished"] as Array[String],
+		"found, lost, finished"
 	)
 	tracker.free()
 
@@ -49,7 +51,7 @@ func test_frames_once_over_step_sizes() -> void:
 		tracker.start()
 		while not tracker.is_finished():
 			tracker.advance(step_s)
-		check_equal(_stamps, [1.0, 1.01, 1.02, 1.5, 1.51] as Array[float], "steps of %g s" % step_s)
+		check_equal(_stamps, [1.0, 1.01, 1.02, 1.5, 1.51] as Array[float], "steps of %s s" % step_s)
 		tracker.free()
 
 

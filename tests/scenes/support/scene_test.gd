@@ -4,6 +4,8 @@ extends SceneTree
 ## check that needs data which is not there says SKIP. Errors of the engine that a test provokes are
 ## announced to the runner by a comment of that test's: `# expects error: TEXT`.
 
+const AUDIO_RELEASE_S := 0.1
+
 var _passed := 0
 var _failed := 0
 var _started := false
@@ -22,6 +24,8 @@ func _run() -> void:
 		var name: String = method["name"]
 		if name.begins_with("test_"):
 			await call(name)
+	# The audio thread lets go of what was freed while it played.
+	await create_timer(AUDIO_RELEASE_S).timeout
 	print("END %d passed, %d failed" % [_passed, _failed])
 	quit(0 if _failed == 0 else 1)
 
@@ -42,7 +46,7 @@ func check_equal(actual: Variant, expected: Variant, what: String) -> void:
 
 func check_near(actual: float, expected: float, tolerance: float, what: String) -> void:
 	var is_near := absf(actual - expected) <= tolerance
-	check(is_near, "%s: %g, expected %g within %g" % [what, actual, expected, tolerance])
+	check(is_near, "%s: %s, expected %s within %s" % [what, actual, expected, tolerance])
 
 
 func skip(what: String) -> void:
