@@ -59,7 +59,7 @@ def clang_tidy(cpp: list[Path], headers: list[Path]) -> Iterator[Outcome]:
         stamp = clean / f"{source.stem}.{key.hexdigest()[:32]}"
         if stamp.exists():
             return Outcome.of(f"lint/clang-tidy {source.relative_to(ROOT)}", True)
-        outcome = check(f"clang-tidy {source.relative_to(ROOT)}", ["clang-tidy", "--quiet", "-p", ".", source])
+        outcome = check(f"clang-tidy {source.relative_to(ROOT)}", [VENV / "clang-tidy", "--quiet", "-p", ".", source])
         if not outcome.failed:
             stamp.touch()
         return outcome
