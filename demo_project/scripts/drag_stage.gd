@@ -1,7 +1,7 @@
 extends "stage.gd"
 ## A box that is dragged from one marker box to another.
 
-const IDLE := Color(0.62, 0.65, 0.68)
+const IDLE := Color(0.5, 0.53, 0.56)
 const STARTED := Color(0.0, 0.35, 0.85)
 const ARRIVED := Color(0.85, 0.1, 0.1)
 const TRACKED := Color(1.0, 0.82, 0.62)

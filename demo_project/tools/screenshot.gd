@@ -11,8 +11,9 @@ const SCENE := "res://scenes/horizontal_drag.tscn"
 const STEP_S := 1e-3
 ## Share of the way at which the picture is taken.
 const MOMENT := 0.6
-## Frames until shaders are compiled and the labels laid out.
-const SETTLING_FRAMES := 5
+## The trial's task is in its place, and shaders are compiled and labels laid out, in these frames.
+const PLACED_FRAME := 3
+const SETTLED_FRAME := 8
 
 var _frame := 0
 var _out_file := ""
@@ -23,9 +24,11 @@ func _process(_delta: float) -> bool:
 	_frame += 1
 	if _frame == 1:
 		work(OS.get_cmdline_user_args())
-	if _frame == SETTLING_FRAMES and _scene != null:
+	elif _frame == PLACED_FRAME:
+		_play_half()
+	elif _frame == SETTLED_FRAME:
 		_save()
-	if _frame == SETTLING_FRAMES or _scene == null:
+	if _frame == SETTLED_FRAME or _scene == null:
 		quit(exit_code)
 	return false
 
@@ -45,9 +48,13 @@ func work(arguments: PackedStringArray) -> void:
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	root.add_child(scene)
 	scene.play_next()
-	while scene.gesture_hmm.value < MOMENT * scene.task.amplitude and not tracker.is_finished():
-		tracker.advance(STEP_S)
 	_scene = scene
+
+
+func _play_half() -> void:
+	var moment_m := MOMENT * _scene.task.amplitude
+	while _scene.gesture_hmm.value < moment_m and not _scene.tracker.is_finished():
+		_scene.tracker.advance(STEP_S)
 
 
 func _save() -> void:
