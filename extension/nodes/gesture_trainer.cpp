@@ -1,0 +1,94 @@
+#include "gesture_trainer.h"
+
+#include "conversions.h"
+
+#include "gesture/feature.h"
+#include "gesture/trainer.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+namespace godot {
+
+namespace {
+
+/// Share of the work that goes into reading tracks.
+constexpr double READING = 0.3;
+
+} // namespace
+
+Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
+	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
+	const std::string gesture = to_core(String(p_gesture));
+	std::vector<const steadyhand::Trial *> wanted;
+	for (const steadyhand::Trial &trial : p_trial_set->core()) {
+		if (trial.gesture == gesture) {
+			wanted.push_back(&trial);
+		}
+	}
+	ERR_FAIL_COND_V_MSG(wanted.empty(), Ref<GestureModel>(),
+			p_trial_set->get_path() + String(": no trial of the gesture '") + String(p_gesture) +
+					String("'"));
+
+	std::vector<steadyhand::TrainingRecording> recordings;
+	for (const steadyhand::Trial *trial : wanted) {
+		steadyhand::Result<steadyhand::TrainingRecording> recording = p_trial_set->read_recording(*trial);
+		ERR_FAIL_COND_V_MSG(!recording, Ref<GestureModel>(), to_godot(recording.error()));
+		recordings.push_back(std::move(recording).value());
+		emit_signal("progressed",
+				READING * static_cast<double>(recordings.size()) / static_cast<double>(wanted.size()));
+	}
+
+	steadyhand::TrainingOptions options;
+	options.states = states;
+	options.symbols = symbols;
+	options.r2_threshold = r2_threshold;
+	options.progress = [this](double p_done) {
+		emit_signal("progressed", READING + (1.0 - READING) * p_done);
+		return true;
+	};
+	steadyhand::Result<steadyhand::GestureModel> trained =
+			steadyhand::train(gesture, to_core(feature), recordings, options);
+	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
+	steadyhand::GestureModel &core = trained.value();
+	core.provenance.trial_set = to_core(p_trial_set->get_path().get_file());
+	core.provenance.trained_with = "SteadyHand";
+	Ref<GestureModel> model;
+	model.instantiate();
+	model->set_core(std::make_shared<const steadyhand::GestureModel>(std::move(core)));
+	return model;
+}
+
+void GestureTrainer::_validate_property(PropertyInfo &p_property) const {
+	if (p_property.name == StringName("feature")) {
+		String names;
+		for (const steadyhand::Feature &known : steadyhand::features()) {
+			names += (names.is_empty() ? String() : String(",")) + to_godot(known.name);
+		}
+		p_property.hint = PROPERTY_HINT_ENUM;
+		p_property.hint_string = names;
+	}
+}
+
+void GestureTrainer::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_feature", "feature"), &GestureTrainer::set_feature);
+	ClassDB::bind_method(D_METHOD("get_feature"), &GestureTrainer::get_feature);
+	ClassDB::bind_method(D_METHOD("set_states", "states"), &GestureTrainer::set_states);
+	ClassDB::bind_method(D_METHOD("get_states"), &GestureTrainer::get_states);
+	ClassDB::bind_method(D_METHOD("set_symbols", "symbols"), &GestureTrainer::set_symbols);
+	ClassDB::bind_method(D_METHOD("get_symbols"), &GestureTrainer::get_symbols);
+	ClassDB::bind_method(D_METHOD("set_r2_threshold", "threshold"), &GestureTrainer::set_r2_threshold);
+	ClassDB::bind_method(D_METHOD("get_r2_threshold"), &GestureTrainer::get_r2_threshold);
+	ClassDB::bind_method(D_METHOD("train", "trial_set", "gesture"), &GestureTrainer::train);
+
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "feature"), "set_feature", "get_feature");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "states", PROPERTY_HINT_RANGE, "1,20"), "set_states", "get_states");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "symbols", PROPERTY_HINT_RANGE, "1,1024"), "set_symbols",
+			"get_symbols");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "r2_threshold", PROPERTY_HINT_RANGE, "0,1,0.01"),
+			"set_r2_threshold", "get_r2_threshold");
+
+	ADD_SIGNAL(MethodInfo("progressed", PropertyInfo(Variant::FLOAT, "done")));
+}
+
+} // namespace godot

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "tracking/track_csv.h"
+
+#include <godot_cpp/variant/string.hpp>
+
+namespace godot {
+
+/// A track CSV through the engine's files; the error names file, line and column.
+steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path);
+
+} // namespace godot

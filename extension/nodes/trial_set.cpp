@@ -1,0 +1,138 @@
+#include "trial_set.h"
+
+#include "conversions.h"
+#include "text_file.h"
+#include "track_file.h"
+#include "trial_dictionary.h"
+
+#include "simulation/synthetic_trial.h"
+
+#include <godot_cpp/classes/dir_access.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+#include <array>
+#include <optional>
+
+namespace godot {
+
+namespace {
+
+/// Error names the option and its value.
+steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionary &p_options) {
+	using steadyhand::Population;
+	steadyhand::SyntheticSetOptions options;
+	const String population = p_options.get("population", "train");
+	std::optional<Population> known;
+	for (const Population candidate : { Population::TRAIN, Population::TUNE, Population::EVALUATE }) {
+		if (population == to_godot(steadyhand::population_name(candidate))) {
+			known = candidate;
+		}
+	}
+	if (!known) {
+		return steadyhand::Error{ "population '" + to_core(population) + "' is not train, tune or evaluate" };
+	}
+	options.population = *known;
+	for (const auto &[key, count] : { std::pair("subjects", &options.subjects),
+				 std::pair("trials_per_subject", &options.repetitions) }) {
+		const int64_t asked = p_options.get(key, *count);
+		if (asked < 1 || asked > 10000) {
+			return steadyhand::Error{ std::string(key) + ": " + std::to_string(asked) +
+				" is not in 1..10000" };
+		}
+		*count = static_cast<std::uint32_t>(asked);
+	}
+	options.duration_s = p_options.get("duration", 0.0);
+	const PackedStringArray gestures = p_options.get("gestures", PackedStringArray());
+	for (const String &gesture : gestures) {
+		options.gestures.push_back(to_core(gesture));
+	}
+	return options;
+}
+
+} // namespace
+
+String TrialSet::track_path(const String &p_folder, const steadyhand::Trial &p_trial, const char *p_kind) {
+	return p_folder.path_join(to_godot(p_trial.trial) + String(p_kind));
+}
+
+steadyhand::Result<steadyhand::TrainingRecording> TrialSet::read_recording(
+		const steadyhand::Trial &p_trial) const {
+	steadyhand::Result<steadyhand::Track> measured =
+			read_track_file(track_path(path, p_trial, ".measured.csv"));
+	if (!measured) {
+		return steadyhand::Error{ measured.error() };
+	}
+	steadyhand::Result<steadyhand::Track> reference =
+			read_track_file(track_path(path, p_trial, ".reference.csv"));
+	if (!reference) {
+		return steadyhand::Error{ reference.error() };
+	}
+	return steadyhand::TrainingRecording{ p_trial.trial, task_of_trial(p_trial), p_trial.start_s,
+		p_trial.end_s, std::move(measured).value(), std::move(reference).value() };
+}
+
+Dictionary TrialSet::get_trial(int p_index) const {
+	ERR_FAIL_INDEX_V(p_index, get_count(), Dictionary());
+	return trial_dictionary(trials[static_cast<std::size_t>(p_index)]);
+}
+
+String TrialSet::get_measured_path(int p_index) const {
+	ERR_FAIL_INDEX_V(p_index, get_count(), String());
+	return track_path(path, trials[static_cast<std::size_t>(p_index)], ".measured.csv");
+}
+
+String TrialSet::get_reference_path(int p_index) const {
+	ERR_FAIL_INDEX_V(p_index, get_count(), String());
+	return track_path(path, trials[static_cast<std::size_t>(p_index)], ".reference.csv");
+}
+
+Ref<TrialSet> TrialSet::load_folder(const String &p_path) {
+	const String table = p_path.path_join("trials.csv");
+	const steadyhand::Result<std::string> text = read_text_file(table);
+	ERR_FAIL_COND_V_MSG(!text, Ref<TrialSet>(), to_godot(text.error()));
+	steadyhand::Result<std::vector<steadyhand::Trial>> trials =
+			steadyhand::parse_trials_csv(text.value(), to_core(table));
+	ERR_FAIL_COND_V_MSG(!trials, Ref<TrialSet>(), to_godot(trials.error()));
+	Ref<TrialSet> set;
+	set.instantiate();
+	set->path = p_path;
+	set->trials = std::move(trials).value();
+	return set;
+}
+
+Error TrialSet::write_synthetic(const String &p_path, const Dictionary &p_options) {
+	const steadyhand::Result<steadyhand::SyntheticSetOptions> options = read_options(p_options);
+	ERR_FAIL_COND_V_MSG(!options, ERR_INVALID_PARAMETER,
+			String("TrialSet.write_synthetic: ") + to_godot(options.error()));
+	const Error folder_error = DirAccess::make_dir_recursive_absolute(p_path);
+	ERR_FAIL_COND_V_MSG(folder_error != OK, folder_error, p_path + String(": this folder cannot be made"));
+	std::vector<steadyhand::Trial> rows;
+	for (const steadyhand::SyntheticTrialRequest &request : steadyhand::plan_synthetic_set(options.value())) {
+		const steadyhand::Result<steadyhand::SyntheticTrial> made = steadyhand::make_synthetic_trial(request);
+		ERR_FAIL_COND_V_MSG(!made, ERR_INVALID_PARAMETER, to_godot(made.error()));
+		const steadyhand::SyntheticTrial &trial = made.value();
+		for (const auto &[kind, track] : { std::pair(".measured.csv", &trial.measured),
+					 std::pair(".reference.csv", &trial.reference) }) {
+			const Error error = write_text_file(
+					track_path(p_path, trial.trial, kind), steadyhand::format_track_csv(*track));
+			if (error != OK) {
+				return error;
+			}
+		}
+		rows.push_back(trial.trial);
+	}
+	return write_text_file(p_path.path_join("trials.csv"), steadyhand::format_trials_csv(rows));
+}
+
+void TrialSet::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("get_path"), &TrialSet::get_path);
+	ClassDB::bind_method(D_METHOD("get_count"), &TrialSet::get_count);
+	ClassDB::bind_method(D_METHOD("get_trial", "index"), &TrialSet::get_trial);
+	ClassDB::bind_method(D_METHOD("get_measured_path", "index"), &TrialSet::get_measured_path);
+	ClassDB::bind_method(D_METHOD("get_reference_path", "index"), &TrialSet::get_reference_path);
+	ClassDB::bind_static_method("TrialSet", D_METHOD("load_folder", "path"), &TrialSet::load_folder);
+	ClassDB::bind_static_method("TrialSet", D_METHOD("write_synthetic", "path", "options"),
+			&TrialSet::write_synthetic, DEFVAL(Dictionary()));
+}
+
+} // namespace godot
