@@ -1,0 +1,83 @@
+#include "motion_metrics.h"
+
+#include "conversions.h"
+#include "track_file.h"
+#include "trial_dictionary.h"
+
+#include "gesture/feature.h"
+#include "metrics/curve_comparison.h"
+#include "metrics/summary.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+#include <cmath>
+
+namespace godot {
+
+Dictionary MotionMetrics::compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
+		double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s) {
+	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0), Dictionary(), "MotionMetrics.compare: rate_hz must be above 0");
+	ERR_FAIL_COND_V_MSG(p_reference.size() != p_curve.size(), Dictionary(),
+			"MotionMetrics.compare: the curves must have as many samples");
+	const steadyhand::CurveComparison comparison = steadyhand::compare_curves(
+			to_core(p_reference), to_core(p_curve), { p_t0_s, p_rate_hz }, { p_start_s, p_end_s });
+	Dictionary dictionary;
+	dictionary["r2"] = comparison.r2;
+	dictionary["r2_zero"] = comparison.r2_zero;
+	dictionary["lag"] = comparison.lag_s;
+	dictionary["t_diff"] = comparison.t_diff_s;
+	dictionary["sparc"] = comparison.sparc;
+	dictionary["missed"] = comparison.missed;
+	return dictionary;
+}
+
+Dictionary MotionMetrics::summarise(const PackedFloat64Array &p_values) {
+	const std::span<const double> values = to_core(p_values);
+	Dictionary dictionary;
+	dictionary["mean"] = steadyhand::mean(values);
+	dictionary["median"] = steadyhand::percentile(values, 50.0);
+	dictionary["p2_5"] = steadyhand::percentile(values, 2.5);
+	dictionary["p5"] = steadyhand::percentile(values, 5.0);
+	dictionary["p95"] = steadyhand::percentile(values, 95.0);
+	dictionary["p97_5"] = steadyhand::percentile(values, 97.5);
+	return dictionary;
+}
+
+PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, const String &p_feature,
+		const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count) {
+	PackedFloat64Array curve;
+	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0) || !std::isfinite(p_rate_hz) || p_count < 0, curve,
+			"MotionMetrics.feature_curve: rate_hz must be above 0 and count at least 0");
+	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
+	ERR_FAIL_NULL_V_MSG(feature, curve, p_feature + String(": there is no such feature"));
+	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
+	if (!task) {
+		return curve;
+	}
+	const steadyhand::Result<steadyhand::Track> track = read_track_file(p_track_path);
+	ERR_FAIL_COND_V_MSG(!track, curve, to_godot(track.error()));
+
+	std::vector<double> times_s, values;
+	for (const steadyhand::HandFrame &frame : track.value().frames) {
+		if (const std::optional<double> value_m = feature->measure(frame, *task)) {
+			times_s.push_back(frame.t_s);
+			values.push_back(*value_m / task->amplitude_m);
+		}
+	}
+	curve.resize(p_count);
+	steadyhand::resample_linear(times_s, values, { p_t0_s, p_rate_hz },
+			std::span(curve.ptrw(), static_cast<std::size_t>(p_count)));
+	return curve;
+}
+
+void MotionMetrics::_bind_methods() {
+	ClassDB::bind_static_method("MotionMetrics",
+			D_METHOD("compare", "reference", "curve", "rate_hz", "t0_s", "start_s", "end_s"),
+			&MotionMetrics::compare);
+	ClassDB::bind_static_method("MotionMetrics", D_METHOD("summarise", "values"), &MotionMetrics::summarise);
+	ClassDB::bind_static_method("MotionMetrics",
+			D_METHOD("feature_curve", "track_path", "feature", "trial", "t0_s", "rate_hz", "count"),
+			&MotionMetrics::feature_curve);
+}
+
+} // namespace godot

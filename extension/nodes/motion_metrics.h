@@ -1,0 +1,25 @@
+#pragma once
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/packed_float64_array.hpp>
+
+namespace godot {
+
+/// The project's metrics for scripts; static functions only.
+class MotionMetrics : public RefCounted {
+	GDCLASS(MotionMetrics, RefCounted)
+
+protected:
+	static void _bind_methods();
+
+public:
+	static Dictionary compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
+			double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s);
+	static Dictionary summarise(const PackedFloat64Array &p_values);
+	/// Empty and one error in the log where the track cannot be read.
+	static PackedFloat64Array feature_curve(const String &p_track_path, const String &p_feature,
+			const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count);
+};
+
+} // namespace godot
