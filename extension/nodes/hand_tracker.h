@@ -1,0 +1,131 @@
+#pragma once
+
+#include "frame_listener.h"
+#include "listener_list.h"
+#include "track_playback.h"
+#include "track_recorder.h"
+
+#include "base/result.h"
+
+#include <godot_cpp/classes/node3d.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+
+namespace godot {
+
+/// Hand frames from one source, in the order and with the stamps that the source gave them. Positions are
+/// published in the tracker's own space, as the source has them: the node's transform is not applied.
+class HandTracker : public Node3D {
+	GDCLASS(HandTracker, Node3D)
+
+public:
+	enum Source { SOURCE_SCRIPT, SOURCE_RECORDED, SOURCE_SYNTHETIC };
+	enum UpdateMode { UPDATE_IDLE, UPDATE_PHYSICS, UPDATE_MANUAL };
+	enum Joint { JOINT_THUMB, JOINT_INDEX, JOINT_MIDDLE, JOINT_RING, JOINT_PINKY, JOINT_PALM, JOINT_WRIST };
+	enum SyntheticPosition { POSITION_STABLE, POSITION_UNSTABLE };
+
+	HandTracker();
+	~HandTracker() override;
+
+	void set_source(Source p_source);
+	Source get_source() const { return source; }
+	void set_update_mode(UpdateMode p_mode);
+	UpdateMode get_update_mode() const { return update_mode; }
+	void set_autostart(bool p_autostart) { autostart = p_autostart; }
+	bool get_autostart() const { return autostart; }
+	void set_recording_path(const String &p_path);
+	String get_recording_path() const { return recording_path; }
+	void set_loop(bool p_loop) { loop = p_loop; }
+	bool get_loop() const { return loop; }
+	void set_synthetic_gesture(const String &p_gesture) { synthetic_gesture = p_gesture; }
+	String get_synthetic_gesture() const { return synthetic_gesture; }
+	void set_synthetic_position(SyntheticPosition p_position) { synthetic_position = p_position; }
+	SyntheticPosition get_synthetic_position() const { return synthetic_position; }
+	void set_synthetic_seed(int p_seed) { synthetic_seed = p_seed; }
+	int get_synthetic_seed() const { return synthetic_seed; }
+	void set_synthetic_subject(int p_subject);
+	int get_synthetic_subject() const { return synthetic_subject; }
+
+	Error start();
+	void stop();
+	bool is_running() const { return running; }
+	bool is_finished() const { return finished; }
+	double get_time() const { return time_s; }
+	double get_start_time() const { return start_time_s; }
+	double get_duration() const { return duration_s; }
+	Dictionary get_synthetic_trial() const { return synthetic_trial; }
+
+	void advance(double p_seconds);
+	void advance_to(double p_time_s);
+	Error push_frame(double p_time_s, const Dictionary &p_joints, double p_confidence);
+
+	Vector3 get_joint_position(Joint p_joint) const;
+	bool is_joint_tracked(Joint p_joint) const;
+
+	Error start_recording(const String &p_path);
+	void stop_recording();
+
+	void add_listener(FrameListener *p_listener) { listeners.add(p_listener); }
+	void remove_listener(FrameListener *p_listener) { listeners.remove(p_listener); }
+
+	PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+	void _validate_property(PropertyInfo &p_property) const;
+
+private:
+	/// Names that each frame needs: making one takes a lock.
+	struct SignalNames {
+		StringName frame_received = "frame_received";
+		StringName tracking_found = "tracking_found";
+		StringName tracking_lost = "tracking_lost";
+	};
+
+	Source source = SOURCE_SCRIPT;
+	UpdateMode update_mode = UPDATE_IDLE;
+	bool autostart = true;
+	String recording_path;
+	bool loop = false;
+	String synthetic_gesture = "horizontal_drag";
+	SyntheticPosition synthetic_position = POSITION_STABLE;
+	int synthetic_seed = 0;
+	int synthetic_subject = 0;
+
+	SignalNames names;
+	ListenerList<FrameListener> listeners;
+	std::optional<TrackPlayback> playback;
+	std::unique_ptr<TrackRecorder> recorder;
+	Dictionary synthetic_trial;
+	bool running = false;
+	bool finished = false;
+	bool clock_set = false; ///< a pushed stream starts with its first frame
+	double time_s = 0.0;
+	double start_time_s = 0.0;
+	double duration_s = 0.0;
+	/// Of the run: start() and stop() out of a signal end the loop that delivers frames.
+	uint64_t run = 0;
+
+	uint8_t tracked = 0;                                      ///< bit i: joint i in the last frame
+	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m; ///< last seen ones
+	bool hand_present = false;
+	double hand_seen_s = 0.0;
+	bool complained = false; ///< of a bad pushed frame, in this run
+
+	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
+	Error refuse_frame(const String &p_reason);
+	void deliver(const steadyhand::HandFrame &p_frame);
+	void set_hand_present(bool p_present);
+	void update_processing();
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(godot::HandTracker::Source);
+VARIANT_ENUM_CAST(godot::HandTracker::UpdateMode);
+VARIANT_ENUM_CAST(godot::HandTracker::Joint);
+VARIANT_ENUM_CAST(godot::HandTracker::SyntheticPosition);

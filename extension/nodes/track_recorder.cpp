@@ -1,0 +1,69 @@
+#include "track_recorder.h"
+
+#include "text_file.h"
+
+#include "tracking/track_csv.h"
+
+#include <godot_cpp/core/error_macros.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+namespace godot {
+
+namespace {
+
+/// All that a frame can hold: what a script pushes later is not known when the header is written.
+constexpr steadyhand::TrackColumns COLUMNS{ (1U << steadyhand::JOINT_COUNT) - 1U, true };
+
+} // namespace
+
+Error TrackRecorder::open(const String &p_path) {
+	path_ = p_path;
+	file_ = FileAccess::open(p_path, FileAccess::WRITE);
+	ERR_FAIL_COND_V_MSG(file_.is_null(), FileAccess::get_open_error(),
+			String("HandTracker cannot record to ") + cannot_open(p_path, FileAccess::get_open_error()));
+	rows_.reserve(CAPACITY_BYTES + ROW_BYTES_MAX);
+	rows_ = steadyhand::track_csv_header(COLUMNS, { { "origin", "SteadyHand HandTracker" } });
+	flush();
+	return OK;
+}
+
+void TrackRecorder::write(const steadyhand::HandFrame &p_frame) {
+	if (p_frame.t_s < last_s_) {
+		complain(": frames older than those before are left out; record each run of a HandTracker to its own "
+				 "file");
+		return;
+	}
+	last_s_ = p_frame.t_s;
+	steadyhand::append_track_csv_row(rows_, p_frame, COLUMNS);
+	if (p_frame.t_s > flushed_s_ + FLUSH_EVERY_S || rows_.size() > CAPACITY_BYTES) {
+		flush();
+		flushed_s_ = p_frame.t_s;
+	}
+}
+
+void TrackRecorder::flush() {
+	PackedByteArray bytes;
+	bytes.resize(static_cast<int64_t>(rows_.size()));
+	std::copy(rows_.begin(), rows_.end(), bytes.ptrw());
+	rows_.clear();
+	file_->store_buffer(bytes);
+	file_->flush();
+	if (file_->get_error() != OK) {
+		complain(": recording fails, rows are being lost; is the disk full?");
+	}
+}
+
+void TrackRecorder::complain(const char *p_what) {
+	if (!complained_) {
+		complained_ = true;
+		ERR_PRINT(path_ + String(p_what));
+	}
+}
+
+TrackRecorder::~TrackRecorder() {
+	if (file_.is_valid()) {
+		flush();
+	}
+}
+
+} // namespace godot
