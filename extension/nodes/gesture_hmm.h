@@ -1,0 +1,122 @@
+#pragma once
+
+#include "frame_listener.h"
+#include "gesture_model.h"
+#include "listener_list.h"
+#include "motion_listener.h"
+
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/core/object_id.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace steadyhand {
+class GestureRecogniser;
+struct Motion;
+} // namespace steadyhand
+
+namespace godot {
+
+class GestureTask;
+class HandTracker;
+
+/// Recognises the gesture that a HandTracker's hand is making and puts out its motion, at control instants 1
+/// ms apart on the frames' own clock. What it puts out for a time depends on the frames stamped at or before
+/// that time only.
+class GestureHMM : public Node, public FrameListener {
+	GDCLASS(GestureHMM, Node)
+
+public:
+	enum Mode { MODE_PAPER };
+	/// In the order of the core's MotionSource.
+	enum Motion { MOTION_SYNTHESISED, MOTION_MEASURED, MOTION_AVERAGE, MOTION_ONE_EURO, MOTION_KALMAN };
+
+	GestureHMM();
+	~GestureHMM() override;
+
+	void set_tracker(HandTracker *p_tracker);
+	HandTracker *get_tracker() const { return tracker; }
+	void set_task(GestureTask *p_task);
+	GestureTask *get_task() const;
+	void set_models(const TypedArray<GestureModel> &p_models);
+	TypedArray<GestureModel> get_models() const { return models; }
+	void set_mode(Mode p_mode) { mode = p_mode; }
+	Mode get_mode() const { return mode; }
+	void set_motion(Motion p_motion);
+	Motion get_motion() const { return motion; }
+
+	double get_value() const;
+	double get_velocity() const;
+	double get_acceleration() const;
+	double get_progress() const;
+	StringName get_gesture() const { return shown.gesture; }
+	int get_state() const { return shown.state; }
+	double get_time() const { return time_s; }
+	StringName get_recognised() const { return recognised; }
+
+	void reset();
+	double get_motion_value(Motion p_motion) const;
+
+	void add_listener(MotionListener *p_listener) { listeners.add(p_listener); }
+	void remove_listener(MotionListener *p_listener) { listeners.remove(p_listener); }
+
+	void on_stream_started() override { reset(); }
+	void on_frame(const steadyhand::HandFrame &p_frame) override;
+	void on_time_advanced(double p_time_s) override;
+	void on_tracker_freed() override;
+
+	PackedStringArray _get_configuration_warnings() const override;
+
+protected:
+	static void _bind_methods();
+
+private:
+	struct SignalNames {
+		StringName gesture_started = "gesture_started";
+		StringName state_changed = "state_changed";
+		StringName gesture_ended = "gesture_ended";
+		StringName motion_updated = "motion_updated";
+	};
+	/// What scripts see of the recognition, as of the last control instant.
+	struct Shown {
+		int model = -1; ///< index into active_gestures
+		StringName gesture;
+		int state = -1;
+		bool arrived = false;
+	};
+
+	HandTracker *tracker = nullptr;
+	ObjectID task_id;
+	TypedArray<GestureModel> models;
+	Mode mode = MODE_PAPER;
+	Motion motion = MOTION_SYNTHESISED;
+
+	SignalNames names;
+	ListenerList<MotionListener> listeners;
+	std::unique_ptr<steadyhand::GestureRecogniser> recogniser;
+	std::vector<StringName> active_gestures; ///< of the recogniser's models
+	double rest_amplitude_m = 1.0;           ///< while no gesture is under way
+	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
+	bool outdated = true;
+	uint64_t build = 0;
+	int64_t next_instant = 0; ///< in control periods on the frames' clock
+	double time_s = 0.0;
+	Shown shown;
+	StringName recognised;
+
+	void prepare(double p_time_s);
+	void build_recogniser();
+	void run_clock(double p_time_s, bool p_up_to_and_including);
+	void publish();
+	steadyhand::Motion current(Motion p_motion) const;
+	double amplitude_m() const;
+	void on_settings_changed();
+	void connect_changed(Object *p_object, bool p_connect);
+};
+
+} // namespace godot
+
+VARIANT_ENUM_CAST(godot::GestureHMM::Mode);
+VARIANT_ENUM_CAST(godot::GestureHMM::Motion);

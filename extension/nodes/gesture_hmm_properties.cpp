@@ -1,0 +1,186 @@
+// GestureHMM as the inspector and scripts see it.
+
+#include "gesture_hmm.h"
+
+#include "gesture_task.h"
+#include "hand_tracker.h"
+
+#include "motion/gesture_recogniser.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+namespace godot {
+
+// Here, where the recogniser is a complete type.
+GestureHMM::GestureHMM() = default;
+
+GestureHMM::~GestureHMM() {
+	if (tracker != nullptr) {
+		tracker->remove_listener(this);
+	}
+	listeners.call(&MotionListener::on_motion_freed);
+}
+
+void GestureHMM::set_tracker(HandTracker *p_tracker) {
+	if (tracker == p_tracker) {
+		return;
+	}
+	if (tracker != nullptr) {
+		tracker->remove_listener(this);
+	}
+	tracker = p_tracker;
+	if (tracker != nullptr) {
+		tracker->add_listener(this);
+	}
+	reset();
+	update_configuration_warnings();
+}
+
+void GestureHMM::on_tracker_freed() {
+	tracker = nullptr;
+	update_configuration_warnings();
+}
+
+void GestureHMM::set_task(GestureTask *p_task) {
+	GestureTask *const old = get_task();
+	if (old == p_task) {
+		return;
+	}
+	connect_changed(old, false);
+	task_id = ObjectID(p_task != nullptr ? p_task->get_instance_id() : 0);
+	connect_changed(p_task, true);
+	on_settings_changed();
+}
+
+GestureTask *GestureHMM::get_task() const {
+	return Object::cast_to<GestureTask>(ObjectDB::get_instance(task_id));
+}
+
+void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
+	for (int64_t i = 0; i < models.size(); ++i) {
+		connect_changed(models[i], false);
+	}
+	models = p_models;
+	for (int64_t i = 0; i < models.size(); ++i) {
+		connect_changed(models[i], true);
+	}
+	on_settings_changed();
+}
+
+void GestureHMM::connect_changed(Object *p_object, bool p_connect) {
+	const Callable callable = callable_mp(this, &GestureHMM::on_settings_changed);
+	if (p_object == nullptr || p_object->is_connected("changed", callable) == p_connect) {
+		return; // a model may stand in the list twice
+	}
+	if (p_connect) {
+		p_object->connect("changed", callable);
+	} else {
+		p_object->disconnect("changed", callable);
+	}
+}
+
+void GestureHMM::on_settings_changed() {
+	reset();
+	update_configuration_warnings();
+}
+
+void GestureHMM::set_motion(Motion p_motion) {
+	ERR_FAIL_INDEX(static_cast<int>(p_motion), MOTION_KALMAN + 1);
+	motion = p_motion;
+}
+
+PackedStringArray GestureHMM::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (tracker == nullptr) {
+		warnings.push_back("Set \"tracker\" to the HandTracker whose hand makes the gestures.");
+	}
+	const GestureTask *task = get_task();
+	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
+	bool has_wanted = wanted == StringName();
+	bool has_empty = false;
+	for (int64_t i = 0; i < models.size(); ++i) {
+		const Ref<GestureModel> model = models[i];
+		has_empty = has_empty || model.is_null() || model->core() == nullptr;
+		has_wanted = has_wanted || (model.is_valid() && model->get_gesture() == wanted);
+	}
+	if (models.is_empty()) {
+		warnings.push_back("Add a GestureModel to \"models\": a *.gesture file of "
+						   "res://addons/steadyhand/models, or one "
+						   "of your own from a GestureTrainer.");
+	} else if (!has_wanted) {
+		warnings.push_back(String("Add the model of the gesture '") + String(wanted) +
+				String("' to \"models\", or set the task's \"gesture\" to one that is there."));
+	}
+	if (has_empty) {
+		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
+	}
+	return warnings;
+}
+
+void GestureHMM::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_tracker", "tracker"), &GestureHMM::set_tracker);
+	ClassDB::bind_method(D_METHOD("get_tracker"), &GestureHMM::get_tracker);
+	ClassDB::bind_method(D_METHOD("set_task", "task"), &GestureHMM::set_task);
+	ClassDB::bind_method(D_METHOD("get_task"), &GestureHMM::get_task);
+	ClassDB::bind_method(D_METHOD("set_models", "models"), &GestureHMM::set_models);
+	ClassDB::bind_method(D_METHOD("get_models"), &GestureHMM::get_models);
+	ClassDB::bind_method(D_METHOD("set_mode", "mode"), &GestureHMM::set_mode);
+	ClassDB::bind_method(D_METHOD("get_mode"), &GestureHMM::get_mode);
+	ClassDB::bind_method(D_METHOD("set_motion", "motion"), &GestureHMM::set_motion);
+	ClassDB::bind_method(D_METHOD("get_motion"), &GestureHMM::get_motion);
+	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
+	ClassDB::bind_method(D_METHOD("get_velocity"), &GestureHMM::get_velocity);
+	ClassDB::bind_method(D_METHOD("get_acceleration"), &GestureHMM::get_acceleration);
+	ClassDB::bind_method(D_METHOD("get_progress"), &GestureHMM::get_progress);
+	ClassDB::bind_method(D_METHOD("get_gesture"), &GestureHMM::get_gesture);
+	ClassDB::bind_method(D_METHOD("get_state"), &GestureHMM::get_state);
+	ClassDB::bind_method(D_METHOD("get_time"), &GestureHMM::get_time);
+	ClassDB::bind_method(D_METHOD("get_recognised"), &GestureHMM::get_recognised);
+	ClassDB::bind_method(D_METHOD("reset"), &GestureHMM::reset);
+	ClassDB::bind_method(D_METHOD("get_motion_value", "motion"), &GestureHMM::get_motion_value);
+
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "tracker", PROPERTY_HINT_NODE_TYPE, "HandTracker"),
+			"set_tracker", "get_tracker");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask"), "set_task",
+			"get_task");
+	const String model_hint =
+			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_RESOURCE_TYPE) + ":GestureModel";
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "models", PROPERTY_HINT_ARRAY_TYPE, model_hint), "set_models",
+			"get_models");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Paper"), "set_mode", "get_mode");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM,
+						 "Synthesised,Measured,Average,One Euro,Kalman"),
+			"set_motion", "get_motion");
+
+	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "value", PROPERTY_HINT_NONE, "suffix:m", READ_ONLY), "",
+			"get_value");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "velocity", PROPERTY_HINT_NONE, "suffix:m/s", READ_ONLY), "",
+			"get_velocity");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "acceleration", PROPERTY_HINT_NONE, "suffix:m/s^2", READ_ONLY),
+			"", "get_acceleration");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "progress", PROPERTY_HINT_NONE, "", READ_ONLY), "", "get_progress");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "gesture", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_gesture");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "state", PROPERTY_HINT_NONE, "", READ_ONLY), "", "get_state");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "time", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "", "get_time");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "recognised", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_recognised");
+
+	ADD_SIGNAL(MethodInfo("gesture_started", PropertyInfo(Variant::STRING_NAME, "gesture")));
+	ADD_SIGNAL(MethodInfo("state_changed", PropertyInfo(Variant::INT, "state")));
+	ADD_SIGNAL(MethodInfo("gesture_ended", PropertyInfo(Variant::STRING_NAME, "gesture"),
+			PropertyInfo(Variant::FLOAT, "time_s")));
+	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
+
+	BIND_ENUM_CONSTANT(MODE_PAPER);
+	BIND_ENUM_CONSTANT(MOTION_SYNTHESISED);
+	BIND_ENUM_CONSTANT(MOTION_MEASURED);
+	BIND_ENUM_CONSTANT(MOTION_AVERAGE);
+	BIND_ENUM_CONSTANT(MOTION_ONE_EURO);
+	BIND_ENUM_CONSTANT(MOTION_KALMAN);
+}
+
+} // namespace godot

@@ -1,0 +1,104 @@
+#include "gesture_task.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+#include <cmath>
+
+namespace godot {
+
+GestureTask::GestureTask() {
+	set_notify_transform(true);
+}
+
+void GestureTask::_notification(int p_what) {
+	if (p_what == NOTIFICATION_TRANSFORM_CHANGED) {
+		emit_signal("changed");
+	}
+}
+
+void GestureTask::announce_change() {
+	emit_signal("changed");
+	update_configuration_warnings();
+}
+
+void GestureTask::set_gesture(const StringName &p_gesture) {
+	if (gesture != p_gesture) {
+		gesture = p_gesture;
+		announce_change();
+	}
+}
+
+void GestureTask::set_direction(const Vector3 &p_direction) {
+	ERR_FAIL_COND_MSG(!p_direction.is_finite(), "GestureTask: direction must be finite");
+	if (direction != p_direction) {
+		direction = p_direction;
+		announce_change();
+	}
+}
+
+void GestureTask::set_amplitude(double p_amplitude) {
+	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || !std::isfinite(p_amplitude),
+			"GestureTask: amplitude must be more than 0 m");
+	if (amplitude != p_amplitude) {
+		amplitude = p_amplitude;
+		announce_change();
+	}
+}
+
+void GestureTask::set_start_radius(double p_radius) {
+	ERR_FAIL_COND_MSG(
+			!(p_radius >= 0.0) || !std::isfinite(p_radius), "GestureTask: start_radius must be 0 m or more");
+	if (start_radius != p_radius) {
+		start_radius = p_radius;
+		announce_change();
+	}
+}
+
+Vector3 GestureTask::get_start() const {
+	return is_inside_tree() ? get_global_position() : get_position();
+}
+
+Vector3 GestureTask::get_axis() const {
+	const Transform3D transform = is_inside_tree() ? get_global_transform() : get_transform();
+	const Vector3 axis = transform.basis.xform(direction).normalized();
+	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction.normalized();
+}
+
+PackedStringArray GestureTask::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (gesture == StringName()) {
+		warnings.push_back(
+				"Set \"gesture\" to the name of the gesture that is expected here, e.g. horizontal_drag. "
+				"While it is empty, every model of a GestureHMM competes here.");
+	}
+	if (direction.length_squared() <= 0) {
+		warnings.push_back("Set \"direction\" to the way the hand moves; it is zero.");
+	}
+	return warnings;
+}
+
+void GestureTask::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_gesture", "gesture"), &GestureTask::set_gesture);
+	ClassDB::bind_method(D_METHOD("get_gesture"), &GestureTask::get_gesture);
+	ClassDB::bind_method(D_METHOD("set_direction", "direction"), &GestureTask::set_direction);
+	ClassDB::bind_method(D_METHOD("get_direction"), &GestureTask::get_direction);
+	ClassDB::bind_method(D_METHOD("set_amplitude", "amplitude"), &GestureTask::set_amplitude);
+	ClassDB::bind_method(D_METHOD("get_amplitude"), &GestureTask::get_amplitude);
+	ClassDB::bind_method(D_METHOD("set_start_radius", "start_radius"), &GestureTask::set_start_radius);
+	ClassDB::bind_method(D_METHOD("get_start_radius"), &GestureTask::get_start_radius);
+	ClassDB::bind_method(D_METHOD("get_start"), &GestureTask::get_start);
+	ClassDB::bind_method(D_METHOD("get_axis"), &GestureTask::get_axis);
+
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "gesture"), "set_gesture", "get_gesture");
+	ADD_PROPERTY(PropertyInfo(Variant::VECTOR3, "direction"), "set_direction", "get_direction");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "amplitude", PROPERTY_HINT_RANGE,
+						 "0.01,1,0.001,or_greater,suffix:m"),
+			"set_amplitude", "get_amplitude");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "start_radius", PROPERTY_HINT_RANGE,
+						 "0,0.3,0.001,or_greater,suffix:m"),
+			"set_start_radius", "get_start_radius");
+
+	ADD_SIGNAL(MethodInfo("changed"));
+}
+
+} // namespace godot

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <godot_cpp/classes/node3d.hpp>
+
+namespace godot {
+
+/// Where a scene expects a gesture: its global position is the start. Emits `changed` whenever what it says
+/// does.
+class GestureTask : public Node3D {
+	GDCLASS(GestureTask, Node3D)
+
+	StringName gesture;
+	Vector3 direction = Vector3(1, 0, 0);
+	double amplitude = 0.2;
+	double start_radius = 0.0;
+
+	void announce_change();
+
+protected:
+	static void _bind_methods();
+	void _notification(int p_what);
+
+public:
+	GestureTask();
+
+	void set_gesture(const StringName &p_gesture);
+	StringName get_gesture() const { return gesture; }
+	void set_direction(const Vector3 &p_direction);
+	Vector3 get_direction() const { return direction; }
+	void set_amplitude(double p_amplitude);
+	double get_amplitude() const { return amplitude; }
+	void set_start_radius(double p_radius);
+	double get_start_radius() const { return start_radius; }
+
+	/// m, world; outside the tree: relative to the parent.
+	Vector3 get_start() const;
+	/// Unit vector; the local direction where the node's scale is degenerate.
+	Vector3 get_axis() const;
+
+	PackedStringArray _get_configuration_warnings() const override;
+};
+
+} // namespace godot
