@@ -23,7 +23,7 @@ const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 
 ## A trial set to play; empty: synthetic people make the trials.
 @export_dir var trial_folder := ""
-## Where the logs go.
+## Where the logs go; each session makes a folder of its own there.
 @export_global_dir var log_folder := "user://logs"
 ## Play trial after trial from the start.
 @export var autoplay := true
@@ -31,6 +31,8 @@ const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 ## Instants of the present trial on the tracker's clock, s; NAN until they come.
 var start_s := NAN
 var end_s := NAN
+## Of this session.
+var session_folder := ""
 
 var _trials: TrialList = null
 var _log: TrialLog = null
@@ -47,6 +49,8 @@ var _mouse_trials := 0
 
 
 func _ready() -> void:
+	var stamp := Time.get_datetime_string_from_system().replace(":", "-")
+	session_folder = log_folder.path_join(stamp)
 	tracker.finished.connect(_on_tracker_finished)
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
@@ -129,7 +133,7 @@ func _play_synthetic() -> void:
 		return
 	var trial := tracker.get_synthetic_trial()
 	_move_task(trial)
-	_begin_trial(trial["trial"], trial["position"])
+	_begin_trial("synthetic_%03d" % tracker.synthetic_seed, trial["position"])
 
 
 func _move_task(trial: Dictionary) -> void:
@@ -143,7 +147,7 @@ func _begin_trial(trial_name: String, position_name: String) -> void:
 	start_s = NAN
 	end_s = NAN
 	_stage.place(task, position_name)
-	_log = TrialLog.new(log_folder, trial_name, task.gesture)
+	_log = TrialLog.new(session_folder, trial_name, task.gesture)
 	trial_started.emit(trial_name)
 
 

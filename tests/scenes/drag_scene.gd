@@ -5,6 +5,8 @@ const Rig := preload("support/rig.gd")
 const DragStage := preload("res://scripts/drag_stage.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 
+const REST_S := 0.8
+const DRAG_S := 1.0
 const SCENE := "res://scenes/horizontal_drag.tscn"
 
 var _folder := DirAccess.create_temp("steadyhand_scene")
@@ -15,16 +17,19 @@ func test_a_drag_from_marker_to_marker() -> void:
 	var scene := _make_scene()
 	for index in trials.get_count():
 		_play(scene, trials, index)
+	var logs := scene.session_folder
 	scene.free()
-	_check_logs(trials)
+	_check_logs(trials, logs)
 
 
 func test_the_mouse_in_place_of_the_hand() -> void:
 	var scene := _make_scene()
 	scene.follow_mouse(true)
-	await _move_mouse_along(scene)
+	await _drag_mouse(scene)
 	var measured := scene.gesture_hmm.get_motion_value(GestureHMM.MOTION_MEASURED)
 	check_near(measured, scene.task.amplitude, 0.01, "the pointer is seen in the task's plane")
+	check_equal(String(scene.gesture_hmm.recognised), "horizontal_drag", "its drag is recognised")
+	check_equal(_colour(scene, "StopMarker"), DragStage.ARRIVED, "the stop turned red")
 	var press := InputEventKey.new()
 	press.pressed = true
 	press.keycode = KEY_1
@@ -65,8 +70,7 @@ func _play(scene: TaskScene, trials: TrialSet, index: int) -> void:
 	check_near(scene.end_s, trial["end_s"], 0.4, "the trial's end")
 
 
-func _check_logs(trials: TrialSet) -> void:
-	var logs := _folder.get_current_dir().path_join("logs")
+func _check_logs(trials: TrialSet, logs: String) -> void:
 	var rows := FileAccess.get_file_as_string(logs.path_join("trials.csv")).split("\n", false)
 	check_equal(rows.size(), trials.get_count() + 1, "a row a trial")
 	for row in rows.slice(1):
@@ -76,18 +80,21 @@ func _check_logs(trials: TrialSet) -> void:
 		check(samples.size() > 1000, "and a log of every instant: %d" % samples.size())
 
 
-## Drags the pointer from the start of the task to its end in half a second of frames.
-func _move_mouse_along(scene: TaskScene) -> void:
+## Rests the pointer at the task's start, drags it to the end by a minimum-jerk motion, rests there.
+func _drag_mouse(scene: TaskScene) -> void:
 	var camera := root.get_camera_3d()
-	for step in 31:
-		var point := (
-			scene.task.get_start() + scene.task.get_axis() * scene.task.amplitude * step / 30.0
-		)
+	var began_us := Time.get_ticks_usec()
+	var phase := -REST_S / DRAG_S
+	while phase < 1.0 + REST_S / DRAG_S:
+		var p := clampf(phase, 0.0, 1.0)
+		var way := scene.task.amplitude * p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
 		var motion := InputEventMouseMotion.new()
-		motion.position = camera.unproject_position(point)
+		motion.position = camera.unproject_position(
+			scene.task.get_start() + scene.task.get_axis() * way
+		)
 		root.push_input(motion, true)
 		await process_frame
-	await process_frame
+		phase = (1e-6 * (Time.get_ticks_usec() - began_us) - REST_S) / DRAG_S
 
 
 func _body(scene: TaskScene, name: String) -> MeshInstance3D:
