@@ -103,7 +103,8 @@ void GestureModel::set_text(const String &p_text) {
 }
 
 Error GestureModel::parse_text(const String &p_text) {
-	steadyhand::Result<steadyhand::GestureModel> parsed = steadyhand::parse_model(to_core(p_text), "text");
+	steadyhand::Result<steadyhand::GestureModel> parsed =
+			steadyhand::parse_model(to_core(p_text), "GestureModel.parse_text");
 	ERR_FAIL_COND_V_MSG(!parsed, ERR_PARSE_ERROR, to_godot(parsed.error()));
 	set_core(std::make_shared<const steadyhand::GestureModel>(std::move(parsed).value()));
 	return OK;
