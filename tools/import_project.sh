@@ -8,7 +8,7 @@ if [[ -f $stamp ]] && [[ -z $(find "$project" -path "$project/.godot" -prune -o 
 fi
 
 printf '== importing %s\n' "$project" >&2
-complaints='SCRIPT ERROR|Parse Error|Failed to load script|dynamic library|GDExtension'
+complaints='SCRIPT ERROR|Parse Error|^ERROR: '
 import() {
 	output=$(timeout 300 "$godot" --headless --path "$project" --import 2>&1) && ! grep -Eq "$complaints" <<<"$output"
 }
