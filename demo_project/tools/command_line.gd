@@ -34,7 +34,9 @@ func text(option: String) -> String:
 ## One of `allowed`.
 func choice(option: String, allowed: Array) -> String:
 	if _values[option] not in allowed:
-		_report("--%s is '%s'; it can be %s" % [option, _values[option], " or ".join(allowed)])
+		_report(
+			"--%s is '%s'; this version has %s" % [option, _values[option], " and ".join(allowed)]
+		)
 	return _values[option]
 
 

@@ -47,8 +47,10 @@ func work(arguments: PackedStringArray) -> void:
 		exit_code = EXIT_BAD_INPUT
 		return
 	exit_code = 0
+	# The last set is of real hands where there are any.
+	var shown_set: String = sets.keys()[-1]
 	for set_name in sets:
-		_run_set(set_name, sets[set_name])
+		_run_set(set_name, sets[set_name], set_name == shown_set)
 	_table.show()
 
 
@@ -62,7 +64,7 @@ func _make_synthetic_trials(folder: String) -> bool:
 	return TrialSet.write_synthetic(folder, options) == OK
 
 
-func _run_set(set_name: String, folder: String) -> void:
+func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 	var trial_set := TrialSet.load_folder(folder)
 	if trial_set == null:
 		exit_code = EXIT_BAD_INPUT
@@ -86,7 +88,7 @@ func _run_set(set_name: String, folder: String) -> void:
 	for gesture in SCENES:
 		_play_scene(set_name, trial_set, gesture)
 	var shown := evaluation.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
-	if not shown.is_empty():
+	if is_shown and not shown.is_empty():
 		_keep_vibration(trial_set, shown, evaluation_folder)
 
 

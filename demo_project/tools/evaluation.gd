@@ -47,7 +47,11 @@ func run(
 			broken += 1
 		_show_progress(index + 1, trial_set.get_count())
 	if report.error.is_empty():
-		report.finish(settings)
+		var versions := {
+			version = ProjectSettings.get_setting("application/config/version"),
+			godot = Engine.get_version_info()["string"],
+		}
+		report.finish(settings.merged(versions))
 	groups = report.groups
 	error = report.error
 	_report = report

@@ -71,9 +71,7 @@ func _train(trials_folder: String, gesture: String, out_file: String) -> bool:
 	if model == null:
 		return false
 	DirAccess.make_dir_recursive_absolute(out_file.get_base_dir())
-	var saved := ResourceSaver.save(model, out_file)
-	if saved != OK:
-		fail("cannot write %s: %s" % [out_file, error_string(saved)], EXIT_BAD_INPUT)
+	if ResourceSaver.save(model, out_file) != OK:
 		return false
 	print("wrote %s" % out_file)
 	return true

@@ -48,7 +48,7 @@ func test_wrong_model() -> void:
 
 
 func test_text_that_is_no_model() -> void:
-	# expects error: GestureModel
+	# expects error: not valid JSON
 	var model := load(Rig.MODEL % "horizontal_drag") as GestureModel
 	var text := model.to_text()
 	var copy := GestureModel.new()
@@ -74,7 +74,7 @@ func test_recording_to_a_bad_path() -> void:
 
 
 func test_frames_that_are_no_frames() -> void:
-	# expects error: HandTracker
+	# expects error: push_frame
 	var rig := _make_script_rig()
 	rig.tracker.start()
 	rig.tracker.push_frame(1.0, {HandTracker.JOINT_INDEX: Vector3(0.01, 0, 0)})
