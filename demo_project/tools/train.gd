@@ -11,9 +11,11 @@ extends "tool.gd"
 const Repository := preload("repository.gd")
 
 ## What the add-on brings a model of, and how much it is trained on.
-const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag"]
+const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap"]
 const SUBJECTS := 12
 const TRIALS_PER_SUBJECT := 6
+## As the paper's subjects, who were asked for different speeds: as they like, fast, very fast.
+const PACES: PackedFloat64Array = [1.0, 0.6, 0.4]
 
 var _tenths_shown := 0
 
@@ -51,6 +53,7 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 		gestures = GESTURES,
 		subjects = SUBJECTS,
 		trials_per_subject = TRIALS_PER_SUBJECT,
+		paces = PACES,
 	}
 	if TrialSet.write_synthetic(trials_folder, options) != OK:
 		return false

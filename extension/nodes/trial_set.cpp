@@ -42,6 +42,15 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 		*count = static_cast<std::uint32_t>(asked);
 	}
 	options.duration_s = p_options.get("duration", 0.0);
+	const PackedFloat64Array paces = p_options.get("paces", PackedFloat64Array());
+	if (!paces.is_empty()) {
+		options.paces.assign(paces.ptr(), paces.ptr() + paces.size());
+	}
+	for (const double pace : options.paces) {
+		if (!(pace >= 0.1 && pace <= 10.0)) {
+			return steadyhand::Error{ "paces: " + std::to_string(pace) + " is not in 0.1..10" };
+		}
+	}
 	const PackedStringArray gestures = p_options.get("gestures", PackedStringArray());
 	for (const String &gesture : gestures) {
 		options.gestures.push_back(to_core(gesture));
