@@ -136,6 +136,7 @@ void GestureModel::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_element", "state"), &GestureModel::get_element);
 	ClassDB::bind_method(D_METHOD("evaluate", "phase"), &GestureModel::evaluate);
 	ClassDB::bind_method(D_METHOD("set_text", "text"), &GestureModel::set_text);
+	ClassDB::bind_method(D_METHOD("get_text"), &GestureModel::to_text);
 	ClassDB::bind_method(D_METHOD("to_text"), &GestureModel::to_text);
 	ClassDB::bind_method(D_METHOD("parse_text", "text"), &GestureModel::parse_text);
 	ClassDB::bind_static_method("GestureModel", D_METHOD("load_file", "path"), &GestureModel::load_file);
@@ -144,7 +145,7 @@ void GestureModel::_bind_methods() {
 	// path.
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
-			"set_text", "to_text");
+			"set_text", "get_text");
 	constexpr uint32_t SHOWN = PROPERTY_USAGE_EDITOR | PROPERTY_USAGE_READ_ONLY;
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING_NAME, "gesture", PROPERTY_HINT_NONE, "", SHOWN), "", "get_gesture");
