@@ -50,7 +50,7 @@ TEST_CASE("One Euro on a steady ramp settles where its own equations meet") {
 	const double c = -v / (2.0 * std::numbers::pi);
 	const double lag_m = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
 	CHECK(v * 3999 * step_s - output == doctest::Approx(lag_m).epsilon(1e-9));
-	CHECK(std::abs(lag_m / v - 0.025) < 0.001); // what one_euro.h says of its tuning
+	CHECK(std::abs(lag_m / v - 0.010) < 0.001); // what one_euro.h says of its tuning
 }
 
 TEST_CASE("One Euro is not poisoned by what is no number") {
