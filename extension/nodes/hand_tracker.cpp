@@ -20,6 +20,13 @@ namespace {
 /// A hand that has not been seen for this long is lost, even if its device goes quiet instead of saying so.
 constexpr double LOST_AFTER_S = 0.25;
 
+/// As in track CSV. Control instants are counted in whole milliseconds: beyond it the count would overflow.
+constexpr double TIME_MAX_S = 1e12;
+
+bool is_usable_time(double p_time_s) {
+	return std::abs(p_time_s) <= TIME_MAX_S;
+}
+
 } // namespace
 
 HandTracker::HandTracker() = default;
@@ -122,7 +129,7 @@ void HandTracker::advance(double p_seconds) {
 
 void HandTracker::advance_to(double p_time_s) {
 	ERR_FAIL_COND_MSG(!running, "HandTracker: start() it before its clock can advance");
-	ERR_FAIL_COND_MSG(!std::isfinite(p_time_s), "HandTracker: a time must be finite");
+	ERR_FAIL_COND_MSG(!is_usable_time(p_time_s), "HandTracker: a time must be finite, and below 1e12 s");
 	constexpr double LONGEST_LOOPED_STEP_S = 3600.0;
 	ERR_FAIL_COND_MSG(playback && loop && p_time_s - time_s > LONGEST_LOOPED_STEP_S,
 			"HandTracker: a track in a loop is advanced by an hour at most");
@@ -164,8 +171,8 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 	if (!running) {
 		return refuse_frame("start() the tracker first");
 	}
-	if (!std::isfinite(p_time_s)) {
-		return refuse_frame("the time must be finite");
+	if (!is_usable_time(p_time_s)) {
+		return refuse_frame("the time must be finite, and below 1e12 s");
 	}
 	if (clock_set && p_time_s < time_s) {
 		return refuse_frame(String("the time ") + String::num(p_time_s) + String(" s is before ") +

@@ -11,7 +11,7 @@ namespace godot {
 String cannot_open(const String &p_path, Error p_error) {
 	switch (p_error) {
 		case ERR_FILE_NOT_FOUND:
-			return p_path + String(": there is no such file");
+			return p_path + String(": there is no such file or folder");
 		case ERR_FILE_NO_PERMISSION:
 		case ERR_UNAUTHORIZED:
 			return p_path + String(": no permission to open this file");
