@@ -1,6 +1,6 @@
 extends RefCounted
-## The conditions that are compared, in the order of every table and file (SPEC: results.csv). A
-## new one is a new row.
+## The conditions that are compared, in the order of every table and file. A new one is a new
+## row.
 
 const NAMES: Array[String] = ["measured", "average", "one_euro", "kalman", "synthesised"]
 const TITLES: Array[String] = [

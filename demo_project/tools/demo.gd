@@ -4,7 +4,8 @@ extends "tool.gd"
 ##
 ## Runs trials of synthetic people, and those of real hands where they are there, through the real
 ## nodes and the drag scene; prints one table. Leaves in DIR: evaluation/SET (as of evaluate.gd),
-## logs/SET, and of one unstable trial vibration.wav and vibration.curves.csv.
+## logs/SET, the table as table.md, and of one unstable trial vibration.wav and
+## vibration.curves.csv.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
@@ -52,6 +53,7 @@ func work(arguments: PackedStringArray) -> void:
 	for set_name in sets:
 		_run_set(set_name, sets[set_name], set_name == shown_set)
 	_table.show()
+	_table.save_markdown(_out.path_join("table.md"))
 
 
 func _make_synthetic_trials(folder: String) -> bool:

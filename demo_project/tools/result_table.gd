@@ -6,8 +6,10 @@ const Conditions := preload("res://scripts/conditions.gd")
 const FIGURE_ROWS: Array[String] = ["mean R2", "mean R2, no lag", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
 const CELL := " %12s"
+const MARKDOWN_CELL := " %.3f, %+.0f ms, %d |"
 
 var _lines: PackedStringArray = []
+var _markdown: PackedStringArray = []
 
 
 ## `groups`: as of evaluation_report.gd.
@@ -15,6 +17,7 @@ func add(set_name: String, groups: Array[Dictionary]) -> void:
 	for group in groups:
 		if group["conditions"].is_empty():
 			continue
+		_markdown.append(_markdown_line(set_name, group))
 		var head := [set_name, group["gesture"], group["position"], "%d" % group["trials"]]
 		for row in FIGURE_ROWS:
 			var line := HEAD % (head + [row])
@@ -31,6 +34,30 @@ func show() -> void:
 	print("\n%s\n%s" % [title, "-".repeat(title.length())])
 	print("\n".join(_lines))
 	print("T_diff: end of the reference minus end of the curve; positive: the curve ends early.\n")
+
+
+## R2 at no lag, median T_diff and missed ends of each condition, for a page.
+func save_markdown(path: String) -> void:
+	var title := "| tracks | trials |"
+	for condition in Conditions.TITLES:
+		title += " %s |" % condition
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	if file == null:
+		push_error("%s: %s" % [path, error_string(FileAccess.get_open_error())])
+		return
+	file.store_line(title)
+	file.store_line("| --- | ---: |" + " ---: |".repeat(Conditions.NAMES.size()))
+	file.store_line("\n".join(_markdown))
+
+
+static func _markdown_line(set_name: String, group: Dictionary) -> String:
+	var gesture: String = group["gesture"].replace("_", " ")
+	var line := "| %s, %s, %s | %d |" % [set_name, gesture, group["position"], group["trials"]]
+	for condition in Conditions.NAMES:
+		var summary: Dictionary = group["conditions"][condition]
+		var t_diff_ms: float = 1000.0 * summary["t_diff"]["median"]
+		line += MARKDOWN_CELL % [summary["r2_zero"]["mean"], t_diff_ms, summary["missed"]]
+	return line
 
 
 static func _cell(summary: Dictionary, row: String) -> String:
