@@ -130,25 +130,27 @@ void GestureHMM::publish() {
 	shown.model = under_way ? recogniser->gesture() : -1;
 	shown.state = under_way ? follower->state() : -1;
 	shown.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
-	if (shown.model != before.model) {
-		shown.gesture = under_way ? active_gestures[static_cast<std::size_t>(shown.model)] : StringName();
-	}
 	const bool started = under_way && shown.model != before.model;
 	const bool ended = shown.arrived && (started || !before.arrived);
-	if (ended) {
-		recognised = shown.gesture;
-	}
-	const Shown now = shown;
+	const bool state_changed = started || shown.state != before.state;
+	// The scripts that are told may change all of this.
 	const double instant_s = time_s;
-	listeners.call(&MotionListener::on_motion, instant_s, current(motion).value_m / amplitude_m());
-	if (started) {
-		emit_signal(names.gesture_started, now.gesture);
+	const int state = shown.state;
+	const StringName gesture = started || ended ? gesture_name(shown.model) : StringName();
+	if (ended) {
+		recognised = gesture;
 	}
-	if (now.state != before.state || started) {
-		emit_signal(names.state_changed, now.state);
+	if (!listeners.empty()) {
+		listeners.call(&MotionListener::on_motion, instant_s, current(motion).value_m / amplitude_m());
+	}
+	if (started) {
+		emit_signal(names.gesture_started, gesture);
+	}
+	if (state_changed) {
+		emit_signal(names.state_changed, state);
 	}
 	if (ended) {
-		emit_signal(names.gesture_ended, now.gesture, instant_s);
+		emit_signal(names.gesture_ended, gesture, instant_s);
 	}
 	if (has_connections(names.motion_updated)) {
 		emit_signal(names.motion_updated, instant_s);

@@ -51,7 +51,7 @@ public:
 	double get_velocity() const;
 	double get_acceleration() const;
 	double get_progress() const;
-	StringName get_gesture() const { return shown.gesture; }
+	StringName get_gesture() const { return gesture_name(shown.model); }
 	int get_state() const { return shown.state; }
 	double get_time() const { return time_s; }
 	StringName get_recognised() const { return recognised; }
@@ -82,7 +82,6 @@ private:
 	/// What scripts see of the recognition, as of the last control instant.
 	struct Shown {
 		int model = -1; ///< index into active_gestures
-		StringName gesture;
 		int state = -1;
 		bool arrived = false;
 	};
@@ -112,6 +111,9 @@ private:
 	void publish();
 	steadyhand::Motion current(Motion p_motion) const;
 	double amplitude_m() const;
+	StringName gesture_name(int p_model) const {
+		return p_model >= 0 ? active_gestures[static_cast<std::size_t>(p_model)] : StringName();
+	}
 	void on_settings_changed();
 	void connect_changed(Object *p_object, bool p_connect);
 };

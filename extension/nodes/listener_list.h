@@ -9,6 +9,7 @@ namespace godot {
 /// Listeners that may come and go while they are being called.
 template <class Listener> class ListenerList {
 public:
+	bool empty() const { return listeners_.empty(); }
 	void add(Listener *p_listener) { listeners_.push_back(p_listener); }
 
 	/// The place is kept until nothing is being called any more.
