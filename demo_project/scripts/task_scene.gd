@@ -13,7 +13,7 @@ const Stage := preload("stage.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 
-## Share of the amplitude at which a motion has arrived (SPEC, section 4).
+## Share of the amplitude at which a motion has arrived.
 const ARRIVED := 0.95
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6

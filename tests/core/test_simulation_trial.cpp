@@ -78,7 +78,7 @@ TEST_SUITE("synthetic trial") {
 				if (gesture.through_max_m == 0.0) {
 					CHECK(std::abs(reference_at(trial, trial.trial.end_s + 0.7) - level) < 0.05);
 				}
-				// SPEC: the end is where the curve first reaches 95 % of its level at end_s. It lies within
+				// The end is where the curve first reaches 95 % of its level at end_s. It lies within
 				// the span.
 				double end_s = trial.trial.start_s;
 				while (reference_at(trial, end_s) < 0.95 * level) {
