@@ -37,30 +37,30 @@ public:
 	~GestureHMM() override;
 
 	void set_tracker(HandTracker *p_tracker);
-	HandTracker *get_tracker() const { return tracker; }
+	HandTracker *get_tracker() const { return tracker_; }
 	void set_task(GestureTask *p_task);
 	GestureTask *get_task() const;
 	void set_models(const TypedArray<GestureModel> &p_models);
-	TypedArray<GestureModel> get_models() const { return models; }
-	void set_mode(Mode p_mode) { mode = p_mode; }
-	Mode get_mode() const { return mode; }
+	TypedArray<GestureModel> get_models() const { return models_; }
+	void set_mode(Mode p_mode) { mode_ = p_mode; }
+	Mode get_mode() const { return mode_; }
 	void set_motion(Motion p_motion);
-	Motion get_motion() const { return motion; }
+	Motion get_motion() const { return motion_; }
 
 	double get_value() const;
 	double get_velocity() const;
 	double get_acceleration() const;
 	double get_progress() const;
-	StringName get_gesture() const { return gesture_name(shown.model); }
-	int get_state() const { return shown.state; }
-	double get_time() const { return time_s; }
-	StringName get_recognised() const { return recognised; }
+	StringName get_gesture() const { return gesture_name(shown_.model); }
+	int get_state() const { return shown_.state; }
+	double get_time() const { return time_s_; }
+	StringName get_recognised() const { return recognised_; }
 
 	void reset();
 	double get_motion_value(Motion p_motion) const;
 
-	void add_listener(MotionListener *p_listener) { listeners.add(p_listener); }
-	void remove_listener(MotionListener *p_listener) { listeners.remove(p_listener); }
+	void add_listener(MotionListener *p_listener) { listeners_.add(p_listener); }
+	void remove_listener(MotionListener *p_listener) { listeners_.remove(p_listener); }
 
 	void on_stream_started() override { reset(); }
 	void on_frame(const steadyhand::HandFrame &p_frame) override;
@@ -86,24 +86,24 @@ private:
 		bool arrived = false;
 	};
 
-	HandTracker *tracker = nullptr;
-	ObjectID task_id;
-	TypedArray<GestureModel> models;
-	Mode mode = MODE_PAPER;
-	Motion motion = MOTION_SYNTHESISED;
+	HandTracker *tracker_ = nullptr;
+	ObjectID task_id_;
+	TypedArray<GestureModel> models_;
+	Mode mode_ = MODE_PAPER;
+	Motion motion_ = MOTION_SYNTHESISED;
 
-	SignalNames names;
-	ListenerList<MotionListener> listeners;
-	std::unique_ptr<steadyhand::GestureRecogniser> recogniser;
-	std::vector<StringName> active_gestures; ///< of the recogniser's models
-	double rest_amplitude_m = 1.0;           ///< while no gesture is under way
+	SignalNames names_;
+	ListenerList<MotionListener> listeners_;
+	std::unique_ptr<steadyhand::GestureRecogniser> recogniser_;
+	std::vector<StringName> active_gestures_; ///< of the recogniser's models
+	double rest_amplitude_m_ = 1.0;           ///< while no gesture is under way
 	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
-	bool outdated = true;
-	uint64_t build = 0;
-	int64_t next_instant = 0; ///< in control periods on the frames' clock
-	double time_s = 0.0;
-	Shown shown;
-	StringName recognised;
+	bool outdated_ = true;
+	uint64_t build_ = 0;
+	int64_t next_instant_ = 0; ///< in control periods on the frames' clock
+	double time_s_ = 0.0;
+	Shown shown_;
+	StringName recognised_;
 
 	void prepare(double p_time_s);
 	void build_recogniser();
@@ -112,7 +112,7 @@ private:
 	steadyhand::Motion current(Motion p_motion) const;
 	double amplitude_m() const;
 	StringName gesture_name(int p_model) const {
-		return p_model >= 0 ? active_gestures[static_cast<std::size_t>(p_model)] : StringName();
+		return p_model >= 0 ? active_gestures_[static_cast<std::size_t>(p_model)] : StringName();
 	}
 	void on_settings_changed();
 	void connect_changed(Object *p_object, bool p_connect);

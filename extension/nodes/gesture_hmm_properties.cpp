@@ -15,29 +15,29 @@ namespace godot {
 GestureHMM::GestureHMM() = default;
 
 GestureHMM::~GestureHMM() {
-	if (tracker != nullptr) {
-		tracker->remove_listener(this);
+	if (tracker_ != nullptr) {
+		tracker_->remove_listener(this);
 	}
-	listeners.call(&MotionListener::on_motion_freed);
+	listeners_.call(&MotionListener::on_motion_freed);
 }
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
-	if (tracker == p_tracker) {
+	if (tracker_ == p_tracker) {
 		return;
 	}
-	if (tracker != nullptr) {
-		tracker->remove_listener(this);
+	if (tracker_ != nullptr) {
+		tracker_->remove_listener(this);
 	}
-	tracker = p_tracker;
-	if (tracker != nullptr) {
-		tracker->add_listener(this);
+	tracker_ = p_tracker;
+	if (tracker_ != nullptr) {
+		tracker_->add_listener(this);
 	}
 	reset();
 	update_configuration_warnings();
 }
 
 void GestureHMM::on_tracker_freed() {
-	tracker = nullptr;
+	tracker_ = nullptr;
 	update_configuration_warnings();
 }
 
@@ -47,22 +47,22 @@ void GestureHMM::set_task(GestureTask *p_task) {
 		return;
 	}
 	connect_changed(old, false);
-	task_id = ObjectID(p_task != nullptr ? p_task->get_instance_id() : 0);
+	task_id_ = ObjectID(p_task != nullptr ? p_task->get_instance_id() : 0);
 	connect_changed(p_task, true);
 	on_settings_changed();
 }
 
 GestureTask *GestureHMM::get_task() const {
-	return Object::cast_to<GestureTask>(ObjectDB::get_instance(task_id));
+	return Object::cast_to<GestureTask>(ObjectDB::get_instance(task_id_));
 }
 
 void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
-	for (int64_t i = 0; i < models.size(); ++i) {
-		connect_changed(models[i], false);
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		connect_changed(models_[i], false);
 	}
-	models = p_models;
-	for (int64_t i = 0; i < models.size(); ++i) {
-		connect_changed(models[i], true);
+	models_ = p_models;
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		connect_changed(models_[i], true);
 	}
 	on_settings_changed();
 }
@@ -86,24 +86,24 @@ void GestureHMM::on_settings_changed() {
 
 void GestureHMM::set_motion(Motion p_motion) {
 	ERR_FAIL_INDEX(static_cast<int>(p_motion), MOTION_KALMAN + 1);
-	motion = p_motion;
+	motion_ = p_motion;
 }
 
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (tracker == nullptr) {
+	if (tracker_ == nullptr) {
 		warnings.push_back("Set \"tracker\" to the HandTracker whose hand makes the gestures.");
 	}
 	const GestureTask *task = get_task();
 	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
 	bool has_wanted = wanted == StringName();
 	bool has_empty = false;
-	for (int64_t i = 0; i < models.size(); ++i) {
-		const Ref<GestureModel> model = models[i];
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		const Ref<GestureModel> model = models_[i];
 		has_empty = has_empty || model.is_null() || model->core() == nullptr;
 		has_wanted = has_wanted || (model.is_valid() && model->get_gesture() == wanted);
 	}
-	if (models.is_empty()) {
+	if (models_.is_empty()) {
 		warnings.push_back("Add a GestureModel to \"models\": a *.gesture file of "
 						   "res://addons/steadyhand/models, or one "
 						   "of your own from a GestureTrainer.");

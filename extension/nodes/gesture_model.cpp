@@ -13,44 +13,44 @@
 namespace godot {
 
 void GestureModel::set_core(std::shared_ptr<const steadyhand::GestureModel> p_model) {
-	model = std::move(p_model);
+	model_ = std::move(p_model);
 	emit_changed();
 }
 
 StringName GestureModel::get_gesture() const {
-	return model ? StringName(to_godot(model->gesture)) : StringName();
+	return model_ ? StringName(to_godot(model_->gesture)) : StringName();
 }
 
 String GestureModel::get_feature() const {
-	return model ? to_godot(model->feature) : String();
+	return model_ ? to_godot(model_->feature) : String();
 }
 
 int GestureModel::get_state_count() const {
-	return model ? static_cast<int>(model->hmm.states()) : 0;
+	return model_ ? static_cast<int>(model_->hmm.states()) : 0;
 }
 
 int GestureModel::get_symbol_count() const {
-	return model ? static_cast<int>(model->hmm.symbols()) : 0;
+	return model_ ? static_cast<int>(model_->hmm.symbols()) : 0;
 }
 
 double GestureModel::get_typical_amplitude() const {
-	return model ? model->typical_task.amplitude_m : 0.0;
+	return model_ ? model_->typical_task.amplitude_m : 0.0;
 }
 
 double GestureModel::get_duration_mean() const {
-	return model ? model->duration_mean_s : 0.0;
+	return model_ ? model_->duration_mean_s : 0.0;
 }
 
 double GestureModel::get_duration_deviation() const {
-	return model ? model->duration_deviation_s : 0.0;
+	return model_ ? model_->duration_deviation_s : 0.0;
 }
 
 Dictionary GestureModel::get_provenance() const {
 	Dictionary dictionary;
-	if (!model) {
+	if (!model_) {
 		return dictionary;
 	}
-	const steadyhand::Provenance &provenance = model->provenance;
+	const steadyhand::Provenance &provenance = model_->provenance;
 	PackedStringArray dropped;
 	for (const std::string &name : provenance.dropped) {
 		dropped.push_back(to_godot(name));
@@ -65,16 +65,16 @@ Dictionary GestureModel::get_provenance() const {
 }
 
 PackedFloat64Array GestureModel::get_reference_mean() const {
-	return model ? to_godot(model->reference_mean) : PackedFloat64Array();
+	return model_ ? to_godot(model_->reference_mean) : PackedFloat64Array();
 }
 
 PackedFloat64Array GestureModel::get_reference_deviation() const {
-	return model ? to_godot(model->reference_deviation) : PackedFloat64Array();
+	return model_ ? to_godot(model_->reference_deviation) : PackedFloat64Array();
 }
 
 Dictionary GestureModel::get_element(int p_state) const {
 	ERR_FAIL_INDEX_V(p_state, get_state_count(), Dictionary());
-	const steadyhand::PrimitiveMotionElement &element = model->elements[static_cast<std::size_t>(p_state)];
+	const steadyhand::PrimitiveMotionElement &element = model_->elements[static_cast<std::size_t>(p_state)];
 	Dictionary dictionary;
 	dictionary["phase_begin"] = element.phase_begin;
 	dictionary["phase_end"] = element.phase_end;
@@ -87,11 +87,11 @@ Dictionary GestureModel::get_element(int p_state) const {
 
 double GestureModel::evaluate(double p_phase) const {
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_phase), 0.0, "GestureModel: the phase must be finite");
-	return model ? steadyhand::evaluate(*model, p_phase).value : 0.0;
+	return model_ ? steadyhand::evaluate(*model_, p_phase).value : 0.0;
 }
 
 String GestureModel::to_text() const {
-	return model ? to_godot(steadyhand::format_model(*model)) : String();
+	return model_ ? to_godot(steadyhand::format_model(*model_)) : String();
 }
 
 void GestureModel::set_text(const String &p_text) {

@@ -17,14 +17,14 @@ namespace godot {
 class GestureModel : public Resource {
 	GDCLASS(GestureModel, Resource)
 
-	std::shared_ptr<const steadyhand::GestureModel> model;
+	std::shared_ptr<const steadyhand::GestureModel> model_;
 
 protected:
 	static void _bind_methods();
 
 public:
 	/// Null while nothing has been loaded, trained or parsed into it.
-	const std::shared_ptr<const steadyhand::GestureModel> &core() const { return model; }
+	const std::shared_ptr<const steadyhand::GestureModel> &core() const { return model_; }
 	void set_core(std::shared_ptr<const steadyhand::GestureModel> p_model);
 
 	StringName get_gesture() const;

@@ -22,16 +22,16 @@ void GestureTask::announce_change() {
 }
 
 void GestureTask::set_gesture(const StringName &p_gesture) {
-	if (gesture != p_gesture) {
-		gesture = p_gesture;
+	if (gesture_ != p_gesture) {
+		gesture_ = p_gesture;
 		announce_change();
 	}
 }
 
 void GestureTask::set_direction(const Vector3 &p_direction) {
 	ERR_FAIL_COND_MSG(!p_direction.is_finite(), "GestureTask: direction must be finite");
-	if (direction != p_direction) {
-		direction = p_direction;
+	if (direction_ != p_direction) {
+		direction_ = p_direction;
 		announce_change();
 	}
 }
@@ -39,8 +39,8 @@ void GestureTask::set_direction(const Vector3 &p_direction) {
 void GestureTask::set_amplitude(double p_amplitude) {
 	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || !std::isfinite(p_amplitude),
 			"GestureTask: amplitude must be more than 0 m");
-	if (amplitude != p_amplitude) {
-		amplitude = p_amplitude;
+	if (amplitude_ != p_amplitude) {
+		amplitude_ = p_amplitude;
 		announce_change();
 	}
 }
@@ -48,8 +48,8 @@ void GestureTask::set_amplitude(double p_amplitude) {
 void GestureTask::set_start_radius(double p_radius) {
 	ERR_FAIL_COND_MSG(
 			!(p_radius >= 0.0) || !std::isfinite(p_radius), "GestureTask: start_radius must be 0 m or more");
-	if (start_radius != p_radius) {
-		start_radius = p_radius;
+	if (start_radius_ != p_radius) {
+		start_radius_ = p_radius;
 		announce_change();
 	}
 }
@@ -60,18 +60,18 @@ Vector3 GestureTask::get_start() const {
 
 Vector3 GestureTask::get_axis() const {
 	const Transform3D transform = is_inside_tree() ? get_global_transform() : get_transform();
-	const Vector3 axis = transform.basis.xform(direction).normalized();
-	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction.normalized();
+	const Vector3 axis = transform.basis.xform(direction_).normalized();
+	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction_.normalized();
 }
 
 PackedStringArray GestureTask::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (gesture == StringName()) {
+	if (gesture_ == StringName()) {
 		warnings.push_back(
 				"Set \"gesture\" to the name of the gesture that is expected here, e.g. horizontal_drag. "
 				"While it is empty, every model of a GestureHMM competes here.");
 	}
-	if (direction.length_squared() <= 0) {
+	if (direction_.length_squared() <= 0) {
 		warnings.push_back("Set \"direction\" to the way the hand moves; it is zero.");
 	}
 	return warnings;

@@ -9,10 +9,10 @@ namespace godot {
 class GestureTask : public Node3D {
 	GDCLASS(GestureTask, Node3D)
 
-	StringName gesture;
-	Vector3 direction = Vector3(1, 0, 0);
-	double amplitude = 0.2;
-	double start_radius = 0.0;
+	StringName gesture_;
+	Vector3 direction_ = Vector3(1, 0, 0);
+	double amplitude_ = 0.2;
+	double start_radius_ = 0.0;
 
 	void announce_change();
 
@@ -24,13 +24,13 @@ public:
 	GestureTask();
 
 	void set_gesture(const StringName &p_gesture);
-	StringName get_gesture() const { return gesture; }
+	StringName get_gesture() const { return gesture_; }
 	void set_direction(const Vector3 &p_direction);
-	Vector3 get_direction() const { return direction; }
+	Vector3 get_direction() const { return direction_; }
 	void set_amplitude(double p_amplitude);
-	double get_amplitude() const { return amplitude; }
+	double get_amplitude() const { return amplitude_; }
 	void set_start_radius(double p_radius);
-	double get_start_radius() const { return start_radius; }
+	double get_start_radius() const { return start_radius_; }
 
 	/// m, world; outside the tree: relative to the parent.
 	Vector3 get_start() const;

@@ -39,15 +39,15 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 	}
 
 	steadyhand::TrainingOptions options;
-	options.states = states;
-	options.symbols = symbols;
-	options.r2_threshold = r2_threshold;
+	options.states = states_;
+	options.symbols = symbols_;
+	options.r2_threshold = r2_threshold_;
 	options.progress = [this](double p_done) {
 		emit_signal("progressed", READING + (1.0 - READING) * p_done);
 		return true;
 	};
 	steadyhand::Result<steadyhand::GestureModel> trained =
-			steadyhand::train(gesture, to_core(feature), recordings, options);
+			steadyhand::train(gesture, to_core(feature_), recordings, options);
 	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
 	steadyhand::GestureModel &core = trained.value();
 	core.provenance.trial_set = to_core(p_trial_set->get_path().get_file());
@@ -65,7 +65,7 @@ void GestureTrainer::_validate_property(PropertyInfo &p_property) const {
 			names += (names.is_empty() ? String() : String(",")) + to_godot(known.name);
 		}
 		p_property.hint = PROPERTY_HINT_ENUM;
-		p_property.hint_string = names;
+		p_property.hint_string = std::move(names);
 	}
 }
 

@@ -31,32 +31,32 @@ public:
 	~HandTracker() override;
 
 	void set_source(Source p_source);
-	Source get_source() const { return source; }
+	Source get_source() const { return source_; }
 	void set_update_mode(UpdateMode p_mode);
-	UpdateMode get_update_mode() const { return update_mode; }
-	void set_autostart(bool p_autostart) { autostart = p_autostart; }
-	bool get_autostart() const { return autostart; }
+	UpdateMode get_update_mode() const { return update_mode_; }
+	void set_autostart(bool p_autostart) { autostart_ = p_autostart; }
+	bool get_autostart() const { return autostart_; }
 	void set_recording_path(const String &p_path);
-	String get_recording_path() const { return recording_path; }
-	void set_loop(bool p_loop) { loop = p_loop; }
-	bool get_loop() const { return loop; }
-	void set_synthetic_gesture(const String &p_gesture) { synthetic_gesture = p_gesture; }
-	String get_synthetic_gesture() const { return synthetic_gesture; }
-	void set_synthetic_position(SyntheticPosition p_position) { synthetic_position = p_position; }
-	SyntheticPosition get_synthetic_position() const { return synthetic_position; }
-	void set_synthetic_seed(int p_seed) { synthetic_seed = p_seed; }
-	int get_synthetic_seed() const { return synthetic_seed; }
+	String get_recording_path() const { return recording_path_; }
+	void set_loop(bool p_loop) { loop_ = p_loop; }
+	bool get_loop() const { return loop_; }
+	void set_synthetic_gesture(const String &p_gesture) { synthetic_gesture_ = p_gesture; }
+	String get_synthetic_gesture() const { return synthetic_gesture_; }
+	void set_synthetic_position(SyntheticPosition p_position) { synthetic_position_ = p_position; }
+	SyntheticPosition get_synthetic_position() const { return synthetic_position_; }
+	void set_synthetic_seed(int p_seed) { synthetic_seed_ = p_seed; }
+	int get_synthetic_seed() const { return synthetic_seed_; }
 	void set_synthetic_subject(int p_subject);
-	int get_synthetic_subject() const { return synthetic_subject; }
+	int get_synthetic_subject() const { return synthetic_subject_; }
 
 	Error start();
 	void stop();
-	bool is_running() const { return running; }
-	bool is_finished() const { return finished; }
-	double get_time() const { return time_s; }
-	double get_start_time() const { return start_time_s; }
-	double get_duration() const { return duration_s; }
-	Dictionary get_synthetic_trial() const { return synthetic_trial; }
+	bool is_running() const { return running_; }
+	bool is_finished() const { return finished_; }
+	double get_time() const { return time_s_; }
+	double get_start_time() const { return start_time_s_; }
+	double get_duration() const { return duration_s_; }
+	Dictionary get_synthetic_trial() const { return synthetic_trial_; }
 
 	void advance(double p_seconds);
 	void advance_to(double p_time_s);
@@ -68,8 +68,8 @@ public:
 	Error start_recording(const String &p_path);
 	void stop_recording();
 
-	void add_listener(FrameListener *p_listener) { listeners.add(p_listener); }
-	void remove_listener(FrameListener *p_listener) { listeners.remove(p_listener); }
+	void add_listener(FrameListener *p_listener) { listeners_.add(p_listener); }
+	void remove_listener(FrameListener *p_listener) { listeners_.remove(p_listener); }
 
 	PackedStringArray _get_configuration_warnings() const override;
 
@@ -86,35 +86,35 @@ private:
 		StringName tracking_lost = "tracking_lost";
 	};
 
-	Source source = SOURCE_SCRIPT;
-	UpdateMode update_mode = UPDATE_IDLE;
-	bool autostart = true;
-	String recording_path;
-	bool loop = false;
-	String synthetic_gesture = "horizontal_drag";
-	SyntheticPosition synthetic_position = POSITION_STABLE;
-	int synthetic_seed = 0;
-	int synthetic_subject = 0;
+	Source source_ = SOURCE_SCRIPT;
+	UpdateMode update_mode_ = UPDATE_IDLE;
+	bool autostart_ = true;
+	String recording_path_;
+	bool loop_ = false;
+	String synthetic_gesture_ = "horizontal_drag";
+	SyntheticPosition synthetic_position_ = POSITION_STABLE;
+	int synthetic_seed_ = 0;
+	int synthetic_subject_ = 0;
 
-	SignalNames names;
-	ListenerList<FrameListener> listeners;
-	std::optional<TrackPlayback> playback;
-	std::unique_ptr<TrackRecorder> recorder;
-	Dictionary synthetic_trial;
-	bool running = false;
-	bool finished = false;
-	bool clock_set = false; ///< a pushed stream starts with its first frame
-	double time_s = 0.0;
-	double start_time_s = 0.0;
-	double duration_s = 0.0;
+	SignalNames names_;
+	ListenerList<FrameListener> listeners_;
+	std::optional<TrackPlayback> playback_;
+	std::unique_ptr<TrackRecorder> recorder_;
+	Dictionary synthetic_trial_;
+	bool running_ = false;
+	bool finished_ = false;
+	bool clock_set_ = false; ///< a pushed stream starts with its first frame
+	double time_s_ = 0.0;
+	double start_time_s_ = 0.0;
+	double duration_s_ = 0.0;
 	/// Of the run: start() and stop() out of a signal end the loop that delivers frames.
-	uint64_t run = 0;
+	uint64_t run_ = 0;
 
-	uint8_t tracked = 0;                                      ///< bit i: joint i in the last frame
-	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m; ///< last seen ones
-	bool hand_present = false;
-	double hand_seen_s = 0.0;
-	bool complained = false; ///< of a bad pushed frame, in this run
+	uint8_t tracked_ = 0;                                      ///< bit i: joint i in the last frame
+	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m_; ///< last seen ones
+	bool hand_present_ = false;
+	double hand_seen_s_ = 0.0;
+	bool complained_ = false; ///< of a bad pushed frame, in this run
 
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
 	Error refuse_frame(const String &p_reason);

@@ -12,33 +12,33 @@
 namespace godot {
 
 void HandTracker::set_source(Source p_source) {
-	source = p_source;
+	source_ = p_source;
 	notify_property_list_changed();
 	update_configuration_warnings();
 }
 
 void HandTracker::set_update_mode(UpdateMode p_mode) {
-	update_mode = p_mode;
+	update_mode_ = p_mode;
 	update_processing();
 }
 
 void HandTracker::set_recording_path(const String &p_path) {
-	recording_path = p_path;
+	recording_path_ = p_path;
 	update_configuration_warnings();
 }
 
 void HandTracker::set_synthetic_subject(int p_subject) {
 	ERR_FAIL_COND_MSG(p_subject < 0, "HandTracker: synthetic_subject must be 0 or more");
-	synthetic_subject = p_subject;
+	synthetic_subject_ = p_subject;
 }
 
 PackedStringArray HandTracker::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (source == SOURCE_RECORDED && recording_path.is_empty()) {
+	if (source_ == SOURCE_RECORDED && recording_path_.is_empty()) {
 		warnings.push_back("Set \"recording_path\" to the track (*.csv) to be played.");
-	} else if (source == SOURCE_RECORDED && !FileAccess::file_exists(recording_path)) {
+	} else if (source_ == SOURCE_RECORDED && !FileAccess::file_exists(recording_path_)) {
 		warnings.push_back(String("Set \"recording_path\" to a file that exists; there is no ") +
-				recording_path + String("."));
+				recording_path_ + String("."));
 	}
 	return warnings;
 }
@@ -53,9 +53,9 @@ void HandTracker::_validate_property(PropertyInfo &p_property) const {
 		p_property.hint = PROPERTY_HINT_ENUM;
 		p_property.hint_string = gestures + String("none");
 	}
-	const bool unused = (name.begins_with("synthetic_") && source != SOURCE_SYNTHETIC) ||
-			(name == "recording_path" && source != SOURCE_RECORDED) ||
-			(name == "loop" && source == SOURCE_SCRIPT);
+	const bool unused = (name.begins_with("synthetic_") && source_ != SOURCE_SYNTHETIC) ||
+			(name == "recording_path" && source_ != SOURCE_RECORDED) ||
+			(name == "loop" && source_ == SOURCE_SCRIPT);
 	if (unused) {
 		p_property.usage = PROPERTY_USAGE_NO_EDITOR;
 	}

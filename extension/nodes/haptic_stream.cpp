@@ -8,25 +8,25 @@
 namespace godot {
 
 HapticStreamPlayback::HapticStreamPlayback() :
-		waveform(std::make_unique<steadyhand::SpringWaveform>(
+		waveform_(std::make_unique<steadyhand::SpringWaveform>(
 				static_cast<double>(AudioServer::get_singleton()->get_mix_rate()))) {}
 
 void HapticStreamPlayback::_start(double) {
-	playing = true;
+	playing_ = true;
 }
 
 void HapticStreamPlayback::_stop() {
-	playing = false;
+	playing_ = false;
 }
 
 int32_t HapticStreamPlayback::_mix(AudioFrame *p_buffer, float, int32_t p_frames) {
-	waveform->set_frequency(static_cast<double>(level->frequency_hz.load(std::memory_order_relaxed)));
-	const double amplitude = static_cast<double>(level->amplitude.load(std::memory_order_relaxed));
+	waveform_->set_frequency(static_cast<double>(level_->frequency_hz.load(std::memory_order_relaxed)));
+	const double amplitude = static_cast<double>(level_->amplitude.load(std::memory_order_relaxed));
 	for (int32_t done = 0; done < p_frames;) {
-		const std::size_t count = std::min(static_cast<std::size_t>(p_frames - done), samples.size());
-		waveform->render(std::span(samples).first(count), amplitude);
+		const std::size_t count = std::min(static_cast<std::size_t>(p_frames - done), samples_.size());
+		waveform_->render(std::span(samples_).first(count), amplitude);
 		for (std::size_t i = 0; i < count; ++i) {
-			p_buffer[done++] = { samples[i], samples[i] };
+			p_buffer[done++] = { samples_[i], samples_[i] };
 		}
 	}
 	return p_frames;
@@ -35,7 +35,7 @@ int32_t HapticStreamPlayback::_mix(AudioFrame *p_buffer, float, int32_t p_frames
 Ref<AudioStreamPlayback> HapticStream::_instantiate_playback() const {
 	Ref<HapticStreamPlayback> playback;
 	playback.instantiate();
-	playback->follow(shared_level);
+	playback->follow(shared_level_);
 	return playback;
 }
 

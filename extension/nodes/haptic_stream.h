@@ -25,21 +25,21 @@ class HapticStreamPlayback : public AudioStreamPlayback {
 
 	static constexpr std::size_t BLOCK = 256;
 
-	std::shared_ptr<HapticLevel> level = std::make_shared<HapticLevel>();
-	std::unique_ptr<steadyhand::SpringWaveform> waveform;
-	std::array<float, BLOCK> samples{};
-	std::atomic<bool> playing = false;
+	std::shared_ptr<HapticLevel> level_ = std::make_shared<HapticLevel>();
+	std::unique_ptr<steadyhand::SpringWaveform> waveform_;
+	std::array<float, BLOCK> samples_{};
+	std::atomic<bool> playing_ = false;
 
 protected:
 	static void _bind_methods() {}
 
 public:
 	HapticStreamPlayback();
-	void follow(const std::shared_ptr<HapticLevel> &p_level) { level = p_level; }
+	void follow(const std::shared_ptr<HapticLevel> &p_level) { level_ = p_level; }
 
 	void _start(double p_from_pos) override;
 	void _stop() override;
-	bool _is_playing() const override { return playing; }
+	bool _is_playing() const override { return playing_; }
 	int32_t _mix(AudioFrame *p_buffer, float p_rate_scale, int32_t p_frames) override;
 };
 
@@ -47,13 +47,13 @@ public:
 class HapticStream : public AudioStream {
 	GDCLASS(HapticStream, AudioStream)
 
-	std::shared_ptr<HapticLevel> shared_level = std::make_shared<HapticLevel>();
+	std::shared_ptr<HapticLevel> shared_level_ = std::make_shared<HapticLevel>();
 
 protected:
 	static void _bind_methods() {}
 
 public:
-	HapticLevel &level() { return *shared_level; }
+	HapticLevel &level() { return *shared_level_; }
 
 	Ref<AudioStreamPlayback> _instantiate_playback() const override;
 	String _get_stream_name() const override { return "Vibration"; }

@@ -21,8 +21,8 @@ constexpr double QUIET_AFTER_S = 0.1;
 } // namespace
 
 HapticSynth::~HapticSynth() {
-	if (gesture_hmm != nullptr) {
-		gesture_hmm->remove_listener(this);
+	if (gesture_hmm_ != nullptr) {
+		gesture_hmm_->remove_listener(this);
 	}
 }
 
@@ -30,60 +30,60 @@ void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
 		update_player();
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
-		quiet_s = motion_came ? 0.0 : quiet_s + get_process_delta_time();
-		motion_came = false;
-		if (quiet_s > QUIET_AFTER_S) {
-			stream->level().amplitude.store(0.0F, std::memory_order_relaxed);
+		quiet_s_ = motion_came_ ? 0.0 : quiet_s_ + get_process_delta_time();
+		motion_came_ = false;
+		if (quiet_s_ > QUIET_AFTER_S) {
+			stream_->level().amplitude.store(0.0F, std::memory_order_relaxed);
 		}
 	}
 }
 
 void HapticSynth::on_motion_started() {
-	if (wav) {
-		wav->start_anew();
+	if (wav_) {
+		wav_->start_anew();
 	}
 	set_amplitude(0.0);
 }
 
 void HapticSynth::on_motion(double p_time_s, double p_displacement) {
 	const double displacement = std::isfinite(p_displacement) ? std::clamp(p_displacement, 0.0, 1.0) : 0.0;
-	set_amplitude(displacement * gain);
-	if (wav_wanted) {
-		wav_wanted = false;
-		wav = std::make_unique<HapticWav>(wav_sample_rate_hz, frequency_hz);
-		if (wav->open(wav_path) != OK) {
-			wav.reset();
+	set_amplitude(displacement * gain_);
+	if (wav_wanted_) {
+		wav_wanted_ = false;
+		wav_ = std::make_unique<HapticWav>(wav_sample_rate_hz_, frequency_hz_);
+		if (wav_->open(wav_path_) != OK) {
+			wav_.reset();
 		}
 	}
-	if (wav) {
-		wav->advance(p_time_s, amplitude);
+	if (wav_) {
+		wav_->advance(p_time_s, amplitude_);
 	}
 }
 
 void HapticSynth::on_motion_freed() {
-	gesture_hmm = nullptr;
+	gesture_hmm_ = nullptr;
 	set_amplitude(0.0);
 	update_configuration_warnings();
 }
 
 void HapticSynth::set_amplitude(double p_amplitude) {
-	amplitude = p_amplitude;
-	motion_came = true;
-	if (stream.is_valid()) {
-		stream->level().amplitude.store(static_cast<float>(amplitude), std::memory_order_relaxed);
+	amplitude_ = p_amplitude;
+	motion_came_ = true;
+	if (stream_.is_valid()) {
+		stream_->level().amplitude.store(static_cast<float>(amplitude_), std::memory_order_relaxed);
 	}
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
-	if (gesture_hmm == p_gesture_hmm) {
+	if (gesture_hmm_ == p_gesture_hmm) {
 		return;
 	}
-	if (gesture_hmm != nullptr) {
-		gesture_hmm->remove_listener(this);
+	if (gesture_hmm_ != nullptr) {
+		gesture_hmm_->remove_listener(this);
 	}
-	gesture_hmm = p_gesture_hmm;
-	if (gesture_hmm != nullptr) {
-		gesture_hmm->add_listener(this);
+	gesture_hmm_ = p_gesture_hmm;
+	if (gesture_hmm_ != nullptr) {
+		gesture_hmm_->add_listener(this);
 	}
 	on_motion_started();
 	update_configuration_warnings();
@@ -92,22 +92,23 @@ void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
 void HapticSynth::set_frequency(double p_frequency_hz) {
 	ERR_FAIL_COND_MSG(!(p_frequency_hz > 0.0) || !std::isfinite(p_frequency_hz),
 			"HapticSynth: frequency must be above 0 Hz");
-	frequency_hz = p_frequency_hz;
-	if (stream.is_valid()) {
-		stream->level().frequency_hz.store(static_cast<float>(frequency_hz), std::memory_order_relaxed);
+	frequency_hz_ = p_frequency_hz;
+	if (stream_.is_valid()) {
+		stream_->level().frequency_hz.store(static_cast<float>(frequency_hz_), std::memory_order_relaxed);
 	}
-	if (wav) {
-		wav->set_frequency(frequency_hz);
+	if (wav_) {
+		wav_->set_frequency(frequency_hz_);
 	}
 }
 
 void HapticSynth::set_gain(double p_gain) {
-	ERR_FAIL_COND_MSG(!(p_gain >= 0.0 && p_gain <= 1.0), "HapticSynth: gain must be within 0..1");
-	gain = p_gain;
+	ERR_FAIL_COND_MSG(
+			std::isnan(p_gain) || p_gain < 0.0 || p_gain > 1.0, "HapticSynth: gain must be within 0..1");
+	gain_ = p_gain;
 }
 
 void HapticSynth::set_bus(const StringName &p_bus) {
-	bus = p_bus;
+	bus_ = p_bus;
 	if (is_inside_tree()) {
 		update_player();
 	}
@@ -118,58 +119,58 @@ void HapticSynth::update_player() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const bool exists = bus != StringName() && AudioServer::get_singleton()->get_bus_index(bus) >= 0;
-	if (bus != StringName() && !exists) {
+	const bool exists = bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
+	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
-		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus) +
+		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
 				String("'; nothing is played"));
 	}
-	if (exists && player == nullptr) {
-		stream.instantiate();
-		set_frequency(frequency_hz);
-		player = memnew(AudioStreamPlayer);
-		player->set_stream(stream);
-		player->set_autoplay(true);
-		player->set_bus(bus);
-		add_child(player, false, INTERNAL_MODE_FRONT);
+	if (exists && player_ == nullptr) {
+		stream_.instantiate();
+		set_frequency(frequency_hz_);
+		player_ = memnew(AudioStreamPlayer);
+		player_->set_stream(stream_);
+		player_->set_autoplay(true);
+		player_->set_bus(bus_);
+		add_child(player_, false, INTERNAL_MODE_FRONT);
 	} else if (exists) {
-		player->set_bus(bus);
-	} else if (player != nullptr) {
-		player->queue_free();
-		player = nullptr;
-		stream.unref();
+		player_->set_bus(bus_);
+	} else if (player_ != nullptr) {
+		player_->queue_free();
+		player_ = nullptr;
+		stream_.unref();
 	}
 	set_process_internal(exists);
 }
 
 void HapticSynth::set_wav_path(const String &p_path) {
 	stop_wav();
-	wav_path = p_path;
-	wav_wanted = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();
+	wav_path_ = p_path;
+	wav_wanted_ = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();
 }
 
 void HapticSynth::set_wav_sample_rate(int p_rate_hz) {
 	ERR_FAIL_COND_MSG(p_rate_hz < 8000 || p_rate_hz > 192000,
 			"HapticSynth: wav_sample_rate must be in 8000..192000 Hz");
-	wav_sample_rate_hz = p_rate_hz;
+	wav_sample_rate_hz_ = p_rate_hz;
 }
 
 void HapticSynth::stop_wav() {
-	wav.reset();
-	wav_wanted = false;
+	wav_.reset();
+	wav_wanted_ = false;
 }
 
 PackedStringArray HapticSynth::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (gesture_hmm == nullptr) {
+	if (gesture_hmm_ == nullptr) {
 		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
 	}
-	if (bus == StringName() && wav_path.is_empty()) {
+	if (bus_ == StringName() && wav_path_.is_empty()) {
 		warnings.push_back(
 				"Set \"bus\" to an audio bus that leads to the actuator, or \"wav_path\" to a file; "
 				"otherwise the vibration goes nowhere.");
-	} else if (bus != StringName() && AudioServer::get_singleton()->get_bus_index(bus) < 0) {
-		warnings.push_back(String("Add an audio bus named '") + String(bus) +
+	} else if (bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) < 0) {
+		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
 				String("' in the Audio panel, or set \"bus\" to one that exists."));
 	}
 	return warnings;
@@ -183,7 +184,7 @@ void HapticSynth::_validate_property(PropertyInfo &p_property) const {
 			names += (i > 0 ? String(",") : String()) + String(server->get_bus_name(i));
 		}
 		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
-		p_property.hint_string = names;
+		p_property.hint_string = std::move(names);
 	}
 }
 

@@ -25,21 +25,21 @@ public:
 	~HapticSynth() override;
 
 	void set_gesture_hmm(GestureHMM *p_gesture_hmm);
-	GestureHMM *get_gesture_hmm() const { return gesture_hmm; }
-	void set_effect(Effect p_effect) { effect = p_effect; }
-	Effect get_effect() const { return effect; }
+	GestureHMM *get_gesture_hmm() const { return gesture_hmm_; }
+	void set_effect(Effect p_effect) { effect_ = p_effect; }
+	Effect get_effect() const { return effect_; }
 	void set_frequency(double p_frequency_hz);
-	double get_frequency() const { return frequency_hz; }
+	double get_frequency() const { return frequency_hz_; }
 	void set_gain(double p_gain);
-	double get_gain() const { return gain; }
+	double get_gain() const { return gain_; }
 	void set_bus(const StringName &p_bus);
-	StringName get_bus() const { return bus; }
+	StringName get_bus() const { return bus_; }
 	void set_wav_path(const String &p_path);
-	String get_wav_path() const { return wav_path; }
+	String get_wav_path() const { return wav_path_; }
 	void set_wav_sample_rate(int p_rate_hz);
-	int get_wav_sample_rate() const { return wav_sample_rate_hz; }
+	int get_wav_sample_rate() const { return wav_sample_rate_hz_; }
 
-	double get_amplitude() const { return amplitude; }
+	double get_amplitude() const { return amplitude_; }
 	void stop_wav();
 
 	void on_motion_started() override;
@@ -54,21 +54,21 @@ protected:
 	void _validate_property(PropertyInfo &p_property) const;
 
 private:
-	GestureHMM *gesture_hmm = nullptr;
-	Effect effect = EFFECT_SPRING;
-	double frequency_hz = steadyhand::SpringWaveform::DEFAULT_FREQUENCY_HZ;
-	double gain = 1.0;
-	StringName bus;
-	String wav_path;
-	int wav_sample_rate_hz = 48000;
+	GestureHMM *gesture_hmm_ = nullptr;
+	Effect effect_ = EFFECT_SPRING;
+	double frequency_hz_ = steadyhand::SpringWaveform::DEFAULT_FREQUENCY_HZ;
+	double gain_ = 1.0;
+	StringName bus_;
+	String wav_path_;
+	int wav_sample_rate_hz_ = 48000;
 
-	double amplitude = 0.0;
-	AudioStreamPlayer *player = nullptr; ///< a child of this node
-	Ref<HapticStream> stream;
-	bool motion_came = false; ///< since the last process frame
-	double quiet_s = 0.0;     ///< for how long none has come
-	std::unique_ptr<HapticWav> wav;
-	bool wav_wanted = false; ///< opened with the first motion
+	double amplitude_ = 0.0;
+	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
+	Ref<HapticStream> stream_;
+	bool motion_came_ = false; ///< since the last process frame
+	double quiet_s_ = 0.0;     ///< for how long none has come
+	std::unique_ptr<HapticWav> wav_;
+	bool wav_wanted_ = false; ///< opened with the first motion
 
 	void update_player();
 	void set_amplitude(double p_amplitude);

@@ -10,7 +10,7 @@
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
-#include <array>
+#include <cmath>
 #include <optional>
 
 namespace godot {
@@ -47,7 +47,7 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 		options.paces.assign(paces.ptr(), paces.ptr() + paces.size());
 	}
 	for (const double pace : options.paces) {
-		if (!(pace >= 0.1 && pace <= 10.0)) {
+		if (std::isnan(pace) || pace < 0.1 || pace > 10.0) {
 			return steadyhand::Error{ "paces: " + std::to_string(pace) + " is not in 0.1..10" };
 		}
 	}
@@ -67,12 +67,12 @@ String TrialSet::track_path(const String &p_folder, const steadyhand::Trial &p_t
 steadyhand::Result<steadyhand::TrainingRecording> TrialSet::read_recording(
 		const steadyhand::Trial &p_trial) const {
 	steadyhand::Result<steadyhand::Track> measured =
-			read_track_file(track_path(path, p_trial, ".measured.csv"));
+			read_track_file(track_path(path_, p_trial, ".measured.csv"));
 	if (!measured) {
 		return steadyhand::Error{ measured.error() };
 	}
 	steadyhand::Result<steadyhand::Track> reference =
-			read_track_file(track_path(path, p_trial, ".reference.csv"));
+			read_track_file(track_path(path_, p_trial, ".reference.csv"));
 	if (!reference) {
 		return steadyhand::Error{ reference.error() };
 	}
@@ -82,17 +82,17 @@ steadyhand::Result<steadyhand::TrainingRecording> TrialSet::read_recording(
 
 Dictionary TrialSet::get_trial(int p_index) const {
 	ERR_FAIL_INDEX_V(p_index, get_count(), Dictionary());
-	return trial_dictionary(trials[static_cast<std::size_t>(p_index)]);
+	return trial_dictionary(trials_[static_cast<std::size_t>(p_index)]);
 }
 
 String TrialSet::get_measured_path(int p_index) const {
 	ERR_FAIL_INDEX_V(p_index, get_count(), String());
-	return track_path(path, trials[static_cast<std::size_t>(p_index)], ".measured.csv");
+	return track_path(path_, trials_[static_cast<std::size_t>(p_index)], ".measured.csv");
 }
 
 String TrialSet::get_reference_path(int p_index) const {
 	ERR_FAIL_INDEX_V(p_index, get_count(), String());
-	return track_path(path, trials[static_cast<std::size_t>(p_index)], ".reference.csv");
+	return track_path(path_, trials_[static_cast<std::size_t>(p_index)], ".reference.csv");
 }
 
 Ref<TrialSet> TrialSet::load_folder(const String &p_path) {
@@ -104,8 +104,8 @@ Ref<TrialSet> TrialSet::load_folder(const String &p_path) {
 	ERR_FAIL_COND_V_MSG(!trials, Ref<TrialSet>(), to_godot(trials.error()));
 	Ref<TrialSet> set;
 	set.instantiate();
-	set->path = p_path;
-	set->trials = std::move(trials).value();
+	set->path_ = p_path;
+	set->trials_ = std::move(trials).value();
 	return set;
 }
 

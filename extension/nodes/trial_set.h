@@ -14,8 +14,8 @@ namespace godot {
 class TrialSet : public RefCounted {
 	GDCLASS(TrialSet, RefCounted)
 
-	String path;
-	std::vector<steadyhand::Trial> trials;
+	String path_;
+	std::vector<steadyhand::Trial> trials_;
 
 	static String track_path(const String &p_folder, const steadyhand::Trial &p_trial, const char *p_kind);
 
@@ -23,12 +23,12 @@ protected:
 	static void _bind_methods();
 
 public:
-	const std::vector<steadyhand::Trial> &core() const { return trials; }
-	String get_path() const { return path; }
+	const std::vector<steadyhand::Trial> &core() const { return trials_; }
+	String get_path() const { return path_; }
 	/// Both tracks of a trial; errors name the file.
 	steadyhand::Result<steadyhand::TrainingRecording> read_recording(const steadyhand::Trial &p_trial) const;
 
-	int get_count() const { return static_cast<int>(trials.size()); }
+	int get_count() const { return static_cast<int>(trials_.size()); }
 	Dictionary get_trial(int p_index) const;
 	String get_measured_path(int p_index) const;
 	String get_reference_path(int p_index) const;
