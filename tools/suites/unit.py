@@ -37,11 +37,13 @@ def run_cases(name: str, program: Path) -> Iterator[Outcome]:
 
 def outcome_of(build: str, case: xml.Element) -> Outcome:
     name = f"{build}: {case.get('name')}"
+    said = " ".join(text.strip() for message in case.iter("Message") for text in message.itertext())
+    result = case.find("OverallResultsAsserts")
     if case.get("skipped") == "true":
         return Outcome(name, skipped=1)
-    result = case.find("OverallResultsAsserts")
     if result.get("successes") == result.get("failures") == "0":
-        return Outcome.of(name, False, "not one assertion was made")
+        without_data = said.strip().startswith("skipped: ")
+        return Outcome(name, skipped=1) if without_data else Outcome.of(name, False, "not one assertion was made")
     return Outcome.of(name, result.get("test_case_success") == "true", "\n".join(complaints(case)))
 
 
