@@ -1,6 +1,6 @@
 extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/evaluate.gd -- --trials DIR --out DIR
-##     [--models DIR] [--mode paper] [--context scene|open]
+##     [--models DIR] [--mode phase|paper] [--context scene|open]
 ##
 ## Exit code: 0; 1 where a trial's tracks could not be read (the others are reported); 2 where
 ## nothing could be done.

@@ -5,7 +5,9 @@ const EvaluationReport := preload("evaluation_report.gd")
 const TrialRun := preload("trial_run.gd")
 
 ## By their names on the command line; the first is the default.
-const MODES: Dictionary[String, GestureHMM.Mode] = {"paper": GestureHMM.MODE_PAPER}
+const MODES: Dictionary[String, GestureHMM.Mode] = {
+	"phase": GestureHMM.MODE_PHASE, "paper": GestureHMM.MODE_PAPER
+}
 const CONTEXTS: Array[String] = ["scene", "open"]
 
 ## Trials whose tracks could not be read; they are in no file of the report.

@@ -39,8 +39,10 @@ void GestureHMM::reset() {
 }
 
 void GestureHMM::build_recogniser() {
-	GestureTask *const task = get_task();
+	const GestureTask *const task = get_task();
 	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
+	task_gesture_ = wanted;
+	task_in_use_ = task != nullptr ? std::optional(core_task(*task)) : std::nullopt;
 	std::vector<std::shared_ptr<const steadyhand::GestureModel>> active;
 	active_gestures_.clear();
 	for (int64_t i = 0; i < models_.size(); ++i) {
@@ -63,15 +65,23 @@ void GestureHMM::build_recogniser() {
 						  "gesture '") +
 				String(wanted) + String("'"));
 	}
-	const std::optional<steadyhand::Task> known =
-			task != nullptr ? std::optional(core_task(*task)) : std::nullopt;
 	rest_amplitude_m_ = 1.0;
-	if (known) {
-		rest_amplitude_m_ = known->amplitude_m;
+	if (task_in_use_) {
+		rest_amplitude_m_ = task_in_use_->amplitude_m;
 	} else if (!active.empty()) {
 		rest_amplitude_m_ = active.front()->typical_task.amplitude_m;
 	}
-	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(active), known);
+	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(
+			std::move(active), task_in_use_, static_cast<steadyhand::MotionMode>(mode_));
+}
+
+void GestureHMM::on_task_changed() {
+	const GestureTask *const task = get_task();
+	// A node tells that it was moved once the frame is over: by then the place may be in use already.
+	if (task == nullptr || outdated_ || task->get_gesture() != task_gesture_ ||
+			core_task(*task) != task_in_use_) {
+		on_settings_changed();
+	}
 }
 
 void GestureHMM::prepare(double p_time_s) {

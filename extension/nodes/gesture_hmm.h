@@ -5,11 +5,14 @@
 #include "listener_list.h"
 #include "motion_listener.h"
 
+#include "gesture/task.h"
+
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace steadyhand {
@@ -29,7 +32,8 @@ class GestureHMM : public Node, public FrameListener {
 	GDCLASS(GestureHMM, Node)
 
 public:
-	enum Mode { MODE_PAPER };
+	/// In the order of the core's MotionMode.
+	enum Mode { MODE_PHASE, MODE_PAPER };
 	/// In the order of the core's MotionSource.
 	enum Motion { MOTION_SYNTHESISED, MOTION_MEASURED, MOTION_AVERAGE, MOTION_ONE_EURO, MOTION_KALMAN };
 
@@ -42,7 +46,7 @@ public:
 	GestureTask *get_task() const;
 	void set_models(const TypedArray<GestureModel> &p_models);
 	TypedArray<GestureModel> get_models() const { return models_; }
-	void set_mode(Mode p_mode) { mode_ = p_mode; }
+	void set_mode(Mode p_mode);
 	Mode get_mode() const { return mode_; }
 	void set_motion(Motion p_motion);
 	Motion get_motion() const { return motion_; }
@@ -89,14 +93,16 @@ private:
 	HandTracker *tracker_ = nullptr;
 	ObjectID task_id_;
 	TypedArray<GestureModel> models_;
-	Mode mode_ = MODE_PAPER;
+	Mode mode_ = MODE_PHASE;
 	Motion motion_ = MOTION_SYNTHESISED;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;
 	std::unique_ptr<steadyhand::GestureRecogniser> recogniser_;
 	std::vector<StringName> active_gestures_; ///< of the recogniser's models
-	double rest_amplitude_m_ = 1.0;           ///< while no gesture is under way
+	StringName task_gesture_;                 ///< what it was made for
+	std::optional<steadyhand::Task> task_in_use_;
+	double rest_amplitude_m_ = 1.0; ///< while no gesture is under way
 	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
 	bool outdated_ = true;
 	uint64_t build_ = 0;
@@ -115,7 +121,8 @@ private:
 		return p_model >= 0 ? active_gestures_[static_cast<std::size_t>(p_model)] : StringName();
 	}
 	void on_settings_changed();
-	void connect_changed(Object *p_object, bool p_connect);
+	void on_task_changed();
+	void connect_changed(Object *p_object, const Callable &p_callable, bool p_connect);
 };
 
 } // namespace godot

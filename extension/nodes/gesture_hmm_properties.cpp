@@ -46,9 +46,9 @@ void GestureHMM::set_task(GestureTask *p_task) {
 	if (old == p_task) {
 		return;
 	}
-	connect_changed(old, false);
+	connect_changed(old, callable_mp(this, &GestureHMM::on_task_changed), false);
 	task_id_ = ObjectID(p_task != nullptr ? p_task->get_instance_id() : 0);
-	connect_changed(p_task, true);
+	connect_changed(p_task, callable_mp(this, &GestureHMM::on_task_changed), true);
 	on_settings_changed();
 }
 
@@ -57,31 +57,39 @@ GestureTask *GestureHMM::get_task() const {
 }
 
 void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
+	const Callable callable = callable_mp(this, &GestureHMM::on_settings_changed);
 	for (int64_t i = 0; i < models_.size(); ++i) {
-		connect_changed(models_[i], false);
+		connect_changed(models_[i], callable, false);
 	}
 	models_ = p_models;
 	for (int64_t i = 0; i < models_.size(); ++i) {
-		connect_changed(models_[i], true);
+		connect_changed(models_[i], callable, true);
 	}
 	on_settings_changed();
 }
 
-void GestureHMM::connect_changed(Object *p_object, bool p_connect) {
-	const Callable callable = callable_mp(this, &GestureHMM::on_settings_changed);
-	if (p_object == nullptr || p_object->is_connected("changed", callable) == p_connect) {
+void GestureHMM::connect_changed(Object *p_object, const Callable &p_callable, bool p_connect) {
+	if (p_object == nullptr || p_object->is_connected("changed", p_callable) == p_connect) {
 		return; // a model may stand in the list twice
 	}
 	if (p_connect) {
-		p_object->connect("changed", callable);
+		p_object->connect("changed", p_callable);
 	} else {
-		p_object->disconnect("changed", callable);
+		p_object->disconnect("changed", p_callable);
 	}
 }
 
 void GestureHMM::on_settings_changed() {
 	reset();
 	update_configuration_warnings();
+}
+
+void GestureHMM::set_mode(Mode p_mode) {
+	ERR_FAIL_INDEX(static_cast<int>(p_mode), MODE_PAPER + 1);
+	if (mode_ != p_mode) {
+		mode_ = p_mode;
+		on_settings_changed();
+	}
 }
 
 void GestureHMM::set_motion(Motion p_motion) {
@@ -147,7 +155,8 @@ void GestureHMM::_bind_methods() {
 			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_RESOURCE_TYPE) + ":GestureModel";
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "models", PROPERTY_HINT_ARRAY_TYPE, model_hint), "set_models",
 			"get_models");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Paper"), "set_mode", "get_mode");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Phase,Paper"), "set_mode", "get_mode");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM,
 						 "Synthesised,Measured,Average,One Euro,Kalman"),
 			"set_motion", "get_motion");
@@ -175,6 +184,7 @@ void GestureHMM::_bind_methods() {
 			PropertyInfo(Variant::FLOAT, "time_s")));
 	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
 
+	BIND_ENUM_CONSTANT(MODE_PHASE);
 	BIND_ENUM_CONSTANT(MODE_PAPER);
 	BIND_ENUM_CONSTANT(MOTION_SYNTHESISED);
 	BIND_ENUM_CONSTANT(MOTION_MEASURED);

@@ -12,6 +12,8 @@ struct Task {
 	Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
 	/// Length of the whole motion (radius: its growth), m, > 0.
 	double amplitude_m = 0.2;
+
+	bool operator==(const Task &) const = default;
 };
 
 } // namespace steadyhand

@@ -7,8 +7,8 @@
 
 namespace steadyhand {
 
-/// The conditions that a study compares the synthesised motion with, side by side on one motion element, so that
-/// switching between them takes effect at once. Between frames each holds its last output.
+/// The conditions that a study compares the synthesised motion with, side by side on one motion element, so
+/// that switching between them takes effect at once. Between frames each holds its last output.
 class FilteredMotion {
 public:
 	void push(double t_s, double x_m) {

@@ -9,6 +9,9 @@ namespace {
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
+/// `phase` mode: expected phase and value from which on the gesture is at its end.
+constexpr double ARRIVED_PHASE = 0.97;
+constexpr double ARRIVED_VALUE = 0.9;
 /// Below this the hand has come back to where it started.
 constexpr double BACK_VALUE = 0.15;
 /// A movement that is still at its start after so many times its mean first state was none.
@@ -19,15 +22,11 @@ constexpr double STILL_S = 0.15; ///< rest, where the start is not told
 
 } // namespace
 
-GestureFollower::GestureFollower(const GestureModel &model, const Task &task, bool start_is_known) :
+GestureFollower::GestureFollower(
+		const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode) :
 		model_(&model),
-		feature_(find_feature(model.feature)),
-		task_(task),
-		start_is_known_(start_is_known),
-		decoder_(model.hmm),
-		likelihood_(model.hmm),
-		synthesiser_(model) {
-}
+		feature_(find_feature(model.feature)), task_(task), start_is_known_(start_is_known), mode_(mode),
+		decoder_(model.hmm), likelihood_(model.hmm), paper_(model), phase_(model) {}
 
 bool GestureFollower::push(const HandFrame &frame) {
 	if (clock_started_) {
@@ -46,6 +45,9 @@ bool GestureFollower::push(const HandFrame &frame) {
 		return false;
 	}
 	window_.push(frame.t_s, *x_m);
+	if (mode_ == MotionMode::PHASE) {
+		phase_.push(frame.t_s, *x_m / task_.amplitude_m);
+	}
 	last_frame_ = frame;
 	fresh_ = true;
 	return true;
@@ -53,6 +55,9 @@ bool GestureFollower::push(const HandFrame &frame) {
 
 void GestureFollower::advance(double t_s) {
 	while (clock_started_ && clock_.due(t_s)) {
+		if (mode_ == MotionMode::PHASE) {
+			phase_.advance(clock_.next_s());
+		}
 		step(clock_.next_s());
 		clock_.advance();
 	}
@@ -62,13 +67,18 @@ void GestureFollower::step(double t_s) {
 	const Observation observation = window_.normalised(task_.amplitude_m, model_->duration_mean_s);
 	switch (stage_) {
 		case Stage::RESTING:
-			rest(t_s, observation);
+			wait_at_rest(t_s, observation);
 			break;
 		case Stage::MOVING:
-			move(t_s, observation);
+			decode(t_s, observation);
+			if (was_nothing(t_s, observation)) {
+				enter(Stage::RESTING, t_s);
+			} else if (has_arrived(t_s)) {
+				enter(Stage::ARRIVED, t_s);
+			}
 			break;
 		case Stage::ARRIVED:
-			if (observation.x() < BACK_VALUE) {
+			if (is_back(t_s, observation)) {
 				enter(Stage::RESTING, t_s);
 			}
 			break;
@@ -76,15 +86,10 @@ void GestureFollower::step(double t_s) {
 	fresh_ = false;
 }
 
-void GestureFollower::rest(double t_s, const Observation &observation) {
-	if (observation.x() > ONSET_VALUE && observation.y() > ONSET_VELOCITY) {
-		decoder_.reset();
-		likelihood_.reset();
-		symbols_seen_ = 0;
-		state_played_ = 0;
-		synthesiser_.begin(t_s, phase_of_value(*model_, std::min(observation.x(), 0.5)));
-		enter(Stage::MOVING, t_s);
-		move(t_s, observation);
+void GestureFollower::wait_at_rest(double t_s, const Observation &observation) {
+	if (has_begun(t_s, observation)) {
+		begin(t_s, observation);
+		decode(t_s, observation);
 		return;
 	}
 	if (start_is_known_) {
@@ -97,27 +102,66 @@ void GestureFollower::rest(double t_s, const Observation &observation) {
 	}
 }
 
-void GestureFollower::move(double t_s, const Observation &observation) {
+void GestureFollower::begin(double t_s, const Observation &observation) {
+	decoder_.reset();
+	likelihood_.reset();
+	symbols_seen_ = 0;
+	state_played_ = 0;
+	if (mode_ == MotionMode::PAPER) {
+		paper_.begin(t_s, phase_of_value(*model_, std::min(observation.x(), 0.5)));
+	}
+	enter(Stage::MOVING, t_s);
+}
+
+void GestureFollower::decode(double t_s, const Observation &observation) {
 	const Symbol symbol = fresh_ ? model_->quantiser.symbol(observation) : UNSEEN;
 	decoder_.push(symbol);
 	likelihood_.push(symbol);
 	++symbols_seen_;
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
-		synthesiser_.enter_state(state_played_, t_s);
+		if (mode_ == MotionMode::PAPER) {
+			paper_.enter_state(state_played_, t_s);
+		}
 	}
-	if (state_played_ == 0 && observation.x() < BACK_VALUE &&
-			t_s - stage_began_s_ > ABORT_AFTER * model_->elements.front().duration_mean_s) {
-		enter(Stage::RESTING, t_s);
-	} else if (synthesiser_.phase(t_s) >= 1.0) {
-		enter(Stage::ARRIVED, t_s);
+}
+
+bool GestureFollower::has_begun(double t_s, const Observation &observation) const {
+	if (mode_ == MotionMode::PAPER) {
+		return observation.x() > ONSET_VALUE && observation.y() > ONSET_VELOCITY;
 	}
+	const PhaseEstimate estimate = phase_.at(t_s);
+	return estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
+}
+
+bool GestureFollower::was_nothing(double t_s, const Observation &observation) const {
+	if (mode_ == MotionMode::PAPER) {
+		return state_played_ == 0 && observation.x() < BACK_VALUE &&
+				t_s - stage_began_s_ > ABORT_AFTER * model_->elements.front().duration_mean_s;
+	}
+	const PhaseEstimate estimate = phase_.at(t_s);
+	return estimate.moving < 0.5 || (estimate.phase > ARRIVED_PHASE && estimate.value < BACK_VALUE);
+}
+
+bool GestureFollower::has_arrived(double t_s) const {
+	if (mode_ == MotionMode::PAPER) {
+		return paper_.phase(t_s) >= 1.0;
+	}
+	const PhaseEstimate estimate = phase_.at(t_s);
+	return estimate.phase > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE;
+}
+
+bool GestureFollower::is_back(double t_s, const Observation &observation) const {
+	return (mode_ == MotionMode::PAPER ? observation.x() : phase_.at(t_s).value) < BACK_VALUE;
 }
 
 void GestureFollower::enter(Stage stage, double t_s) {
 	released_from_m_ = stage == Stage::RESTING ? motion(t_s).value_m : 0.0;
 	stage_ = stage;
 	stage_began_s_ = t_s;
+	if (stage == Stage::RESTING && mode_ == MotionMode::PHASE) {
+		phase_.restart();
+	}
 }
 
 void GestureFollower::take_for_start(const HandFrame &frame) {
@@ -131,8 +175,13 @@ double GestureFollower::mean_log_likelihood() const {
 }
 
 Motion GestureFollower::motion(double t_s) const {
+	if (mode_ == MotionMode::PHASE) {
+		const PhaseEstimate estimate = phase_.at(t_s);
+		return { task_.amplitude_m * estimate.value, task_.amplitude_m * estimate.velocity,
+			task_.amplitude_m * estimate.acceleration, stage_ == Stage::RESTING ? 0.0 : estimate.phase };
+	}
 	if (stage_ != Stage::RESTING) {
-		return synthesiser_.motion(t_s, task_.amplitude_m);
+		return paper_.motion(t_s, task_.amplitude_m);
 	}
 	const double released = (t_s - stage_began_s_) / RELEASE_S;
 	if (!(released < 1.0)) {

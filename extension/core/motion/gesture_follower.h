@@ -9,21 +9,23 @@
 #include "hmm/viterbi.h"
 #include "motion/motion.h"
 #include "motion/paper_synthesiser.h"
+#include "motion/phase_estimator.h"
 
 namespace steadyhand {
 
-/// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays the motion
-/// out, holds its end until the hand has come back. Time is the frames' own; after construction nothing is allocated.
+/// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays
+/// the motion out, holds its end until the hand has come back. Time is the frames' own; after construction
+/// nothing is allocated.
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
 
-	/// model must outlive the follower; its feature must exist. Without a task the place of rest is taken for the start,
-	/// and the model's mean amplitude for the task's.
-	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known);
+	/// model must outlive the follower; its feature must exist. Without a task the place of rest is taken for
+	/// the start, and the model's mean amplitude for the task's.
+	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode);
 
-	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not hold what the
-	/// feature needs.
+	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not
+	/// hold what the feature needs.
 	bool push(const HandFrame &frame);
 	/// All that is due by t_s.
 	void advance(double t_s);
@@ -43,6 +45,7 @@ private:
 	const Feature *feature_;
 	Task task_;
 	bool start_is_known_;
+	MotionMode mode_;
 
 	ObservationWindow window_;
 	SymbolClock clock_;
@@ -58,12 +61,18 @@ private:
 	ForwardFilter likelihood_;
 	int symbols_seen_ = 0;
 	int state_played_ = 0;
-	PaperSynthesiser synthesiser_;
+	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
+	PhaseEstimator phase_;
 
 	void step(double t_s);
-	void rest(double t_s, const Observation &observation);
-	void move(double t_s, const Observation &observation);
+	void wait_at_rest(double t_s, const Observation &observation);
+	void decode(double t_s, const Observation &observation);
+	[[nodiscard]] bool has_begun(double t_s, const Observation &observation) const;
+	[[nodiscard]] bool was_nothing(double t_s, const Observation &observation) const;
+	[[nodiscard]] bool has_arrived(double t_s) const;
+	[[nodiscard]] bool is_back(double t_s, const Observation &observation) const;
 	void enter(Stage stage, double t_s);
+	void begin(double t_s, const Observation &observation);
 	void take_for_start(const HandFrame &frame);
 };
 

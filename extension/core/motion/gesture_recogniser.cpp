@@ -6,14 +6,13 @@
 
 namespace steadyhand {
 
-GestureRecogniser::GestureRecogniser(
-		std::vector<std::shared_ptr<const GestureModel>> models, const std::optional<Task> &task) :
+GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
+		const std::optional<Task> &task, MotionMode mode) :
 		models_(std::move(models)),
-		filtered_(models_.size()),
-		time_s_(-std::numeric_limits<double>::infinity()) {
+		filtered_(models_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
 	followers_.reserve(models_.size());
 	for (const std::shared_ptr<const GestureModel> &model : models_) {
-		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value());
+		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value(), mode);
 	}
 }
 
@@ -47,7 +46,8 @@ void GestureRecogniser::choose_leader() {
 	double best_likelihood = -std::numeric_limits<double>::infinity();
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		const GestureFollower &candidate = followers_[i];
-		if (candidate.stage() != GestureFollower::Stage::RESTING && candidate.mean_log_likelihood() > best_likelihood) {
+		if (candidate.stage() != GestureFollower::Stage::RESTING &&
+				candidate.mean_log_likelihood() > best_likelihood) {
 			best = static_cast<int>(i);
 			best_likelihood = candidate.mean_log_likelihood();
 		}

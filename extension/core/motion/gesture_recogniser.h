@@ -9,13 +9,15 @@
 
 namespace steadyhand {
 
-/// All models that a scene asked for, side by side on one stream of frames: says which gesture is under way, in which
-/// state, and what motion it makes. Costs nothing for a gesture that was not asked for. After construction nothing is
-/// allocated.
+/// All models that a scene asked for, side by side on one stream of frames: says which gesture is under way,
+/// in which state, and what motion it makes. Costs nothing for a gesture that was not asked for. After
+/// construction nothing is allocated.
 class GestureRecogniser {
 public:
-	/// task: what the scene knows of the gesture's place; nothing where the start is to be found by the hand's rest.
-	GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models, const std::optional<Task> &task);
+	/// task: what the scene knows of the gesture's place; nothing where the start is to be found by the
+	/// hand's rest.
+	GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
+			const std::optional<Task> &task, MotionMode mode);
 
 	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
 	void push(const HandFrame &frame);

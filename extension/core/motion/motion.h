@@ -2,14 +2,19 @@
 
 namespace steadyhand {
 
-/// The motion that drives vibration, at one instant. Derivatives are those of the motion elements, not of noisy samples;
-/// they are 0 for the conditions that hold a sample (measured, average, One Euro, Kalman).
+/// The motion that drives vibration, at one instant. Derivatives are those of the motion elements, not of
+/// noisy samples; they are 0 for the conditions that hold a sample (measured, average, One Euro, Kalman).
 struct Motion {
 	double value_m = 0.0; ///< 0 at the task's start, the amplitude at its end
 	double velocity_m_s = 0.0;
 	double acceleration_m_s2 = 0.0;
-	double progress = 0.0; ///< 0..1: phase of the synthesised motion, value / amplitude clamped otherwise
+	double progress =
+			0.0; ///< 0..1: phase of the synthesised motion; value / amplitude, clamped, of the others
 };
+
+/// How motion is synthesised: by the paper's rule, or from a continuous estimate of phase, speed and
+/// amplitude.
+enum class MotionMode { PHASE, PAPER };
 
 /// Where the motion comes from: the conditions that a study compares.
 enum class MotionSource { SYNTHESISED, MEASURED, AVERAGE, ONE_EURO, KALMAN };

@@ -14,8 +14,8 @@ void PaperSynthesiser::begin(double t_s, double phase) {
 	state_ = 0;
 	const PrimitiveMotionElement &first = element(0);
 	phase = std::clamp(phase, 0.0, first.phase_end);
-	// Nothing has been timed yet: the first state is expected to last as long as it does on average, and to have begun
-	// as long ago as the reference takes to get to this phase.
+	// Nothing has been timed yet: the first state is expected to last as long as it does on average, and to
+	// have begun as long ago as the reference takes to get to this phase.
 	const double seconds_per_phase = first.duration_mean_s / (first.phase_end - first.phase_begin);
 	began_s_ = t_s - seconds_per_phase * (phase - first.phase_begin);
 	play(t_s, phase, std::max(seconds_per_phase * (first.phase_end - phase), 1e-3));

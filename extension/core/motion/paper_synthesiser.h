@@ -5,13 +5,15 @@
 
 namespace steadyhand {
 
-/// `paper` mode: plays the motion elements out state by state. Each element is spread over the time that its state is
-/// expected to last: its mean duration, times how much longer than the mean the states before it have lasted (paper,
-/// "the primitive motion elements are adaptively modulated by estimating the duration of HMM states"). An element that is
-/// through before the next state is recognised waits at its end; one that is interrupted is finished faster, within the
-/// next element's time, so the value never jumps. docs/method.md says where the paper is silent and what is read here.
+/// `paper` mode: plays the motion elements out state by state. Each element is spread over the time that its
+/// state is expected to last: its mean duration, times how much longer than the mean the states before it
+/// have lasted (paper, "the primitive motion elements are adaptively modulated by estimating the duration of
+/// HMM states"). An element that is through before the next state is recognised waits at its end; one that is
+/// interrupted is finished faster, within the next element's time, so the value never jumps. docs/method.md
+/// says where the paper is silent and what is read here.
 ///
-/// Between state changes the phase is a closed form of time: the motion does not depend on how often it is asked for.
+/// Between state changes the phase is a closed form of time: the motion does not depend on how often it is
+/// asked for.
 class PaperSynthesiser {
 public:
 	/// model must outlive the synthesiser.
@@ -30,7 +32,7 @@ public:
 private:
 	const GestureModel *model_;
 	int state_ = 0;
-	double began_s_ = 0.0; ///< when the first state was entered
+	double began_s_ = 0.0;   ///< when the first state was entered
 	double entered_s_ = 0.0; ///< when the present one was
 	double phase_at_entry_ = 0.0;
 	double rate_per_s_ = 0.0; ///< d phase / dt while the element plays
