@@ -1,0 +1,70 @@
+#include "motion/tracking_soundness.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double PERIOD_S = 0.009;
+
+/// `frames` of a hand that moves at a speed, in amplitudes per second; returns when the next one is due.
+double move(TrackingSoundness &r_soundness, double t_s, double from, double speed_per_s, int frames) {
+	for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
+		r_soundness.push(t_s, from + speed_per_s * i * PERIOD_S);
+	}
+	return t_s;
+}
+
+} // namespace
+
+TEST_CASE("a hand that moves as hands do, on a sensor that skips a frame now and then, is sound") {
+	TrackingSoundness soundness;
+	double t_s = move(soundness, 0.0, 0.0, 2.0, 50);
+	t_s = move(soundness, t_s + 2.0 * PERIOD_S, 0.9, 2.0, 50); // one interval of three periods
+	CHECK(soundness.unsoundness() == 0.0);
+	CHECK_FALSE(soundness.frozen());
+}
+
+TEST_CASE("a jump is evidence of one, and fades with a memory of 1.5 s") {
+	TrackingSoundness soundness;
+	const double t_s = move(soundness, 0.0, 0.0, 0.1, 50);
+	soundness.push(t_s, 0.4);
+	CHECK(soundness.unsoundness() == doctest::Approx(1.0 - std::exp(-1.0)).epsilon(0.01));
+	const double later_s = move(soundness, t_s + PERIOD_S, 0.4, 0.1, 167);
+	CHECK(later_s - t_s == doctest::Approx(1.5).epsilon(0.01));
+	CHECK(soundness.unsoundness() == doctest::Approx(1.0 - std::exp(-std::exp(-1.0))).epsilon(0.01));
+}
+
+TEST_CASE("a long gap is evidence, a lower rate from then on is none") {
+	TrackingSoundness soundness;
+	const double t_s = move(soundness, 0.0, 0.0, 0.5, 50);
+	soundness.push(t_s + 0.3, 0.4);
+	CHECK(soundness.unsoundness() > 0.5);
+	TrackingSoundness slow;
+	for (int i = 0; i < 100; ++i) {
+		slow.push(i / 30.0, 0.01 * i);
+	}
+	CHECK(slow.unsoundness() == 0.0);
+}
+
+TEST_CASE("values that repeat on the way are a frozen tracker, exact rest is not") {
+	TrackingSoundness on_the_way;
+	const double t_s = move(on_the_way, 0.0, 0.0, 1.0, 50);
+	move(on_the_way, t_s, 49.0 * PERIOD_S, 0.0, 5);
+	CHECK(on_the_way.frozen());
+
+	TrackingSoundness at_rest;
+	move(at_rest, 0.0, 0.2, 0.0, 200);
+	CHECK_FALSE(at_rest.frozen());
+	CHECK(at_rest.unsoundness() == 0.0);
+
+	TrackingSoundness trembling;
+	for (int i = 0; i < 50; ++i) {
+		trembling.push(i * PERIOD_S, 1e-4 * std::sin(2.0 * i));
+	}
+	move(trembling, 50 * PERIOD_S, 0.0, 0.0, 5);
+	CHECK(trembling.frozen());
+}
