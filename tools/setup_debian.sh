@@ -15,7 +15,6 @@ done
 ((${#missing[@]})) || exit 0
 
 command -v apt-get >/dev/null || fail "these Debian packages are needed: ${missing[*]} (and there is no apt-get here)"
-as_root=()
 if ((EUID != 0)); then
 	command -v sudo >/dev/null || fail "not root and no sudo: ask for apt-get install ${missing[*]}"
 	as_root=(sudo)
@@ -23,7 +22,6 @@ fi
 
 lock_cache
 say "installing Debian packages: ${missing[*]}"
-apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q)
-run_apt index "${apt[@]}" update || fail "no package index for ${missing[*]} (is there a network?)"
-run_apt install "${apt[@]}" install --yes --no-install-recommends "${missing[@]}" ||
-	fail "apt-get could not install ${missing[*]} (is there a network?)"
+run_apt index update || fail "no package index for ${missing[*]} (is there a network?)"
+run_apt install install --yes --no-install-recommends "${missing[@]}" ||
+	fail "apt-get could not install ${missing[*]}: see above (is there a network?)"

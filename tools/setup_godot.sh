@@ -94,10 +94,9 @@ fetch() {
 	rm -rf "$work" "$ROOT.new"
 	mkdir -p "$work" "$ROOT.new"
 	write_apt_configuration
-	local apt=(apt-get -q -c "$work/apt.conf")
 	say "fetching Godot from Debian $SUITE into $ROOT (about 160 MB)"
-	run_apt index "${apt[@]}" update || fail "no package index of Debian $SUITE (is there a network?); $advice"
-	run_apt download "${apt[@]}" install --yes --download-only "${packages[@]}" ||
+	run_apt index -c "$work/apt.conf" update || fail "no package index of Debian $SUITE (is there a network?); $advice"
+	run_apt download -c "$work/apt.conf" install --yes --download-only "${packages[@]}" ||
 		fail "could not download ${packages[*]} (is there a network?); $advice"
 	say "unpacking Godot"
 	# shellcheck disable=SC2016 # for the inner shell

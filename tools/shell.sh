@@ -42,14 +42,18 @@ show_apt_progress() {
 	[[ ! -t 2 || $drawn == -1 ]] || printf '\n' >&2
 }
 
-# run_apt LABEL COMMAND...: an apt-get command line; what it says goes to a log, its last lines are shown on failure.
-# The status lines share its standard output since sudo closes every other descriptor.
+# run_apt LABEL ARGUMENT...: apt-get with these, as as_root says; what it says goes to a log, whose end is shown on failure.
+# Its status lines come on descriptor 3, made within sudo, which closes every one above 2. They cannot share
+# descriptor 1: apt-get keeps the status one from the packages' scripts, and those write to their standard output.
+as_root=()
 run_apt() {
 	local label=$1 log=$CACHE/log/apt-$1.log
 	shift
-	if ! "$@" -o APT::Status-Fd=1 -o Acquire::Retries=2 -o APT::Update::Error-Mode=any </dev/null 2>&1 |
-		tee "$log" | show_apt_progress "$label"; then
-		grep -v 'status:' "$log" | tail -n 5 | cut -c 1-300 >&2
+	# shellcheck disable=SC2016 # for the inner shell
+	if ! "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive sh -c 'exec apt-get "$@" 3>&1 1>&2' apt-get -q "$@" \
+		-o APT::Status-Fd=3 -o Dpkg::Use-Pty=0 -o Acquire::Retries=2 -o APT::Update::Error-Mode=any \
+		</dev/null 2>"$log" | show_apt_progress "$label"; then
+		tail -n 5 "$log" | cut -c 1-300 >&2
 		return 1
 	fi
 }
