@@ -61,7 +61,6 @@ write_apt_configuration() {
 		Dir::Cache "$work";
 		Dir::Cache::archives "$work/archives";
 		Acquire::Languages "none";
-		Acquire::Check-Valid-Until "true";
 		APT::Install-Recommends "false";
 		APT::Sandbox::User "";
 		Debug::NoLocking "true";
