@@ -46,8 +46,8 @@ inline std::vector<TrainingRecording> drag_recordings() {
 	for (int i = 0; i < 12; ++i) {
 		const Drag drag{ .onset_s = 0.5, .duration_s = 0.8 + 0.05 * i, .amplitude_m = 0.2 };
 		const double end_s = drag.onset_s + drag.duration_s;
-		recordings.push_back({ "drag" + std::to_string(i), Task{}, 0.3, end_s, drag_track(drag, 110.0, end_s + 0.5),
-				drag_track(drag, 240.0, end_s + 0.5) });
+		recordings.push_back({ "drag" + std::to_string(i), Task{}, 0.3, end_s,
+				drag_track(drag, 110.0, end_s + 0.5), drag_track(drag, 240.0, end_s + 0.5) });
 	}
 	return recordings;
 }

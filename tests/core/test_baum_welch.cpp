@@ -76,7 +76,8 @@ TEST_CASE("Baum-Welch recovers the model that made the data") {
 	}
 	const DiscreteHmm start = left_right_from_equal_segments(sequences, 4, 16, {});
 	const BaumWelchResult result = baum_welch(start, sequences, {});
-	// Standard error of a proportion over the 500 departures of a state is 0.2 %, of an emission over 10,000 frames 0.4 %.
+	// Standard error of a proportion over the 500 departures of a state is 0.2 %, of an emission over 10,000
+	// frames 0.4 %.
 	CHECK((result.hmm.log_a.array().exp() - truth.log_a.array().exp()).abs().maxCoeff() < 0.01);
 	CHECK((result.hmm.log_b.array().exp() - truth.log_b.array().exp()).abs().maxCoeff() < 0.02);
 	CHECK(result.hmm.log_pi == truth.log_pi);

@@ -44,14 +44,16 @@ TEST_CASE("the quantiser finds clusters that are there, and names the nearest") 
 	const VectorQuantiser quantiser = VectorQuantiser::trained(points, 8);
 	REQUIRE(quantiser.symbols() == 8);
 	for (int k = 0; k < 8; ++k) {
-		const Observation centre(0.25 * (k / 2), k % 2);
+		const int column = k / 2;
+		const Observation centre(0.25 * column, k % 2);
 		CHECK((quantiser.codebook().row(quantiser.symbol(centre)).transpose() - centre).norm() < 0.01);
 	}
 }
 
 TEST_CASE("identical or no observations give a codebook of numbers") {
 	for (const std::size_t n : { 0U, 1U, 50U }) {
-		const VectorQuantiser quantiser = VectorQuantiser::trained(std::vector<Observation>(n, { 0.5, 1.0 }), 16);
+		const VectorQuantiser quantiser =
+				VectorQuantiser::trained(std::vector<Observation>(n, { 0.5, 1.0 }), 16);
 		CHECK(quantiser.symbols() == 16);
 		CHECK(quantiser.codebook().allFinite());
 		CHECK(quantiser.symbol({ 0.4, 1e9 }) >= 0);
@@ -59,8 +61,10 @@ TEST_CASE("identical or no observations give a codebook of numbers") {
 }
 
 TEST_CASE("a movement's onset is found where its speed passes 5 % of the peak") {
-	// v / v_peak = 16 s^2 (1 - s)^2 for a minimum jerk, so the onset lies at 4 s (1 - s) = sqrt(0.05): s = 0.0594.
-	const RecordedCurve curve = test::minimum_jerk_curve({ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 }, 240.0);
+	// v / v_peak = 16 s^2 (1 - s)^2 for a minimum jerk, so the onset lies at 4 s (1 - s) = sqrt(0.05): s =
+	// 0.0594.
+	const RecordedCurve curve =
+			test::minimum_jerk_curve({ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 }, 240.0);
 	const MovementSpan span = movement_span(curve, 0.3, 1.6);
 	CHECK(span.onset_s == doctest::Approx(0.6594).epsilon(0.01));
 	CHECK(span.end_s == 1.6);
@@ -87,7 +91,8 @@ TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
 	CHECK(model.provenance.recordings == 12);
 	CHECK(model.elements.size() == 4);
 	CHECK(model.typical_task.amplitude_m == doctest::Approx(0.2));
-	for (double phase = 0.0; phase <= 1.0; phase += 0.01) {
+	for (int percent = 0; percent <= 100; ++percent) {
+		const double phase = 0.01 * percent;
 		// The span begins at 5 % of the peak speed (s = 0.0594), and ends at s = 1.
 		const double s = 0.0594 + phase * (1.0 - 0.0594);
 		const double expected = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
@@ -95,7 +100,8 @@ TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
 	}
 	const CurvePoint before = evaluate(model, 0.5 - 1e-5), after = evaluate(model, 0.5 + 1e-5);
 	CHECK(evaluate(model, 0.5).slope == doctest::Approx((after.value - before.value) / 2e-5).epsilon(1e-3));
-	CHECK(evaluate(model, 0.5).curvature == doctest::Approx((after.slope - before.slope) / 2e-5).epsilon(1e-2));
+	CHECK(evaluate(model, 0.5).curvature ==
+			doctest::Approx((after.slope - before.slope) / 2e-5).epsilon(1e-2));
 	for (const double value : { 0.1, 0.5, 0.9 }) {
 		CHECK(evaluate(model, phase_of_value(model, value)).value == doctest::Approx(value).epsilon(0.01));
 	}

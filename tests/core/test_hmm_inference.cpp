@@ -12,7 +12,8 @@ using namespace steadyhand;
 
 namespace {
 
-double path_log_probability(const DiscreteHmm &hmm, const std::vector<int> &path, const SymbolSequence &symbols) {
+double path_log_probability(
+		const DiscreteHmm &hmm, const std::vector<int> &path, const SymbolSequence &symbols) {
 	double sum = hmm.log_pi(path[0]);
 	for (std::size_t t = 0; t < path.size(); ++t) {
 		sum += t > 0 ? hmm.log_a(path[t - 1], path[t]) : 0.0;
@@ -103,12 +104,14 @@ TEST_CASE("forward and backward variables give the same likelihood at every inst
 }
 
 TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
-	// After n symbols '0' the likelihood has a closed form: the sum over the frame k at which state 0 was left,
-	// 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k). A scaled forward pass loses it: PEERS.md.
+	// After n symbols '0' the likelihood has a closed form: the sum over the frame k at which state 0 was
+	// left, 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k). A scaled forward pass loses it:
+	// PEERS.md.
 	const DiscreteHmm hmm = two_state_left_right();
 	const int n = 100'000;
 	const double stay = n * std::log(0.9) + (n - 1) * std::log(0.99);
-	// Each term k is the stay term times (0.01 / 0.99^(n-k)) (1/9)^(n-k): a geometric series in 1 / (9 * 0.99).
+	// Each term k is the stay term times (0.01 / 0.99^(n-k)) (1/9)^(n-k): a geometric series in 1 / (9 *
+	// 0.99).
 	const double ratio = 1.0 / (9.0 * 0.99);
 	const double expected = stay + std::log1p(0.01 * ratio / (1.0 - ratio));
 	const SymbolSequence zeros(static_cast<std::size_t>(n), 0);
@@ -128,6 +131,7 @@ TEST_CASE("nothing to observe weighs on no state") {
 	const DiscreteHmm hmm = test::random_hmm(random, 3, 4);
 	CHECK(log_likelihood(hmm, SymbolSequence{}) == 0.0);
 	CHECK(log_likelihood(hmm, SymbolSequence(50, UNSEEN)) == doctest::Approx(0.0).epsilon(1e-12));
-	CHECK(log_likelihood(hmm, SymbolSequence{ 1, 4 }) == doctest::Approx(log_likelihood(hmm, SymbolSequence{ 1, UNSEEN })));
+	CHECK(log_likelihood(hmm, SymbolSequence{ 1, 4 }) ==
+			doctest::Approx(log_likelihood(hmm, SymbolSequence{ 1, UNSEEN })));
 	CHECK(viterbi(hmm, SymbolSequence{}).states.empty());
 }

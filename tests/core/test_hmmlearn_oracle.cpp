@@ -17,14 +17,16 @@ Eigen::MatrixXd log_matrix(const nlohmann::json &rows) {
 	Eigen::MatrixXd out(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(rows[0].size()));
 	for (Eigen::Index i = 0; i < out.rows(); ++i) {
 		for (Eigen::Index j = 0; j < out.cols(); ++j) {
-			out(i, j) = std::log(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get<double>());
+			out(i, j) =
+					std::log(rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)].get<double>());
 		}
 	}
 	return out;
 }
 
 DiscreteHmm model(const nlohmann::json &json) {
-	return { log_matrix(nlohmann::json::array({ json["pi"] })).transpose(), log_matrix(json["a"]), log_matrix(json["b"]) };
+	return { log_matrix(nlohmann::json::array({ json["pi"] })).transpose(), log_matrix(json["a"]),
+		log_matrix(json["b"]) };
 }
 
 } // namespace
@@ -40,7 +42,8 @@ TEST_CASE("hmmlearn oracle: likelihoods, paths and training" * doctest::skip()) 
 	for (const nlohmann::json &one : oracle["inference"]) {
 		const DiscreteHmm hmm = model(one["model"]);
 		const SymbolSequence symbols = one["symbols"].get<SymbolSequence>();
-		CHECK(log_likelihood(hmm, symbols) == doctest::Approx(one["log_likelihood"].get<double>()).epsilon(1e-10));
+		CHECK(log_likelihood(hmm, symbols) ==
+				doctest::Approx(one["log_likelihood"].get<double>()).epsilon(1e-10));
 		const ViterbiPath path_found = viterbi(hmm, symbols);
 		CHECK(path_found.log_probability == doctest::Approx(one["viterbi"].get<double>()).epsilon(1e-10));
 		CHECK(path_found.states == one["path"].get<std::vector<int>>());

@@ -91,6 +91,7 @@ TEST_CASE("the Kalman filter's covariance stays positive over 10^7 frames of wil
 			FAIL("at frame ", frame);
 		}
 	}
+	CHECK(filter.position_variance_m2() < 1.001e-12); // never more than the last measurement alone leaves
 }
 
 TEST_CASE("the Kalman filter is not poisoned by what is no number") {

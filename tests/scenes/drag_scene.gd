@@ -67,7 +67,10 @@ func _play(scene: TaskScene, trials: TrialSet, index: int) -> void:
 		_body(scene, "Box").global_position - (scene.get_node("Stage") as DragStage).box_offset
 	)
 	check(box.distance_to(end) < 0.02, "the box is at the stop marker: %s" % [box - end])
-	check_near(scene.end_s, trial["end_s"], 0.4, "the trial's end")
+	check(scene.end_s > trial["start_s"], "the trial has an end")
+	# Where tracking is bad the end is an estimate, and judged by evaluate.
+	if trial["position"] == "stable":
+		check_near(scene.end_s, trial["end_s"], 0.4, "the trial's end")
 
 
 func _check_logs(trials: TrialSet, logs: String) -> void:

@@ -74,10 +74,12 @@ void register_method(const StringName &p_class, MethodBind &p_method) {
 				: StringName("arg" + itos(int64_t(i)));
 	}
 	std::vector<GDExtensionPropertyInfo> signature;
+	signature.reserve(p_method.signature.size());
 	for (const PropertyInfo &info : p_method.signature) {
 		signature.push_back(info._to_gdextension());
 	}
 	std::vector<GDExtensionVariantPtr> defaults;
+	defaults.reserve(p_method.default_arguments.size());
 	for (const Variant &value : p_method.default_arguments) {
 		defaults.push_back(value._native_ptr());
 	}
@@ -166,6 +168,7 @@ void ClassDB::add_property_subgroup(const StringName &p_class, const String &p_n
 
 void ClassDB::add_signal(const StringName &p_class, const MethodInfo &p_signal) {
 	std::vector<GDExtensionPropertyInfo> arguments;
+	arguments.reserve(p_signal.arguments.size());
 	for (const PropertyInfo &argument : p_signal.arguments) {
 		arguments.push_back(argument._to_gdextension());
 	}

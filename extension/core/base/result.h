@@ -6,7 +6,8 @@
 
 namespace steadyhand {
 
-/// What went wrong and where, as one sentence for the user: "tracks/a.csv:12: index_x: 'abc' is not a number".
+/// What went wrong and where, as one sentence for the user: "tracks/a.csv:12: index_x: 'abc' is not a
+/// number".
 struct Error {
 	std::string message;
 };

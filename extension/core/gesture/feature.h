@@ -14,7 +14,8 @@ struct Feature {
 	std::string_view name; ///< as written in model files
 	/// Nothing where a joint it needs is not tracked in the frame.
 	std::optional<double> (*measure)(const HandFrame &frame, const Task &task);
-	/// Moves the task's start to where the hand is, so that the frame measures 0; nothing where measure gives nothing.
+	/// Moves the task's start to where the hand is, so that the frame measures 0; nothing where measure gives
+	/// nothing.
 	void (*start_here)(const HandFrame &frame, Task &r_task);
 };
 

@@ -13,25 +13,26 @@
 
 namespace steadyhand {
 
-/// What a state sounds and looks like: the piece of the reference curve that is played out while it lasts (paper, "The
-/// definition of primitive motion elements"), and how long that is.
+/// What a state sounds and looks like: the piece of the reference curve that is played out while it lasts
+/// (paper, "The definition of primitive motion elements"), and how long that is.
 struct PrimitiveMotionElement {
 	double phase_begin = 0.0; ///< of the reference curve, 0..1
 	double phase_end = 1.0;
 	Polynomial curve; ///< normalised value over the element's own time, 0..1
-	double deviation = 0.0; ///< standard deviation of the recordings about the reference, mean over the element
+	double deviation =
+			0.0; ///< standard deviation of the recordings about the reference, mean over the element
 	double duration_mean_s = 0.0; ///< of the state in the training recordings (Viterbi alignment)
 	double duration_deviation_s = 0.0;
 };
 
 /// Where a model came from, so that it can be made again.
 struct Provenance {
-	std::string trial_set; ///< as the trainer was told
-	std::string trained_with; ///< program and version
+	std::string trial_set;            ///< as the trainer was told
+	std::string trained_with;         ///< program and version
 	std::vector<std::string> dropped; ///< recordings under r2_threshold
-	int recordings = 0; ///< kept ones
-	double r2_threshold = 0.0; ///< T_h
-	std::vector<double> objective; ///< Baum-Welch, per iteration (nats)
+	int recordings = 0;               ///< kept ones
+	double r2_threshold = 0.0;        ///< T_h
+	std::vector<double> objective;    ///< Baum-Welch, per iteration (nats)
 };
 
 /// One trained gesture: all that recognition and synthesis need, and nothing of a scene.
@@ -52,7 +53,7 @@ struct GestureModel {
 /// Value and derivatives with respect to phase of the primitive motion elements at a phase (clamped to 0..1).
 struct CurvePoint {
 	double value = 0.0;
-	double slope = 0.0; ///< d value / d phase
+	double slope = 0.0;     ///< d value / d phase
 	double curvature = 0.0; ///< d2 value / d phase2
 };
 CurvePoint evaluate(const GestureModel &model, double phase);

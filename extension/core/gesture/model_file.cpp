@@ -125,7 +125,8 @@ Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zer
 Json element_to_json(const PrimitiveMotionElement &element) {
 	return { { "phase_begin", element.phase_begin }, { "phase_end", element.phase_end },
 		{ "polynomial", element.curve.coefficients }, { "deviation", element.deviation },
-		{ "duration_mean_s", element.duration_mean_s }, { "duration_deviation_s", element.duration_deviation_s } };
+		{ "duration_mean_s", element.duration_mean_s },
+		{ "duration_deviation_s", element.duration_deviation_s } };
 }
 
 PrimitiveMotionElement element_from_json(const Json &json) {
@@ -140,7 +141,8 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 	element.duration_deviation_s = number(json, "duration_deviation_s");
 	const Eigen::VectorXd coefficients = vector(member(json, "polynomial"), "polynomial", false);
 	if (coefficients.size() > static_cast<Eigen::Index>(element.curve.coefficients.size())) {
-		throw Fault("polynomial: more than " + std::to_string(element.curve.coefficients.size()) + " coefficients");
+		throw Fault("polynomial: more than " + std::to_string(element.curve.coefficients.size()) +
+				" coefficients");
 	}
 	for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
 		element.curve.coefficients[static_cast<std::size_t>(i)] = coefficients(i);
@@ -250,7 +252,8 @@ std::string format_model(const GestureModel &model) {
 		{ "reference_mean", row_to_json(model.reference_mean) },
 		{ "reference_deviation", row_to_json(model.reference_deviation) },
 		{ "provenance",
-				{ { "trial_set", model.provenance.trial_set }, { "trained_with", model.provenance.trained_with },
+				{ { "trial_set", model.provenance.trial_set },
+						{ "trained_with", model.provenance.trained_with },
 						{ "recordings", model.provenance.recordings },
 						{ "r2_threshold", model.provenance.r2_threshold },
 						{ "dropped", model.provenance.dropped },

@@ -25,7 +25,8 @@ void ObservationWindow::push(double t_s, double x_m) {
 }
 
 double ObservationWindow::slope() const {
-	// Sums are taken about the newest sample, so that neither an hour-long clock nor 1e9 m of offset costs digits.
+	// Sums are taken about the newest sample, so that neither an hour-long clock nor 1e9 m of offset costs
+	// digits.
 	const Sample newest = sample(count_ - 1);
 	double mean_t = 0.0, mean_x = 0.0;
 	for (std::size_t i = 0; i < count_; ++i) {

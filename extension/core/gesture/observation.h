@@ -7,12 +7,12 @@
 
 namespace steadyhand {
 
-/// Position and velocity of the motion element, normalised: x / amplitude and (dx/dt) * duration / amplitude, both
-/// without unit. A minimum-jerk movement of the mean duration has a peak velocity of 1.875.
+/// Position and velocity of the motion element, normalised: x / amplitude and (dx/dt) * duration / amplitude,
+/// both without unit. A minimum-jerk movement of the mean duration has a peak velocity of 1.875.
 using Observation = Eigen::Vector2d;
 
-/// Position and velocity of one number seen at irregular instants. The velocity is the least-squares slope over
-/// the last WINDOW_S, because a difference of two frames is all jitter at 100 Hz and more.
+/// Position and velocity of one number seen at irregular instants. The velocity is the least-squares slope
+/// over the last WINDOW_S, because a difference of two frames is all jitter at 100 Hz and more.
 class ObservationWindow {
 public:
 	static constexpr double WINDOW_S = 0.06;
@@ -29,7 +29,8 @@ public:
 	}
 
 private:
-	/// At most this many frames of the window are kept: enough for 1 kHz sensors; a faster one gets a shorter window.
+	/// At most this many frames of the window are kept: enough for 1 kHz sensors; a faster one gets a shorter
+	/// window.
 	static constexpr std::size_t CAPACITY = 64;
 
 	struct Sample {

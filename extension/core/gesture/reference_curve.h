@@ -22,25 +22,26 @@ struct MovementSpan {
 	double end_s = 0.0;
 };
 
-/// Movement onset by the usual 5 % of the peak speed, searched back from the first crossing of half the way (speed: the
-/// central difference over +-20 ms); the end is the trial's own. onset_s < end_s always; where nothing moves, the
-/// trial's span is returned as it is.
+/// Movement onset by the usual 5 % of the peak speed, searched back from the first crossing of half the way
+/// (speed: the central difference over +-20 ms); the end is the trial's own. onset_s < end_s always; where
+/// nothing moves, the trial's span is returned as it is.
 MovementSpan movement_span(const RecordedCurve &curve, double start_s, double end_s);
 
-/// The recording over `span`, resampled to CURVE_POINTS of phase and scaled to run from 0 to 1 (paper, "normalized in
-/// both time and amplitude"). All zeros where it ends where it began.
+/// The recording over `span`, resampled to CURVE_POINTS of phase and scaled to run from 0 to 1 (paper,
+/// "normalized in both time and amplitude"). All zeros where it ends where it began.
 Eigen::VectorXd normalised_curve(const RecordedCurve &curve, const MovementSpan &span);
 
 /// The reference curve of a gesture and how it came about (paper, "Results: Reference motion elements").
 struct ReferenceCurve {
-	Eigen::VectorXd mean; ///< CURVE_POINTS: mean of the kept curves
+	Eigen::VectorXd mean;      ///< CURVE_POINTS: mean of the kept curves
 	Eigen::VectorXd deviation; ///< CURVE_POINTS: their standard deviation, point by point
-	std::vector<double> r2; ///< per curve: R^2 against the mean of all of them
-	std::vector<bool> kept; ///< per curve: r2 >= threshold
+	std::vector<double> r2;    ///< per curve: R^2 against the mean of all of them
+	std::vector<bool> kept;    ///< per curve: r2 >= threshold
 };
 
-/// Mean of all curves; R^2 of each against it; those under the threshold T_h dropped; mean and deviation of the rest.
-/// curves: one normalised curve each, at least one. Where none reaches the threshold, the best one alone is kept.
+/// Mean of all curves; R^2 of each against it; those under the threshold T_h dropped; mean and deviation of
+/// the rest. curves: one normalised curve each, at least one. Where none reaches the threshold, the best one
+/// alone is kept.
 ReferenceCurve reference_curve(std::span<const Eigen::VectorXd> curves, double threshold);
 
 } // namespace steadyhand

@@ -5,10 +5,10 @@
 
 namespace steadyhand {
 
-/// HMM symbols are taken at fixed instants, whole multiples of PERIOD_S on the frames' clock, whatever the sensor's
-/// rate: so that one model's transition probabilities hold for a 30 Hz camera and a 240 Hz tracker alike ("normalise
-/// in time stamp"). 100 Hz, the common rate of hand trackers. An instant without a new frame since the one before has
-/// nothing to observe.
+/// HMM symbols are taken at fixed instants, whole multiples of PERIOD_S on the frames' clock, whatever the
+/// sensor's rate: so that one model's transition probabilities hold for a 30 Hz camera and a 240 Hz tracker
+/// alike ("normalise in time stamp"). 100 Hz, the common rate of hand trackers. An instant without a new
+/// frame since the one before has nothing to observe.
 class SymbolClock {
 public:
 	static constexpr double PERIOD_S = 0.01;

@@ -30,7 +30,8 @@ RecordedCurve feature_curve(const Feature &feature, const Track &track, const Ta
 	return curve;
 }
 
-/// Normalised observations at the symbol clock's instants over the movement; empty ones where nothing new was seen.
+/// Normalised observations at the symbol clock's instants over the movement; empty ones where nothing new was
+/// seen.
 std::vector<std::optional<Observation>> observe(
 		const Feature &feature, const Movement &movement, double duration_mean_s) {
 	const TrainingRecording &recording = *movement.recording;
@@ -72,8 +73,8 @@ template <class Values> MeanAndDeviation mean_and_deviation(const Values &values
 	return { mean, n > 1.0 ? std::sqrt((v.array() - mean).square().sum() / (n - 1.0)) : 0.0 };
 }
 
-/// Cuts the reference curve where the states change on average, and fits each piece (paper, "primitive elements are
-/// synthesized from polynomial curves with the best fit in each state").
+/// Cuts the reference curve where the states change on average, and fits each piece (paper, "primitive
+/// elements are synthesized from polynomial curves with the best fit in each state").
 void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<const double> durations_s,
 		std::size_t degree, GestureModel &r_model) {
 	const auto states = static_cast<std::size_t>(r_model.hmm.states());
@@ -194,7 +195,8 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		const Task &task = movements[i].recording->task;
 		model.typical_task.start_m += task.start_m;
 		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
-		model.typical_task.axis += std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis)) * task.axis;
+		model.typical_task.axis +=
+				std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis)) * task.axis;
 		model.typical_task.amplitude_m += task.amplitude_m;
 	}
 	model.provenance.recordings = static_cast<int>(kept.size());
@@ -230,8 +232,8 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 			sequence.push_back(o ? model.quantiser.symbol(*o) : UNSEEN);
 		}
 	}
-	BaumWelchResult trained = baum_welch(
-			left_right_from_equal_segments(sequences, options.states, options.symbols, options.baum_welch.pseudo),
+	BaumWelchResult trained = baum_welch(left_right_from_equal_segments(sequences, options.states,
+												 options.symbols, options.baum_welch.pseudo),
 			sequences, options.baum_welch);
 	model.hmm = std::move(trained.hmm);
 	model.provenance.objective = std::move(trained.objective);

@@ -18,7 +18,7 @@ struct TrainingRecording {
 	Task task;
 	double start_s = 0.0; ///< within the tracks
 	double end_s = 0.0;
-	Track measured; ///< what the HMM learns from: the sensor as it will be in use
+	Track measured;  ///< what the HMM learns from: the sensor as it will be in use
 	Track reference; ///< what the motion elements are taken from: the stable sensor
 };
 
@@ -32,9 +32,10 @@ struct TrainingOptions {
 	std::function<bool(double done)> progress;
 };
 
-/// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks, outliers
-/// dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay. Deterministic.
-/// Errors: unknown feature, no recording in which the feature moves, options out of range, stopped by progress.
+/// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
+/// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
+/// Deterministic. Errors: unknown feature, no recording in which the feature moves, options out of range,
+/// stopped by progress.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options);
 

@@ -38,7 +38,8 @@ void settle(Eigen::MatrixX2d &r_codewords, std::span<const Observation> points) 
 	}
 }
 
-/// The cell whose points lie furthest from their codeword, in sum; and half its spread, along which it is split.
+/// The cell whose points lie furthest from their codeword, in sum; and half its spread, along which it is
+/// split.
 std::pair<Eigen::Index, Eigen::RowVector2d> widest_cell(
 		const Eigen::MatrixX2d &codewords, std::span<const Observation> points) {
 	Eigen::MatrixX2d spread = Eigen::MatrixX2d::Zero(codewords.rows(), 2);
@@ -56,11 +57,9 @@ std::pair<Eigen::Index, Eigen::RowVector2d> widest_cell(
 
 } // namespace
 
-VectorQuantiser::VectorQuantiser(Eigen::MatrixX2d codebook, Observation scale) :
-		codebook_(std::move(codebook)),
-		scale_(scale),
-		scaled_(codebook_.array().rowwise() / scale_.transpose().array()) {
-}
+VectorQuantiser::VectorQuantiser(Eigen::MatrixX2d codebook, const Observation &scale) :
+		codebook_(std::move(codebook)), scale_(scale),
+		scaled_(codebook_.array().rowwise() / scale_.transpose().array()) {}
 
 Symbol VectorQuantiser::symbol(const Observation &observation) const {
 	return nearest(scaled_, observation.cwiseQuotient(scale_));
@@ -99,7 +98,8 @@ VectorQuantiser VectorQuantiser::trained(std::span<const Observation> observatio
 	std::vector<Eigen::Index> order(static_cast<std::size_t>(codewords.rows()));
 	std::iota(order.begin(), order.end(), Eigen::Index{ 0 });
 	std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-		return codewords(a, 0) != codewords(b, 0) ? codewords(a, 0) < codewords(b, 0) : codewords(a, 1) < codewords(b, 1);
+		return codewords(a, 0) != codewords(b, 0) ? codewords(a, 0) < codewords(b, 0)
+												  : codewords(a, 1) < codewords(b, 1);
 	});
 	Eigen::MatrixX2d sorted(codewords.rows(), 2);
 	for (Eigen::Index k = 0; k < sorted.rows(); ++k) {

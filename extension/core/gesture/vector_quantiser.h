@@ -7,16 +7,18 @@
 
 namespace steadyhand {
 
-/// A codebook: an observation's symbol is the index of the nearest codeword, after each axis is divided by its scale.
+/// A codebook: an observation's symbol is the index of the nearest codeword, after each axis is divided by
+/// its scale.
 class VectorQuantiser {
 public:
 	VectorQuantiser() = default;
 	/// codebook: M x 2, in normalised units; scale: > 0 on both axes.
-	VectorQuantiser(Eigen::MatrixX2d codebook, Observation scale);
+	VectorQuantiser(Eigen::MatrixX2d codebook, const Observation &scale);
 
-	/// Generalised Lloyd algorithm with splitting (Linde, Buzo, Gray 1980, doi:10.1109/TCOM.1980.1094577); the scale is
-	/// the standard deviation of each axis. Deterministic. Codewords are sorted by position, then velocity, so that
-	/// symbols read as progress. Fewer distinct observations than `symbols` leave repeated codewords, which is harmless.
+	/// Generalised Lloyd algorithm with splitting (Linde, Buzo, Gray 1980, doi:10.1109/TCOM.1980.1094577);
+	/// the scale is the standard deviation of each axis. Deterministic. Codewords are sorted by position,
+	/// then velocity, so that symbols read as progress. Fewer distinct observations than `symbols` leave
+	/// repeated codewords, which is harmless.
 	static VectorQuantiser trained(std::span<const Observation> observations, int symbols);
 
 	[[nodiscard]] Symbol symbol(const Observation &observation) const;

@@ -14,7 +14,7 @@ constexpr double NEVER = -std::numeric_limits<double>::infinity();
 /// Expected counts of the E-step.
 struct ExpectedCounts {
 	Eigen::MatrixXd transitions; ///< N x N: sum over t of xi_t(i, j)
-	Eigen::MatrixXd symbols; ///< N x M: sum over t with o_t = k of gamma_t(j)
+	Eigen::MatrixXd symbols;     ///< N x M: sum over t with o_t = k of gamma_t(j)
 	double log_likelihood = 0.0;
 };
 
@@ -94,7 +94,8 @@ BaumWelchResult baum_welch(
 		}
 		for (Eigen::Index i = 0; i < hmm.states(); ++i) {
 			normalise_row(hmm.log_a.row(i), counts.transitions.row(i), options.pseudo.transition, false);
-			normalise_row(hmm.log_b.row(i), counts.symbols.row(i), options.pseudo.symbol, options.pseudo.symbol > 0.0);
+			normalise_row(hmm.log_b.row(i), counts.symbols.row(i), options.pseudo.symbol,
+					options.pseudo.symbol > 0.0);
 		}
 	}
 	return result;

@@ -12,14 +12,14 @@ struct BaumWelchOptions {
 
 struct BaumWelchResult {
 	DiscreteHmm hmm;
-	/// Per iteration: sum over the sequences of log P(O | lambda) plus the log of the Dirichlet prior (up to its
-	/// constant), under the parameters that the iteration started from. Never decreases.
+	/// Per iteration: sum over the sequences of log P(O | lambda) plus the log of the Dirichlet prior (up to
+	/// its constant), under the parameters that the iteration started from. Never decreases.
 	std::vector<double> objective;
 };
 
-/// Baum-Welch over many sequences (Rabiner 1989 eq. (109)-(110), in log space), with Dirichlet pseudo-counts on the
-/// rows of A and B; pi stays as it is, and a transition that `start` forbids stays forbidden. Deterministic.
-/// Empty sequences are passed over; UNSEEN frames count for transitions only.
+/// Baum-Welch over many sequences (Rabiner 1989 eq. (109)-(110), in log space), with Dirichlet pseudo-counts
+/// on the rows of A and B; pi stays as it is, and a transition that `start` forbids stays forbidden.
+/// Deterministic. Empty sequences are passed over; UNSEEN frames count for transitions only.
 BaumWelchResult baum_welch(
 		DiscreteHmm start, std::span<const SymbolSequence> sequences, const BaumWelchOptions &options);
 

@@ -22,10 +22,11 @@ std::string bad_row(const char *matrix, Eigen::Index row) {
 
 Result<DiscreteHmm> validated(DiscreteHmm hmm) {
 	const Eigen::Index n = hmm.log_pi.size();
-	if (n < 1 || hmm.log_a.rows() != n || hmm.log_a.cols() != n || hmm.log_b.rows() != n || hmm.log_b.cols() < 1) {
-		return Error{ "the sizes of pi (" + std::to_string(n) + "), A (" + std::to_string(hmm.log_a.rows()) + " x " +
-			std::to_string(hmm.log_a.cols()) + ") and B (" + std::to_string(hmm.log_b.rows()) + " x " +
-			std::to_string(hmm.log_b.cols()) + ") do not belong together" };
+	if (n < 1 || hmm.log_a.rows() != n || hmm.log_a.cols() != n || hmm.log_b.rows() != n ||
+			hmm.log_b.cols() < 1) {
+		return Error{ "the sizes of pi (" + std::to_string(n) + "), A (" + std::to_string(hmm.log_a.rows()) +
+			" x " + std::to_string(hmm.log_a.cols()) + ") and B (" + std::to_string(hmm.log_b.rows()) +
+			" x " + std::to_string(hmm.log_b.cols()) + ") do not belong together" };
 	}
 	if (!is_log_distribution(hmm.log_pi.transpose())) {
 		return Error{ "pi: the probabilities do not sum to 1" };

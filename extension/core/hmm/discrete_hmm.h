@@ -10,19 +10,21 @@
 
 namespace steadyhand {
 
-/// Index into a codebook, 0..M-1; UNSEEN marks a frame with nothing to observe (a gap): it weighs on no state.
+/// Index into a codebook, 0..M-1; UNSEEN marks a frame with nothing to observe (a gap): it weighs on no
+/// state.
 using Symbol = std::int32_t;
 inline constexpr Symbol UNSEEN = -1;
 
 using SymbolSequence = std::vector<Symbol>;
 
-/// A discrete hidden Markov model of N states and M symbols, lambda = (A, B, pi) of Rabiner, "A tutorial on hidden
-/// Markov models", Proc. IEEE 77(2), 1989, doi:10.1109/5.18626. All parameters are natural logarithms, because a
-/// scaled forward pass loses the early states of a left-right model once they underflow against the absorbing one.
+/// A discrete hidden Markov model of N states and M symbols, lambda = (A, B, pi) of Rabiner, "A tutorial on
+/// hidden Markov models", Proc. IEEE 77(2), 1989, doi:10.1109/5.18626. All parameters are natural logarithms,
+/// because a scaled forward pass loses the early states of a left-right model once they underflow against the
+/// absorbing one.
 struct DiscreteHmm {
 	Eigen::VectorXd log_pi; ///< N: log P(first state = i)
-	Eigen::MatrixXd log_a; ///< N x N: log P(next state = j | state = i) at (i, j)
-	Eigen::MatrixXd log_b; ///< N x M: log P(symbol = k | state = j) at (j, k)
+	Eigen::MatrixXd log_a;  ///< N x N: log P(next state = j | state = i) at (i, j)
+	Eigen::MatrixXd log_b;  ///< N x M: log P(symbol = k | state = j) at (j, k)
 
 	[[nodiscard]] Eigen::Index states() const { return log_a.rows(); }
 	[[nodiscard]] Eigen::Index symbols() const { return log_b.cols(); }
@@ -37,21 +39,22 @@ struct DiscreteHmm {
 	}
 };
 
-/// Says what is wrong with a model that came from outside: shapes, rows that are no distribution (tolerance 1e-6),
-/// NaN. Returns the model itself where it is sound.
+/// Says what is wrong with a model that came from outside: shapes, rows that are no distribution (tolerance
+/// 1e-6), NaN. Returns the model itself where it is sound.
 Result<DiscreteHmm> validated(DiscreteHmm hmm);
 
-/// Dirichlet pseudo-counts, added to each expected count of an allowed transition and of each symbol (MAP estimate).
-/// They keep every symbol possible in every state, so that one unseen symbol costs a finite penalty.
+/// Dirichlet pseudo-counts, added to each expected count of an allowed transition and of each symbol (MAP
+/// estimate). They keep every symbol possible in every state, so that one unseen symbol costs a finite
+/// penalty.
 struct PseudoCounts {
 	double transition = 1.0;
 	double symbol = 0.1;
 };
 
-/// The start for Baum-Welch: every sequence cut into `states` segments of equal length, counts taken from those.
-/// Left-right without skips: state i leads to itself and to i + 1, the last one absorbs, pi = (1, 0, ...).
-/// A near-uniform start costs 11 nats a sequence on 75-frame gestures (see docs/method.md).
-/// Empty sequences and symbols outside 0..n_symbols-1 are passed over. Needs states >= 1, n_symbols >= 1.
+/// The start for Baum-Welch: every sequence cut into `states` segments of equal length, counts taken from
+/// those. Left-right without skips: state i leads to itself and to i + 1, the last one absorbs, pi = (1, 0,
+/// ...). A near-uniform start costs 11 nats a sequence on 75-frame gestures (see docs/method.md). Empty
+/// sequences and symbols outside 0..n_symbols-1 are passed over. Needs states >= 1, n_symbols >= 1.
 DiscreteHmm left_right_from_equal_segments(
 		std::span<const SymbolSequence> sequences, int states, int n_symbols, const PseudoCounts &pseudo);
 

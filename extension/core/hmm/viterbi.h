@@ -5,15 +5,15 @@
 namespace steadyhand {
 
 struct ViterbiPath {
-	std::vector<int> states; ///< one per symbol
+	std::vector<int> states;      ///< one per symbol
 	double log_probability = 0.0; ///< log max P(Q, O | lambda), nats
 };
 
 /// The single best state sequence, Rabiner 1989 eq. (32)-(35). Ties go to the lower state.
 ViterbiPath viterbi(const DiscreteHmm &hmm, std::span<const Symbol> symbols);
 
-/// Viterbi over the symbols so far: after each push, the last state of the best path and its probability - exactly
-/// what viterbi() over the same symbols ends with, at a constant cost and with no memory of the past.
+/// Viterbi over the symbols so far: after each push, the last state of the best path and its probability -
+/// exactly what viterbi() over the same symbols ends with, at a constant cost and with no memory of the past.
 class OnlineViterbi {
 public:
 	explicit OnlineViterbi(const DiscreteHmm &hmm);

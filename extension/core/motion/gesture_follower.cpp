@@ -16,6 +16,9 @@ constexpr double ARRIVED_VALUE = 0.9;
 constexpr double BACK_VALUE = 0.15;
 /// A movement that is still at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
+/// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
+/// hang.
+constexpr double LONGEST_GAP_S = 10.0;
 constexpr double RELEASE_S = 0.1; ///< from the end back to rest, once the hand has returned
 constexpr double STILL_VELOCITY = 0.15;
 constexpr double STILL_S = 0.15; ///< rest, where the start is not told
@@ -54,6 +57,9 @@ bool GestureFollower::push(const HandFrame &frame) {
 }
 
 void GestureFollower::advance(double t_s) {
+	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
+		clock_.start(t_s - LONGEST_GAP_S);
+	}
 	while (clock_started_ && clock_.due(t_s)) {
 		if (mode_ == MotionMode::PHASE) {
 			phase_.advance(clock_.next_s());

@@ -235,8 +235,7 @@ PhaseEstimate PhaseEstimator::expected(double t_s) const {
 		total += weight;
 		estimate.value += weight * (point.value * (1.0 + h.g) + d);
 		estimate.velocity += weight * (point.slope * (1.0 + h.g) - d / memory_s);
-		estimate.acceleration +=
-				weight * (point.curvature * (1.0 + h.g) + d / (memory_s * memory_s));
+		estimate.acceleration += weight * (point.curvature * (1.0 + h.g) + d / (memory_s * memory_s));
 		if (h.onset_s != AT_REST) {
 			estimate.moving += weight;
 			estimate.phase += weight * std::clamp((t_s - h.onset_s) / h.duration_s, 0.0, 1.0);

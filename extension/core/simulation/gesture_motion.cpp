@@ -37,8 +37,8 @@ HandFrame open_fingers(const HandPath &path, double progress) {
 	return frame;
 }
 
-// Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom goes to three times the starting radius.
-// Through the surface by 1..4 cm: in mid-air nothing stops a tap.
+// Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom goes to three times the starting
+// radius. Through the surface by 1..4 cm: in mid-air nothing stops a tap.
 constexpr std::array<SimulatedGesture, 4> GESTURES = { {
 		{ "horizontal_drag", 1.0, 0.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
 		{ "vertical_drag", 0.0, 1.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
