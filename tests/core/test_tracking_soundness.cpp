@@ -22,8 +22,8 @@ double move(TrackingSoundness &r_soundness, double t_s, double from, double spee
 
 TEST_CASE("a hand that moves as hands do, on a sensor that skips a frame now and then, is sound") {
 	TrackingSoundness soundness;
-	double t_s = move(soundness, 0.0, 0.0, 2.0, 50);
-	t_s = move(soundness, t_s + 2.0 * PERIOD_S, 0.9, 2.0, 50); // one interval of three periods
+	const double t_s = move(soundness, 0.0, 0.0, 2.0, 50);
+	move(soundness, t_s + 2.0 * PERIOD_S, 0.9, 2.0, 50); // one interval of three periods
 	CHECK(soundness.unsoundness() == 0.0);
 	CHECK_FALSE(soundness.frozen());
 }
