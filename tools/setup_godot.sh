@@ -82,6 +82,7 @@ write_wrapper() {
 		lib=\$root/usr/lib/x86_64-linux-gnu
 		export LIBGL_DRIVERS_PATH=\$lib/dri GBM_BACKENDS_PATH=\$lib/gbm
 		export __EGL_VENDOR_LIBRARY_DIRS=\$root/usr/share/glvnd/egl_vendor.d
+		export FONTCONFIG_PATH=\$root/etc/fonts
 		exec "\$lib/ld-linux-x86-64.so.2" --library-path "\$lib:\$lib/pulseaudio" "\$root/usr/bin/godot" "\$@"
 	WRAPPER
 	chmod +x "$WRAPPER"
