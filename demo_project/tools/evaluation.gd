@@ -35,6 +35,8 @@ func run(
 			break
 		var trial := trial_set.get_trial(index)
 		var trial_run := TrialRun.new(trial, parent)
+		if trial["gesture"] == TrialRun.NO_GESTURE:
+			trial_run.task_trial = _task_to_wait_for(trial_set, models, trial["position"], index)
 		trial_run.run(
 			trial_set.get_measured_path(index),
 			trial_set.get_reference_path(index),
@@ -62,6 +64,24 @@ func run(
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	return _report.typical_trial(gesture, position)
+
+
+## While a hand does nothing a scene waits all the same: for the task of one of the set's other
+## trials at that position, each in turn. Empty where there is none.
+static func _task_to_wait_for(
+	trial_set: TrialSet, models: Array[GestureModel], position: String, turn: int
+) -> Dictionary:
+	var tasks: Array[Dictionary] = []
+	for index in trial_set.get_count():
+		var trial := trial_set.get_trial(index)
+		if (
+			trial["position"] == position
+			and models.any(
+				func(model: GestureModel) -> bool: return model.gesture == trial["gesture"]
+			)
+		):
+			tasks.append(trial)
+	return {} if tasks.is_empty() else tasks[turn % tasks.size()]
 
 
 static func _note_gestures_without_model(trial_set: TrialSet, models: Array[GestureModel]) -> void:

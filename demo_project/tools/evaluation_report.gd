@@ -16,6 +16,12 @@ var _folder := ""
 var _results: FileAccess = null
 ## Rows of results.csv by "gesture/position".
 var _rows: Dictionary[String, Array] = {}
+## Of each trial, for the confusion table.
+var _done: PackedStringArray = []
+var _recognised: PackedStringArray = []
+## Of the trials in which no gesture is made.
+var _false_alarms := 0
+var _none_s := 0.0
 
 
 func _init(folder: String) -> void:
@@ -47,6 +53,11 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 	_rows.get_or_add(key, []).append(
 		{trial = trial["trial"], recognised = run.recognised, figures = run.figures}
 	)
+	_done.append(trial["gesture"])
+	_recognised.append(run.recognised)
+	if trial["gesture"] == TrialRun.NO_GESTURE:
+		_false_alarms += run.ended
+		_none_s += run.count / TrialRun.RATE_HZ
 
 
 ## `settings`: what the figures depend on, kept beside them.
@@ -68,7 +79,13 @@ func finish(settings: Dictionary) -> void:
 		groups.append(group)
 	var summary := _open("summary.json")
 	if summary != null:
-		var content := {settings = settings, groups = groups}
+		var content := {
+			settings = settings,
+			confusion = MotionMetrics.confusion(_done, _recognised),
+			false_alarms_per_minute = MotionMetrics.false_alarms_per_minute(_false_alarms, _none_s),
+			none_minutes = _none_s / 60.0,
+			groups = groups,
+		}
 		summary.store_line(JSON.stringify(content, "\t", false, true))
 
 

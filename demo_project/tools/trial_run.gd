@@ -15,6 +15,8 @@ const ROUNDING_MS := 1e-6
 var error := ""
 ## The gesture that was recognised to its end, NO_GESTURE where there was none.
 var recognised := NO_GESTURE
+## How many gestures were recognised to their end, right or wrong.
+var ended := 0
 ## First instant of the curves, whole milliseconds on the trial's clock.
 var first_ms := 0
 ## Number of instants, 1 ms apart; they span the reference's record.
@@ -25,6 +27,10 @@ var curves: Dictionary[String, PackedFloat64Array] = {}
 ## Result of MotionMetrics.compare() by condition; empty where REFERENCE is missing.
 var figures: Dictionary[String, Dictionary] = {}
 
+## Row of the trial whose task the scene waits for; empty where it waits for none. The trial's own
+## unless it is told otherwise.
+var task_trial: Dictionary
+
 var _trial: Dictionary
 var _parent: Node
 
@@ -33,9 +39,10 @@ var _parent: Node
 func _init(trial: Dictionary, parent: Node) -> void:
 	_trial = trial
 	_parent = parent
+	task_trial = {} if trial["gesture"] == NO_GESTURE else trial
 
 
-## `models`: those that may be used. `in_scene`: only the model of the trial's gesture is active,
+## `models`: those that may be used. `in_scene`: only the model of task_trial's gesture is active,
 ## and the task's place is given.
 func run(
 	measured_path: String,
@@ -45,8 +52,8 @@ func run(
 	in_scene: bool
 ) -> void:
 	var gesture: String = _trial["gesture"]
-	var own := models.filter(func(model: GestureModel) -> bool: return model.gesture == gesture)
-	var has_task := in_scene and gesture != NO_GESTURE
+	var own := _models_of(gesture, models)
+	var has_task := in_scene and not task_trial.is_empty()
 	if not _span(reference_path):
 		return
 	var tracker := _make_tracker(measured_path)
@@ -55,9 +62,10 @@ func run(
 	var task := _make_task() if has_task else null
 	var hmm := GestureHMM.new()
 	hmm.mode = mode
-	hmm.models = own if has_task else models
+	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	hmm.tracker = tracker
 	hmm.task = task
+	hmm.gesture_ended.connect(func(_gesture: StringName, _time_s: float) -> void: ended += 1)
 	_parent.add_child(hmm)
 
 	_record(tracker, hmm, 1.0 if gesture == NO_GESTURE else _trial["amplitude_m"])
@@ -69,6 +77,10 @@ func run(
 	for node: Node in [hmm, task, tracker]:
 		if node != null:
 			node.free()
+
+
+static func _models_of(gesture: String, models: Array[GestureModel]) -> Array[GestureModel]:
+	return models.filter(func(model: GestureModel) -> bool: return model.gesture == gesture)
 
 
 func _span(reference_path: String) -> bool:
@@ -111,10 +123,10 @@ func _compare(reference_path: String, feature: String) -> void:
 
 func _make_task() -> GestureTask:
 	var task := GestureTask.new()
-	task.gesture = _trial["gesture"]
-	task.amplitude = _trial["amplitude_m"]
-	task.position = _trial["start"]
-	task.direction = _trial["axis"]
+	task.gesture = task_trial["gesture"]
+	task.amplitude = task_trial["amplitude_m"]
+	task.position = task_trial["start"]
+	task.direction = task_trial["axis"]
 	_parent.add_child(task)
 	return task
 

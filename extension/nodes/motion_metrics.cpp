@@ -6,6 +6,7 @@
 
 #include "gesture/feature.h"
 #include "metrics/curve_comparison.h"
+#include "metrics/recognition.h"
 #include "metrics/summary.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -70,6 +71,45 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 	return curve;
 }
 
+Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised) {
+	ERR_FAIL_COND_V_MSG(p_done.size() != p_recognised.size(), Dictionary(),
+			"MotionMetrics.confusion: as many names must be recognised as were done");
+	PackedStringArray names;
+	for (const PackedStringArray &given : { p_done, p_recognised }) {
+		for (const String &name : given) {
+			if (name != String("none") && !names.has(name)) {
+				names.push_back(name);
+			}
+		}
+	}
+	names.sort();
+	// find() is -1 for none, which the table takes for one beyond its gestures.
+	steadyhand::ConfusionTable table(static_cast<std::size_t>(names.size()));
+	for (int64_t i = 0; i < p_done.size(); ++i) {
+		table.add(static_cast<std::size_t>(names.find(p_done[i])),
+				static_cast<std::size_t>(names.find(p_recognised[i])));
+	}
+	names.push_back("none");
+	Dictionary rows;
+	for (int64_t done = 0; done < names.size(); ++done) {
+		Dictionary row;
+		for (int64_t recognised = 0; recognised < names.size(); ++recognised) {
+			row[names[recognised]] = static_cast<int64_t>(
+					table.count(static_cast<std::size_t>(done), static_cast<std::size_t>(recognised)));
+		}
+		if (table.trials(static_cast<std::size_t>(done)) > 0) {
+			rows[names[done]] = row;
+		}
+	}
+	return rows;
+}
+
+double MotionMetrics::false_alarms_per_minute(int p_alarms, double p_observed_s) {
+	ERR_FAIL_COND_V_MSG(
+			p_alarms < 0, 0.0, "MotionMetrics.false_alarms_per_minute: alarms must be at least 0");
+	return steadyhand::false_alarms_per_minute(static_cast<std::size_t>(p_alarms), p_observed_s);
+}
+
 void MotionMetrics::_bind_methods() {
 	ClassDB::bind_static_method("MotionMetrics",
 			D_METHOD("compare", "reference", "curve", "rate_hz", "t0_s", "start_s", "end_s"),
@@ -78,6 +118,10 @@ void MotionMetrics::_bind_methods() {
 	ClassDB::bind_static_method("MotionMetrics",
 			D_METHOD("feature_curve", "track_path", "feature", "trial", "t0_s", "rate_hz", "count"),
 			&MotionMetrics::feature_curve);
+	ClassDB::bind_static_method(
+			"MotionMetrics", D_METHOD("confusion", "done", "recognised"), &MotionMetrics::confusion);
+	ClassDB::bind_static_method("MotionMetrics", D_METHOD("false_alarms_per_minute", "alarms", "observed_s"),
+			&MotionMetrics::false_alarms_per_minute);
 }
 
 } // namespace godot

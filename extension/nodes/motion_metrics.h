@@ -3,6 +3,7 @@
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_float64_array.hpp>
+#include <godot_cpp/variant/packed_string_array.hpp>
 
 namespace godot {
 
@@ -20,6 +21,8 @@ public:
 	/// Empty and one error in the log where the track cannot be read.
 	static PackedFloat64Array feature_curve(const String &p_track_path, const String &p_feature,
 			const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count);
+	static Dictionary confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised);
+	static double false_alarms_per_minute(int p_alarms, double p_observed_s);
 };
 
 } // namespace godot

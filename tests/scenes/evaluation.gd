@@ -48,6 +48,36 @@ func test_a_broken_track_does_not_lose_the_others() -> void:
 	check(not "\n".join(rows).contains(name), "it is not")
 
 
+func test_confusion_and_false_alarms() -> void:
+	var trials := Rig.write_trials(_path("confused"), 2)
+	# A drag that is said to be none: whatever is recognised in it is a false alarm.
+	var table := _lines("confused/trials.csv")
+	var cells := table[1].split(",")
+	table[1] = ",".join([cells[0], "none", cells[2], cells[3], cells[4], cells[5], ",,,,,,"])
+	FileAccess.open(_path("confused/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
+	trials = TrialSet.load_folder(trials.get_path())
+	_evaluate(trials, "confused_out", "open")
+	var summary: Dictionary = JSON.parse_string("\n".join(_lines("confused_out/summary.json")))
+	var counted: Dictionary[String, Dictionary] = {}
+	for row in _lines("confused_out/results.csv").slice(1):
+		var pair := [row.get_slice(",", 1), row.get_slice(",", 4)]
+		var counts: Dictionary = counted.get_or_add(pair[0], {})
+		counts[pair[1]] = counts.get(pair[1], 0) + 1
+	for gesture in counted:
+		for recognised: String in counted[gesture]:
+			check_equal(
+				int(summary["confusion"][gesture][recognised]),
+				counted[gesture][recognised],
+				"%s taken for %s, counted in results.csv" % [gesture, recognised]
+			)
+	check_equal(int(summary["confusion"]["none"]["horizontal_drag"]), 1, "the drag is seen")
+	var instants := _lines("confused_out/%s.curves.csv" % cells[0]).size() - 1
+	check_near(summary["none_minutes"], instants / 60000.0, 1e-9, "1 ms an instant")
+	check_near(
+		summary["false_alarms_per_minute"] * summary["none_minutes"], 1.0, 1e-9, "one false alarm"
+	)
+
+
 func test_arguments() -> void:
 	var known: Dictionary[String, String] = {trials = "", mode = "paper"}
 	var good := CommandLine.new(["--trials", "/a b/c"], known)
@@ -68,9 +98,9 @@ func _fault(arguments: PackedStringArray, known: Dictionary[String, String]) -> 
 	return line.error
 
 
-func _evaluate(trials: TrialSet, out: String) -> Evaluation:
+func _evaluate(trials: TrialSet, out: String, context := "scene") -> Evaluation:
 	var evaluation := Evaluation.new()
-	var settings := {mode = "paper", context = "scene", models = ModelFolder.INSTALLED}
+	var settings := {mode = "paper", context = context, models = ModelFolder.INSTALLED}
 	evaluation.run(trials, ModelFolder.load_all(ModelFolder.INSTALLED), settings, _path(out), root)
 	return evaluation
 
