@@ -121,6 +121,21 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
 }
 
+TEST_CASE("a gesture goes both ways where a recording runs against the first one") {
+	std::vector<TrainingRecording> drags = test::drag_recordings();
+	CHECK_FALSE(train("drag", "index_along_axis", drags, {}).value().both_ways);
+	for (Track *track : { &drags[3].measured, &drags[3].reference }) {
+		for (HandFrame &frame : track->frames) {
+			frame.set(Joint::INDEX, -frame.position(Joint::INDEX));
+		}
+	}
+	drags[3].task.axis = -drags[3].task.axis;
+	const GestureModel both = train("drag", "index_along_axis", drags, {}).value();
+	CHECK(both.both_ways);
+	CHECK(both.typical_task.axis == Task{}.axis);
+	CHECK(parse_model(format_model(both), "a.gesture").value().both_ways);
+}
+
 TEST_CASE("one recording, and recordings of one frame, train or say why not") {
 	std::vector<TrainingRecording> one = test::drag_recordings();
 	one.resize(1);
@@ -156,6 +171,7 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 			"a.gesture: feature: there is no feature 'toe'");
 	CHECK(replaced("\"duration_mean_s\": ", "\"duration_mean_s\": -") ==
 			"a.gesture: duration_mean_s: must be greater than 0");
+	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") == "a.gesture: both_ways: not true or false");
 	CHECK(replaced("\"log_b\"", "\"log_x\"") == "a.gesture: log_b: missing");
 	for (std::size_t length = 0; length < text.size(); length += 97) {
 		CHECK_FALSE(parse_model(text.substr(0, length), "cut").ok());

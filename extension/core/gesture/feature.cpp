@@ -18,8 +18,23 @@ void index_start_here(const HandFrame &frame, Task &r_task) {
 	}
 }
 
+std::optional<FeaturePlace> index_place(const HandFrame &frame) {
+	if (!frame.has(Joint::INDEX)) {
+		return std::nullopt;
+	}
+	FeaturePlace place = FeaturePlace::Zero();
+	place.head<3>() = frame.position(Joint::INDEX);
+	return place;
+}
+
+FeaturePlace along_axis(const Task &task) {
+	FeaturePlace direction = FeaturePlace::Zero();
+	direction.head<3>() = task.axis;
+	return direction;
+}
+
 constexpr std::array FEATURES{
-	Feature{ "index_along_axis", index_along_axis, index_start_here },
+	Feature{ "index_along_axis", index_along_axis, index_start_here, index_place, along_axis },
 };
 
 } // namespace

@@ -9,6 +9,9 @@
 
 namespace steadyhand {
 
+/// Where a hand is for a feature, m, the start left out of account: x, y, z and a size.
+using FeaturePlace = Eigen::Vector4d;
+
 /// A motion element: one number in metres, 0 where the task starts and the task's amplitude where it ends.
 struct Feature {
 	std::string_view name; ///< as written in model files
@@ -17,6 +20,11 @@ struct Feature {
 	/// Moves the task's start to where the hand is, so that the frame measures 0; nothing where measure gives
 	/// nothing.
 	void (*start_here)(const HandFrame &frame, Task &r_task);
+	/// Nothing where measure gives nothing. Differences of places along `direction` are differences of the
+	/// motion element; across it they speak against the gesture, metre for metre.
+	std::optional<FeaturePlace> (*place)(const HandFrame &frame);
+	/// Unit vector; the motion element's growth.
+	FeaturePlace (*direction)(const Task &task);
 };
 
 /// Every feature there is. A new one is a row of the table in feature.cpp.

@@ -39,7 +39,8 @@ struct Provenance {
 struct GestureModel {
 	std::string gesture;
 	std::string feature;
-	Task typical_task; ///< mean axis and amplitude of the recordings: stands in where a scene gives none
+	Task typical_task;      ///< mean axis and amplitude of the recordings: stands in where a scene gives none
+	bool both_ways = false; ///< some of the recordings run against the typical axis
 	double duration_mean_s = 1.0; ///< of the whole movement
 	double duration_deviation_s = 0.0;
 	Eigen::VectorXd reference_mean; ///< CURVE_POINTS over phase 0..1, normalised value

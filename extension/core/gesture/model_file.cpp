@@ -71,6 +71,18 @@ std::string text(const Json &object, const char *key) {
 	return value.get<std::string>();
 }
 
+/// False where it is missing, as in files of before there was the flag.
+bool optional_flag(const Json &object, const char *key) {
+	const auto found = object.find(key);
+	if (found == object.end()) {
+		return false;
+	}
+	if (!found->is_boolean()) {
+		throw Fault(std::string(key) + ": not true or false");
+	}
+	return found->get<bool>();
+}
+
 const Json &array(const Json &object, const char *key) {
 	const Json &value = member(object, key);
 	if (!value.is_array() || value.empty()) {
@@ -189,6 +201,7 @@ GestureModel model_from_json(const Json &json) {
 	model.typical_task.start_m = point(json, "typical_start_m");
 	model.typical_task.axis = point(json, "typical_axis");
 	model.typical_task.amplitude_m = positive(json, "typical_amplitude_m");
+	model.both_ways = optional_flag(json, "both_ways");
 	model.duration_mean_s = positive(json, "duration_mean_s");
 	model.duration_deviation_s = number(json, "duration_deviation_s");
 	model.reference_mean = reference(json, "reference_mean");
@@ -240,6 +253,7 @@ std::string format_model(const GestureModel &model) {
 		{ "typical_start_m", row_to_json(model.typical_task.start_m) },
 		{ "typical_axis", row_to_json(model.typical_task.axis) },
 		{ "typical_amplitude_m", model.typical_task.amplitude_m },
+		{ "both_ways", model.both_ways },
 		{ "duration_mean_s", model.duration_mean_s },
 		{ "duration_deviation_s", model.duration_deviation_s },
 		{ "elements", elements },

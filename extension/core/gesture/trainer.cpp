@@ -195,8 +195,9 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		const Task &task = movements[i].recording->task;
 		model.typical_task.start_m += task.start_m;
 		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
-		model.typical_task.axis +=
-				std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis)) * task.axis;
+		const double way = std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis));
+		model.typical_task.axis += way * task.axis;
+		model.both_ways = model.both_ways || way < 0.0;
 		model.typical_task.amplitude_m += task.amplitude_m;
 	}
 	model.provenance.recordings = static_cast<int>(kept.size());
