@@ -4,9 +4,9 @@
 import sys
 import time
 
-from suites import lint, oracles, scenes, unit
+from suites import command, lint, oracles, scenes, unit
 
-SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "lint": lint}
+SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "command": command, "lint": lint}
 
 
 def main(names: list[str]) -> int:

@@ -2,6 +2,7 @@ extends RefCounted
 ## Runs a trial set through the real nodes and reports it.
 
 const EvaluationReport := preload("evaluation_report.gd")
+const Progress := preload("progress.gd")
 const TrialRun := preload("trial_run.gd")
 
 ## By their names on the command line; the first is the default.
@@ -30,6 +31,7 @@ func run(
 ) -> void:
 	_note_gestures_without_model(trial_set, models)
 	var report := EvaluationReport.new(out_folder)
+	var progress := Progress.new("%d trials" % trial_set.get_count())
 	for index in trial_set.get_count():
 		if not report.error.is_empty():
 			break
@@ -49,10 +51,10 @@ func run(
 		else:
 			printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
 			broken += 1
-		_show_progress(index + 1, trial_set.get_count())
+		progress.show(float(index + 1) / trial_set.get_count())
 	if report.error.is_empty():
 		var versions := {
-			version = ProjectSettings.get_setting("application/config/version"),
+			version = GestureTrainer.get_version(),
 			godot = Engine.get_version_info()["string"],
 		}
 		report.finish(settings.merged(versions))
@@ -95,9 +97,3 @@ static func _note_gestures_without_model(trial_set: TrialSet, models: Array[Gest
 			without[gesture] = without.get(gesture, 0) + 1
 	for gesture: String in without:
 		print("no model of '%s': its %d trials get no figures" % [gesture, without[gesture]])
-
-
-## A line at every tenth.
-static func _show_progress(done: int, count: int) -> void:
-	if done * 10 / count > (done - 1) * 10 / count:
-		print("  %d of %d trials" % [done, count])

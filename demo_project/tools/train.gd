@@ -2,22 +2,21 @@ extends "tool.gd"
 ## Trains one model:
 ##
 ## godot --headless --path demo_project --script res://tools/train.gd --
-##     --trials DIR --gesture NAME --out FILE
+##     --trials DIR --gesture NAME --out FILE [--report DIR]
 ##
 ## or, without these, the add-on's own models from synthetic people (equal bits on every run):
 ##     [--models DIR] (default: the repository's models/)
 ##     [--work DIR] for their trials (default: the repository's build/)
+##     [--report DIR]
+##
+## Leaves in --report for each gesture GESTURE.recordings.csv, what the model's picture is drawn
+## from: a row a recording, `trial,kept,r2,` and its normalised curve.
 
+const OwnModels := preload("own_models.gd")
+const Progress := preload("progress.gd")
 const Repository := preload("repository.gd")
 
-## What the add-on brings a model of, and how much it is trained on.
-const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap"]
-const SUBJECTS := 12
-const TRIALS_PER_SUBJECT := 6
-## As the paper's subjects, who were asked for different speeds: as they like, fast, very fast.
-const PACES: PackedFloat64Array = [1.0, 0.6, 0.4]
-
-var _tenths_shown := 0
+var _report_folder := ""
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -27,8 +26,10 @@ func work(arguments: PackedStringArray) -> void:
 		out = "",
 		models = Repository.absolute(Repository.MODELS),
 		work = Repository.absolute(Repository.BUILD),
+		report = "",
 	}
 	var options := CommandLine.new(arguments, defaults)
+	_report_folder = options.optional_path("report")
 	var is_own_set := options.text("trials") + options.text("gesture") + options.text("out") == ""
 	var done := false
 	if is_own_set:
@@ -39,7 +40,10 @@ func work(arguments: PackedStringArray) -> void:
 		var trials_folder := options.path("trials")
 		var gesture := options.given("gesture")
 		var out_file := options.path("out")
-		done = options.error.is_empty() and _train(trials_folder, gesture, out_file)
+		done = (
+			options.error.is_empty()
+			and _train(TrialSet.load_folder(trials_folder), gesture, out_file)
+		)
 	exit_code = 0 if done else EXIT_BAD_INPUT
 	if not options.error.is_empty():
 		fail(options.error, EXIT_BAD_INPUT)
@@ -48,30 +52,23 @@ func work(arguments: PackedStringArray) -> void:
 func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	var trials_folder := work_folder.path_join("train")
 	print("making synthetic trials in %s" % trials_folder)
-	var options := {
-		population = "train",
-		gestures = GESTURES,
-		subjects = SUBJECTS,
-		trials_per_subject = TRIALS_PER_SUBJECT,
-		paces = PACES,
-	}
-	if TrialSet.write_synthetic(trials_folder, options) != OK:
-		return false
-	for gesture in GESTURES:
-		if not _train(trials_folder, gesture, models_folder.path_join(gesture + ".gesture")):
+	var trial_set := OwnModels.write_trials(trials_folder)
+	for gesture in OwnModels.GESTURES:
+		if not _train(trial_set, gesture, models_folder.path_join(gesture + ".gesture")):
 			return false
 	return true
 
 
-func _train(trials_folder: String, gesture: String, out_file: String) -> bool:
-	var trial_set := TrialSet.load_folder(trials_folder)
+func _train(trial_set: TrialSet, gesture: String, out_file: String) -> bool:
 	if trial_set == null:
 		return false
-	print("training '%s' on %s" % [gesture, trials_folder])
+	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
-	trainer.progressed.connect(_show_progress)
+	trainer.progressed.connect(progress.show)
 	var model := trainer.train(trial_set, gesture)
 	if model == null:
+		return false
+	if not _report_folder.is_empty() and not _report_recordings(trainer, gesture):
 		return false
 	DirAccess.make_dir_recursive_absolute(out_file.get_base_dir())
 	if ResourceSaver.save(model, out_file) != OK:
@@ -80,9 +77,18 @@ func _train(trials_folder: String, gesture: String, out_file: String) -> bool:
 	return true
 
 
-## A line at every tenth.
-func _show_progress(done: float) -> void:
-	var tenths := floori(10.0 * done)
-	if tenths > _tenths_shown:
-		print("  %d %%" % (10 * tenths))
-	_tenths_shown = tenths
+func _report_recordings(trainer: GestureTrainer, gesture: String) -> bool:
+	DirAccess.make_dir_recursive_absolute(_report_folder)
+	var path := _report_folder.path_join("%s.recordings.csv" % gesture)
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	if file == null:
+		printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
+		return false
+	for recording in trainer.get_recordings():
+		var row := PackedStringArray([recording["trial"]])
+		row.append("1" if recording["kept"] else "0")
+		row.append("%.6f" % recording["r2"])
+		for value: float in recording["curve"]:
+			row.append("%.6f" % value)
+		file.store_csv_line(row)
+	return true

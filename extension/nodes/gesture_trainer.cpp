@@ -2,8 +2,8 @@
 
 #include "conversions.h"
 
+#include "base/version.h"
 #include "gesture/feature.h"
-#include "gesture/trainer.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -18,6 +18,8 @@ constexpr double READING = 0.3;
 
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
+	cancelled_ = false;
+	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
 	std::vector<const steadyhand::Trial *> wanted;
 	for (const steadyhand::Trial &trial : p_trial_set->core()) {
@@ -36,6 +38,9 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 		recordings.push_back(std::move(recording).value());
 		emit_signal("progressed",
 				READING * static_cast<double>(recordings.size()) / static_cast<double>(wanted.size()));
+		if (cancelled_) {
+			return {};
+		}
 	}
 
 	steadyhand::TrainingOptions options;
@@ -44,18 +49,38 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 	options.r2_threshold = r2_threshold_;
 	options.progress = [this](double p_done) {
 		emit_signal("progressed", READING + (1.0 - READING) * p_done);
-		return true;
+		return !cancelled_;
 	};
 	steadyhand::Result<steadyhand::GestureModel> trained =
-			steadyhand::train(gesture, to_core(feature_), recordings, options);
+			steadyhand::train(gesture, to_core(feature_), recordings, options, &recordings_);
+	if (cancelled_) {
+		return {};
+	}
 	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
 	steadyhand::GestureModel &core = trained.value();
 	core.provenance.trial_set = to_core(p_trial_set->get_path().get_file());
-	core.provenance.trained_with = "SteadyHand";
+	core.provenance.trained_with = std::string("SteadyHand ") + steadyhand::VERSION;
 	Ref<GestureModel> model;
 	model.instantiate();
 	model->set_core(std::make_shared<const steadyhand::GestureModel>(std::move(core)));
 	return model;
+}
+
+TypedArray<Dictionary> GestureTrainer::get_recordings() const {
+	TypedArray<Dictionary> rows;
+	for (const steadyhand::NormalisedRecording &recording : recordings_) {
+		Dictionary row;
+		row["trial"] = to_godot(recording.name);
+		row["curve"] = to_godot(recording.curve);
+		row["r2"] = recording.r2;
+		row["kept"] = recording.kept;
+		rows.push_back(row);
+	}
+	return rows;
+}
+
+String GestureTrainer::get_version() {
+	return steadyhand::VERSION;
 }
 
 void GestureTrainer::_validate_property(PropertyInfo &p_property) const {
@@ -79,6 +104,10 @@ void GestureTrainer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_r2_threshold", "threshold"), &GestureTrainer::set_r2_threshold);
 	ClassDB::bind_method(D_METHOD("get_r2_threshold"), &GestureTrainer::get_r2_threshold);
 	ClassDB::bind_method(D_METHOD("train", "trial_set", "gesture"), &GestureTrainer::train);
+	ClassDB::bind_method(D_METHOD("cancel"), &GestureTrainer::cancel);
+	ClassDB::bind_method(D_METHOD("is_cancelled"), &GestureTrainer::is_cancelled);
+	ClassDB::bind_method(D_METHOD("get_recordings"), &GestureTrainer::get_recordings);
+	ClassDB::bind_static_method("GestureTrainer", D_METHOD("get_version"), &GestureTrainer::get_version);
 
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "feature"), "set_feature", "get_feature");
 	ADD_PROPERTY(

@@ -3,7 +3,14 @@
 #include "gesture_model.h"
 #include "trial_set.h"
 
+#include "gesture/trainer.h"
+
 #include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <atomic>
+#include <vector>
 
 namespace godot {
 
@@ -15,6 +22,8 @@ class GestureTrainer : public RefCounted {
 	int states_ = 4;
 	int symbols_ = 16;
 	double r2_threshold_ = 0.9;
+	std::atomic<bool> cancelled_ = false;
+	std::vector<steadyhand::NormalisedRecording> recordings_; ///< of the last training
 
 protected:
 	static void _bind_methods();
@@ -30,8 +39,13 @@ public:
 	void set_r2_threshold(double p_threshold) { r2_threshold_ = p_threshold; }
 	double get_r2_threshold() const { return r2_threshold_; }
 
-	/// Null and one error in the log where it fails.
+	/// Null where it is cancelled; null and one error in the log where it fails.
 	Ref<GestureModel> train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
+	/// From any thread.
+	void cancel() { cancelled_ = true; }
+	bool is_cancelled() const { return cancelled_; }
+	TypedArray<Dictionary> get_recordings() const;
+	static String get_version();
 };
 
 } // namespace godot

@@ -2,6 +2,7 @@
 
 #include "conversions.h"
 
+#include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -34,7 +35,8 @@ steadyhand::Result<std::string> read_text_file(const String &p_path) {
 }
 
 Error write_text_file(const String &p_path, std::string_view p_text) {
-	const Ref<FileAccess> file = FileAccess::open(p_path, FileAccess::WRITE);
+	const String part = p_path + String(".part");
+	const Ref<FileAccess> file = FileAccess::open(part, FileAccess::WRITE);
 	ERR_FAIL_COND_V_MSG(
 			file.is_null(), FileAccess::get_open_error(), cannot_open(p_path, FileAccess::get_open_error()));
 	PackedByteArray bytes;
@@ -42,7 +44,12 @@ Error write_text_file(const String &p_path, std::string_view p_text) {
 	std::copy(p_text.begin(), p_text.end(), bytes.ptrw());
 	file->store_buffer(bytes);
 	file->flush();
-	const Error error = file->get_error();
+	Error error = file->get_error();
+	file->close();
+	error = error == OK ? DirAccess::rename_absolute(part, p_path) : error;
+	if (error != OK) {
+		DirAccess::remove_absolute(part);
+	}
 	ERR_FAIL_COND_V_MSG(error != OK, error, p_path + String(": writing failed; is the disk full?"));
 	return OK;
 }

@@ -15,7 +15,8 @@ namespace godot {
 /// The error names the path and the engine's reason.
 steadyhand::Result<std::string> read_text_file(const String &p_path);
 
-/// Replaces what is there. Reports a failure in the engine's log, with the path.
+/// Replaces what is there, in one step: nobody sees a half of it. Reports a failure in the engine's log, with
+/// the path.
 Error write_text_file(const String &p_path, std::string_view p_text);
 
 /// "No such file: p_path" and the like, for a path that did not open.

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -134,6 +135,36 @@ TEST_CASE("a gesture goes both ways where a recording runs against the first one
 	CHECK(both.both_ways);
 	CHECK(both.typical_task.axis == Task{}.axis);
 	CHECK(parse_model(format_model(both), "a.gesture").value().both_ways);
+}
+
+TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step of it") {
+	const std::vector<TrainingRecording> drags = test::drag_recordings();
+	TrainingOptions options;
+	std::vector<double> steps;
+	options.progress = [&](double done) {
+		steps.push_back(done);
+		return true;
+	};
+	std::vector<NormalisedRecording> recordings;
+	const GestureModel model = train("drag", "index_along_axis", drags, options, &recordings).value();
+	REQUIRE(steps.size() > 20);
+	CHECK(std::is_sorted(steps.begin(), steps.end()));
+	CHECK(steps.front() >= 0.0);
+	CHECK(steps.back() == 1.0);
+	for (std::size_t last = 0; last < steps.size(); ++last) {
+		std::size_t told = 0;
+		options.progress = [&](double) { return told++ < last; };
+		CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
+		CHECK(told == last + 1);
+	}
+	REQUIRE(recordings.size() == drags.size());
+	CHECK(recordings.front().name == drags.front().name);
+	Eigen::VectorXd sum = Eigen::VectorXd::Zero(CURVE_POINTS);
+	for (const NormalisedRecording &recording : recordings) {
+		CHECK(recording.kept == (recording.r2 >= options.r2_threshold));
+		sum += recording.kept ? recording.curve : Eigen::VectorXd::Zero(CURVE_POINTS);
+	}
+	CHECK((sum / model.provenance.recordings - model.reference_mean).norm() < 1e-12);
 }
 
 TEST_CASE("one recording, and recordings of one frame, train or say why not") {

@@ -38,22 +38,3 @@ func test_round_trip_through_the_engine() -> void:
 		model.get_reference_mean().to_byte_array(),
 		"the same bits"
 	)
-
-
-func test_training_is_repeatable() -> void:
-	var texts: Array[String] = []
-	var reports: Array[float] = []
-	for repetition in 2:
-		var trials := Rig.write_trials(_folder.get_current_dir(), 4)
-		var trainer := GestureTrainer.new()
-		trainer.progressed.connect(func(done: float) -> void: reports.append(done))
-		var model := trainer.train(trials, &"horizontal_drag")
-		texts.append(model.to_text() if model != null else "")
-	check(texts[0].length() > 1000 and texts[0] == texts[1], "the same model")
-	check(reports.size() > 4 and reports[-1] == 1.0, "progress is told up to the end")
-
-
-func test_training_on_what_is_not_there() -> void:
-	# expects error: zoom
-	var trials := Rig.write_trials(_folder.get_current_dir())
-	check(GestureTrainer.new().train(trials, &"zoom") == null, "no trial of it: null")

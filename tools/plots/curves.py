@@ -8,14 +8,10 @@ import wave
 from dataclasses import dataclass
 from pathlib import Path
 
-import matplotlib
 import numpy as np
-
-matplotlib.use("Agg")
-from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, VERMILION, plt, save
 
-RC = {"font.size": 11, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25}
 MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
 LEFT, ARRIVED = 0.02, 0.95  # share of the amplitude
 
@@ -23,19 +19,19 @@ LEFT, ARRIVED = 0.02, 0.95  # share of the amplitude
 @dataclass
 class Style:
     label: str
-    colour: str  # of Okabe and Ito's palette: told apart by colour-blind people too
+    colour: str
     width: float
     dashes: str = "-"
 
 
 # In the order in which they are drawn, the last on top.
 STYLES = {
-    "one_euro": Style("One Euro filter", "#009e73", 1.1),
-    "kalman": Style("Kalman filter", "#cc79a7", 1.1),
-    "average": Style("41-point moving average", "#e69f00", 2.0),
-    "measured": Style("measured", "#d55e00", 1.4),
-    "reference": Style("reference", "#000000", 2.6, (0, (4, 1.5))),
-    "synthesised": Style("synthesised", "#0072b2", 2.6),
+    "one_euro": Style("One Euro filter", GREEN, 1.1),
+    "kalman": Style("Kalman filter", PURPLE, 1.1),
+    "average": Style("41-point moving average", ORANGE, 2.0),
+    "measured": Style("measured", VERMILION, 1.4),
+    "reference": Style("reference", BLACK, 2.6, (0, (4, 1.5))),
+    "synthesised": Style("synthesised", BLUE, 2.6),
 }
 LEGEND_ORDER = ["reference", "measured", "synthesised", "average", "one_euro", "kalman"]
 
@@ -96,7 +92,6 @@ def main() -> None:
     given = parser.parse_args()
 
     curves = read_curves(given.curves)
-    plt.rcParams.update(RC)
     rows = 2 if given.wav else 1
     figure, axes = plt.subplots(
         rows,
@@ -114,7 +109,7 @@ def main() -> None:
     axes[0, 0].set_title(given.title)
     axes[0, 0].set_xlim(*shown_span(curves))
     axes[-1, 0].set_xlabel("time (s)")
-    figure.savefig(given.out, dpi=150)
+    save(figure, given.out)
 
 
 if __name__ == "__main__":

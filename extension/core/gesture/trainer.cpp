@@ -12,6 +12,12 @@
 namespace steadyhand {
 namespace {
 
+/// Shares of the work that are done after each step, by their usual times.
+constexpr double CURVES_READ = 0.1;
+constexpr double OBSERVED = 0.3;
+constexpr double QUANTISED = 0.7;
+constexpr double RE_ESTIMATED = 0.95;
+
 /// What is left of a recording once its reference has been looked at.
 struct Movement {
 	const TrainingRecording *recording = nullptr;
@@ -145,7 +151,8 @@ std::string range_error(const TrainingOptions &options) {
 } // namespace
 
 Result<GestureModel> train(const std::string &gesture, const std::string &feature_name,
-		std::span<const TrainingRecording> recordings, const TrainingOptions &options) {
+		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
+		std::vector<NormalisedRecording> *r_recordings) {
 	if (const std::string fault = range_error(options); !fault.empty()) {
 		return Error{ gesture + ": " + fault };
 	}
@@ -153,7 +160,11 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	if (feature == nullptr) {
 		return Error{ gesture + ": there is no feature '" + feature_name + "'" };
 	}
-	const auto go_on = [&](double done) { return !options.progress || options.progress(done); };
+	bool is_stopped = false;
+	const auto go_on = [&](double done) {
+		is_stopped = is_stopped || (options.progress && !options.progress(done));
+		return !is_stopped;
+	};
 	const Error stopped{ gesture + ": training was stopped" };
 
 	std::vector<Movement> movements;
@@ -208,8 +219,16 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	model.typical_task.start_m /= n;
 	model.typical_task.axis.normalize(); // a radius has none: stays zero
 	model.typical_task.amplitude_m /= n;
-	if (!go_on(0.1)) {
+	if (!go_on(CURVES_READ)) {
 		return stopped;
+	}
+
+	if (r_recordings != nullptr) {
+		r_recordings->clear();
+		for (std::size_t i = 0; i < movements.size(); ++i) {
+			r_recordings->push_back({ movements[i].recording->name, std::move(curves[i]), reference.r2[i],
+					reference.kept[i] });
+		}
 	}
 
 	std::vector<std::vector<std::optional<Observation>>> observed;
@@ -222,8 +241,10 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 			}
 		}
 	}
-	model.quantiser = VectorQuantiser::trained(seen, options.symbols);
-	if (!go_on(0.4)) {
+	model.quantiser = VectorQuantiser::trained(seen, options.symbols, [&](int codewords) {
+		return go_on(OBSERVED + (QUANTISED - OBSERVED) * codewords / options.symbols);
+	});
+	if (!go_on(QUANTISED)) {
 		return stopped;
 	}
 	std::vector<SymbolSequence> sequences;
@@ -233,9 +254,16 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 			sequence.push_back(o ? model.quantiser.symbol(*o) : UNSEEN);
 		}
 	}
+	BaumWelchOptions baum_welch_options = options.baum_welch;
+	baum_welch_options.go_on = [&](int iterations) {
+		return go_on(QUANTISED + (RE_ESTIMATED - QUANTISED) * iterations / options.baum_welch.max_iterations);
+	};
 	BaumWelchResult trained = baum_welch(left_right_from_equal_segments(sequences, options.states,
 												 options.symbols, options.baum_welch.pseudo),
-			sequences, options.baum_welch);
+			sequences, baum_welch_options);
+	if (!go_on(RE_ESTIMATED)) {
+		return stopped;
+	}
 	model.hmm = std::move(trained.hmm);
 	model.provenance.objective = std::move(trained.objective);
 	cut_into_elements(sequences, durations_s, options.polynomial_degree, model);

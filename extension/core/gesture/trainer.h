@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace steadyhand {
 
@@ -20,6 +21,14 @@ struct TrainingRecording {
 	double end_s = 0.0;
 	Track measured;  ///< what the HMM learns from: the sensor as it will be in use
 	Track reference; ///< what the motion elements are taken from: the stable sensor
+};
+
+/// What became of a recording: the reference curve is the mean of those kept.
+struct NormalisedRecording {
+	std::string name;
+	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1
+	double r2 = 0.0;       ///< R^2 against the mean of all
+	bool kept = true;      ///< r2 >= T_h
 };
 
 struct TrainingOptions {
@@ -34,9 +43,11 @@ struct TrainingOptions {
 
 /// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
 /// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
-/// Deterministic. Errors: unknown feature, no recording in which the feature moves, options out of range,
-/// stopped by progress.
+/// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
+/// unknown feature, no recording in which the feature moves, options out of range, stopped by progress.
+/// r_recordings, if given: the recordings in which it moves, in their order.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
-		std::span<const TrainingRecording> recordings, const TrainingOptions &options);
+		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
+		std::vector<NormalisedRecording> *r_recordings = nullptr);
 
 } // namespace steadyhand

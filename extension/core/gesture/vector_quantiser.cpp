@@ -65,7 +65,8 @@ Symbol VectorQuantiser::symbol(const Observation &observation) const {
 	return nearest(scaled_, observation.cwiseQuotient(scale_));
 }
 
-VectorQuantiser VectorQuantiser::trained(std::span<const Observation> observations, int symbols) {
+VectorQuantiser VectorQuantiser::trained(std::span<const Observation> observations, int symbols,
+		const std::function<bool(int codewords)> &go_on) {
 	Observation mean = Observation::Zero();
 	for (const Observation &o : observations) {
 		mean += o;
@@ -86,7 +87,7 @@ VectorQuantiser VectorQuantiser::trained(std::span<const Observation> observatio
 		points.push_back(o.cwiseQuotient(scale));
 	}
 	Eigen::MatrixX2d codewords = mean.cwiseQuotient(scale).transpose();
-	while (codewords.rows() < symbols) {
+	while (codewords.rows() < symbols && (!go_on || go_on(static_cast<int>(codewords.rows())))) {
 		const auto [cell, offset] = widest_cell(codewords, points);
 		const Eigen::RowVector2d centre = codewords.row(cell);
 		codewords.conservativeResize(codewords.rows() + 1, Eigen::NoChange);

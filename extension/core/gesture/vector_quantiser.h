@@ -3,6 +3,7 @@
 #include "gesture/observation.h"
 #include "hmm/discrete_hmm.h"
 
+#include <functional>
 #include <span>
 
 namespace steadyhand {
@@ -19,7 +20,9 @@ public:
 	/// the scale is the standard deviation of each axis. Deterministic. Codewords are sorted by position,
 	/// then velocity, so that symbols read as progress. Fewer distinct observations than `symbols` leave
 	/// repeated codewords, which is harmless.
-	static VectorQuantiser trained(std::span<const Observation> observations, int symbols);
+	/// go_on: called with the number of codewords found so far; false ends the search there, with fewer.
+	static VectorQuantiser trained(std::span<const Observation> observations, int symbols,
+			const std::function<bool(int codewords)> &go_on = {});
 
 	[[nodiscard]] Symbol symbol(const Observation &observation) const;
 	[[nodiscard]] int symbols() const { return static_cast<int>(codebook_.rows()); }

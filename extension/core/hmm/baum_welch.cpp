@@ -74,6 +74,9 @@ BaumWelchResult baum_welch(
 	BaumWelchResult result{ std::move(start), {} };
 	DiscreteHmm &hmm = result.hmm;
 	for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
+		if (options.go_on && !options.go_on(iteration)) {
+			break;
+		}
 		ExpectedCounts counts;
 		counts.transitions = Eigen::MatrixXd::Zero(hmm.states(), hmm.states());
 		counts.symbols = Eigen::MatrixXd::Zero(hmm.states(), hmm.symbols());

@@ -2,12 +2,16 @@
 
 #include "hmm/discrete_hmm.h"
 
+#include <functional>
+
 namespace steadyhand {
 
 struct BaumWelchOptions {
 	int max_iterations = 50;
 	double tolerance_nats = 1e-3; ///< stop when the objective grows by less than this per sequence
 	PseudoCounts pseudo;
+	/// Called before each iteration with the number of those done; false ends the training there.
+	std::function<bool(int iterations)> go_on;
 };
 
 struct BaumWelchResult {

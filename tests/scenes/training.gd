@@ -1,0 +1,117 @@
+extends "support/scene_test.gd"
+## The trainer: repeatable, cancellable, and the models of the repository come out of it again.
+
+const Rig := preload("support/rig.gd")
+const OwnModels := preload("res://tools/own_models.gd")
+const Repository := preload("res://tools/repository.gd")
+
+const GESTURE := &"horizontal_drag"
+
+var _folder := DirAccess.create_temp("steadyhand_training")
+var _trials := Rig.write_trials(_path("few"), 4)
+
+
+func test_training_is_repeatable() -> void:
+	var texts: Array[String] = []
+	var reports: Array[float] = []
+	for repetition in 2:
+		var trainer := GestureTrainer.new()
+		trainer.progressed.connect(func(done: float) -> void: reports.append(done))
+		var model := trainer.train(_trials, GESTURE)
+		texts.append(model.to_text() if model != null else "")
+	check(texts[0].length() > 1000 and texts[0] == texts[1], "the same model")
+	var first_run := reports.slice(0, reports.size() / 2)
+	var sorted := first_run.duplicate()
+	sorted.sort()
+	check(first_run.size() > 20 and first_run[-1] == 1.0, "progress is told up to the end")
+	check_equal(first_run, sorted, "and never goes back")
+
+
+func test_own_models_come_out_again() -> void:
+	var trials := OwnModels.write_trials(_path("train"))
+	for gesture in OwnModels.GESTURES:
+		var model := GestureTrainer.new().train(trials, gesture)
+		var path := Repository.absolute(Repository.MODELS).path_join(gesture + ".gesture")
+		check(
+			model.to_text() == FileAccess.get_file_as_string(path),
+			"models/%s.gesture is what ./steadyhand train makes, bit for bit" % gesture
+		)
+
+
+func test_provenance() -> void:
+	var trainer := GestureTrainer.new()
+	var model := trainer.train(_trials, GESTURE)
+	var provenance := model.get_provenance()
+	check_equal(
+		provenance["trained_with"], "SteadyHand %s" % GestureTrainer.get_version(), "the version"
+	)
+	var kept := 0
+	var sum := PackedFloat64Array()
+	sum.resize(model.get_reference_mean().size())
+	for recording in trainer.get_recordings():
+		if not recording["kept"]:
+			check(recording["trial"] in provenance["dropped"], "a dropped one is named")
+			continue
+		kept += 1
+		var curve: PackedFloat64Array = recording["curve"]
+		for i in sum.size():
+			sum[i] += curve[i]
+	check_equal(kept, provenance["recordings"], "as many are kept as it says")
+	var worst := 0.0
+	for i in sum.size():
+		worst = maxf(worst, absf(sum[i] / kept - model.get_reference_mean()[i]))
+	check(worst < 1e-12, "the reference curve is the mean of those kept, within %s" % worst)
+
+
+func test_cancelled_by_who_hears_of_progress() -> void:
+	# Whenever it comes: while tracks are read, the codebook is made, the HMM is trained.
+	for limit: float in [0.1, 0.5, 0.7, 0.9]:
+		var trainer := GestureTrainer.new()
+		var heard: Array[float] = []
+		trainer.progressed.connect(
+			func(done: float) -> void:
+				heard.append(done)
+				if done >= limit:
+					trainer.cancel()
+		)
+		check(trainer.train(_trials, GESTURE) == null, "cancelled at %s: no model" % limit)
+		check(trainer.is_cancelled() and heard[-1] < 1.0, "and nothing more is done")
+		trainer.progressed.disconnect(trainer.progressed.get_connections()[0]["callable"])
+		check(trainer.train(_trials, GESTURE) != null, "the next training is not cancelled")
+
+
+func test_cancelled_from_another_thread() -> void:
+	var trainer := GestureTrainer.new()
+	var under_way := Semaphore.new()
+	var cancelled := Semaphore.new()
+	var wait_once := func(_done: float) -> void:
+		under_way.post()
+		cancelled.wait()
+	trainer.progressed.connect(wait_once, CONNECT_ONE_SHOT)
+	var thread := Thread.new()
+	thread.start(func() -> GestureModel: return trainer.train(_trials, GESTURE))
+	under_way.wait()
+	trainer.cancel()
+	cancelled.post()
+	check(thread.wait_to_finish() == null, "no model")
+
+
+func test_training_on_what_is_not_there() -> void:
+	# expects error: zoom
+	check(GestureTrainer.new().train(_trials, &"zoom") == null, "no trial of it: null")
+
+
+func test_saving_leaves_no_half() -> void:
+	# expects error: no_such_folder
+	var model := GestureTrainer.new().train(_trials, GESTURE)
+	var path := _path("saved.gesture")
+	FileAccess.open(path, FileAccess.WRITE).store_string("an older one")
+	check_equal(ResourceSaver.save(model, path), OK, "an older file is replaced")
+	check_equal(FileAccess.get_file_as_string(path), model.to_text(), "as a whole")
+	check(not FileAccess.file_exists(path + ".part"), "nothing is left beside it")
+	var nowhere := _path("no_such_folder/saved.gesture")
+	check(ResourceSaver.save(model, nowhere) != OK, "what cannot be written is said")
+
+
+func _path(name: String) -> String:
+	return _folder.get_current_dir().path_join(name)
