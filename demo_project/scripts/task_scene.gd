@@ -12,6 +12,7 @@ const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
+const TrialTask := preload("trial_task.gd")
 
 ## Share of the amplitude at which a motion has arrived.
 const ARRIVED := 0.95
@@ -86,7 +87,7 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	tracker.stop()
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
-	_move_task(trial)
+	TrialTask.apply(trial, task)
 	_begin_trial(trial["trial"], trial["position"])
 	return tracker.start()
 
@@ -132,14 +133,8 @@ func _play_synthetic() -> void:
 	if tracker.start() != OK:
 		return
 	var trial := tracker.get_synthetic_trial()
-	_move_task(trial)
+	TrialTask.apply(trial, task)
 	_begin_trial("synthetic_%03d" % tracker.synthetic_seed, trial["position"])
-
-
-func _move_task(trial: Dictionary) -> void:
-	task.global_position = trial["start"]
-	task.direction = task.global_basis.inverse() * trial["axis"]
-	task.amplitude = trial["amplitude_m"]
 
 
 func _begin_trial(trial_name: String, position_name: String) -> void:

@@ -2,7 +2,7 @@ extends RefCounted
 ## The models that the add-on brings, from synthetic people: equal bits on every run.
 
 ## Of what, and how much it is trained on.
-const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap"]
+const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
 const SUBJECTS := 12
 const TRIALS_PER_SUBJECT := 6
 ## As the paper's subjects, who were asked for different speeds: as they like, fast, very fast.

@@ -3,6 +3,7 @@ extends "tool.gd"
 ##
 ## godot --headless --path demo_project --script res://tools/train.gd --
 ##     --trials DIR --gesture NAME --out FILE [--report DIR]
+##     [--feature NAME] (default: the one that goes the trials' way)
 ##
 ## or, without these, the add-on's own models from synthetic people (equal bits on every run):
 ##     [--models DIR] (default: the repository's models/)
@@ -24,13 +25,16 @@ func work(arguments: PackedStringArray) -> void:
 		trials = "",
 		gesture = "",
 		out = "",
+		feature = "",
 		models = Repository.absolute(Repository.MODELS),
 		work = Repository.absolute(Repository.BUILD),
 		report = "",
 	}
 	var options := CommandLine.new(arguments, defaults)
 	_report_folder = options.optional_path("report")
-	var is_own_set := options.text("trials") + options.text("gesture") + options.text("out") == ""
+	var is_own_set := true
+	for option: String in ["trials", "gesture", "out", "feature"]:
+		is_own_set = is_own_set and options.text(option).is_empty()
 	var done := false
 	if is_own_set:
 		var models_folder := options.path("models")
@@ -42,7 +46,9 @@ func work(arguments: PackedStringArray) -> void:
 		var out_file := options.path("out")
 		done = (
 			options.error.is_empty()
-			and _train(TrialSet.load_folder(trials_folder), gesture, out_file)
+			and _train(
+				TrialSet.load_folder(trials_folder), gesture, out_file, options.text("feature")
+			)
 		)
 	exit_code = 0 if done else EXIT_BAD_INPUT
 	if not options.error.is_empty():
@@ -59,11 +65,12 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	return true
 
 
-func _train(trial_set: TrialSet, gesture: String, out_file: String) -> bool:
+func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:
 	if trial_set == null:
 		return false
 	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
+	trainer.feature = feature
 	trainer.progressed.connect(progress.show)
 	var model := trainer.train(trial_set, gesture)
 	if model == null:
@@ -73,7 +80,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String) -> bool:
 	DirAccess.make_dir_recursive_absolute(out_file.get_base_dir())
 	if ResourceSaver.save(model, out_file) != OK:
 		return false
-	print("wrote %s" % out_file)
+	print("wrote %s, by %s" % [out_file, model.get_feature()])
 	return true
 
 

@@ -3,6 +3,7 @@ extends RefCounted
 ## their figures.
 
 const Conditions := preload("res://scripts/conditions.gd")
+const TrialTask := preload("res://scripts/trial_task.gd")
 
 const RATE_HZ := 1000.0
 const REFERENCE := "reference"
@@ -123,11 +124,8 @@ func _compare(reference_path: String, feature: String) -> void:
 
 func _make_task() -> GestureTask:
 	var task := GestureTask.new()
-	task.gesture = task_trial["gesture"]
-	task.amplitude = task_trial["amplitude_m"]
-	task.position = task_trial["start"]
-	task.direction = task_trial["axis"]
 	_parent.add_child(task)
+	TrialTask.apply(task_trial, task)
 	return task
 
 

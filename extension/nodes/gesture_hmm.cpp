@@ -20,9 +20,8 @@ constexpr double CONTROL_RATE_HZ = 1000.0;
 /// After a gap this long in the stamps nothing that was recognised still holds.
 constexpr double LONGEST_GAP_S = 10.0;
 
-steadyhand::Task core_task(const GestureTask &p_task) {
-	const double radius_m = p_task.get_start_radius();
-	return { radius_m > 0.0 ? Eigen::Vector3d(radius_m, 0.0, 0.0) : to_core(p_task.get_start()),
+steadyhand::Task core_task(const GestureTask &p_task, bool p_is_radius) {
+	return { p_is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
 		to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
 }
 
@@ -42,7 +41,7 @@ void GestureHMM::build_recogniser() {
 	const GestureTask *const task = get_task();
 	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
 	task_gesture_ = wanted;
-	task_in_use_ = task != nullptr ? std::optional(core_task(*task)) : std::nullopt;
+	task_is_radius_ = false;
 	std::vector<std::shared_ptr<const steadyhand::GestureModel>> active;
 	active_gestures_.clear();
 	for (int64_t i = 0; i < models_.size(); ++i) {
@@ -51,12 +50,14 @@ void GestureHMM::build_recogniser() {
 				(wanted != StringName() && wanted != model->get_gesture())) {
 			continue;
 		}
-		if (steadyhand::find_feature(model->core()->feature) == nullptr) {
+		const steadyhand::Feature *const feature = steadyhand::find_feature(model->core()->feature);
+		if (feature == nullptr) {
 			ERR_PRINT(String("GestureHMM: the model of '") + String(model->get_gesture()) +
 					String("' needs the feature '") + model->get_feature() +
 					String("', which this version does not have"));
 			continue;
 		}
+		task_is_radius_ = feature->is_radius;
 		active.push_back(model->core());
 		active_gestures_.push_back(model->get_gesture());
 	}
@@ -65,6 +66,7 @@ void GestureHMM::build_recogniser() {
 						  "gesture '") +
 				String(wanted) + String("'"));
 	}
+	task_in_use_ = task != nullptr ? std::optional(core_task(*task, task_is_radius_)) : std::nullopt;
 	rest_amplitude_m_ = 1.0;
 	if (task_in_use_) {
 		rest_amplitude_m_ = task_in_use_->amplitude_m;
@@ -79,7 +81,7 @@ void GestureHMM::on_task_changed() {
 	const GestureTask *const task = get_task();
 	// A node tells that it was moved once the frame is over: by then the place may be in use already.
 	if (task == nullptr || outdated_ || task->get_gesture() != task_gesture_ ||
-			core_task(*task) != task_in_use_) {
+			core_task(*task, task_is_radius_) != task_in_use_) {
 		on_settings_changed();
 	}
 }

@@ -102,6 +102,7 @@ private:
 	std::vector<StringName> active_gestures_; ///< of the recogniser's models
 	StringName task_gesture_;                 ///< what it was made for
 	std::optional<steadyhand::Task> task_in_use_;
+	bool task_is_radius_ = false;   ///< its start is one, as the active models measure it
 	double rest_amplitude_m_ = 1.0; ///< while no gesture is under way
 	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
 	bool outdated_ = true;

@@ -71,8 +71,10 @@ PackedStringArray GestureTask::_get_configuration_warnings() const {
 				"Set \"gesture\" to the name of the gesture that is expected here, e.g. horizontal_drag. "
 				"While it is empty, every model of a GestureHMM competes here.");
 	}
-	if (direction_.length_squared() <= 0) {
-		warnings.push_back("Set \"direction\" to the way the hand moves; it is zero.");
+	if (direction_.length_squared() <= 0 && start_radius_ <= 0.0) {
+		warnings.push_back("Set \"direction\" to the way the hand moves, or \"start_radius\" for a gesture "
+						   "that is a radius (zoom); "
+						   "both are zero.");
 	}
 	return warnings;
 }

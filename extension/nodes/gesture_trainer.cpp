@@ -4,6 +4,7 @@
 
 #include "base/version.h"
 #include "gesture/feature.h"
+#include "gesture/feature_choice.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -43,6 +44,14 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 		}
 	}
 
+	std::string feature = to_core(feature_);
+	if (feature.empty()) {
+		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
+		ERR_FAIL_NULL_V_MSG(chosen, Ref<GestureModel>(),
+				p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
+						String(p_gesture) + String("'; check their start, axis and amplitude"));
+		feature = chosen->name;
+	}
 	steadyhand::TrainingOptions options;
 	options.states = states_;
 	options.symbols = symbols_;
@@ -52,7 +61,7 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 		return !cancelled_;
 	};
 	steadyhand::Result<steadyhand::GestureModel> trained =
-			steadyhand::train(gesture, to_core(feature_), recordings, options, &recordings_);
+			steadyhand::train(gesture, feature, recordings, options, &recordings_);
 	if (cancelled_) {
 		return {};
 	}
@@ -89,7 +98,7 @@ void GestureTrainer::_validate_property(PropertyInfo &p_property) const {
 		for (const steadyhand::Feature &known : steadyhand::features()) {
 			names += (names.is_empty() ? String() : String(",")) + to_godot(known.name);
 		}
-		p_property.hint = PROPERTY_HINT_ENUM;
+		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
 		p_property.hint_string = std::move(names);
 	}
 }

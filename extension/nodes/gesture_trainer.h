@@ -18,7 +18,7 @@ namespace godot {
 class GestureTrainer : public RefCounted {
 	GDCLASS(GestureTrainer, RefCounted)
 
-	String feature_ = "index_along_axis";
+	String feature_;
 	int states_ = 4;
 	int symbols_ = 16;
 	double r2_threshold_ = 0.9;

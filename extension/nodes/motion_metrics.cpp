@@ -4,7 +4,7 @@
 #include "track_file.h"
 #include "trial_dictionary.h"
 
-#include "gesture/feature.h"
+#include "gesture/motion_element.h"
 #include "metrics/curve_comparison.h"
 #include "metrics/recognition.h"
 #include "metrics/summary.h"
@@ -59,8 +59,13 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 	ERR_FAIL_COND_V_MSG(!track, curve, to_godot(track.error()));
 
 	std::vector<double> times_s, values;
+	steadyhand::MotionElement element(*feature);
+	const double start_s = p_trial.get("start_s", 0.0);
 	for (const steadyhand::HandFrame &frame : track.value().frames) {
-		if (const std::optional<double> value_m = feature->measure(frame, *task)) {
+		if (frame.t_s <= start_s) {
+			element.restart();
+		}
+		if (const std::optional<double> value_m = element.measure(frame, *task)) {
 			times_s.push_back(frame.t_s);
 			values.push_back(*value_m / task->amplitude_m);
 		}

@@ -291,7 +291,7 @@ TEST_SUITE("simulated movement") {
 		}
 		CHECK(upward > 30);
 		CHECK(upward < 70);
-		CHECK(find_simulated_gesture("circle") == nullptr);
+		CHECK(find_simulated_gesture("wave") == nullptr);
 	}
 
 	TEST_CASE("motion that is no gesture keeps to its kind") {

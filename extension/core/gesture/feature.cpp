@@ -1,6 +1,10 @@
 #include "gesture/feature.h"
 
+#include "gesture/circumcircle.h"
+
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace steadyhand {
 namespace {
@@ -33,8 +37,67 @@ FeaturePlace along_axis(const Task &task) {
 	return direction;
 }
 
+/// The circle through the tips of thumb, index and middle finger, z left out (paper, "zoom_R").
+std::optional<Circle> tips_circle(const HandFrame &frame) {
+	if (!frame.has(Joint::THUMB) || !frame.has(Joint::INDEX) || !frame.has(Joint::MIDDLE)) {
+		return std::nullopt;
+	}
+	return circumcircle(frame.position(Joint::THUMB).head<2>(), frame.position(Joint::INDEX).head<2>(),
+			frame.position(Joint::MIDDLE).head<2>());
+}
+
+std::optional<double> tips_circumradius(const HandFrame &frame, const Task &task) {
+	const std::optional<Circle> circle = tips_circle(frame);
+	return circle ? std::optional(circle->radius - task.start_m.x()) : std::nullopt;
+}
+
+void tips_start_here(const HandFrame &frame, Task &r_task) {
+	if (const std::optional<Circle> circle = tips_circle(frame)) {
+		r_task.start_m = { circle->radius, 0.0, 0.0 };
+	}
+}
+
+std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
+	const std::optional<Circle> circle = tips_circle(frame);
+	if (!circle) {
+		return std::nullopt;
+	}
+	const double mean_z = (frame.position(Joint::THUMB).z() + frame.position(Joint::INDEX).z() +
+								  frame.position(Joint::MIDDLE).z()) /
+			3.0;
+	return FeaturePlace(circle->centre.x(), circle->centre.y(), mean_z, circle->radius);
+}
+
+FeaturePlace along_size(const Task & /*task*/) {
+	return FeaturePlace::UnitW();
+}
+
+/// Way of the index tip along a circle in the xy plane that begins along the task's axis, turns
+/// counterclockwise as the user sees it, and is as long as the task's amplitude. Its own radius and z do not
+/// matter. Near the centre, where errors of the tip come out magnified, there is no value.
+std::optional<double> index_along_circle(const HandFrame &frame, const Task &task) {
+	const double radius_m = task.amplitude_m / (2.0 * std::numbers::pi);
+	const Eigen::Vector2d ahead = task.axis.head<2>().normalized();
+	const Eigen::Vector2d inward(-ahead.y(), ahead.x());
+	if (!frame.has(Joint::INDEX) || ahead.isZero(0.0)) {
+		return std::nullopt;
+	}
+	const Eigen::Vector2d from_centre =
+			frame.position(Joint::INDEX).head<2>() - task.start_m.head<2>() - radius_m * inward;
+	if (!(from_centre.norm() * ERROR_GAIN_MAX > radius_m)) {
+		return std::nullopt;
+	}
+	return radius_m * std::atan2(from_centre.dot(ahead), -from_centre.dot(inward));
+}
+
+double circumference(const Task &task) {
+	return task.amplitude_m;
+}
+
 constexpr std::array FEATURES{
 	Feature{ "index_along_axis", index_along_axis, index_start_here, index_place, along_axis },
+	Feature{ "tips_circumradius", tips_circumradius, tips_start_here, tips_place, along_size, nullptr, true },
+	Feature{ "index_along_circle", index_along_circle, index_start_here, nullptr, nullptr, circumference },
 };
 
 } // namespace

@@ -15,16 +15,21 @@ using FeaturePlace = Eigen::Vector4d;
 /// A motion element: one number in metres, 0 where the task starts and the task's amplitude where it ends.
 struct Feature {
 	std::string_view name; ///< as written in model files
-	/// Nothing where a joint it needs is not tracked in the frame.
+	/// Nothing where a joint it needs is not tracked in the frame, or where the joints do not determine it.
 	std::optional<double> (*measure)(const HandFrame &frame, const Task &task);
 	/// Moves the task's start to where the hand is, so that the frame measures 0; nothing where measure gives
 	/// nothing.
 	void (*start_here)(const HandFrame &frame, Task &r_task);
 	/// Nothing where measure gives nothing. Differences of places along `direction` are differences of the
-	/// motion element; across it they speak against the gesture, metre for metre.
+	/// motion element; across it they speak against the gesture, metre for metre. Null, as `direction` is
+	/// then, where the way is not straight.
 	std::optional<FeaturePlace> (*place)(const HandFrame &frame);
 	/// Unit vector; the motion element's growth.
 	FeaturePlace (*direction)(const Task &task);
+	/// The way after which the hand is where it was, m: measure tells values apart within half of it on
+	/// either side of 0, and MotionElement counts the rounds. Null where there is no such way.
+	double (*period_m)(const Task &task) = nullptr;
+	bool is_radius = false; ///< Task::start_m.x is a radius, and no place
 };
 
 /// Every feature there is. A new one is a row of the table in feature.cpp.

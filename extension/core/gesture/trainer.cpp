@@ -1,6 +1,7 @@
 #include "gesture/trainer.h"
 
 #include "gesture/feature.h"
+#include "gesture/motion_element.h"
 #include "gesture/observation.h"
 #include "gesture/reference_curve.h"
 #include "gesture/symbol_clock.h"
@@ -24,10 +25,14 @@ struct Movement {
 	MovementSpan span;
 };
 
-RecordedCurve feature_curve(const Feature &feature, const Track &track, const Task &task) {
+RecordedCurve reference_motion(const Feature &feature, const TrainingRecording &recording) {
 	RecordedCurve curve;
-	for (const HandFrame &frame : track.frames) {
-		const std::optional<double> x_m = feature.measure(frame, task);
+	MotionElement element(feature);
+	for (const HandFrame &frame : recording.reference.frames) {
+		if (frame.t_s <= recording.start_s) {
+			element.restart();
+		}
+		const std::optional<double> x_m = element.measure(frame, recording.task);
 		if (x_m && (curve.t_s.empty() || frame.t_s > curve.t_s.back())) {
 			curve.t_s.push_back(frame.t_s);
 			curve.x_m.push_back(*x_m);
@@ -43,6 +48,7 @@ std::vector<std::optional<Observation>> observe(
 	const TrainingRecording &recording = *movement.recording;
 	std::vector<std::optional<Observation>> observations;
 	ObservationWindow window;
+	MotionElement element(feature);
 	SymbolClock clock;
 	clock.start(movement.span.onset_s);
 	bool fresh = false;
@@ -58,7 +64,10 @@ std::vector<std::optional<Observation>> observe(
 	for (const HandFrame &frame : recording.measured.frames) {
 		// An instant before this frame saw only the frames before it.
 		tick_until(std::nextafter(frame.t_s, -1.0));
-		if (const std::optional<double> x_m = feature.measure(frame, recording.task)) {
+		if (frame.t_s <= movement.span.onset_s) {
+			element.restart();
+		}
+		if (const std::optional<double> x_m = element.measure(frame, recording.task)) {
 			window.push(frame.t_s, *x_m);
 			fresh = true;
 		}
@@ -170,7 +179,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	std::vector<Movement> movements;
 	std::vector<Eigen::VectorXd> curves;
 	for (const TrainingRecording &recording : recordings) {
-		const RecordedCurve curve = feature_curve(*feature, recording.reference, recording.task);
+		const RecordedCurve curve = reference_motion(*feature, recording);
 		if (curve.t_s.size() < 2) {
 			continue;
 		}

@@ -12,7 +12,8 @@ constexpr double ONSET_VELOCITY = 0.3;
 /// `phase` mode: expected phase and value from which on the gesture is at its end.
 constexpr double ARRIVED_PHASE = 0.97;
 constexpr double ARRIVED_VALUE = 0.9;
-/// Below this the hand has come back to where it started.
+/// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
+/// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
 /// A movement that is still at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
@@ -28,7 +29,7 @@ constexpr double STILL_S = 0.15; ///< rest, where the start is not told
 GestureFollower::GestureFollower(
 		const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode) :
 		model_(&model),
-		feature_(find_feature(model.feature)), task_(task), start_is_known_(start_is_known), mode_(mode),
+		element_(*find_feature(model.feature)), task_(task), start_is_known_(start_is_known), mode_(mode),
 		decoder_(model.hmm), likelihood_(model.hmm), paper_(model), phase_(model) {}
 
 bool GestureFollower::push(const HandFrame &frame) {
@@ -43,7 +44,10 @@ bool GestureFollower::push(const HandFrame &frame) {
 			take_for_start(frame);
 		}
 	}
-	const std::optional<double> x_m = feature_->measure(frame, task_);
+	if (stage_ == Stage::RESTING) {
+		element_.restart();
+	}
+	const std::optional<double> x_m = element_.measure(frame, task_);
 	if (!x_m || !std::isfinite(*x_m)) {
 		return false;
 	}
@@ -158,7 +162,8 @@ bool GestureFollower::has_arrived(double t_s) const {
 }
 
 bool GestureFollower::is_back(double t_s, const Observation &observation) const {
-	return (mode_ == MotionMode::PAPER ? observation.x() : phase_.at(t_s).value) < BACK_VALUE;
+	const double value = mode_ == MotionMode::PAPER ? observation.x() : phase_.at(t_s).value;
+	return value < BACK_VALUE || (element_.is_periodic() && value > 1.0 + BACK_VALUE);
 }
 
 void GestureFollower::enter(Stage stage, double t_s) {
@@ -166,12 +171,16 @@ void GestureFollower::enter(Stage stage, double t_s) {
 	stage_ = stage;
 	stage_began_s_ = t_s;
 	if (stage == Stage::RESTING && mode_ == MotionMode::PHASE) {
-		phase_.restart();
+		if (element_.is_periodic()) {
+			phase_ = PhaseEstimator(*model_); // the same place is another value from now on
+		} else {
+			phase_.restart();
+		}
 	}
 }
 
 void GestureFollower::take_for_start(const HandFrame &frame) {
-	feature_->start_here(frame, task_);
+	element_.feature().start_here(frame, task_);
 	window_.reset();
 	still_since_s_ = frame.t_s;
 }

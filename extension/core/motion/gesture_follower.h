@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gesture/feature.h"
 #include "gesture/gesture_model.h"
+#include "gesture/motion_element.h"
 #include "gesture/observation.h"
 #include "gesture/symbol_clock.h"
 #include "gesture/task.h"
@@ -42,7 +42,7 @@ public:
 
 private:
 	const GestureModel *model_;
-	const Feature *feature_;
+	MotionElement element_;
 	Task task_;
 	bool start_is_known_;
 	MotionMode mode_;

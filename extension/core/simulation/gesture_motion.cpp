@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 namespace steadyhand {
@@ -30,6 +31,24 @@ HandFrame carry_hand(const HandPath &path, double progress) {
 	return frame;
 }
 
+/// Towards the centre of a circle in the xy plane that begins along `axis` and turns counterclockwise.
+Eigen::Vector3d inward(const Eigen::Vector3d &axis) {
+	return { -axis.y(), axis.x(), 0.0 };
+}
+
+HandFrame circle_hand(const HandPath &path, double progress) {
+	const double angle_rad = progress * path.task.amplitude_m / path.task.radius_m;
+	HandFrame frame = pointing_hand(path.hand_scale);
+	shift_hand(frame,
+			path.task.start_m +
+					path.task.radius_m *
+							(std::sin(angle_rad) * path.task.axis +
+									(1.0 - std::cos(angle_rad)) * inward(path.task.axis)) +
+					(1.0 - progress) * path.start_error_m + progress * path.end_error_m +
+					4.0 * progress * (1.0 - progress) * path.bow_m);
+	return frame;
+}
+
 HandFrame open_fingers(const HandPath &path, double progress) {
 	HandFrame frame = pinching_hand(path.hand_scale, path.task.radius_m + progress * path.task.amplitude_m);
 	shift_hand(
@@ -37,13 +56,17 @@ HandFrame open_fingers(const HandPath &path, double progress) {
 	return frame;
 }
 
+constexpr double CIRCLE_RADIUS_M = 0.06;
+
 // Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom goes to three times the starting
-// radius. Through the surface by 1..4 cm: in mid-air nothing stops a tap.
-constexpr std::array<SimulatedGesture, 4> GESTURES = { {
+// radius. Through the surface by 1..4 cm: in mid-air nothing stops a tap. The circle begins at its top.
+constexpr std::array<SimulatedGesture, 5> GESTURES = { {
 		{ "horizontal_drag", 1.0, 0.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
 		{ "vertical_drag", 0.0, 1.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
 		{ "tap", 0.0, 0.0, -1.0, false, 0.15, 0.0, 0.35, 0.15, 0.01, 0.04, carry_hand },
 		{ "zoom", 0.0, 0.0, 0.0, false, 0.03, 0.015, 0.88, 0.12, 0.0, 0.0, open_fingers },
+		{ "circle", -1.0, 0.0, 0.0, false, 2.0 * std::numbers::pi *CIRCLE_RADIUS_M, CIRCLE_RADIUS_M, 1.4,
+				0.25, 0.0, 0.0, circle_hand, true },
 } };
 
 Eigen::Vector3d random_vector(double deviation, Random &r_random) {
@@ -131,8 +154,11 @@ GestureTask draw_task(const SimulatedGesture &gesture, HandPosition position, Ra
 	}
 	task.amplitude_m = gesture.amplitude_m;
 	task.radius_m = gesture.radius_m;
-	task.start_m = hand_place_m(position) + random_vector(PLACE_DEVIATION_M, r_random) -
-			0.5 * task.amplitude_m * task.axis;
+	// The middle of the whole way is at the hand's place.
+	const bool is_circle = task.radius_m > 0.0 && !task.axis.isZero(0.0);
+	const Eigen::Vector3d middle_m = is_circle ? Eigen::Vector3d(task.radius_m * inward(task.axis))
+											   : Eigen::Vector3d(0.5 * task.amplitude_m * task.axis);
+	task.start_m = hand_place_m(position) + random_vector(PLACE_DEVIATION_M, r_random) - middle_m;
 	return task;
 }
 

@@ -18,7 +18,7 @@ struct GestureTask {
 			Eigen::Vector3d::Zero(); ///< of the index tip; the circle's centre where there is one
 	Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 	double amplitude_m = 0.0;
-	double radius_m = 0.0; ///< the circle's at the start
+	double radius_m = 0.0; ///< of zoom's circle at the start; of the circle that the hand goes along
 };
 
 /// The way one hand takes through a task.
@@ -45,6 +45,8 @@ struct SimulatedGesture {
 	/// The hand goes through the end of the task by this much and turns back; 0: it stops there.
 	double through_min_m, through_max_m;
 	PlaceHand place;
+	/// The worked example of a new gesture (docs/new_gesture.md): made where it is asked for by name.
+	bool is_example = false;
 };
 
 [[nodiscard]] std::span<const SimulatedGesture> simulated_gestures();

@@ -92,7 +92,9 @@ std::vector<SyntheticTrialRequest> plan_synthetic_set(const SyntheticSetOptions 
 	std::vector<std::string> gestures = options.gestures;
 	if (gestures.empty()) {
 		for (const SimulatedGesture &gesture : simulated_gestures()) {
-			gestures.emplace_back(gesture.name);
+			if (!gesture.is_example) {
+				gestures.emplace_back(gesture.name);
+			}
 		}
 		gestures.emplace_back("none");
 	}

@@ -38,7 +38,7 @@ struct SyntheticSetOptions {
 	Population population = Population::TRAIN;
 	std::uint32_t subjects = 8;
 	std::uint32_t repetitions = 5;          ///< of each gesture at each position by each subject
-	std::vector<std::string> gestures = {}; ///< empty: all there are, and none
+	std::vector<std::string> gestures = {}; ///< empty: all but the worked example, and none
 	std::vector<HandPosition> positions = { HandPosition::STABLE, HandPosition::UNSTABLE };
 	double duration_s = 0.0; ///< as in SyntheticTrialRequest
 	/// Subject::pace of the repetitions, in turn: { 1, 0.5 } asks for every other one in half the time.

@@ -1,6 +1,8 @@
 extends RefCounted
 ## The three nodes of a scene on a recorded trial, stepped by the test.
 
+const TrialTask := preload("res://scripts/trial_task.gd")
+
 const STEP_S := 1e-3
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
 const MOTIONS: Array[GestureHMM.Motion] = [
@@ -22,15 +24,12 @@ func _init(trial: Dictionary, track_path: String, parent: Node) -> void:
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.autostart = false
 	tracker.recording_path = track_path
-	task.gesture = trial["gesture"]
-	task.amplitude = trial["amplitude_m"]
-	task.position = trial["start"]
-	task.direction = trial["axis"]
 	gesture_hmm.models = [load(MODEL % trial["gesture"]) as GestureModel]
 	gesture_hmm.tracker = tracker
 	gesture_hmm.task = task
 	for node: Node in [tracker, task, gesture_hmm]:
 		parent.add_child(node)
+	TrialTask.apply(trial, task)
 
 
 func free_nodes() -> void:
