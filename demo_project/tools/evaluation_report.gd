@@ -6,6 +6,14 @@ const Conditions := preload("res://scripts/conditions.gd")
 const TrialRun := preload("trial_run.gd")
 
 const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
+## What summary.json tells of each figure.
+const STATISTICS: Dictionary[String, PackedStringArray] = {
+	"r2": ["mean", "median", "p5"],
+	"r2_zero": ["mean", "median", "p5"],
+	"lag": ["median"],
+	"t_diff": ["median", "p2_5", "p97_5"],
+	"sparc": ["mean", "median"],
+}
 
 ## What went wrong with the folder; empty when all is well.
 var error := ""
@@ -110,29 +118,22 @@ static func _was_recognised(row: Dictionary, gesture: String) -> bool:
 ## Of rows that all have figures. A missed end takes part in t_diff with the bound that its
 ## record gives.
 static func _summarise(rows: Array, condition: String) -> Dictionary:
-	var r2 := PackedFloat64Array()
-	var r2_zero := PackedFloat64Array()
-	var t_diff := PackedFloat64Array()
+	var summary := {n = rows.size()}
+	for figure: String in STATISTICS:
+		var values := PackedFloat64Array()
+		for row: Dictionary in rows:
+			values.append(row["figures"][condition][figure])
+		summary[figure] = _pick(values, STATISTICS[figure])
 	var missed: Array[String] = []
 	for row: Dictionary in rows:
-		var figures: Dictionary = row["figures"][condition]
-		r2.append(figures["r2"])
-		r2_zero.append(figures["r2_zero"])
-		t_diff.append(figures["t_diff"])
-		if figures["missed"]:
+		if row["figures"][condition]["missed"]:
 			missed.append(row["trial"])
-	return {
-		n = rows.size(),
-		r2 = _pick(r2, ["mean", "median", "p5"]),
-		r2_zero = _pick(r2_zero, ["mean", "median", "p5"]),
-		t_diff = _pick(t_diff, ["median", "p2_5", "p97_5"]),
-		missed = missed.size(),
-		missed_trials = missed,
-	}
+	summary.merge({missed = missed.size(), missed_trials = missed})
+	return summary
 
 
 ## Nulls where there are no values.
-static func _pick(values: PackedFloat64Array, names: Array[String]) -> Dictionary:
+static func _pick(values: PackedFloat64Array, names: PackedStringArray) -> Dictionary:
 	var statistics := {} if values.is_empty() else MotionMetrics.summarise(values)
 	var picked := {}
 	for name in names:

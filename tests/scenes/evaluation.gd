@@ -33,6 +33,7 @@ func test_files_of_an_evaluation() -> void:
 	var summary: Dictionary = JSON.parse_string("\n".join(_lines("out/summary.json")))
 	check_equal(summary["groups"].size(), 2, "summary: stable and unstable")
 	check_equal(summary["settings"]["mode"], "paper", "and the settings")
+	_check_summary(summary["groups"], rows)
 
 
 func test_a_broken_track_does_not_lose_the_others() -> void:
@@ -111,6 +112,37 @@ func _check_curves(trial: String) -> void:
 	var first := lines[1].get_slice(",", 0).to_float()
 	var last := lines[-1].get_slice(",", 0).to_float()
 	check_near(lines.size() - 2, 1000.0 * (last - first), 1e-6, "1 kHz without a gap")
+
+
+## The groups' figures against those of the rows, worked out anew.
+func _check_summary(groups: Array, rows: PackedStringArray) -> void:
+	var columns := rows[0].split(",")
+	for group: Dictionary in groups:
+		var own := Array(rows.slice(1)).filter(
+			func(row: String) -> bool: return row.split(",")[2] == group["position"]
+		)
+		for condition in CONDITIONS:
+			var figures: Dictionary = group["conditions"][condition]
+			check_equal(int(figures["n"]), own.size(), "trials of %s" % condition)
+			for figure in FIGURES:
+				var place := columns.find("%s_%s" % [figure, condition])
+				var values := own.map(
+					func(row: String) -> float: return row.split(",")[place].to_float()
+				)
+				values.sort()
+				# Of two values; linear between them.
+				var expected := {
+					mean = (values[0] + values[1]) / 2.0,
+					median = (values[0] + values[1]) / 2.0,
+					p5 = lerpf(values[0], values[1], 0.05),
+					p2_5 = lerpf(values[0], values[1], 0.025),
+					p97_5 = lerpf(values[0], values[1], 0.975),
+				}
+				var is_same := true
+				for statistic: String in figures[figure]:
+					var error: float = figures[figure][statistic] - expected[statistic]
+					is_same = is_same and absf(error) < 2e-6
+				check(is_same, "%s of %s, %s" % [figure, condition, group["position"]])
 
 
 func _lines(name: String) -> PackedStringArray:

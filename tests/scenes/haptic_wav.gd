@@ -9,6 +9,8 @@ const FREQUENCY_HZ := 180.0
 ## Whole periods of the vibration and whole milliseconds.
 const WINDOW_STEPS := 50
 const LAST_STEP := 2400
+## Between switches of the condition: not a whole number of periods.
+const SWITCH_STEPS := 41
 
 var _folder := DirAccess.create_temp("steadyhand_wav")
 var _trials := Rig.write_trials(_folder.get_current_dir())
@@ -33,6 +35,30 @@ func test_vibration_follows_the_motion() -> void:
 	check(Waveform.greatest_step(samples) < 1.02 * greatest, "no step above the waveform's own")
 	_check_spectrum(samples.slice(samples.size() - int(WINDOW_STEPS * per_step)))
 	_check_envelope(samples, values, amplitude_m)
+
+
+func test_switching_the_condition_does_not_click() -> void:
+	var wav_path := _folder.get_current_dir().path_join("switched.wav")
+	# At the unstable position the conditions differ most.
+	var rig := Rig.new(_trials.get_trial(1), _trials.get_measured_path(1), root)
+	var synth := _make_synth(rig, wav_path)
+	rig.tracker.start()
+	var greatest_change := 0.0
+	for step in range(_first_step(rig), LAST_STEP + 1):
+		if step % SWITCH_STEPS == 0:
+			var before := rig.gesture_hmm.value
+			rig.gesture_hmm.motion = Rig.MOTIONS[step / SWITCH_STEPS % Rig.MOTIONS.size()]
+			greatest_change = maxf(greatest_change, absf(rig.gesture_hmm.value - before))
+		rig.tracker.advance_to(step * Rig.STEP_S)
+	synth.stop_wav()
+	synth.free()
+	greatest_change /= rig.task.amplitude
+	rig.free_nodes()
+
+	check(greatest_change > 0.2, "a switch changes the level by %.2f" % greatest_change)
+	var samples := Waveform.read_wav(wav_path, RATE_HZ)
+	var greatest := Waveform.greatest_step(samples) / (TAU * FREQUENCY_HZ / RATE_HZ)
+	check(greatest < 1.02, "greatest step: %.3f of the waveform's own" % greatest)
 
 
 func test_equal_runs_give_equal_files() -> void:
