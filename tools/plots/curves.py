@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
-from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, VERMILION, plt, save
+from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, plt, save
 
 MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
 LEFT, ARRIVED = 0.02, 0.95  # share of the amplitude
@@ -31,9 +31,11 @@ STYLES = {
     "average": Style("41-point moving average", ORANGE, 2.0),
     "measured": Style("measured", VERMILION, 1.4),
     "reference": Style("reference", BLACK, 2.6, (0, (4, 1.5))),
+    "paper": Style("synthesised, paper", SKY, 2.0),
+    "phase": Style("synthesised, phase", BLUE, 2.6),
     "synthesised": Style("synthesised", BLUE, 2.6),
 }
-LEGEND_ORDER = ["reference", "measured", "synthesised", "average", "one_euro", "kalman"]
+LEGEND_ORDER = ["reference", "measured", "phase", "synthesised", "paper", "average", "one_euro", "kalman"]
 
 
 def read_curves(path: Path) -> dict[str, np.ndarray]:

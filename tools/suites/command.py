@@ -1,8 +1,12 @@
 """The entry, ./steadyhand, as a user at a terminal meets it."""
 
+import csv
 import os
+import re
 import signal
+import statistics
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,6 +20,8 @@ KILL_S = 120
 def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
+    with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
+        yield from results(Path(folder))
 
 
 def training(folder: Path) -> Iterator[Outcome]:
@@ -41,6 +47,32 @@ def training(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/train: the model", good, output)
     good = picture.is_file() and picture.read_bytes().startswith(b"\x89PNG")
     yield Outcome.of("command/train: its picture", good, output)
+
+
+def results(folder: Path) -> Iterator[Outcome]:
+    """The page of results for one simulated person, its numbers worked out anew from results.csv."""
+    options = ["--out", folder, "--work", folder / "work", "--subjects", 1, "--real", folder / "none"]
+    status, output = run([sys.executable, "-m", "results", *options], PYTHONPATH=str(ROOT / "tools"))
+    yield Outcome.of("command/results: a page is made", status == 0, output)
+    if status != 0:
+        return
+    page = (folder / "results.md").read_text()
+    pictures = re.findall(r"!\[[^]]*\]\(([^)]*)\)", page)
+    missing = [picture for picture in pictures if not (folder / picture).is_file()]
+    yield Outcome.of(
+        "command/results: its pictures are there", len(pictures) > 8 and not missing, f"missing: {missing}"
+    )
+    with (folder / "work/synthetic/phase_scene/results.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for gesture in ("horizontal_drag", "tap"):
+        own = [row for row in rows if row["gesture"] == gesture and row["position"] == "unstable"]
+        for what, column, wanted in (("mean R2", "r2", 0.99), ("mean R2 at no lag", "r2_zero", 0.985)):
+            mean = statistics.fmean(float(row[f"{column}_synthesised"]) for row in own)
+            mark = "reached" if mean >= wanted else "**not reached**"
+            line = f"| {gesture.replace('_', ' ')}: {what}, unstable |"
+            found = [row for row in page.splitlines() if row.startswith(line)]
+            good = len(found) == 1 and f"| {mean:.4f} | {mark} |" in found[0]
+            yield Outcome.of(f"command/results: {what} of {gesture}", good, f"{mean:.4f}, {mark}, not\n{found}")
 
 
 def interrupted(command: list[str], at: str) -> tuple[int, str]:

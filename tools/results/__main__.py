@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Evaluates on synthetic people, and on real hands where their recordings are there, and writes the page of results."""
+
+import argparse
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from plots.box_plots import draw_box_plots
+from plots.confusion import draw_confusions
+from plots.trials import draw_small_multiples, draw_trial
+from results.evaluation import ROOT, run_all, run_tool
+from results.page import write_page
+from results.study import Study
+
+REAL = ROOT.parent / "shared/real/drags"
+SOURCES = ["extension", "models", "demo_project"]
+# Of people whom neither training nor tuning knows; asked for their own pace, faster, very fast, and slower.
+PACES = [1.0, 0.6, 0.4, 1.6]
+# Of the same people, doing other things: long enough to tell 0.2 false alarms a minute from none.
+OTHER_MOTION_S = 20.0
+WORST = 6
+TYPICAL = ("horizontal_drag", "unstable")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="results", description=__doc__)
+    parser.add_argument("--out", type=Path, default=ROOT / "docs", help="where results.md and images/ go")
+    parser.add_argument("--work", type=Path, default=ROOT / "build/results", help="for trials and evaluations")
+    parser.add_argument("--subjects", type=int, default=12, help="simulated people")
+    parser.add_argument("--real", type=Path, default=REAL, help="trial set of real hands")
+    given = parser.parse_args()
+
+    models = sorted((ROOT / "models").glob("*.gesture"))
+    gestures = [json.loads(model.read_text())["gesture"] for model in models]
+    shutil.rmtree(given.work, ignore_errors=True)
+    print("making trials", flush=True)
+    synthetic = given.work / "trials"
+    make_trials(synthetic, gestures, given.subjects)
+    studies = [Study.of("synthetic", synthetic, given.work)]
+    if given.real.is_dir():
+        studies.append(Study.of("real", given.real, given.work))
+    run_all([evaluation for study in studies for evaluation in study.evaluations()])
+
+    images = given.out / "images"
+    images.mkdir(parents=True, exist_ok=True)
+    sets = {study.name: describe(study, given.subjects) for study in studies}
+    sets.setdefault("real", "their recordings were not there.")
+    pictures = draw(studies, images)
+    for model in models:
+        picture = os.path.relpath(model.with_suffix(".png"), given.out)
+        pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
+    write_page(given.out / "results.md", studies, pictures, origin(studies[0]), sets)
+    print(f"wrote {given.out / 'results.md'}")
+
+
+def make_trials(folder: Path, gestures: list[str], subjects: int) -> None:
+    """One set of gestures and other motion; the latter is longer."""
+    paces = ",".join(str(pace) for pace in PACES)
+    common = {"subjects": subjects, "trials-per-subject": len(PACES), "paces": paces}
+    run_tool("make_trials", {"out": folder, "gestures": ",".join(gestures), **common})
+    gesture_rows = (folder / "trials.csv").read_text()
+    run_tool("make_trials", {"out": folder, "gestures": "none", "duration": OTHER_MOTION_S, **common})
+    other_rows = (folder / "trials.csv").read_text()
+    (folder / "trials.csv").write_text(gesture_rows + other_rows.partition("\n")[2])
+
+
+def describe(study: Study, subjects: int) -> str:
+    summary = study.scene["phase"].summary
+    trials = sum(group["trials"] for group in summary["groups"])
+    if study.name == "real":
+        return (
+            f"{trials} aimed 20 cm moves of recorded hands, as tracked and with recorded tracker errors added; "
+            "for evaluation alone, and not part of this repo."
+        )
+    paces = ", ".join(f"{pace:g}" for pace in PACES)
+    return (
+        f"{trials} trials of {subjects} simulated people of the population `evaluate`, whom neither training nor "
+        f"tuning knows, asked for {paces} times the duration that they would choose, through a simulated sensor; "
+        f"{summary['none_minutes']:.0f} minutes of other motion are among them."
+    )
+
+
+def origin(study: Study) -> str:
+    """The version, and the last commit that changed what the figures depend on: this page's own does not."""
+    summary = study.scene["phase"].summary
+    text = f"SteadyHand {summary['settings']['version']}, Godot {summary['settings']['godot']}"
+    try:
+        command = ["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *SOURCES]
+        commit = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+        changes = subprocess.run(
+            ["git", "-C", ROOT, "status", "--porcelain", "--", *SOURCES], check=True, capture_output=True, text=True
+        ).stdout
+    except (OSError, subprocess.CalledProcessError):
+        commit = changes = ""
+    if commit:
+        text += f", commit {commit}" + (" with changes" if changes else "")
+    return text + "."
+
+
+def draw(studies: list[Study], images: Path) -> dict[str, str]:
+    """Markdown of each picture by its name; a name begins with its set's."""
+    pictures = {}
+
+    def add(name: str, file: str, caption: str) -> Path:
+        pictures[name] = f"![{caption}](images/{file})"
+        return images / file
+
+    for study in studies:
+        for gesture in study.gestures():
+            title = f"{gesture.replace('_', ' ')}, {study.name}"
+            file = f"results_{study.name}_{gesture}.png"
+            path = add(f"{study.name} boxes {gesture}", file, f"R2 and T_diff by condition: {title}")
+            draw_box_plots(path, title, lambda p, f, c, s=study, g=gesture: s.values(g, p, f, c))
+        scene = study.scene["phase"]
+        if typical := scene.typical(*TYPICAL):
+            title = f"{study.name}: {typical['trial']}"
+            path = add(f"{study.name} typical", f"results_{study.name}_typical.png", f"Curves of {typical['trial']}")
+            draw_trial(path, title, study.curves(typical["trial"]))
+        worst = scene.ranked("synthesised")[:WORST]
+        path = add(f"{study.name} worst", f"results_{study.name}_worst.png", f"The worst {study.name} trials")
+        draw_small_multiples(path, {worst_title(row): study.curves(row["trial"]) for row in worst})
+    tables = {study.name: study.open["phase"].summary["confusion"] for study in studies}
+    draw_confusions(add("confusion", "results_confusion.png", "Confusion tables, nothing given"), tables)
+    return pictures
+
+
+def worst_title(row: dict) -> str:
+    return f"{row['trial']}\nR² at no lag {row['r2_zero_synthesised']:.3f}, measured {row['r2_zero_measured']:.3f}"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+"""One trial set in both modes and both contexts, as the conditions that are compared."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from plots.curves import read_curves
+from results.evaluation import Evaluation
+
+MODES = ["paper", "phase"]
+CONTEXTS = ["scene", "open"]
+
+# What is compared, in the order of every table and picture; both modes are the synthesised motion of a run each.
+CONDITIONS = {
+    "measured": "measured",
+    "average": "41-point average",
+    "one_euro": "One Euro",
+    "kalman": "Kalman",
+    "paper": "synthesised, `paper`",
+    "phase": "synthesised, `phase`",
+}
+OTHERS = ["measured", "average", "one_euro", "kalman"]
+
+
+def source_of(condition: str) -> tuple[str, str]:
+    """The mode whose run has it, and its name there."""
+    return (condition, "synthesised") if condition in MODES else ("phase", condition)
+
+
+@dataclass
+class Study:
+    name: str
+    scene: dict[str, Evaluation]  # by mode; the trial's task is given
+    open: dict[str, Evaluation]  # by mode; nothing is given
+
+    @classmethod
+    def of(cls, name: str, trials: Path, out: Path) -> "Study":
+        runs = {
+            context: {
+                mode: Evaluation(trials, mode, context, out / name / f"{mode}_{context}", context == "scene")
+                for mode in MODES
+            }
+            for context in CONTEXTS
+        }
+        return cls(name, **runs)
+
+    def evaluations(self) -> list[Evaluation]:
+        return [*self.scene.values(), *self.open.values()]
+
+    def gestures(self) -> list[str]:
+        return self.scene["phase"].gestures()
+
+    def groups(self) -> list[tuple[str, str]]:
+        """Gesture and position of each."""
+        return [(group["gesture"], group["position"]) for group in self.scene["phase"].groups()]
+
+    def group(self, gesture: str, position: str, context: str = "scene") -> dict[str, dict] | None:
+        """The figures of summary.json by condition; None where the set has no such trials."""
+        runs = self.scene if context == "scene" else self.open
+        figures = {}
+        for condition in CONDITIONS:
+            mode, name = source_of(condition)
+            group = runs[mode].group(gesture, position)
+            if group is None:
+                return None
+            figures[condition] = group["conditions"][name]
+        return figures
+
+    def values(self, gesture: str, position: str, figure: str, condition: str) -> list[float]:
+        mode, name = source_of(condition)
+        return self.scene[mode].values(gesture, position, figure, name)
+
+    def curves(self, trial: str) -> dict[str, np.ndarray]:
+        """Those of TRIAL.curves.csv, with both modes by their names in place of `synthesised`."""
+        curves = read_curves(self.scene["phase"].out / f"{trial}.curves.csv")
+        curves["phase"] = curves.pop("synthesised")
+        curves["paper"] = read_curves(self.scene["paper"].out / f"{trial}.curves.csv")["synthesised"]
+        return curves
