@@ -53,6 +53,9 @@ def main() -> None:
         picture = os.path.relpath(model.with_suffix(".png"), given.out)
         pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
     write_page(given.out / "results.md", studies, pictures, origin(studies[0]), sets)
+    for study in studies:
+        for evaluation in study.evaluations():
+            evaluation.drop_curves()
     print(f"wrote {given.out / 'results.md'}")
 
 
@@ -121,7 +124,10 @@ def draw(studies: list[Study], images: Path) -> dict[str, str]:
             draw_trial(path, title, study.curves(typical["trial"]))
         worst = scene.ranked("synthesised")[:WORST]
         path = add(f"{study.name} worst", f"results_{study.name}_worst.png", f"The worst {study.name} trials")
-        draw_small_multiples(path, {worst_title(row): study.curves(row["trial"]) for row in worst})
+        spans = scene.spans()
+        draw_small_multiples(
+            path, {worst_title(row): (study.curves(row["trial"]), *spans[row["trial"]]) for row in worst}
+        )
     tables = {study.name: study.open["phase"].summary["confusion"] for study in studies}
     draw_confusions(add("confusion", "results_confusion.png", "Confusion tables, nothing given"), tables)
     return pictures

@@ -49,7 +49,7 @@ class Evaluation:
     mode: str
     context: str
     out: Path
-    keeps_curves: bool  # they are large
+    keeps_curves: bool  # they are large: until drop_curves()
     summary: dict = field(default_factory=dict)
     rows: list[dict] = field(default_factory=list)  # of results.csv, figures as numbers
 
@@ -58,8 +58,11 @@ class Evaluation:
             "evaluate", {"trials": self.trials, "out": self.out, "mode": self.mode, "context": self.context}, heard
         )
         if not self.keeps_curves:
-            for curves in self.out.glob("*.curves.csv"):
-                curves.unlink()
+            self.drop_curves()
+
+    def drop_curves(self) -> None:
+        for curves in self.out.glob("*.curves.csv"):
+            curves.unlink()
 
     def read(self) -> None:
         self.summary = json.loads((self.out / "summary.json").read_text())
@@ -68,6 +71,12 @@ class Evaluation:
                 self.rows.append(
                     {name: float(cell) if is_figure(name) and cell else cell for name, cell in row.items()}
                 )
+
+    def spans(self) -> dict[str, tuple[float, float]]:
+        """When the gesture of each trial starts and ends (s)."""
+        with (self.trials / "trials.csv").open(newline="") as file:
+            rows = [row for row in csv.DictReader(file) if row["gesture"] != "none"]
+        return {row["trial"]: (float(row["start_s"]), float(row["end_s"])) for row in rows}
 
     def groups(self) -> list[dict]:
         """Those with figures, gesture by gesture, the stable position first."""

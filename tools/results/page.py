@@ -55,7 +55,9 @@ def write_page(path: Path, studies: list[Study], pictures: dict[str, str], origi
     parts.append("The trial whose measured curve has the median R2 at no lag.\n")
     parts += [pictures[name] + "\n" for name in pictures if name.endswith("typical")]
     parts.append("## The worst trials\n")
-    parts.append("The six with the lowest R2 at no lag of `phase` mode, the worst first.\n")
+    parts.append(
+        "The six with the lowest R2 at no lag of `phase` mode, the worst first; dotted: start and end of the gesture.\n"
+    )
     parts += [pictures[name] + "\n" for name in pictures if name.endswith("worst")]
     parts.append("## Nothing given\n")
     parts.append(pictures["confusion"] + "\n")
