@@ -1,13 +1,37 @@
 extends Node3D
-## What a task shows. The stage stands where the task is and keeps its own orientation, so that
-## camera and ground stay upright whatever the task's direction.
+## What a task shows: the fingertips that make the gesture, and a cylinder that marks the hand's
+## place. The stage stands where the task is and keeps its own orientation, so that camera and
+## ground stay upright whatever the task's direction.
+
+const IDLE := Color(0.5, 0.53, 0.56)
+const STARTED := Color(0.0, 0.35, 0.85)
+const ARRIVED := Color(0.85, 0.1, 0.1)
+const TRACKED := Color(1.0, 0.82, 0.62)
+const LOST := Color(0.35, 0.35, 0.35)
+const PLACES: Dictionary[String, Color] = {
+	"stable": Color(0.0, 0.62, 0.45, 0.45),
+	"unstable": Color(0.9, 0.6, 0.0, 0.45),
+	"": Color(0.34, 0.71, 0.91, 0.45),
+}
+
+## Of HandTracker.Joint: those that make the gesture.
+@export var joints: PackedInt32Array = [HandTracker.JOINT_INDEX]
+
+## Whether a task may take several gestures.
+var strokes_add_up := false
+
+@onready var _fingertips: Array[Node] = $Fingertips.get_children()
+@onready var _hand_place: MeshInstance3D = $HandPlace
 
 
 ## Puts everything where the task starts. `position_name`: "stable", "unstable" or empty.
-func place(_task: GestureTask, _position_name: String) -> void:
-	pass
+func place(_task: GestureTask, position_name: String) -> void:
+	_paint(_hand_place, PLACES[position_name])
+	for i in _fingertips.size():
+		(_fingertips[i] as Node3D).visible = i < joints.size()
 
 
+## The first gesture of the task has begun.
 func mark_started() -> void:
 	pass
 
@@ -16,10 +40,31 @@ func mark_arrived() -> void:
 	pass
 
 
-## `value`: of the motion element, m.
-func show_motion(_value: float) -> void:
+## A gesture has begun, the first or a further one.
+func begin_stroke() -> void:
 	pass
 
 
-func show_hand(_tracker: HandTracker) -> void:
-	pass
+## `value`: of the motion element, m. Returns how far the task has come by it, 0..1.
+func show_motion(_value: float) -> float:
+	return 0.0
+
+
+func show_hand(tracker: HandTracker) -> void:
+	for i in joints.size():
+		var tip: MeshInstance3D = _fingertips[i]
+		if tracker.is_joint_tracked(joints[i]):
+			tip.global_position = tracker.get_joint_position(joints[i])
+	_paint(_fingertips[0], TRACKED if _is_hand_tracked(tracker) else LOST)
+
+
+func _is_hand_tracked(tracker: HandTracker) -> bool:
+	for joint in joints:
+		if not tracker.is_joint_tracked(joint):
+			return false
+	return true
+
+
+## The material may be shared: fingertips change colour together.
+static func _paint(body: MeshInstance3D, colour: Color) -> void:
+	(body.material_override as StandardMaterial3D).albedo_color = colour

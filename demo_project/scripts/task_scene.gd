@@ -10,11 +10,12 @@ const Conditions := preload("conditions.gd")
 const MouseHand := preload("mouse_hand.gd")
 const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
+const Tasks := preload("tasks.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 const TrialTask := preload("trial_task.gd")
 
-## Share of the amplitude at which a motion has arrived.
+## Share of the whole way at which a task is done: that of the metrics.
 const ARRIVED := 0.95
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
@@ -75,6 +76,8 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		follow_mouse(not _mouse.active)
 	elif key.keycode == KEY_N and not _mouse.active:
 		play_next()
+	elif key.keycode == KEY_ESCAPE and get_tree().current_scene == self:
+		get_tree().change_scene_to_file(Tasks.MENU)
 
 
 func _exit_tree() -> void:
@@ -117,7 +120,7 @@ func follow_mouse(on: bool) -> void:
 	_begin_mouse_trial()
 
 
-## Name of the condition that moves the box.
+## Name of the condition that drives what is shown.
 func condition_name() -> String:
 	return Conditions.NAMES[Conditions.MOTIONS.find(gesture_hmm.motion)]
 
@@ -166,21 +169,23 @@ func _on_tracker_finished() -> void:
 
 
 func _on_gesture_started(_gesture: StringName) -> void:
-	# A played trial ends with its track; with the mouse each gesture is one.
-	if _mouse.active and not is_nan(start_s):
+	# A played trial ends with its track; with the mouse each gesture is one, or each task that takes
+	# several.
+	var is_done := not is_nan(end_s if _stage.strokes_add_up else start_s)
+	if _mouse.active and is_done:
 		_end_trial()
 		_begin_mouse_trial()
 	if is_nan(start_s):
 		start_s = gesture_hmm.time
 		_stage.mark_started()
+	_stage.begin_stroke()
 
 
 func _on_motion_updated(time_s: float) -> void:
-	var value := gesture_hmm.value
-	if is_nan(end_s) and not is_nan(start_s) and value >= ARRIVED * task.amplitude:
+	var done := _stage.show_motion(gesture_hmm.value)
+	if is_nan(end_s) and not is_nan(start_s) and done >= ARRIVED:
 		end_s = time_s
 		_stage.mark_arrived()
-	_stage.show_motion(value)
 	_stage.show_hand(tracker)
 	if _log != null:
 		_log.add(time_s, condition_name(), gesture_hmm, haptic_synth.get_amplitude())

@@ -3,18 +3,17 @@ extends "tool.gd"
 ##     [--models DIR] [--real DIR]
 ##
 ## Runs trials of synthetic people, and those of real hands where they are there, through the real
-## nodes and the drag scene; prints one table. Leaves in DIR: evaluation/SET (as of evaluate.gd),
-## logs/SET, the table as table.md, and of one unstable trial vibration.wav and
-## vibration.curves.csv.
+## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET (as of
+## evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one unstable trial vibration.wav
+## and vibration.curves.csv.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
 const Repository := preload("repository.gd")
 const ResultTable := preload("result_table.gd")
 const ScenePlayer := preload("scene_player.gd")
+const Tasks := preload("res://scripts/tasks.gd")
 
-const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag"]
-const SCENES: Dictionary[String, String] = {"horizontal_drag": "res://scenes/horizontal_drag.tscn"}
 ## The gesture and the position of the trial whose vibration is kept, as in the paper's Fig. 6.
 const SHOWN_GESTURE := "horizontal_drag"
 const SHOWN_POSITION := "unstable"
@@ -59,7 +58,7 @@ func work(arguments: PackedStringArray) -> void:
 func _make_synthetic_trials(folder: String) -> bool:
 	var options := {
 		population = "evaluate",
-		gestures = GESTURES,
+		gestures = Tasks.SCENES.keys(),
 		subjects = SUBJECTS,
 		trials_per_subject = TRIALS_PER_SUBJECT,
 	}
@@ -87,7 +86,7 @@ func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 	if evaluation.broken > 0:
 		exit_code = EXIT_INCOMPLETE
 	_table.add(set_name, evaluation.groups)
-	for gesture in SCENES:
+	for gesture in Tasks.SCENES:
 		_play_scene(set_name, trial_set, gesture)
 	var shown := evaluation.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
 	if is_shown and not shown.is_empty():
@@ -95,19 +94,23 @@ func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 
 
 func _play_scene(set_name: String, trial_set: TrialSet, gesture: String) -> void:
-	var player := ScenePlayer.new(SCENES[gesture], _out.path_join("logs").path_join(set_name), root)
+	var log_folder := _out.path_join("logs").path_join(set_name).path_join(gesture)
+	var player := ScenePlayer.new(Tasks.SCENES[gesture], log_folder, root)
 	var played_s := player.play_all(trial_set, gesture)
-	print(
-		(
-			"%s: %s played in its scene, %.0f times as fast as real time"
-			% [set_name, gesture, played_s / player.taken_s]
+	if played_s > 0.0:
+		print(
+			(
+				"%s: %s played in its scene, %.0f times as fast as real time"
+				% [set_name, gesture, played_s / player.taken_s]
+			)
 		)
-	)
 	player.free_scene()
 
 
 func _keep_vibration(trial_set: TrialSet, trial_name: String, evaluation_folder: String) -> void:
-	var player := ScenePlayer.new(SCENES[SHOWN_GESTURE], _out.path_join("logs/vibration"), root)
+	var player := ScenePlayer.new(
+		Tasks.SCENES[SHOWN_GESTURE], _out.path_join("logs/vibration"), root
+	)
 	player.play_to_wav(trial_set, trial_name, _out.path_join("vibration.wav"))
 	player.free_scene()
 	DirAccess.copy_absolute(

@@ -49,11 +49,13 @@ func record(first_step: int, last_step: int, stride: int = 1) -> PackedFloat64Ar
 	return values
 
 
-## Synthetic trials of one horizontal drag a position, in `folder`.
-static func write_trials(folder: String, subjects: int = 1) -> TrialSet:
+## Synthetic trials of one `gesture` a position and person, in `folder`.
+static func write_trials(
+	folder: String, subjects: int = 1, gesture: String = "horizontal_drag"
+) -> TrialSet:
 	var options := {
 		population = "tune",
-		gestures = ["horizontal_drag"],
+		gestures = [gesture],
 		subjects = subjects,
 		trials_per_subject = 1,
 	}

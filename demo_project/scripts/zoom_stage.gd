@@ -1,0 +1,65 @@
+extends "stage.gd"
+## A sphere that is zoomed to three times its size, in as many strokes as wanted: what a stroke has
+## gained stays while the hand closes again.
+
+## Of the sphere, in its own size at the start.
+const TARGET_SIZE := 3.0
+
+var _amplitude := 1.0
+var _size := 1.0
+var _size_before := 1.0
+var _is_begun := false
+var _awaits_hand := false
+
+@onready var _sphere: MeshInstance3D = $Sphere
+@onready var _target: MeshInstance3D = $Target
+
+
+func _init() -> void:
+	strokes_add_up = true
+
+
+func place(task: GestureTask, position_name: String) -> void:
+	super(task, position_name)
+	_amplitude = task.amplitude
+	_size = 1.0
+	_size_before = 1.0
+	_is_begun = false
+	_sphere.scale = Vector3.ONE
+	_paint(_target, IDLE)
+	# A trial says how large the hand's circle is, not where; the mouse is where the task is.
+	global_position = task.get_start()
+	_awaits_hand = not position_name.is_empty()
+
+
+func mark_started() -> void:
+	_paint(_target, STARTED)
+
+
+func mark_arrived() -> void:
+	_paint(_target, ARRIVED)
+
+
+func begin_stroke() -> void:
+	_is_begun = true
+	_size_before = _size
+
+
+## A whole stroke is as far as the target is from the start.
+func show_motion(value: float) -> float:
+	var gain := TARGET_SIZE - 1.0
+	if _is_begun:
+		var size := _size_before + gain * value / _amplitude
+		_size = clampf(size, _size, TARGET_SIZE)
+	_sphere.scale = Vector3.ONE * _size
+	return (_size - 1.0) / gain
+
+
+func show_hand(tracker: HandTracker) -> void:
+	super(tracker)
+	if _awaits_hand and _is_hand_tracked(tracker):
+		_awaits_hand = false
+		var middle := Vector3.ZERO
+		for joint in joints:
+			middle += tracker.get_joint_position(joint) / joints.size()
+		global_position = middle
