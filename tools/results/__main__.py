@@ -16,7 +16,7 @@ from results.page import write_page
 from results.study import Study
 
 REAL = ROOT.parent / "shared/real/drags"
-SOURCES = ["extension", "models", "demo_project"]
+SOURCES = ["extension", "models", "demo_project", "tools/results"]
 # Of people whom neither training nor tuning knows; asked for their own pace, faster, very fast, and slower.
 PACES = [1.0, 0.6, 0.4, 1.6]
 # Of the same people, doing other things: long enough to tell 0.2 false alarms a minute from none.

@@ -128,8 +128,8 @@ def recognised(gesture: str):
         row = study.open["phase"].summary["confusion"].get(gesture)
         if row is None:
             return None
-        share = row.get(gesture, 0) / sum(row.values())
-        return Verdict(percent(share), share >= 0.99)
+        right, trials = row.get(gesture, 0), sum(row.values())
+        return Verdict(f"{right} of {trials}, {percent(right / trials)}", right >= 0.99 * trials)
 
     return judge
 
