@@ -11,6 +11,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from suites import worked_example
 from suites.outcome import Outcome
 from suites.process import ROOT, run
 
@@ -22,6 +23,7 @@ def outcomes() -> Iterator[Outcome]:
         yield from training(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
         yield from results(Path(folder))
+    yield from worked_example.outcomes()
 
 
 def training(folder: Path) -> Iterator[Outcome]:
