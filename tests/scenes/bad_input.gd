@@ -92,6 +92,42 @@ func test_frames_that_are_no_frames() -> void:
 	rig.free_nodes()
 
 
+func test_fingertips_in_line_or_in_one_point() -> void:
+	var trial := {
+		gesture = "zoom", amplitude_m = 0.03, start = Vector3(0.015, 0, 0), axis = Vector3.ZERO
+	}
+	var rig := Rig.new(trial, "", root)
+	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.start()
+	var line := Vector3(0.02, 0.01, 0.3)
+	_push_tips(rig, 1.0, [Vector3(0.02, 0, 0), Vector3(-0.02, 0, 9), Vector3(0, 0.02, -9)])
+	var seen := rig.gesture_hmm.get_motion_value(GestureHMM.MOTION_MEASURED)
+	check_near(seen, 0.005, 1e-6, "20 mm, 5 more than at the start, whatever z is")
+	var is_finite_everywhere := true
+	for scale: float in [1e-9, 1.0, 1e9]:
+		for tips: Array in [
+			[line, 2.0 * line, 3.0 * line],
+			[line, line, 2.0 * line],
+			[line, line, line],
+			[Vector3.ZERO, Vector3.ZERO, Vector3.ZERO],
+		]:
+			_push_tips(rig, rig.tracker.get_time() + 0.01, tips, scale)
+			for motion in Rig.MOTIONS:
+				var value := rig.gesture_hmm.get_motion_value(motion)
+				is_finite_everywhere = is_finite_everywhere and is_finite(value)
+	check(is_finite_everywhere, "every condition stays finite")
+	var kept := rig.gesture_hmm.get_motion_value(GestureHMM.MOTION_MEASURED)
+	check_equal(kept, seen, "tips that make no circle are not measured")
+	rig.free_nodes()
+
+
+func _push_tips(rig: Rig, time_s: float, tips: Array, scale: float = 1.0) -> void:
+	var joints := {}
+	for i in tips.size():
+		joints[HandTracker.JOINT_THUMB + i] = scale * (tips[i] as Vector3)
+	rig.tracker.push_frame(time_s, joints)
+
+
 func _check_tracker_refuses(name: String, place: String) -> void:
 	_messages = []
 	var tracker := _make_tracker()
