@@ -3,6 +3,7 @@
 import csv
 import os
 import re
+import shlex
 import signal
 import statistics
 import subprocess
@@ -47,6 +48,10 @@ def training(folder: Path) -> Iterator[Outcome]:
     status, output = run(command)
     good = status == 0 and model.read_bytes() == (folder / "models/tap.gesture").read_bytes()
     yield Outcome.of("command/train: the model", good, output)
+    yield Outcome.of("command/train: progress by lines where there is no terminal", "##" not in output, output)
+    _, output = run(["script", "--quiet", "--command", shlex.join(str(word) for word in command), "/dev/null"])
+    good = len(re.findall(r"training tap  #+-* ", output)) > 20
+    yield Outcome.of("command/train: progress in one line on a terminal", good, output)
     good = picture.is_file() and picture.read_bytes().startswith(b"\x89PNG")
     yield Outcome.of("command/train: its picture", good, output)
 
