@@ -144,16 +144,21 @@ void GestureHMM::publish() {
 	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
 	const bool started = under_way && shown_.model != before.model;
 	const bool ended = shown_.arrived && (started || !before.arrived);
+	const bool aborted = before.model >= 0 && !before.arrived && shown_.model != before.model;
 	const bool state_changed = started || shown_.state != before.state;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
 	const StringName gesture = started || ended ? gesture_name(shown_.model) : StringName();
+	const StringName aborted_gesture = aborted ? gesture_name(before.model) : StringName();
 	if (ended) {
 		recognised_ = gesture;
 	}
 	if (!listeners_.empty()) {
 		listeners_.call(&MotionListener::on_motion, instant_s, current(motion_).value_m / amplitude_m());
+	}
+	if (aborted) {
+		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
 	if (started) {
 		emit_signal(names_.gesture_started, gesture);
@@ -193,6 +198,10 @@ double GestureHMM::get_acceleration() const {
 
 double GestureHMM::get_progress() const {
 	return current(motion_).progress;
+}
+
+double GestureHMM::get_confidence() const {
+	return recogniser_ && !outdated_ && shown_.model >= 0 ? recogniser_->confidence() : 0.0;
 }
 
 double GestureHMM::get_motion_value(Motion p_motion) const {

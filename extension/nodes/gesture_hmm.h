@@ -57,6 +57,7 @@ public:
 	double get_progress() const;
 	StringName get_gesture() const { return gesture_name(shown_.model); }
 	int get_state() const { return shown_.state; }
+	double get_confidence() const;
 	double get_time() const { return time_s_; }
 	StringName get_recognised() const { return recognised_; }
 
@@ -81,6 +82,7 @@ private:
 		StringName gesture_started = "gesture_started";
 		StringName state_changed = "state_changed";
 		StringName gesture_ended = "gesture_ended";
+		StringName gesture_aborted = "gesture_aborted";
 		StringName motion_updated = "motion_updated";
 	};
 	/// What scripts see of the recognition, as of the last control instant.

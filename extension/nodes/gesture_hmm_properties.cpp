@@ -142,6 +142,7 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_progress"), &GestureHMM::get_progress);
 	ClassDB::bind_method(D_METHOD("get_gesture"), &GestureHMM::get_gesture);
 	ClassDB::bind_method(D_METHOD("get_state"), &GestureHMM::get_state);
+	ClassDB::bind_method(D_METHOD("get_confidence"), &GestureHMM::get_confidence);
 	ClassDB::bind_method(D_METHOD("get_time"), &GestureHMM::get_time);
 	ClassDB::bind_method(D_METHOD("get_recognised"), &GestureHMM::get_recognised);
 	ClassDB::bind_method(D_METHOD("reset"), &GestureHMM::reset);
@@ -173,6 +174,8 @@ void GestureHMM::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "gesture", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_gesture");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "state", PROPERTY_HINT_NONE, "", READ_ONLY), "", "get_state");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "confidence", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_confidence");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "time", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "", "get_time");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "recognised", PROPERTY_HINT_NONE, "", READ_ONLY), "",
@@ -182,6 +185,7 @@ void GestureHMM::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("state_changed", PropertyInfo(Variant::INT, "state")));
 	ADD_SIGNAL(MethodInfo("gesture_ended", PropertyInfo(Variant::STRING_NAME, "gesture"),
 			PropertyInfo(Variant::FLOAT, "time_s")));
+	ADD_SIGNAL(MethodInfo("gesture_aborted", PropertyInfo(Variant::STRING_NAME, "gesture")));
 	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
 
 	BIND_ENUM_CONSTANT(MODE_PHASE);

@@ -65,7 +65,10 @@ std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
 	const double mean_z = (frame.position(Joint::THUMB).z() + frame.position(Joint::INDEX).z() +
 								  frame.position(Joint::MIDDLE).z()) /
 			3.0;
-	return FeaturePlace(circle->centre.x(), circle->centre.y(), mean_z, circle->radius);
+	// A hand that opens may move by several times the radius' growth.
+	constexpr double SIDEWAYS = 0.2;
+	return FeaturePlace(
+			SIDEWAYS * circle->centre.x(), SIDEWAYS * circle->centre.y(), SIDEWAYS * mean_z, circle->radius);
 }
 
 FeaturePlace along_size(const Task & /*task*/) {

@@ -20,42 +20,59 @@ constexpr double ABORT_AFTER = 3.0;
 /// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
 /// hang.
 constexpr double LONGEST_GAP_S = 10.0;
-constexpr double RELEASE_S = 0.1; ///< from the end back to rest, once the hand has returned
-constexpr double STILL_VELOCITY = 0.15;
-constexpr double STILL_S = 0.15; ///< rest, where the start is not told
+/// log odds while the hand has not been still yet, from where a stroke could have begun.
+constexpr double NO_STROKE = -10.0;
+constexpr double DOUBT_S = 0.3;        ///< at its end a stroke may still turn out to have been the gesture
+constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside the start has not begun
+/// Shorter strokes (in amplitudes) do not say where they go.
+constexpr double LONG_ENOUGH = 0.5;
+constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: within a tenth of a second
 
 } // namespace
 
 GestureFollower::GestureFollower(
 		const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode) :
 		model_(&model),
-		element_(*find_feature(model.feature)), task_(task), start_is_known_(start_is_known), mode_(mode),
-		decoder_(model.hmm), likelihood_(model.hmm), paper_(model), phase_(model) {}
+		element_(*find_feature(model.feature)), feature_(&element_.feature()), task_(task),
+		start_is_known_(start_is_known), mode_(mode),
+		way_(feature_->direction != nullptr ? feature_->direction(task) : FeaturePlace::Zero()),
+		decoder_(model.hmm), paper_(model), phase_(model) {}
 
-bool GestureFollower::push(const HandFrame &frame) {
+bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) {
 	if (clock_started_) {
 		// A symbol due before this frame must not see it.
 		advance(std::nextafter(frame.t_s, -INFINITY));
 	} else {
 		clock_.start(frame.t_s);
 		clock_started_ = true;
-		still_since_s_ = frame.t_s;
-		if (!start_is_known_) {
-			take_for_start(frame);
+	}
+	double x_m = 0.0;
+	if (start_is_known_) {
+		if (stage_ == Stage::RESTING) {
+			element_.restart();
 		}
+		const std::optional<double> measured_m = element_.measure(frame, task_);
+		if (!measured_m || !std::isfinite(*measured_m)) {
+			return false;
+		}
+		x_m = *measured_m;
+	} else {
+		const std::optional<FeaturePlace> place =
+				feature_->place != nullptr ? feature_->place(frame) : std::nullopt;
+		if (!place || !place->allFinite()) {
+			return false;
+		}
+		place_ = *place;
+		watch(frame.t_s, strokes);
+		x_m = (place_ - start_).dot(way_);
 	}
-	if (stage_ == Stage::RESTING) {
-		element_.restart();
+	window_.push(frame.t_s, x_m);
+	if (mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING)) {
+		phase_.push(frame.t_s, x_m / task_.amplitude_m);
 	}
-	const std::optional<double> x_m = element_.measure(frame, task_);
-	if (!x_m || !std::isfinite(*x_m)) {
-		return false;
+	if (start_is_known_) {
+		judge_by_task(strokes);
 	}
-	window_.push(frame.t_s, *x_m);
-	if (mode_ == MotionMode::PHASE) {
-		phase_.push(frame.t_s, *x_m / task_.amplitude_m);
-	}
-	last_frame_ = frame;
 	fresh_ = true;
 	return true;
 }
@@ -65,7 +82,7 @@ void GestureFollower::advance(double t_s) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		if (mode_ == MotionMode::PHASE) {
+		if (mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING)) {
 			phase_.advance(clock_.next_s());
 		}
 		step(clock_.next_s());
@@ -75,16 +92,33 @@ void GestureFollower::advance(double t_s) {
 
 void GestureFollower::step(double t_s) {
 	const Observation observation = window_.normalised(task_.amplitude_m, model_->duration_mean_s);
+	if (stage_ == Stage::MOVING) {
+		decode(t_s, observation);
+	}
+	if (start_is_known_) {
+		step_in_task(t_s, observation);
+	}
+	fresh_ = false;
+}
+
+void GestureFollower::step_in_task(double t_s, const Observation &observation) {
 	switch (stage_) {
 		case Stage::RESTING:
-			wait_at_rest(t_s, observation);
+			if (is_rejected_ && is_back(t_s, observation)) {
+				is_rejected_ = false;
+				phase_.restart();
+			} else if (!is_rejected_ && has_begun(t_s, observation)) {
+				begin(t_s, observation.x());
+				decode(t_s, observation);
+			}
 			break;
 		case Stage::MOVING:
-			decode(t_s, observation);
 			if (was_nothing(t_s, observation)) {
 				enter(Stage::RESTING, t_s);
 			} else if (has_arrived(t_s)) {
-				enter(Stage::ARRIVED, t_s);
+				arrive(t_s);
+			} else {
+				at_end_since_s_ = t_s;
 			}
 			break;
 		case Stage::ARRIVED:
@@ -93,41 +127,30 @@ void GestureFollower::step(double t_s) {
 			}
 			break;
 	}
-	fresh_ = false;
 }
 
-void GestureFollower::wait_at_rest(double t_s, const Observation &observation) {
-	if (has_begun(t_s, observation)) {
-		begin(t_s, observation);
-		decode(t_s, observation);
-		return;
-	}
-	if (start_is_known_) {
-		return;
-	}
-	if (std::abs(observation.y()) > STILL_VELOCITY) {
-		still_since_s_ = t_s;
-	} else if (t_s - still_since_s_ > STILL_S) {
-		take_for_start(last_frame_);
+void GestureFollower::arrive(double t_s) {
+	if (mode_ == MotionMode::PAPER || likeliest_ >= 0.0) {
+		enter(Stage::ARRIVED, t_s);
+	} else if (t_s - at_end_since_s_ > DOUBT_S) {
+		is_rejected_ = true;
+		enter(Stage::RESTING, t_s);
 	}
 }
 
-void GestureFollower::begin(double t_s, const Observation &observation) {
+void GestureFollower::begin(double t_s, double value) {
 	decoder_.reset();
-	likelihood_.reset();
-	symbols_seen_ = 0;
 	state_played_ = 0;
+	likeliest_ = NO_STROKE;
+	at_end_since_s_ = t_s;
 	if (mode_ == MotionMode::PAPER) {
-		paper_.begin(t_s, phase_of_value(*model_, std::min(observation.x(), 0.5)));
+		paper_.begin(t_s, phase_of_value(*model_, std::min(value, 0.5)));
 	}
 	enter(Stage::MOVING, t_s);
 }
 
 void GestureFollower::decode(double t_s, const Observation &observation) {
-	const Symbol symbol = fresh_ ? model_->quantiser.symbol(observation) : UNSEEN;
-	decoder_.push(symbol);
-	likelihood_.push(symbol);
-	++symbols_seen_;
+	decoder_.push(fresh_ ? model_->quantiser.symbol(observation) : UNSEEN);
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
 		if (mode_ == MotionMode::PAPER) {
@@ -141,7 +164,7 @@ bool GestureFollower::has_begun(double t_s, const Observation &observation) cons
 		return observation.x() > ONSET_VALUE && observation.y() > ONSET_VELOCITY;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	return estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
+	return has_moved_ && estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
 }
 
 bool GestureFollower::was_nothing(double t_s, const Observation &observation) const {
@@ -166,43 +189,67 @@ bool GestureFollower::is_back(double t_s, const Observation &observation) const 
 	return value < BACK_VALUE || (element_.is_periodic() && value > 1.0 + BACK_VALUE);
 }
 
+void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
+	if (feature_->place == nullptr) {
+		likeliest_ = log_odds_ = 0.0; // its way is no stroke
+		has_moved_ = true;
+		return;
+	}
+	const FeaturePlace start = feature_->is_radius
+			? FeaturePlace(0.0, 0.0, 0.0, task_.start_m.x())
+			: FeaturePlace(task_.start_m.x(), task_.start_m.y(), task_.start_m.z(), 0.0);
+	log_odds_ = NO_STROKE;
+	has_moved_ = false;
+	for (const std::optional<Stroke> *const stroke : { &strokes.stroke(), &strokes.joined() }) {
+		if (*stroke) {
+			log_odds_ = std::max(
+					log_odds_, LOG_PRIOR_TASK + task_evidence(**stroke, start, way_, task_.amplitude_m));
+			const FeaturePlace chord = (*stroke)->to - (*stroke)->from;
+			has_moved_ = has_moved_ || chord.dot(way_) > SMALLEST_MOVE * task_.amplitude_m;
+			if (chord.norm() > LONG_ENOUGH * task_.amplitude_m) {
+				likeliest_ = std::max(likeliest_, log_odds_);
+			}
+		}
+	}
+}
+
 void GestureFollower::enter(Stage stage, double t_s) {
-	released_from_m_ = stage == Stage::RESTING ? motion(t_s).value_m : 0.0;
+	const Motion before = motion(t_s);
+	// Where the task is known the estimator follows the hand at rest too, and blends by itself.
+	const bool restarts = stage == Stage::RESTING && mode_ == MotionMode::PHASE && !is_rejected_;
 	stage_ = stage;
 	stage_began_s_ = t_s;
-	if (stage == Stage::RESTING && mode_ == MotionMode::PHASE) {
+	if (restarts) {
 		if (element_.is_periodic()) {
 			phase_ = PhaseEstimator(*model_); // the same place is another value from now on
 		} else {
 			phase_.restart();
 		}
 	}
+	if (stage == Stage::RESTING && !(start_is_known_ && mode_ == MotionMode::PHASE)) {
+		blend_.start(t_s, before.value_m, before.velocity_m_s, RELEASE_RATE_PER_S);
+	}
 }
 
-void GestureFollower::take_for_start(const HandFrame &frame) {
-	element_.feature().start_here(frame, task_);
-	window_.reset();
-	still_since_s_ = frame.t_s;
-}
-
-double GestureFollower::mean_log_likelihood() const {
-	return symbols_seen_ > 0 ? likelihood_.log_likelihood() / symbols_seen_ : 0.0;
-}
-
-Motion GestureFollower::motion(double t_s) const {
+Motion GestureFollower::synthesised(double t_s) const {
 	if (mode_ == MotionMode::PHASE) {
+		if (!start_is_known_ && stage_ == Stage::RESTING) {
+			return {};
+		}
 		const PhaseEstimate estimate = phase_.at(t_s);
 		return { task_.amplitude_m * estimate.value, task_.amplitude_m * estimate.velocity,
 			task_.amplitude_m * estimate.acceleration, stage_ == Stage::RESTING ? 0.0 : estimate.phase };
 	}
-	if (stage_ != Stage::RESTING) {
-		return paper_.motion(t_s, task_.amplitude_m);
-	}
-	const double released = (t_s - stage_began_s_) / RELEASE_S;
-	if (!(released < 1.0)) {
-		return {};
-	}
-	return { released_from_m_ * (1.0 - released), -released_from_m_ / RELEASE_S, 0.0, 0.0 };
+	return stage_ == Stage::RESTING ? Motion{} : paper_.motion(t_s, task_.amplitude_m);
+}
+
+Motion GestureFollower::motion(double t_s) const {
+	Motion motion = synthesised(t_s);
+	const OutputBlend::Point missing = blend_.at(t_s);
+	motion.value_m += missing.value;
+	motion.velocity_m_s += missing.velocity;
+	motion.acceleration_m_s2 += missing.acceleration;
+	return motion;
 }
 
 } // namespace steadyhand

@@ -5,17 +5,24 @@
 #include "gesture/observation.h"
 #include "gesture/symbol_clock.h"
 #include "gesture/task.h"
-#include "hmm/forward.h"
 #include "hmm/viterbi.h"
 #include "motion/motion.h"
+#include "motion/output_blend.h"
 #include "motion/paper_synthesiser.h"
 #include "motion/phase_estimator.h"
+#include "motion/stroke_evidence.h"
+
+#include <cmath>
 
 namespace steadyhand {
 
 /// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays
-/// the motion out, holds its end until the hand has come back. Time is the frames' own; after construction
-/// nothing is allocated.
+/// the motion out, holds its end until the hand has come back. Strokes that do not look like the gesture are
+/// let alone. Time is the frames' own; after construction nothing is allocated.
+///
+/// Where the task is known, the synthesiser says when the gesture begins and arrives, and the stroke whether
+/// it was the gesture. Where it is not, strokes say all: the start is where one began, either way of an axis
+/// may be meant, and the follower claims a stroke when it ends, for the recogniser to decide between claims.
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
@@ -25,16 +32,22 @@ public:
 	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode);
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not
-	/// hold what the feature needs.
-	bool push(const HandFrame &frame);
+	/// hold what the feature needs. strokes: of the feature, with this frame in it.
+	bool push(const HandFrame &frame, const StrokeFinder &strokes);
 	/// All that is due by t_s.
 	void advance(double t_s);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
-	/// Mean of log P(symbol) a symbol since the start, nats; the measure by which gestures compete.
-	[[nodiscard]] double mean_log_likelihood() const;
+	/// log of the posterior odds of the gesture against none by what has been seen of it, nats; the measure
+	/// by which gestures compete.
+	[[nodiscard]] double log_odds() const { return log_odds_; }
+	/// A stroke has ended that is likelier the gesture than none: confirm() or dismiss() it.
+	[[nodiscard]] bool claims() const { return claims_; }
+	void confirm(double t_s);
+	/// Another gesture was it: what is under way is given up.
+	void give_way(double t_s);
 	/// The motion element as it is seen, m; 0 before the first frame.
 	[[nodiscard]] double measured_m() const { return window_.position_m(); }
 	[[nodiscard]] const Task &task() const { return task_; }
@@ -43,6 +56,7 @@ public:
 private:
 	const GestureModel *model_;
 	MotionElement element_;
+	const Feature *feature_; ///< the element's
 	Task task_;
 	bool start_is_known_;
 	MotionMode mode_;
@@ -51,29 +65,51 @@ private:
 	SymbolClock clock_;
 	bool clock_started_ = false;
 	bool fresh_ = false; ///< a frame came since the last symbol
-	HandFrame last_frame_;
+	FeaturePlace place_ = FeaturePlace::Zero();
+	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
+	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of its growth
 
 	Stage stage_ = Stage::RESTING;
-	double stage_began_s_ = 0.0;
-	double released_from_m_ = 0.0; ///< value that the last gesture left off at
-	double still_since_s_ = 0.0;
+	double stage_began_s_ = -INFINITY;
+	OutputBlend blend_; ///< of what would step otherwise: the output in amplitudes
+	double log_odds_ = LOG_PRIOR_OPEN;
+	bool claims_ = false;
+	bool is_rejected_ = false;        ///< what was under way was none: nothing begins before the hand is back
+	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
+	bool has_moved_ = false;          ///< along the way, in the stroke under way
+	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
+	double likeliest_ = 0.0;          ///< log odds, the best since the gesture began
+	double at_end_since_s_ = 0.0;
+	double furthest_ = 0.0; ///< since it arrived, in amplitudes
 	OnlineViterbi decoder_;
-	ForwardFilter likelihood_;
-	int symbols_seen_ = 0;
 	int state_played_ = 0;
 	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
 	PhaseEstimator phase_;
 
 	void step(double t_s);
-	void wait_at_rest(double t_s, const Observation &observation);
+	void step_in_task(double t_s, const Observation &observation);
 	void decode(double t_s, const Observation &observation);
+	void begin(double t_s, double value);
+	void enter(Stage stage, double t_s);
+	[[nodiscard]] Motion synthesised(double t_s) const;
+
+	// With a task.
 	[[nodiscard]] bool has_begun(double t_s, const Observation &observation) const;
 	[[nodiscard]] bool was_nothing(double t_s, const Observation &observation) const;
+	void arrive(double t_s);
 	[[nodiscard]] bool has_arrived(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s, const Observation &observation) const;
-	void enter(Stage stage, double t_s);
-	void begin(double t_s, const Observation &observation);
-	void take_for_start(const HandFrame &frame);
+	void judge_by_task(const StrokeFinder &strokes);
+
+	// Without one.
+	void watch(double t_s, const StrokeFinder &strokes);
+	void look_for_start(double t_s, const StrokeFinder &strokes);
+	void look_for_end(double t_s, const StrokeFinder &strokes);
+	void look_for_return(double t_s, const StrokeFinder &strokes);
+	void dismiss(double t_s);
+	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
+	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
+	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
 };
 
 } // namespace steadyhand

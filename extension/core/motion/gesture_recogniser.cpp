@@ -5,6 +5,14 @@
 #include <limits>
 
 namespace steadyhand {
+namespace {
+
+/// The gesture shown changes for one that is likelier by this factor, in nats.
+/// No clock counts further: beyond, a symbol's period is lost in rounding.
+constexpr double LARGEST_TIME_S = 1e12;
+constexpr double SWITCH_MARGIN = 1.0;
+
+} // namespace
 
 GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
 		const std::optional<Task> &task, MotionMode mode) :
@@ -13,24 +21,43 @@ GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureMo
 	followers_.reserve(models_.size());
 	for (const std::shared_ptr<const GestureModel> &model : models_) {
 		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value(), mode);
+		const Feature *const feature = find_feature(model->feature);
+		const auto known = std::find_if(watched_.begin(), watched_.end(),
+				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
+		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
+		if (known == watched_.end()) {
+			watched_.push_back({ feature, {} });
+		}
 	}
 }
 
 void GestureRecogniser::push(const HandFrame &frame) {
-	if (!std::isfinite(frame.t_s) || frame.t_s < time_s_) {
+	if (!(std::abs(frame.t_s) <= LARGEST_TIME_S) || frame.t_s < time_s_) {
 		return;
 	}
+	// What is due before this frame must not see the stroke that it makes.
+	for (GestureFollower &follower : followers_) {
+		follower.advance(std::nextafter(frame.t_s, -INFINITY));
+	}
+	for (WatchedFeature &watched : watched_) {
+		const std::optional<FeaturePlace> place =
+				watched.feature->place != nullptr ? watched.feature->place(frame) : std::nullopt;
+		if (place) {
+			watched.strokes.push(frame.t_s, *place);
+		}
+	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i].push(frame)) {
+		if (followers_[i].push(frame, watched_[watched_by_[i]].strokes)) {
 			filtered_[i].push(frame.t_s, followers_[i].measured_m());
 		}
 	}
 	time_s_ = frame.t_s;
+	decide_claims();
 	choose_leader();
 }
 
 void GestureRecogniser::advance(double t_s) {
-	if (!(t_s > time_s_)) {
+	if (!(t_s > time_s_) || t_s > LARGEST_TIME_S) {
 		return;
 	}
 	for (GestureFollower &follower : followers_) {
@@ -40,20 +67,66 @@ void GestureRecogniser::advance(double t_s) {
 	choose_leader();
 }
 
+double GestureRecogniser::posterior(const GestureFollower &follower) const {
+	// Odds against none, the largest taken out of the sum so that none overflows.
+	const double largest = std::max(follower.log_odds(), 0.0);
+	double all = std::exp(-largest);
+	for (const GestureFollower &other : followers_) {
+		if (&other == &follower || other.stage() == GestureFollower::Stage::MOVING) {
+			all += std::exp(other.log_odds() - largest);
+		}
+	}
+	return std::exp(follower.log_odds() - largest) / all;
+}
+
+double GestureRecogniser::confidence() const {
+	return follower() != nullptr && follower()->stage() != GestureFollower::Stage::RESTING
+			? posterior(*follower())
+			: 0.0;
+}
+
+void GestureRecogniser::decide_claims() {
+	int best = -1;
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (followers_[i].claims() &&
+				(best < 0 ||
+						followers_[i].log_odds() > followers_[static_cast<std::size_t>(best)].log_odds())) {
+			best = static_cast<int>(i);
+		}
+	}
+	if (best < 0) {
+		return;
+	}
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (static_cast<int>(i) == best) {
+			followers_[i].confirm(time_s_);
+		} else if (followers_[i].stage() != GestureFollower::Stage::RESTING) {
+			followers_[i].give_way(time_s_);
+		}
+	}
+	leader_ = best;
+}
+
 void GestureRecogniser::choose_leader() {
 	const bool over = leader_ < 0 || follower()->stage() == GestureFollower::Stage::RESTING;
 	int best = -1;
-	double best_likelihood = -std::numeric_limits<double>::infinity();
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		const GestureFollower &candidate = followers_[i];
-		if (candidate.stage() != GestureFollower::Stage::RESTING &&
-				candidate.mean_log_likelihood() > best_likelihood) {
+		if (followers_[i].stage() == GestureFollower::Stage::MOVING &&
+				(best < 0 ||
+						followers_[i].log_odds() > followers_[static_cast<std::size_t>(best)].log_odds())) {
 			best = static_cast<int>(i);
-			best_likelihood = candidate.mean_log_likelihood();
 		}
 	}
-	// A gesture that has arrived keeps its end; one that is moving yields to a likelier one.
-	if (over || follower()->stage() == GestureFollower::Stage::MOVING) {
+	if (over) {
+		leader_ = best;
+		return;
+	}
+	// What has arrived keeps its end until the hand does something else.
+	const bool yields = best >= 0 && best != leader_ &&
+			(follower()->stage() == GestureFollower::Stage::ARRIVED ||
+					followers_[static_cast<std::size_t>(best)].log_odds() >
+							follower()->log_odds() + SWITCH_MARGIN);
+	if (yields) {
 		leader_ = best;
 	}
 }

@@ -2,6 +2,7 @@
 
 #include "motion/filtered_motion.h"
 #include "motion/gesture_follower.h"
+#include "motion/stroke_finder.h"
 
 #include <memory>
 #include <optional>
@@ -32,15 +33,27 @@ public:
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? &followers_[static_cast<std::size_t>(leader_)] : nullptr;
 	}
+	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
+	/// none: 0..1; 0 while all of them rest.
+	[[nodiscard]] double confidence() const;
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
 	std::vector<std::shared_ptr<const GestureModel>> models_;
+	struct WatchedFeature {
+		const Feature *feature;
+		StrokeFinder strokes;
+	};
+
+	std::vector<WatchedFeature> watched_; ///< each feature once, however many models use it
+	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
 	std::vector<GestureFollower> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	int leader_ = -1;
 	double time_s_;
 
+	[[nodiscard]] double posterior(const GestureFollower &follower) const;
+	void decide_claims();
 	void choose_leader();
 };
 

@@ -1,0 +1,161 @@
+// GestureFollower where no task is known: strokes say where a gesture starts, which way it goes and when it
+// ends.
+
+#include "motion/gesture_follower.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// Shorter strokes (in amplitudes) do not say where they go.
+constexpr double SHORTEST = 0.12;
+/// log odds below which a stroke that is well under way was none after all, and how far that is.
+constexpr double HOPELESS = -4.0;
+constexpr double WELL_UNDER_WAY = 0.3;
+/// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
+/// start.
+constexpr double HOLD_S = 1.0;
+/// The hand has turned back once it is at this share of the furthest that it went.
+constexpr double RETURNED = 0.5;
+/// Where tracking is lost this near to the end, that was the end.
+constexpr double LOST_AT_END = 0.85;
+constexpr double STARTING_RATE_PER_S = 100.0;
+constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
+
+} // namespace
+
+FeaturePlace GestureFollower::way_of(const Stroke &stroke) const {
+	const FeaturePlace direction = feature_->direction(task_);
+	const bool is_reverse = model_->both_ways && (stroke.to - stroke.from).dot(direction) < 0.0;
+	return is_reverse ? FeaturePlace(-direction) : direction;
+}
+
+double GestureFollower::amplitudes(const Stroke &stroke) const {
+	return (stroke.to - stroke.from).norm() / task_.amplitude_m;
+}
+
+void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
+	claims_ = false;
+	switch (stage_) {
+		case Stage::RESTING:
+			look_for_start(t_s, strokes);
+			break;
+		case Stage::MOVING:
+			look_for_end(t_s, strokes);
+			break;
+		case Stage::ARRIVED:
+			look_for_return(t_s, strokes);
+			break;
+	}
+}
+
+void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
+	start_ = strokes.stroke() ? strokes.stroke()->from : place_;
+	way_ = feature_->direction(task_);
+	for (const std::optional<Stroke> *const seen :
+			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
+		if (!*seen || (*seen)->onset_s < not_before_s_ || amplitudes(**seen) < SHORTEST) {
+			continue;
+		}
+		const FeaturePlace way = way_of(**seen);
+		const StrokeEvidence evidence =
+				stroke_evidence(**seen, way, task_.amplitude_m, model_->duration_mean_s);
+		const bool is_over = seen == &strokes.lost() ? amplitudes(**seen) > LOST_AT_END : strokes.ended();
+		const double best = is_over ? std::max(evidence.path, evidence.sum()) : evidence.path;
+		if (LOG_PRIOR_OPEN + best > 0.0) {
+			log_odds_ = LOG_PRIOR_OPEN + best;
+			start_ = (*seen)->from;
+			way_ = way;
+			start_from(t_s, **seen, strokes);
+			look_for_end(t_s, strokes); // it may be over already
+			return;
+		}
+	}
+}
+
+void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
+	const Motion before = motion(t_s);
+	const double onset_s = stroke.onset_s;
+	window_.reset();
+	phase_ = PhaseEstimator(*model_);
+	strokes.frames_since(onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
+		if (frame_s < t_s) {
+			const double x_m = (place - start_).dot(way_);
+			window_.push(frame_s, x_m);
+			if (mode_ == MotionMode::PHASE) {
+				phase_.push(frame_s, x_m / task_.amplitude_m);
+			}
+		}
+	});
+	begin(t_s, (place_ - start_).dot(way_) / task_.amplitude_m);
+	likely_s_ = t_s;
+	const Motion after = synthesised(t_s);
+	blend_.start(t_s, before.value_m - after.value_m, before.velocity_m_s - after.velocity_m_s,
+			STARTING_RATE_PER_S);
+}
+
+void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
+	double size = -INFINITY;
+	bool is_hopeless = false;
+	for (const std::optional<Stroke> *const seen :
+			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
+		const std::optional<Stroke> &stroke = *seen;
+		if (!stroke || amplitudes(*stroke) < SHORTEST) {
+			continue;
+		}
+		const StrokeEvidence evidence =
+				stroke_evidence(*stroke, way_, task_.amplitude_m, model_->duration_mean_s);
+		const double path = LOG_PRIOR_OPEN + evidence.path;
+		if (path > 0.0) {
+			likely_s_ = t_s;
+			log_odds_ = path;
+		} else if (path < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {
+			is_hopeless = true;
+		}
+		const bool is_over = seen == &strokes.lost() ? amplitudes(*stroke) > LOST_AT_END : strokes.ended();
+		if (is_over) {
+			size = std::max(size, LOG_PRIOR_OPEN + evidence.sum());
+		}
+	}
+	if (size > 0.0) {
+		log_odds_ = size;
+		claims_ = true;
+	} else if (t_s - likely_s_ > (is_hopeless ? 0.1 : HOLD_S)) {
+		dismiss(t_s);
+	}
+}
+
+void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
+	const double along = (place_ - start_).dot(way_) / task_.amplitude_m;
+	furthest_ = std::max(furthest_, along);
+	const bool is_on_its_way = strokes.stroke() && amplitudes(*strokes.stroke()) > SHORTEST;
+	if (is_on_its_way) {
+		likely_s_ = t_s;
+	}
+	if (along < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
+		not_before_s_ = t_s; // the way back is no gesture
+		dismiss(t_s);
+	}
+}
+
+void GestureFollower::confirm(double t_s) {
+	claims_ = false;
+	furthest_ = (place_ - start_).dot(way_) / task_.amplitude_m;
+	likely_s_ = t_s;
+	enter(Stage::ARRIVED, t_s);
+}
+
+void GestureFollower::give_way(double t_s) {
+	not_before_s_ = t_s;
+	dismiss(t_s);
+}
+
+void GestureFollower::dismiss(double t_s) {
+	claims_ = false;
+	log_odds_ = LOG_PRIOR_OPEN;
+	enter(Stage::RESTING, t_s);
+}
+
+} // namespace steadyhand

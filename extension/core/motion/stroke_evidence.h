@@ -1,0 +1,34 @@
+#pragma once
+
+#include "gesture/gesture_model.h"
+#include "motion/stroke_finder.h"
+
+namespace steadyhand {
+
+/// How much a stroke of the hand speaks for a gesture and against the null model, in nats:
+/// log P(stroke | gesture) - log P(stroke | none). The null model is a hand that goes anywhere: each
+/// direction as likely as any other, lengths and durations log-uniform, any bow. A gesture goes along its
+/// axis, about straight, about as far and as long as it was trained. docs/method.md has the densities and
+/// their numbers.
+struct StrokeEvidence {
+	double path = 0.0; ///< of direction and straightness: known while the stroke is under way
+	double size = 0.0; ///< of length and duration: once it has ended
+
+	[[nodiscard]] double sum() const { return path + size; }
+};
+
+/// way: unit vector of the motion element's growth.
+[[nodiscard]] StrokeEvidence stroke_evidence(
+		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
+
+/// The same for a task that says where the stroke should begin, instead of how long it should be: nats.
+[[nodiscard]] double task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
+
+/// Of strokes, those that are a gesture while all kinds of motion may come: nats. Posterior odds of a gesture
+/// are exp(evidence + this).
+inline constexpr double LOG_PRIOR_OPEN = -4.0;
+/// The same while a task waits for this gesture at a known place.
+inline constexpr double LOG_PRIOR_TASK = -1.0;
+
+} // namespace steadyhand

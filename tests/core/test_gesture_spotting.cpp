@@ -1,0 +1,271 @@
+// Start, end and abort of gestures, with the task known and with nothing known; motion that is none.
+
+#include "minimum_jerk_drag.h"
+#include "motion/gesture_recogniser.h"
+#include "motion/stroke_evidence.h"
+#include "simulation/synthetic_trial.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+std::shared_ptr<const GestureModel> model(const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
+	GestureModel trained = test::trained_drag_model();
+	trained.gesture = gesture;
+	trained.typical_task.axis = axis;
+	trained.both_ways = both_ways;
+	return std::make_shared<const GestureModel>(std::move(trained));
+}
+
+const std::vector<std::shared_ptr<const GestureModel>> &models() {
+	static const std::vector<std::shared_ptr<const GestureModel>> all = {
+		model("sideways", Eigen::Vector3d::UnitX(), true), model("upright", Eigen::Vector3d::UnitY(), true),
+		model("push", -Eigen::Vector3d::UnitZ(), false)
+	};
+	return all;
+}
+
+struct Events {
+	std::vector<std::string> said; ///< "started sideways" and so on
+	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m
+	double last_confidence = 0.0;  ///< when the last gesture ended
+};
+
+using Way = std::function<Eigen::Vector3d(double t_s)>;
+
+/// The hand's way as a 110 Hz tracker with 0.1 mm of noise sees it; nothing between lost_from_s and
+/// lost_to_s.
+Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
+		double lost_to_s = 1e9) {
+	Events events;
+	std::mt19937_64 random(5);
+	std::normal_distribution<double> noise(0.0, 1e-4);
+	std::string shown;
+	bool had_arrived = false;
+	double frame_s = 0.0, last_value_m = 0.0;
+	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
+		const double t_s = ms / 1000.0;
+		for (; frame_s <= t_s; frame_s += 1.0 / 110.0) {
+			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
+				continue;
+			}
+			HandFrame frame;
+			frame.t_s = frame_s;
+			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
+			frame.set(Joint::INDEX, way(frame_s) + trembling);
+			recogniser.push(frame);
+		}
+		recogniser.advance(t_s);
+		const GestureFollower *const follower = recogniser.follower();
+		const bool is_shown = follower != nullptr && follower->stage() != GestureFollower::Stage::RESTING;
+		const bool has_arrived = is_shown && follower->stage() == GestureFollower::Stage::ARRIVED;
+		const std::string now = is_shown ? follower->model().gesture : "";
+		if (!shown.empty() && !had_arrived && now != shown) {
+			events.said.push_back("aborted " + shown);
+		}
+		if (is_shown && now != shown) {
+			events.said.push_back("started " + now);
+		}
+		if (has_arrived && (now != shown || !had_arrived)) {
+			events.said.push_back("ended " + now);
+			events.last_confidence = recogniser.confidence();
+		}
+		shown = now;
+		had_arrived = has_arrived;
+		const double value_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
+		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
+		last_value_m = value_m;
+	}
+	return events;
+}
+
+Events in_the_open(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+}
+
+Events in_a_task(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
+	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+}
+
+Way along(const Eigen::Vector3d &axis, const std::vector<test::Drag> &strokes) {
+	return [=](double t_s) {
+		double x_m = 0.0;
+		for (const test::Drag &stroke : strokes) {
+			x_m += stroke.x_m(t_s);
+		}
+		return Eigen::Vector3d(x_m * axis);
+	};
+}
+
+std::vector<std::string> times(int n, const std::string &gesture) {
+	std::vector<std::string> said;
+	for (int i = 0; i < n; ++i) {
+		said.push_back("started " + gesture);
+		said.push_back("ended " + gesture);
+	}
+	return said;
+}
+
+const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
+					  Z = Eigen::Vector3d::UnitZ();
+const test::Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
+
+} // namespace
+
+TEST_CASE("with nothing given each gesture is found, whichever way it goes") {
+	CHECK(in_the_open(along(X, { DRAG }), 2.5).said == times(1, "sideways"));
+	CHECK(in_the_open(along(-X, { DRAG }), 2.5).said == times(1, "sideways"));
+	CHECK(in_the_open(along(Y, { DRAG }), 2.5).said == times(1, "upright"));
+	CHECK(in_the_open(along(-Y, { DRAG }), 2.5).said == times(1, "upright"));
+	CHECK(in_the_open(along(-Z, { DRAG }), 2.5).said == times(1, "push"));
+	CHECK(in_the_open(along(Z, { DRAG }), 2.5).said.empty());           // a push goes one way
+	const Eigen::Vector3d oblique(std::cos(0.35), 0.0, std::sin(0.35)); // 20 degrees off
+	CHECK(in_the_open(along(oblique, { DRAG }), 2.5).said == times(1, "sideways"));
+	for (const double size : { 0.7, 1.5 }) {
+		const test::Drag other{ .onset_s = 0.6, .duration_s = 0.7, .amplitude_m = 0.2 * size };
+		CHECK(in_the_open(along(X, { other }), 2.5).said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("ten taps in a row each start and end once") {
+	std::vector<test::Drag> strokes;
+	for (int i = 0; i < 10; ++i) {
+		strokes.push_back({ .onset_s = 0.6 + i, .duration_s = 0.45, .amplitude_m = 0.2 });
+		strokes.push_back({ .onset_s = 1.02 + i, .duration_s = 0.4, .amplitude_m = -0.2 });
+	}
+	CHECK(in_the_open(along(-Z, strokes), 11.0).said == times(10, "push"));
+	CHECK(in_a_task(along(X, strokes), 11.0).said == times(10, "sideways"));
+}
+
+TEST_CASE("the way back is no gesture, unless the hand has rested at the end") {
+	const test::Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
+	CHECK(in_the_open(along(X, { DRAG, back }), 4.5).said == times(1, "sideways"));
+	const test::Drag late{ .onset_s = 3.5, .duration_s = 1.0, .amplitude_m = -0.2 };
+	CHECK(in_the_open(along(X, { DRAG, late }), 6.0).said == times(2, "sideways"));
+}
+
+TEST_CASE("a hand that hesitates half-way makes one gesture") {
+	const test::Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const test::Drag second{ .onset_s = 1.4, .duration_s = 0.6, .amplitude_m = 0.1 };
+	CHECK(in_the_open(along(X, { first, second }), 3.0).said == times(1, "sideways"));
+	CHECK(in_a_task(along(X, { first, second }), 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("a hand that stops half-way ends nothing: it is given up, or held where the task is known") {
+	const test::Drag half{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.1 };
+	const Events open = in_the_open(along(X, { half }), 4.0);
+	CHECK(open.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	CHECK(open.largest_step < 0.003);
+	CHECK(in_a_task(along(X, { half }), 4.0).said == std::vector<std::string>{ "started sideways" });
+	const test::Drag back{ .onset_s = 2.5, .duration_s = 0.8, .amplitude_m = -0.1 };
+	const Events returned = in_a_task(along(X, { half, back }), 5.0);
+	CHECK(returned.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	CHECK(returned.largest_step < 0.003);
+}
+
+TEST_CASE("a hand that overshoots and comes back to the end makes one gesture") {
+	const test::Drag back{ .onset_s = 1.5, .duration_s = 0.3, .amplitude_m = -0.03 };
+	const test::Drag over{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.23 };
+	CHECK(in_the_open(along(X, { over, back }), 3.0).said == times(1, "sideways"));
+	CHECK(in_a_task(along(X, { over, back }), 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("a hand that turns back early makes none") {
+	const test::Drag out{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.08 };
+	const test::Drag back{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = -0.08 };
+	for (const Events &events :
+			{ in_the_open(along(X, { out, back }), 3.0), in_a_task(along(X, { out, back }), 3.0) }) {
+		for (const std::string &said : events.said) {
+			CHECK_MESSAGE(!said.starts_with("ended"), said);
+		}
+	}
+}
+
+TEST_CASE("a hand that never moves says nothing") {
+	const Way still = [](double) { return Eigen::Vector3d(0.02, -0.01, 0.03); };
+	CHECK(in_the_open(still, 20.0).said.empty());
+	CHECK(in_a_task(still, 20.0).said.empty());
+}
+
+TEST_CASE("tracking that is lost in mid-gesture for 0.3 s loses no gesture and makes no second one") {
+	for (const double lost_s : { 0.8, 1.0, 1.2 }) {
+		CAPTURE(lost_s);
+		CHECK(in_the_open(along(X, { DRAG }), 3.0, lost_s, lost_s + 0.3).said == times(1, "sideways"));
+		CHECK(in_a_task(along(X, { DRAG }), 3.0, lost_s, lost_s + 0.3).said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("a way that is off, bent or round is no gesture") {
+	const Eigen::Vector3d diagonal = (X + Y).normalized();
+	const Way arc = [](double t_s) {
+		const double angle = std::numbers::pi * DRAG.x_m(t_s) / DRAG.amplitude_m;
+		return Eigen::Vector3d(0.1 - 0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.0);
+	};
+	const Way round = [](double t_s) {
+		return Eigen::Vector3d(0.1 * std::cos(4.0 * t_s), 0.1 * std::sin(4.0 * t_s), 0.0);
+	};
+	const std::array<Way, 3> ways = { along(diagonal, { DRAG }), arc, round };
+	for (std::size_t i = 0; i < ways.size(); ++i) {
+		CAPTURE(i);
+		for (const std::string &said : in_the_open(ways[i], 4.0).said) {
+			CHECK_MESSAGE(!said.starts_with("ended"), said);
+		}
+		// The arc leads from the task's start to its end: that is what the task asked for.
+		for (const std::string &said : i == 1 ? std::vector<std::string>{} : in_a_task(ways[i], 4.0).said) {
+			CHECK_MESSAGE(!said.starts_with("ended"), "in a task: " << said);
+		}
+	}
+}
+
+TEST_CASE("with the task known a stroke from elsewhere to its end is none") {
+	const Way from_above = [](double t_s) { return Eigen::Vector3d(0.2, 0.2 - DRAG.x_m(t_s), 0.0); };
+	const Way beside = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.15, 0.0); };
+	for (const Way &way : { from_above, beside }) {
+		for (const std::string &said : in_a_task(way, 3.0).said) {
+			CHECK_MESSAGE(!said.starts_with("ended"), said);
+		}
+	}
+	CHECK(in_a_task(along(X, { DRAG }), 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("confidence is a probability, and near 1 where a gesture is plain") {
+	const Events plain = in_the_open(along(X, { DRAG }), 2.5);
+	CHECK(plain.last_confidence > 0.95);
+	CHECK(plain.last_confidence <= 1.0);
+	const Eigen::Vector3d oblique(std::cos(0.4), 0.0, std::sin(0.4));
+	CHECK(in_the_open(along(oblique, { DRAG }), 2.5).last_confidence < plain.last_confidence);
+	GestureRecogniser resting(models(), std::nullopt, MotionMode::PHASE);
+	CHECK(resting.confidence() == 0.0);
+}
+
+TEST_CASE("the evidence of a stroke is the ratio of its densities") {
+	Stroke stroke;
+	stroke.now_s = 1.0;
+	stroke.to = FeaturePlace(0.2, 0.0, 0.0, 0.0);
+	stroke.middle = FeaturePlace(0.1, 0.0, 0.0, 0.0);
+	const StrokeEvidence straight = stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
+	// Directions about the axis: summed over the sphere, both densities make 1.
+	double sum = 0.0;
+	const int steps = 2000;
+	for (int i = 0; i < steps; ++i) {
+		const double angle = std::numbers::pi * (i + 0.5) / steps;
+		stroke.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+		stroke.middle = 0.5 * stroke.to;
+		const StrokeEvidence turned = stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
+		CHECK(turned.size == doctest::Approx(straight.size));
+		// exp(turned - straight): the bow's part, the same for all, falls out.
+		sum += std::exp(turned.path - straight.path) * 0.5 * std::sin(angle) * std::numbers::pi / steps;
+	}
+	CHECK(sum * 2.0 / (0.14 * 0.14) == doctest::Approx(1.0).epsilon(0.01));
+	stroke.to = stroke.from;
+	CHECK(stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0).path < -100.0);
+}
