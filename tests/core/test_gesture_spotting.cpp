@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -49,10 +50,12 @@ Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, dou
 	std::normal_distribution<double> noise(0.0, 1e-4);
 	std::string shown;
 	bool had_arrived = false;
-	double frame_s = 0.0, last_value_m = 0.0;
+	double last_value_m = 0.0;
+	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
 		const double t_s = ms / 1000.0;
-		for (; frame_s <= t_s; frame_s += 1.0 / 110.0) {
+		for (; frames / 110.0 <= t_s; ++frames) {
+			const double frame_s = frames / 110.0;
 			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
 				continue;
 			}
@@ -196,6 +199,17 @@ TEST_CASE("a hand that never moves says nothing") {
 	CHECK(in_a_task(still, 20.0).said.empty());
 }
 
+TEST_CASE("a stamp that no clock shows is passed over") {
+	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+	HandFrame frame;
+	frame.set(Joint::INDEX, Eigen::Vector3d::Zero());
+	recogniser.push(frame);
+	frame.t_s = 1e300;
+	recogniser.push(frame);
+	recogniser.advance(1e300);
+	CHECK(recogniser.time_s() == 0.0);
+}
+
 TEST_CASE("tracking that is lost in mid-gesture for 0.3 s loses no gesture and makes no second one") {
 	for (const double lost_s : { 0.8, 1.0, 1.2 }) {
 		CAPTURE(lost_s);
@@ -213,26 +227,24 @@ TEST_CASE("a way that is off, bent or round is no gesture") {
 	const Way round = [](double t_s) {
 		return Eigen::Vector3d(0.1 * std::cos(4.0 * t_s), 0.1 * std::sin(4.0 * t_s), 0.0);
 	};
-	const std::array<Way, 3> ways = { along(diagonal, { DRAG }), arc, round };
-	for (std::size_t i = 0; i < ways.size(); ++i) {
-		CAPTURE(i);
-		for (const std::string &said : in_the_open(ways[i], 4.0).said) {
-			CHECK_MESSAGE(!said.starts_with("ended"), said);
-		}
-		// The arc leads from the task's start to its end: that is what the task asked for.
-		for (const std::string &said : i == 1 ? std::vector<std::string>{} : in_a_task(ways[i], 4.0).said) {
-			CHECK_MESSAGE(!said.starts_with("ended"), "in a task: " << said);
-		}
-	}
+	const auto none_ends = [](const Events &events) {
+		return std::ranges::none_of(
+				events.said, [](const std::string &said) { return said.starts_with("ended"); });
+	};
+	CHECK(none_ends(in_the_open(along(diagonal, { DRAG }), 4.0)));
+	CHECK(none_ends(in_a_task(along(diagonal, { DRAG }), 4.0)));
+	CHECK(none_ends(in_the_open(round, 4.0)));
+	CHECK(none_ends(in_a_task(round, 4.0)));
+	// With the task the arc would count: it leads from its start to its end.
+	CHECK(none_ends(in_the_open(arc, 4.0)));
 }
 
 TEST_CASE("with the task known a stroke from elsewhere to its end is none") {
 	const Way from_above = [](double t_s) { return Eigen::Vector3d(0.2, 0.2 - DRAG.x_m(t_s), 0.0); };
 	const Way beside = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.15, 0.0); };
-	for (const Way &way : { from_above, beside }) {
-		for (const std::string &said : in_a_task(way, 3.0).said) {
-			CHECK_MESSAGE(!said.starts_with("ended"), said);
-		}
+	CHECK(in_a_task(from_above, 3.0).said.empty());
+	for (const std::string &said : in_a_task(beside, 3.0).said) {
+		CHECK_MESSAGE(!said.starts_with("ended"), said);
 	}
 	CHECK(in_a_task(along(X, { DRAG }), 3.0).said == times(1, "sideways"));
 }

@@ -226,7 +226,7 @@ void GestureFollower::enter(Stage stage, double t_s) {
 			phase_.restart();
 		}
 	}
-	if (stage == Stage::RESTING && !(start_is_known_ && mode_ == MotionMode::PHASE)) {
+	if (stage == Stage::RESTING && (!start_is_known_ || mode_ == MotionMode::PAPER)) {
 		blend_.start(t_s, before.value_m, before.velocity_m_s, RELEASE_RATE_PER_S);
 	}
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace steadyhand {
 namespace {
@@ -97,7 +98,7 @@ void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeF
 }
 
 void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
-	double size = -INFINITY;
+	double size = -std::numeric_limits<double>::infinity();
 	bool is_hopeless = false;
 	for (const std::optional<Stroke> *const seen :
 			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
