@@ -16,10 +16,10 @@ constexpr double LOG_LONGER = 0.5;  ///< a hand that reaches further than it was
 constexpr double LOG_LENGTHS = 3.7; ///< the null model's: 5 % to twice the amplitude
 constexpr double LOG_DURATION = 0.7;
 constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
-constexpr double START = 0.15;        ///< amplitudes: how far from a task's start a hand begins
+constexpr double START = 0.12;        ///< amplitudes: how far from a task's start a hand begins
 /// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
-/// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.15^3)).
-constexpr double LOG_STARTS = 5.58;
+/// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
+constexpr double LOG_STARTS = 6.25;
 constexpr double IMPOSSIBLE = -1e3;
 
 /// Of the density of a normal whose deviation differs below and above its mode, 0.

@@ -29,6 +29,6 @@ struct StrokeEvidence {
 /// are exp(evidence + this).
 inline constexpr double LOG_PRIOR_OPEN = -4.2;
 /// The same while a task waits for this gesture at a known place.
-inline constexpr double LOG_PRIOR_TASK = -1.0;
+inline constexpr double LOG_PRIOR_TASK = 1.0;
 
 } // namespace steadyhand
