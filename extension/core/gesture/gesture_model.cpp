@@ -1,6 +1,7 @@
 #include "gesture/gesture_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -19,6 +20,22 @@ CurvePoint evaluate(const GestureModel &model, double phase) {
 	const double length = element->phase_end - element->phase_begin;
 	const Polynomial::Point point = element->curve.evaluate((phase - element->phase_begin) / length);
 	return { point.value, point.first / length, point.second / (length * length) };
+}
+
+CurvePoint evaluate_onwards(const GestureModel &model, double phase) {
+	/// Phase in which the speed at the end falls to 1/e.
+	constexpr double RUN_OUT = 0.06;
+	if (phase <= 0.0) {
+		return {};
+	}
+	CurvePoint point = evaluate(model, phase);
+	if (phase > 1.0) {
+		const double fading = std::exp((1.0 - phase) / RUN_OUT);
+		point.value += point.slope * RUN_OUT * (1.0 - fading);
+		point.slope *= fading;
+		point.curvature = -point.slope / RUN_OUT;
+	}
+	return point;
 }
 
 double phase_of_value(const GestureModel &model, double value) {

@@ -59,6 +59,10 @@ struct CurvePoint {
 };
 CurvePoint evaluate(const GestureModel &model, double phase);
 
+/// The same, and on beyond the end of the task: a hand that gets there with some speed comes to rest a little
+/// further on. Value and slope are continuous for every phase; 0 before the start.
+CurvePoint evaluate_onwards(const GestureModel &model, double phase);
+
 /// The smallest phase at which the reference reaches the value; 0 below its start, 1 beyond its end.
 double phase_of_value(const GestureModel &model, double value);
 

@@ -2,10 +2,10 @@
 
 #include "gesture/feature.h"
 #include "gesture/motion_element.h"
+#include "gesture/motion_elements.h"
 #include "gesture/observation.h"
 #include "gesture/reference_curve.h"
 #include "gesture/symbol_clock.h"
-#include "hmm/viterbi.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,77 +74,6 @@ std::vector<std::optional<Observation>> observe(
 	}
 	tick_until(movement.span.end_s);
 	return observations;
-}
-
-struct MeanAndDeviation {
-	double mean = 0.0;
-	double deviation = 0.0;
-};
-
-template <class Values> MeanAndDeviation mean_and_deviation(const Values &values) {
-	const Eigen::Map<const Eigen::VectorXd> v(values.data(), static_cast<Eigen::Index>(values.size()));
-	const double n = static_cast<double>(values.size());
-	const double mean = n > 0.0 ? v.mean() : 0.0;
-	return { mean, n > 1.0 ? std::sqrt((v.array() - mean).square().sum() / (n - 1.0)) : 0.0 };
-}
-
-/// Cuts the reference curve where the states change on average, and fits each piece (paper, "primitive
-/// elements are synthesized from polynomial curves with the best fit in each state").
-void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<const double> durations_s,
-		std::size_t degree, GestureModel &r_model) {
-	const auto states = static_cast<std::size_t>(r_model.hmm.states());
-	std::vector<std::vector<double>> state_s(states);
-	std::vector<double> share(states, 0.0);
-	double aligned = 0.0;
-	for (std::size_t r = 0; r < sequences.size(); ++r) {
-		if (sequences[r].empty()) {
-			continue; // shorter than one period of the symbol clock
-		}
-		const ViterbiPath path = viterbi(r_model.hmm, sequences[r]);
-		aligned += 1.0;
-		std::vector<double> frames(states, 0.0);
-		for (const int state : path.states) {
-			frames[static_cast<std::size_t>(state)] += 1.0;
-		}
-		for (std::size_t i = 0; i < states; ++i) {
-			const double part = frames[i] / static_cast<double>(path.states.size());
-			share[i] += part;
-			state_s[i].push_back(part * durations_s[r]);
-		}
-	}
-
-	// A state that the best paths skip still needs a piece of the curve: at least two points of it.
-	constexpr double SMALLEST = 2.0 / static_cast<double>(CURVE_POINTS - 1);
-	double total = 0.0;
-	for (double &part : share) {
-		part = std::max(part / std::max(aligned, 1.0), SMALLEST);
-		total += part;
-	}
-	double phase = 0.0;
-	for (std::size_t i = 0; i < states; ++i) {
-		PrimitiveMotionElement element;
-		element.phase_begin = phase;
-		element.phase_end = i + 1 < states ? phase + share[i] / total : 1.0;
-		const MeanAndDeviation duration = mean_and_deviation(state_s[i]);
-		element.duration_mean_s = std::max(duration.mean, SMALLEST * r_model.duration_mean_s);
-		element.duration_deviation_s = duration.deviation;
-
-		std::vector<double> s, y;
-		double deviation_sum = 0.0;
-		for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {
-			const double at = static_cast<double>(k) / static_cast<double>(CURVE_POINTS - 1);
-			const double local = (at - element.phase_begin) / (element.phase_end - element.phase_begin);
-			if (local >= 0.0 && local <= 1.0) {
-				s.push_back(local);
-				y.push_back(r_model.reference_mean(k));
-				deviation_sum += r_model.reference_deviation(k);
-			}
-		}
-		element.curve = fit_polynomial(s, y, degree).polynomial;
-		element.deviation = s.empty() ? 0.0 : deviation_sum / static_cast<double>(s.size());
-		phase = element.phase_end;
-		r_model.elements.push_back(element);
-	}
 }
 
 std::string range_error(const TrainingOptions &options) {

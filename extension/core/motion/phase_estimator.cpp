@@ -3,66 +3,73 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <span>
 
 namespace steadyhand {
 namespace {
 
-// Deviations in amplitudes, times in seconds. Set on synthetic subjects of the tuning population and on other
-// recordings than those that are evaluated; the figures change little over a factor of two in any of them
-// (docs/method.md).
-constexpr double GAIN_DEVIATION = 0.05; ///< g: endpoint spread of aimed movements
-constexpr double HAND_DEVIATION = 0.03; ///< d
-constexpr double HAND_MEMORY_S = 0.25; ///< while the hand does what the gesture says; longer the less it does
-constexpr double SOUND_ERROR = 0.02;   ///< b while nothing wrong has been seen
-constexpr double UNSOUND_ERROR = 0.10; ///< b, added at full unsoundness
-constexpr double ERROR_MEMORY_S = 1.0;
-constexpr double UNSOUND_LAG_S = 0.10; ///< at full unsoundness, at the far end of the way
-constexpr double NOISE = 0.004;        ///< white part of a tracker's error
-constexpr double TAIL = 3.0;           ///< degrees of freedom of the innovation's Student t
-constexpr double ONSETS_PER_S = 2.0;   ///< how soon a hand at rest begins
-constexpr double BRANCH_PERIOD_S = 0.02;
-constexpr double SHORTEST_S = 0.15; ///< of the durations that are studied
-constexpr double LONGEST_S = 4.0;
-constexpr double SURPRISE_GAIN = 0.15; ///< a sound frame's share in the mean
-constexpr double LARGEST_SURPRISE = 100.0;
+// Values in amplitudes. Set on synthetic subjects of the tuning population and on other recordings than those
+// that are evaluated (docs/method.md).
+constexpr double ONSETS_PER_S = 1.0; ///< how soon a hand at rest begins
+constexpr double FREED_PER_S = 0.02; ///< how soon a hand does something else
+constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
+constexpr double AT_START = 0.15;     ///< where it started
+constexpr double BRANCH_PERIOD_S = 0.03;
+constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
+/// Durations are log-normal about the model's mean, never narrower than this: people differ from recordings.
+constexpr double SMALLEST_SPREAD = 0.4;
+constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
+
+constexpr double UNSOUND_PRIOR = 0.15;  ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double UNSOUND_AT_LEAST = 0.02; ///< and among all on their way, at any time: trackers start to err
+constexpr double FAULT_LOG_RATIO = 3.0; ///< a fault's likelihood where the tracker is right, against it erring
+
+constexpr double OUTLIERS = 0.01;
+constexpr double OUTLIERS_AFTER_JUMP = 0.5;
+constexpr double SUSPICION_S = 0.12;
+/// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
+/// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
+constexpr double ALIKE_S = 0.014;
+constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
+
+constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
+constexpr double SEEDED_TO = 0.97;
+constexpr double SEED_SPREAD = 0.08;  ///< of the onset, in durations
+constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
+constexpr double SEEN_S = 0.05;       ///< how strongly a frame at rest speaks against an earlier onset
+
 constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
-constexpr double NEGLIGIBLE =
-		-16.0; ///< log weight against the best: contributes less than the tracker's noise
+/// Log weights against the best of the same kind, and of all.
+constexpr double NEGLIGIBLE = -10.0;
+constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 
-const double AT_REST = std::numeric_limits<double>::infinity();
-
-bool likelier(double a, double b) {
-	return a > b;
+bool erring(const GestureHypothesis &hypothesis) {
+	return hypothesis.regime() == Regime::UNSOUND;
 }
 
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model) {
-	// Log-normal about the model's mean, never narrower than a factor of 1.5: people differ from the
-	// recordings.
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
-	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), 0.4);
+	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
+	constexpr double STEP = 2.0 * WIDEST / (DURATIONS - 1);
+	log_duration_deviation_ = 0.6 * STEP * spread;
 	double total = 0.0;
-	for (int k = 0; k < DURATIONS; ++k) {
-		const double z = 2.2 * (2.0 * k / (DURATIONS - 1) - 1.0); // evenly over +-2.2 deviations
-		const auto i = static_cast<std::size_t>(k);
-		durations_s_[i] = std::clamp(std::exp(centre + spread * z), SHORTEST_S, LONGEST_S);
-		log_prior_[i] = -0.5 * z * z;
-		total += std::exp(log_prior_[i]);
+	for (std::size_t k = 0; k < DURATIONS; ++k) {
+		const double z = STEP * static_cast<double>(k) - WIDEST;
+		log_durations_[k] = centre + spread * z;
+		log_prior_[k] = -0.5 * z * z;
+		total += std::exp(log_prior_[k]);
 	}
 	for (double &log_prior : log_prior_) {
 		log_prior -= std::log(total);
 	}
 }
 
-void PhaseEstimator::begin(double t_s) {
-	Hypothesis rest;
-	rest.onset_s = AT_REST;
-	rest.gg = GAIN_DEVIATION * GAIN_DEVIATION;
-	rest.dd = HAND_DEVIATION * HAND_DEVIATION;
-	rest.bb = SOUND_ERROR * SOUND_ERROR;
-	hypotheses_[0] = rest;
+void PhaseEstimator::begin(double t_s, double d) {
+	hypotheses_[0] = GestureHypothesis::resting(d);
 	count_ = 1;
 	filtered_s_ = blended_s_ = t_s;
 	next_branch_s_ = t_s + BRANCH_PERIOD_S;
@@ -73,181 +80,200 @@ void PhaseEstimator::restart() {
 		return;
 	}
 	const PhaseEstimate before = at(filtered_s_);
-	begin(filtered_s_);
-	hypotheses_[0].d = before.value;
-	surprise_ = 1.0;
+	begin(filtered_s_, before.value);
 	blend_from(before, filtered_s_);
 }
 
-CurvePoint PhaseEstimator::curve(const Hypothesis &hypothesis, double t_s) const {
-	if (hypothesis.onset_s == AT_REST) {
-		return {};
-	}
-	const double phase = (t_s - hypothesis.onset_s) / hypothesis.duration_s;
-	if (phase <= 0.0) {
-		return {};
-	}
-	CurvePoint point = evaluate(*model_, phase);
-	if (phase >= 1.0) {
-		return { point.value, 0.0, 0.0 };
-	}
-	point.slope /= hypothesis.duration_s;
-	point.curvature /= hypothesis.duration_s * hypothesis.duration_s;
-	return point;
+GestureHypothesis &PhaseEstimator::add(const GestureHypothesis &hypothesis) {
+	GestureHypothesis &added = hypotheses_[static_cast<std::size_t>(count_++)];
+	added = hypothesis;
+	return added;
 }
 
 void PhaseEstimator::advance(double t_s) {
 	if (count_ == 0) {
 		return;
 	}
-	// After a pause of hours only the last seconds can hold an onset that still matters.
-	next_branch_s_ = std::max(next_branch_s_, t_s - 2.0 * LONGEST_S);
+	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
 	while (next_branch_s_ <= t_s) {
 		branch(next_branch_s_);
 		next_branch_s_ += BRANCH_PERIOD_S;
 	}
 }
 
+double PhaseEstimator::probability(Regime regime) const {
+	const double unsound = UNSOUND_PRIOR + (1.0 - UNSOUND_PRIOR) * soundness_.unsoundness();
+	return regime == Regime::UNSOUND ? unsound : 1.0 - unsound;
+}
+
 void PhaseEstimator::branch(double t_s) {
 	const PhaseEstimate before = at(t_s);
+	come_to_rest();
+	set_free();
 	constexpr double STARTS = ONSETS_PER_S * BRANCH_PERIOD_S;
 	for (std::size_t k = 0; k < DURATIONS; ++k) {
-		Hypothesis &started = hypotheses_[static_cast<std::size_t>(count_++)];
-		started = hypotheses_[0];
-		started.onset_s = t_s - 0.5 * BRANCH_PERIOD_S;
-		started.duration_s = durations_s_[k];
-		started.log_weight += std::log(STARTS) + log_prior_[k];
+		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
+			start(k, regime, t_s - 0.5 * BRANCH_PERIOD_S, 0.6 * BRANCH_PERIOD_S, std::log(STARTS));
+		}
 	}
 	hypotheses_[0].log_weight += std::log1p(-STARTS);
 	drop_unlikely();
 	blend_from(before, t_s);
 }
 
-void PhaseEstimator::drop_unlikely() {
-	if (count_ <= KEPT) {
+void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
+		double log_probability) {
+	const GestureHypothesis started = hypotheses_[0].begun(
+			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
+	add(started).log_weight += log_probability + log_prior_[duration] + std::log(probability(regime));
+}
+
+/// A hand that wandered off and came back is at rest again.
+void PhaseEstimator::come_to_rest() {
+	for (int i = 1; i < count_; ++i) {
+		const GestureHypothesis &wandered = hypotheses_[static_cast<std::size_t>(i)];
+		const double log_weight = wandered.log_weight + std::log(AT_REST_PER_S * BRANCH_PERIOD_S);
+		if (!wandered.on_its_way() && std::abs(wandered.hand_deviation()) < AT_START &&
+				log_weight > hypotheses_[0].log_weight) {
+			hypotheses_[0] = wandered.in(Regime::REST);
+			hypotheses_[0].log_weight = log_weight;
+		}
+	}
+}
+
+/// The hand of the likeliest sound hypothesis, and the one at rest, may do something else from now on. Where
+/// the tracker errs that is less likely to be what is seen.
+void PhaseEstimator::set_free() {
+	const double sound = 1.0 - soundness_.unsoundness();
+	const double log_probability =
+			std::log(FREED_PER_S * BRANCH_PERIOD_S * sound * sound + std::numeric_limits<double>::min());
+	const GestureHypothesis *likeliest = nullptr;
+	for (int i = 1; i < count_; ++i) {
+		const GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
+		if (h.regime() == Regime::SOUND && (likeliest == nullptr || h.log_weight > likeliest->log_weight)) {
+			likeliest = &h;
+		}
+	}
+	if (likeliest != nullptr) {
+		add(likeliest->in(Regime::FREE)).log_weight += log_probability;
+	}
+	add(hypotheses_[0].in(Regime::FREE)).log_weight += log_probability;
+}
+
+/// Hypotheses that began since the hand was last seen and have come as far as x.
+void PhaseEstimator::seed(double t_s, double x) {
+	if (x < SEEDED_FROM) {
 		return;
 	}
-	std::nth_element(hypotheses_.begin() + 1, hypotheses_.begin() + KEPT, hypotheses_.begin() + count_,
-			[](const Hypothesis &a, const Hypothesis &b) { return likelier(a.log_weight, b.log_weight); });
-	count_ = KEPT;
-}
-
-double PhaseEstimator::hand_memory_s() const {
-	return HAND_MEMORY_S * std::sqrt(surprise_);
-}
-
-void PhaseEstimator::predict(double t_s) {
-	const double dt_s = std::max(t_s - filtered_s_, 0.0);
-	filtered_s_ = t_s;
-	const double keep_d = std::exp(-dt_s / hand_memory_s());
-	const double keep_b = std::exp(-dt_s / ERROR_MEMORY_S);
-	const double error = SOUND_ERROR + UNSOUND_ERROR * soundness_.unsoundness();
-	const double add_d = HAND_DEVIATION * HAND_DEVIATION * surprise_ * (1.0 - keep_d * keep_d);
-	const double add_b = error * error * (1.0 - keep_b * keep_b);
-	for (int i = 0; i < count_; ++i) {
-		Hypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		h.d *= keep_d;
-		h.b *= keep_b;
-		h.gd *= keep_d;
-		h.gb *= keep_b;
-		h.dd = h.dd * keep_d * keep_d + add_d;
-		h.db *= keep_d * keep_b;
-		h.bb = h.bb * keep_b * keep_b + add_b;
+	const double phase = phase_of_value(*model_, std::min(x, SEEDED_TO));
+	for (std::size_t k = 0; k < DURATIONS; ++k) {
+		const double duration_s = std::exp(log_durations_[k]);
+		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
+			const double onset_s =
+					t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);
+			const double too_early =
+					std::max(soundness_.news_s() - onset_s - UNSEEN_PHASE * duration_s, 0.0) / SEEN_S;
+			const double deviation_s = SEED_SPREAD * duration_s;
+			// The mass of a Gaussian of this deviation is sqrt(2 pi) times its height.
+			const double starts = ONSETS_PER_S * std::sqrt(2.0 * std::numbers::pi) * deviation_s;
+			start(k, regime, onset_s, deviation_s, std::log(starts) - 0.5 * too_early * too_early);
+		}
 	}
 }
 
-double PhaseEstimator::absorb(Hypothesis &r_hypothesis, double f, double x) {
-	Hypothesis &h = r_hypothesis;
-	// The frame sees f g + d + b: pg, pd, pb are the covariances of the three with it.
-	const double pg = h.gg * f + h.gd + h.gb;
-	const double pd = h.gd * f + h.dd + h.db;
-	const double pb = h.gb * f + h.db + h.bb;
-	const double variance = pg * f + pd + pb + NOISE * NOISE;
-	const double innovation = x - (f * (1.0 + h.g) + h.d + h.b);
-	const double squared = innovation * innovation / variance;
-	h.log_weight -= 0.5 * (TAIL + 1.0) * std::log1p(squared / TAIL) + 0.5 * std::log(variance);
-	// A Student t is a Gaussian of unknown variance: an outlier is likely one of a large variance, and moves
-	// little.
-	const double inflated = variance * std::max(1.0, (TAIL + squared) / (TAIL + 1.0));
-	const double kg = pg / inflated, kd = pd / inflated, kb = pb / inflated;
-	h.g += kg * innovation;
-	h.d += kd * innovation;
-	h.b += kb * innovation;
-	h.gg -= kg * pg;
-	h.gd -= kg * pd;
-	h.gb -= kg * pb;
-	h.dd -= kd * pd;
-	h.db -= kd * pb;
-	h.bb -= kb * pb;
-	return squared;
-}
-
-void PhaseEstimator::correct(double t_s, double x) {
-	const double lag_s = UNSOUND_LAG_S * soundness_.unsoundness();
+void PhaseEstimator::drop_unlikely() {
+	const std::span<GestureHypothesis> all(hypotheses_.data(), static_cast<std::size_t>(count_));
 	double best = -std::numeric_limits<double>::infinity();
-	double squared_sum = 0.0, weight_sum = 0.0;
-	for (int i = 0; i < count_; ++i) {
-		Hypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		const double weight = std::exp(h.log_weight);
-		const double now = curve(h, t_s).value;
-		const double f = lag_s > 0.0 ? curve(h, t_s - lag_s * now).value : now;
-		squared_sum += weight * absorb(h, f, x);
-		weight_sum += weight;
+	for (const GestureHypothesis &h : all) {
 		best = std::max(best, h.log_weight);
 	}
-	for (int i = 0; i < count_; ++i) {
-		hypotheses_[static_cast<std::size_t>(i)].log_weight -= best;
+	double best_of[2] = { NEGLIGIBLE_TO_ALL, NEGLIGIBLE_TO_ALL }, total_of[2] = { 0.0, 0.0 };
+	for (GestureHypothesis &h : all) {
+		h.log_weight -= best;
+		double &best_of_kind = best_of[erring(h) ? 1 : 0];
+		best_of_kind = std::max(best_of_kind, h.log_weight);
+		total_of[erring(h) ? 1 : 0] += std::exp(h.log_weight);
 	}
-	const double sound = 1.0 - soundness_.unsoundness();
-	const double share = SURPRISE_GAIN * sound * sound;
-	surprise_ += share * (squared_sum / weight_sum - surprise_);
-	surprise_ = std::clamp(surprise_, 1.0, LARGEST_SURPRISE);
+	const double others = total_of[0] - std::exp(hypotheses_[0].log_weight);
+	const double lift = total_of[1] > 0.0 && others > 0.0
+			? std::max(0.0, std::log(UNSOUND_AT_LEAST * others / total_of[1]))
+			: 0.0;
+	int kept = 1;
+	for (int i = 1; i < count_; ++i) {
+		GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
+		const int kind = erring(h) ? 1 : 0;
+		if (h.log_weight - best_of[kind] > NEGLIGIBLE && h.log_weight > NEGLIGIBLE_TO_ALL) {
+			h.log_weight += kind == 1 ? lift : 0.0;
+			hypotheses_[static_cast<std::size_t>(kept++)] = h;
+		}
+	}
+	count_ = kept;
+	if (count_ > KEPT) {
+		std::nth_element(hypotheses_.begin() + 1, hypotheses_.begin() + KEPT, hypotheses_.begin() + count_,
+				[](const GestureHypothesis &a, const GestureHypothesis &b) {
+					return a.log_weight > b.log_weight;
+				});
+		count_ = KEPT;
+	}
+}
+
+void PhaseEstimator::absorb(double t_s, double x) {
+	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
+	suspicion_ = soundness_.jumped() ? 1.0 : suspicion_ * std::exp(-dt_s / SUSPICION_S);
+	const GestureHypothesis::Trust trust{ OUTLIERS + (OUTLIERS_AFTER_JUMP - OUTLIERS) * suspicion_,
+		dt_s / (dt_s + ALIKE_S) };
+	const double step_s = std::max(t_s - filtered_s_, 0.0);
+	filtered_s_ = t_s;
+	for (int i = 0; i < count_; ++i) {
+		hypotheses_[static_cast<std::size_t>(i)].predict(*model_, t_s, step_s);
+	}
+	if (soundness_.jumped() || soundness_.returned()) {
+		seed(t_s, x);
+	}
+	for (int i = 0; i < count_; ++i) {
+		GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
+		if (h.on_its_way() && !erring(h)) {
+			h.log_weight -= FAULT_LOG_RATIO * soundness_.fault();
+		}
+		if (!soundness_.frozen()) { // a repeated value is no news of the hand
+			h.absorb(*model_, t_s, x, trust);
+		}
+	}
 }
 
 void PhaseEstimator::push(double t_s, double x) {
 	if (count_ == 0) {
-		begin(t_s);
-		hypotheses_[0].d = x;
+		begin(t_s, x);
 	}
 	advance(t_s);
 	const PhaseEstimate before = at(t_s);
 	soundness_.push(t_s, x);
-	predict(t_s);
-	if (!soundness_.frozen()) { // a repeated value is no news of the hand
-		correct(t_s, x);
-	}
+	absorb(t_s, x);
+	drop_unlikely();
 	blend_from(before, t_s);
 }
 
 PhaseEstimate PhaseEstimator::expected(double t_s) const {
 	PhaseEstimate estimate;
-	const double memory_s = hand_memory_s();
-	const double keep_d = std::exp(-std::max(t_s - filtered_s_, 0.0) / memory_s);
 	double total = 0.0;
 	for (int i = 0; i < count_; ++i) {
-		const Hypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		if (h.log_weight < NEGLIGIBLE) {
-			continue;
-		}
+		const GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
 		const double weight = std::exp(h.log_weight);
-		const CurvePoint point = curve(h, t_s);
-		const double d = h.d * keep_d;
+		const GestureHypothesis::Hand hand = h.hand(*model_, t_s, filtered_s_);
 		total += weight;
-		estimate.value += weight * (point.value * (1.0 + h.g) + d);
-		estimate.velocity += weight * (point.slope * (1.0 + h.g) - d / memory_s);
-		estimate.acceleration += weight * (point.curvature * (1.0 + h.g) + d / (memory_s * memory_s));
-		if (h.onset_s != AT_REST) {
+		estimate.value += weight * hand.value;
+		estimate.velocity += weight * hand.velocity;
+		estimate.acceleration += weight * hand.acceleration;
+		if (h.on_its_way()) {
 			estimate.moving += weight;
-			estimate.phase += weight * std::clamp((t_s - h.onset_s) / h.duration_s, 0.0, 1.0);
+			estimate.phase += weight * hand.phase;
 		}
 	}
-	if (total > 0.0) {
-		estimate.value /= total;
-		estimate.velocity /= total;
-		estimate.acceleration /= total;
-		estimate.phase /= total;
-		estimate.moving /= total;
-	}
+	estimate.value /= total; // the best one weighs 1
+	estimate.velocity /= total;
+	estimate.acceleration /= total;
+	estimate.phase /= total;
+	estimate.moving /= total;
 	return estimate;
 }
 

@@ -14,8 +14,12 @@ class TrackingSoundness {
 public:
 	/// x: the motion element in amplitudes.
 	void push(double t_s, double x) {
+		fault_ = 0.0;
+		jumped_ = returned_ = false;
 		if (frames_ > 0) {
-			weigh(std::max(t_s - t_s_, SHORTEST_S), x);
+			weigh(std::max(t_s - t_s_, SHORTEST_S), t_s, x);
+		} else {
+			news_s_ = t_s;
 		}
 		t_s_ = t_s;
 		x_ = x;
@@ -24,6 +28,8 @@ public:
 
 	/// 0: nothing wrong has been seen .. 1.
 	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_); }
+	/// Evidence that the newest frame adds, 1: as bad as a jump.
+	[[nodiscard]] double fault() const { return fault_; }
 	/// The tracker repeats itself: the value stands still to the last bit although the hand was on its way,
 	/// or although it had been trembling as every hand and sensor does. Exact stillness of a track that never
 	/// trembled is rest.
@@ -31,6 +37,13 @@ public:
 		return repeats_ >= FROZEN_REPEATS &&
 				(std::abs(speed_) > RESTING_PER_S || std::popcount(turns_) >= TREMBLING_TURNS);
 	}
+	/// The newest value is off the way that the ones before it were on, further than a hand can bend it.
+	[[nodiscard]] bool jumped() const { return jumped_; }
+	/// The newest frame is the first in a while that tells where the hand is: what it did since news_s() is
+	/// not known.
+	[[nodiscard]] bool returned() const { return returned_; }
+	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
+	[[nodiscard]] double news_s() const { return news_s_; }
 
 private:
 	static constexpr double MEMORY_S = 1.5;
@@ -41,46 +54,69 @@ private:
 	/// Amplitudes: a 0.15 s drag, the fastest that is studied, peaks at 1.875 / 0.15.
 	static constexpr double FASTEST_PER_S = 12.5;
 	static constexpr double SMALLEST_JUMP = 0.03;
+	/// And speeds up by at most 5.77 / 0.15^2 (Flash & Hogan 1985).
+	static constexpr double SHARPEST_PER_S2 = 250.0;
+	static constexpr double SMALLEST_BEND = 0.02;
 	static constexpr int FROZEN_REPEATS = 2;
+	static constexpr double BLIND_S = 0.05;
+	static constexpr double BLIND_STEP = 0.04;
 	static constexpr double RESTING_PER_S = 0.25;
 	static constexpr int TREMBLING_TURNS = 3;  ///< of the last 16 steps, those against the one before
 	static constexpr double SPEED_SHARE = 0.4; ///< a frame's share in the recent speed
 	static constexpr double FROZEN_FRAME = 0.25;
-	static constexpr double PERIOD_GROWTH = 1.02; ///< a frame, so that a sensor that slows down is understood
+	/// The period follows a sensor that slows down within some frames, and a burst of frames slowly.
+	static constexpr double PERIOD_GROWTH = 1.2;
+	static constexpr double PERIOD_SHARE = 0.1;
+	static constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
 	double t_s_ = 0.0;
 	double x_ = 0.0;
+	double news_s_ = 0.0;
 	double period_s_ = 0.01;
 	double evidence_ = 0.0;
-	double speed_ = 0.0;
+	double fault_ = 0.0;
+	double speed_ = 0.0;    ///< of steps that are news, smoothed
+	double velocity_ = 0.0; ///< of the last step
 	double step_ = 0.0;
 	std::uint16_t turns_ = 0;
 	int repeats_ = 0;
 	int frames_ = 0;
+	bool jumped_ = false;
+	bool returned_ = false;
 
-	void weigh(double dt_s, double x) {
-		evidence_ *= std::exp(-dt_s / MEMORY_S);
+	void weigh(double dt_s, double t_s, double x) {
+		const double step = x - x_;
+		const double bend = frames_ > 1 ? std::abs(step - velocity_ * dt_s) : 0.0;
+		jumped_ = bend > SHARPEST_PER_S2 * dt_s * dt_s + SMALLEST_BEND;
+		returned_ = t_s - news_s_ > BLIND_S && std::abs(step) > BLIND_STEP;
+		velocity_ = step / dt_s;
+
 		if (frames_ == 1) {
-			period_s_ = dt_s;
+			period_s_ = std::clamp(dt_s, FIRST_PERIOD_S, LAST_PERIOD_S);
 		}
 		if (dt_s > GAP_PERIODS * period_s_) {
-			evidence_ += std::min(1.0, (dt_s - 2.0 * period_s_) / FULL_GAP_S);
+			fault_ += std::min(1.0, (dt_s - 2.0 * period_s_) / FULL_GAP_S);
 		}
-		if (std::abs(x - x_) > FASTEST_PER_S * dt_s + SMALLEST_JUMP) {
-			evidence_ += 1.0;
+		if (std::abs(step) > FASTEST_PER_S * dt_s + SMALLEST_JUMP) {
+			fault_ += 1.0;
 		}
-		if (x == x_) {
+		if (step == 0.0) {
 			repeats_ = std::min(repeats_ + 1, FROZEN_REPEATS);
 		} else {
 			repeats_ = 0;
-			speed_ += SPEED_SHARE * ((x - x_) / dt_s - speed_);
-			turns_ = static_cast<std::uint16_t>((turns_ << 1U) | ((x - x_) * step_ < 0.0 ? 1U : 0U));
-			step_ = x - x_;
+			if (!jumped_) {
+				news_s_ = returned_ ? news_s_ : t_s;
+			}
+			speed_ += SPEED_SHARE * (velocity_ - speed_);
+			turns_ = static_cast<std::uint16_t>((turns_ << 1U) | (step * step_ < 0.0 ? 1U : 0U));
+			step_ = step;
 		}
 		if (frozen()) {
-			evidence_ += FROZEN_FRAME;
+			fault_ += FROZEN_FRAME;
 		}
-		period_s_ = std::min(period_s_ * PERIOD_GROWTH, dt_s);
+		evidence_ = evidence_ * std::exp(-dt_s / MEMORY_S) + fault_;
+		period_s_ = dt_s > period_s_ ? std::min(period_s_ * PERIOD_GROWTH, dt_s)
+									 : period_s_ + PERIOD_SHARE * (dt_s - period_s_);
 	}
 };
 

@@ -1,5 +1,6 @@
 #include "simulation/other_motion.h"
 
+#include "signal/minimum_jerk.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/hand_pose.h"
 #include "simulation/progress.h"
@@ -40,7 +41,7 @@ HandWay along(std::vector<Stroke> strokes) {
 	return [shared](double t_s) {
 		Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
 		for (const Stroke &stroke : *shared) {
-			place_m += minimum_jerk((t_s - stroke.start_s) / stroke.duration_s) * stroke.way_m;
+			place_m += minimum_jerk((t_s - stroke.start_s) / stroke.duration_s).value * stroke.way_m;
 		}
 		return place_m;
 	};

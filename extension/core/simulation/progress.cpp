@@ -1,5 +1,7 @@
 #include "simulation/progress.h"
 
+#include "signal/minimum_jerk.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -21,11 +23,6 @@ template <class Predicate> double bisect(double low, double high, Predicate is_b
 }
 
 } // namespace
-
-double minimum_jerk(double s) {
-	s = std::clamp(s, 0.0, 1.0);
-	return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
 
 double bend_for_peak(double peak_fraction) {
 	const double s = std::clamp(peak_fraction, 0.25, 0.75);
@@ -54,12 +51,12 @@ double Progress::at(double t_s) const {
 	double own_t_s = t_s;
 	for (const Hesitation &hesitation : hesitations_) {
 		// The slope of minimum_jerk is at most 1.875, so half of it never turns the clock back.
-		own_t_s -= hesitation.lost_s * minimum_jerk((t_s - hesitation.t_s) / (2.0 * hesitation.lost_s));
+		own_t_s -= hesitation.lost_s * minimum_jerk((t_s - hesitation.t_s) / (2.0 * hesitation.lost_s)).value;
 	}
 	double progress = initial_;
 	for (const Submovement &part : submovements_) {
 		const double s = std::clamp((own_t_s - part.start_s) / part.duration_s, 0.0, 1.0);
-		progress += part.amplitude * minimum_jerk(s + part.bend * s * (1.0 - s));
+		progress += part.amplitude * minimum_jerk(s + part.bend * s * (1.0 - s)).value;
 	}
 	return progress;
 }

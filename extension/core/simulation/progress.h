@@ -4,10 +4,6 @@
 
 namespace steadyhand {
 
-/// Way covered at the share `s` of a movement's duration: 10 s^3 - 15 s^4 + 6 s^5 (Flash and Hogan 1985,
-/// doi 10.1523/JNEUROSCI.05-07-01688.1985), 0 before it and 1 after.
-[[nodiscard]] double minimum_jerk(double s);
-
 /// Bend `a` of the time warp w(s) = s + a s (1 - s) that puts the peak velocity of minimum_jerk(w(s)) at the
 /// share `peak_fraction` of the duration, clamped to 0.25..0.75. Both ends stay at rest with no acceleration;
 /// no bend leaves the peak at 0.5.
