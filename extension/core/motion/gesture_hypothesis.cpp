@@ -22,8 +22,8 @@ constexpr double SHAPE_DEVIATION = 0.3;
 
 constexpr Deviation SMALL_ERROR{ 0.005, 2.0 };
 constexpr std::array<RegimeNumbers, 4> NUMBERS{
-	RegimeNumbers{ { 0.05, 8.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.05, 8.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.045, 4.5 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.08, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
 	RegimeNumbers{ { 0.015, 8.0 }, { 0.01, 5.0 }, 0.06, 0.12, 0.06, 0.04 },
 	RegimeNumbers{ { 0.5, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
 };

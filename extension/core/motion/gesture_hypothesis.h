@@ -24,10 +24,10 @@ struct Deviation {
 
 /// A regime's numbers (docs/method.md says how they were set); values in amplitudes.
 struct RegimeNumbers {
-	Deviation hand;        ///< d: what the hand does that the gesture does not say
-	Deviation error;       ///< b: the tracker's slow error, at the start of the way
-	double error_on_way;   ///< b: standard deviation added at the end of the way
-	double lag_s;          ///< expected lag at the end of the way
+	Deviation hand;      ///< d: what the hand does that the gesture does not say
+	Deviation error;     ///< b: the tracker's slow error, at the start of the way
+	double error_on_way; ///< b: standard deviation added at the end of the way
+	double lag_s;        ///< expected lag at the end of the way
 	double lag_deviation_s;
 	double gain_deviation; ///< g: how much further or less far than the task asks
 };
@@ -46,7 +46,7 @@ public:
 	/// A frame's place in the evidence.
 	struct Trust {
 		double outlier = 0.01; ///< probability that the frame says little of the hand
-		double weight = 1.0;   ///< part of its likelihood that counts, since errors of frames nearby are alike
+		double weight = 1.0; ///< part of its likelihood that counts, since errors of frames nearby are alike
 	};
 
 	struct Hand {

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 
 namespace steadyhand {
 namespace {
 
 // Values in amplitudes. Set on synthetic subjects of the tuning population and on other recordings than those
 // that are evaluated (docs/method.md).
-constexpr double ONSETS_PER_S = 1.0; ///< how soon a hand at rest begins
-constexpr double FREED_PER_S = 0.02; ///< how soon a hand does something else
+constexpr double ONSETS_PER_S = 2.0;  ///< how soon a hand at rest begins
+constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
 constexpr double BRANCH_PERIOD_S = 0.03;
@@ -21,9 +20,15 @@ constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 constexpr double SMALLEST_SPREAD = 0.4;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
-constexpr double UNSOUND_PRIOR = 0.15;  ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double UNSOUND_PRIOR = 0.15;    ///< of the regime UNSOUND where nothing wrong has been seen
 constexpr double UNSOUND_AT_LEAST = 0.02; ///< and among all on their way, at any time: trackers start to err
-constexpr double FAULT_LOG_RATIO = 3.0; ///< a fault's likelihood where the tracker is right, against it erring
+constexpr double FREE_AT_LEAST =
+		0.002; ///< the same of FREE while the tracker is right: hands change their minds
+constexpr double FAULT_LOG_RATIO =
+		3.0; ///< a fault's likelihood where the tracker is right, against it erring
+
+constexpr double FAULTS_PER_S =
+		6.0; ///< of a tracker that errs, at the end of the way: to see none speaks against it
 
 constexpr double OUTLIERS = 0.01;
 constexpr double OUTLIERS_AFTER_JUMP = 0.5;
@@ -40,13 +45,6 @@ constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.05;       ///< how strongly a frame at rest speaks against an earlier onset
 
 constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
-/// Log weights against the best of the same kind, and of all.
-constexpr double NEGLIGIBLE = -10.0;
-constexpr double NEGLIGIBLE_TO_ALL = -40.0;
-
-bool erring(const GestureHypothesis &hypothesis) {
-	return hypothesis.regime() == Regime::UNSOUND;
-}
 
 } // namespace
 
@@ -69,14 +67,13 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model) {
 }
 
 void PhaseEstimator::begin(double t_s, double d) {
-	hypotheses_[0] = GestureHypothesis::resting(d);
-	count_ = 1;
+	bank_.start(GestureHypothesis::resting(d));
 	filtered_s_ = blended_s_ = t_s;
 	next_branch_s_ = t_s + BRANCH_PERIOD_S;
 }
 
 void PhaseEstimator::restart() {
-	if (count_ == 0) {
+	if (bank_.empty()) {
 		return;
 	}
 	const PhaseEstimate before = at(filtered_s_);
@@ -84,14 +81,8 @@ void PhaseEstimator::restart() {
 	blend_from(before, filtered_s_);
 }
 
-GestureHypothesis &PhaseEstimator::add(const GestureHypothesis &hypothesis) {
-	GestureHypothesis &added = hypotheses_[static_cast<std::size_t>(count_++)];
-	added = hypothesis;
-	return added;
-}
-
 void PhaseEstimator::advance(double t_s) {
-	if (count_ == 0) {
+	if (bank_.empty()) {
 		return;
 	}
 	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
@@ -116,48 +107,47 @@ void PhaseEstimator::branch(double t_s) {
 			start(k, regime, t_s - 0.5 * BRANCH_PERIOD_S, 0.6 * BRANCH_PERIOD_S, std::log(STARTS));
 		}
 	}
-	hypotheses_[0].log_weight += std::log1p(-STARTS);
-	drop_unlikely();
+	bank_.at_rest().log_weight += std::log1p(-STARTS);
+	prune();
 	blend_from(before, t_s);
 }
 
 void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
 		double log_probability) {
-	const GestureHypothesis started = hypotheses_[0].begun(
+	const GestureHypothesis started = bank_.at_rest().begun(
 			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
-	add(started).log_weight += log_probability + log_prior_[duration] + std::log(probability(regime));
+	bank_.add(started).log_weight += log_probability + log_prior_[duration] + std::log(probability(regime));
 }
 
 /// A hand that wandered off and came back is at rest again.
 void PhaseEstimator::come_to_rest() {
-	for (int i = 1; i < count_; ++i) {
-		const GestureHypothesis &wandered = hypotheses_[static_cast<std::size_t>(i)];
-		const double log_weight = wandered.log_weight + std::log(AT_REST_PER_S * BRANCH_PERIOD_S);
-		if (!wandered.on_its_way() && std::abs(wandered.hand_deviation()) < AT_START &&
-				log_weight > hypotheses_[0].log_weight) {
-			hypotheses_[0] = wandered.in(Regime::REST);
-			hypotheses_[0].log_weight = log_weight;
+	for (const GestureHypothesis &h : bank_.all().subspan(1)) {
+		const double log_weight = h.log_weight + std::log(AT_REST_PER_S * BRANCH_PERIOD_S);
+		if (!h.on_its_way() && std::abs(h.hand_deviation()) < AT_START &&
+				log_weight > bank_.at_rest().log_weight) {
+			bank_.at_rest() = h.in(Regime::REST);
+			bank_.at_rest().log_weight = log_weight;
 		}
 	}
 }
 
-/// The hand of the likeliest sound hypothesis, and the one at rest, may do something else from now on. Where
+/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where
 /// the tracker errs that is less likely to be what is seen.
 void PhaseEstimator::set_free() {
 	const double sound = 1.0 - soundness_.unsoundness();
 	const double log_probability =
 			std::log(FREED_PER_S * BRANCH_PERIOD_S * sound * sound + std::numeric_limits<double>::min());
 	const GestureHypothesis *likeliest = nullptr;
-	for (int i = 1; i < count_; ++i) {
-		const GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		if (h.regime() == Regime::SOUND && (likeliest == nullptr || h.log_weight > likeliest->log_weight)) {
+	for (const GestureHypothesis &h : bank_.all().subspan(1)) {
+		if (h.on_its_way() && h.regime() != Regime::FREE &&
+				(likeliest == nullptr || h.log_weight > likeliest->log_weight)) {
 			likeliest = &h;
 		}
 	}
 	if (likeliest != nullptr) {
-		add(likeliest->in(Regime::FREE)).log_weight += log_probability;
+		bank_.add(likeliest->in(Regime::FREE)).log_weight += log_probability;
 	}
-	add(hypotheses_[0].in(Regime::FREE)).log_weight += log_probability;
+	bank_.add(bank_.at_rest().in(Regime::FREE)).log_weight += log_probability;
 }
 
 /// Hypotheses that began since the hand was last seen and have come as far as x.
@@ -169,8 +159,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 	for (std::size_t k = 0; k < DURATIONS; ++k) {
 		const double duration_s = std::exp(log_durations_[k]);
 		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
-			const double onset_s =
-					t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);
+			const double onset_s = t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);
 			const double too_early =
 					std::max(soundness_.news_s() - onset_s - UNSEEN_PHASE * duration_s, 0.0) / SEEN_S;
 			const double deviation_s = SEED_SPREAD * duration_s;
@@ -181,40 +170,9 @@ void PhaseEstimator::seed(double t_s, double x) {
 	}
 }
 
-void PhaseEstimator::drop_unlikely() {
-	const std::span<GestureHypothesis> all(hypotheses_.data(), static_cast<std::size_t>(count_));
-	double best = -std::numeric_limits<double>::infinity();
-	for (const GestureHypothesis &h : all) {
-		best = std::max(best, h.log_weight);
-	}
-	double best_of[2] = { NEGLIGIBLE_TO_ALL, NEGLIGIBLE_TO_ALL }, total_of[2] = { 0.0, 0.0 };
-	for (GestureHypothesis &h : all) {
-		h.log_weight -= best;
-		double &best_of_kind = best_of[erring(h) ? 1 : 0];
-		best_of_kind = std::max(best_of_kind, h.log_weight);
-		total_of[erring(h) ? 1 : 0] += std::exp(h.log_weight);
-	}
-	const double others = total_of[0] - std::exp(hypotheses_[0].log_weight);
-	const double lift = total_of[1] > 0.0 && others > 0.0
-			? std::max(0.0, std::log(UNSOUND_AT_LEAST * others / total_of[1]))
-			: 0.0;
-	int kept = 1;
-	for (int i = 1; i < count_; ++i) {
-		GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		const int kind = erring(h) ? 1 : 0;
-		if (h.log_weight - best_of[kind] > NEGLIGIBLE && h.log_weight > NEGLIGIBLE_TO_ALL) {
-			h.log_weight += kind == 1 ? lift : 0.0;
-			hypotheses_[static_cast<std::size_t>(kept++)] = h;
-		}
-	}
-	count_ = kept;
-	if (count_ > KEPT) {
-		std::nth_element(hypotheses_.begin() + 1, hypotheses_.begin() + KEPT, hypotheses_.begin() + count_,
-				[](const GestureHypothesis &a, const GestureHypothesis &b) {
-					return a.log_weight > b.log_weight;
-				});
-		count_ = KEPT;
-	}
+void PhaseEstimator::prune() {
+	const double sound = 1.0 - soundness_.unsoundness();
+	bank_.prune(UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
@@ -224,16 +182,16 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
-	for (int i = 0; i < count_; ++i) {
-		hypotheses_[static_cast<std::size_t>(i)].predict(*model_, t_s, step_s);
+	for (GestureHypothesis &h : bank_.all()) {
+		h.predict(*model_, t_s, step_s);
 	}
+	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
 	}
-	for (int i = 0; i < count_; ++i) {
-		GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
-		if (h.on_its_way() && !erring(h)) {
-			h.log_weight -= FAULT_LOG_RATIO * soundness_.fault();
+	for (GestureHypothesis &h : bank_.all()) {
+		if (h.on_its_way()) {
+			h.log_weight -= h.regime() == Regime::UNSOUND ? no_fault : FAULT_LOG_RATIO * soundness_.fault();
 		}
 		if (!soundness_.frozen()) { // a repeated value is no news of the hand
 			h.absorb(*model_, t_s, x, trust);
@@ -242,22 +200,21 @@ void PhaseEstimator::absorb(double t_s, double x) {
 }
 
 void PhaseEstimator::push(double t_s, double x) {
-	if (count_ == 0) {
+	if (bank_.empty()) {
 		begin(t_s, x);
 	}
 	advance(t_s);
 	const PhaseEstimate before = at(t_s);
 	soundness_.push(t_s, x);
 	absorb(t_s, x);
-	drop_unlikely();
+	prune();
 	blend_from(before, t_s);
 }
 
 PhaseEstimate PhaseEstimator::expected(double t_s) const {
 	PhaseEstimate estimate;
 	double total = 0.0;
-	for (int i = 0; i < count_; ++i) {
-		const GestureHypothesis &h = hypotheses_[static_cast<std::size_t>(i)];
+	for (const GestureHypothesis &h : bank_.all()) {
 		const double weight = std::exp(h.log_weight);
 		const GestureHypothesis::Hand hand = h.hand(*model_, t_s, filtered_s_);
 		total += weight;
@@ -278,7 +235,7 @@ PhaseEstimate PhaseEstimator::expected(double t_s) const {
 }
 
 PhaseEstimate PhaseEstimator::at(double t_s) const {
-	if (count_ == 0) {
+	if (bank_.empty()) {
 		return {};
 	}
 	PhaseEstimate estimate = expected(t_s);

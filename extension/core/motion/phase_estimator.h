@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gesture/gesture_model.h"
-#include "motion/gesture_hypothesis.h"
+#include "motion/hypothesis_bank.h"
 #include "motion/tracking_soundness.h"
 
 #include <array>
@@ -44,18 +44,15 @@ public:
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
-	static constexpr int DURATIONS = 7;
-	static constexpr int KEPT = 40;
-	/// What may be added before the unlikely ones are dropped: a branching and a seeding.
-	static constexpr int ADDED = 2 + 2 * DURATIONS + 2 * DURATIONS;
+	static constexpr std::size_t DURATIONS = 7;
+	static_assert(2 + 2 * DURATIONS <= HypothesisBank::MOST_ADDED, "a branching adds so many");
 
 	const GestureModel *model_;
 	std::array<double, DURATIONS> log_durations_{};
 	std::array<double, DURATIONS> log_prior_{};
 	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
-	std::array<GestureHypothesis, KEPT + ADDED> hypotheses_{}; ///< the first is the one at rest
-	int count_ = 0;
+	HypothesisBank bank_;
 	double filtered_s_ = 0.0; ///< the filters are at this time
 	double next_branch_s_ = 0.0;
 	double suspicion_ = 0.0;   ///< 1 after a jump, fading: the frames that follow may be more of it
@@ -70,8 +67,7 @@ private:
 	void seed(double t_s, double x);
 	void start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
 			double log_probability);
-	GestureHypothesis &add(const GestureHypothesis &hypothesis);
-	void drop_unlikely();
+	void prune();
 	void absorb(double t_s, double x);
 	[[nodiscard]] double probability(Regime regime) const;
 	[[nodiscard]] PhaseEstimate expected(double t_s) const;
