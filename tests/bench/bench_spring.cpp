@@ -2,17 +2,17 @@
 // Rounds of the three alternate and the median counts, so that a busy machine slows all alike.
 
 #include "haptics/spring.h"
+#include "timing.h"
 
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <numbers>
-#include <vector>
 
 namespace {
+
+using namespace steadyhand::bench;
 
 constexpr std::size_t BLOCK = 512;
 constexpr int BLOCKS = 4000;
@@ -20,24 +20,14 @@ constexpr int ROUNDS = 15;
 
 std::array<float, BLOCK> block;
 
-/// Makes the compiler believe that the block is read.
-void keep() {
-	asm volatile("" : : "r"(block.data()) : "memory");
-}
-
 template <class Fill> double ns_per_sample(Fill fill) {
-	const auto begin = std::chrono::steady_clock::now();
-	for (int i = 0; i < BLOCKS; ++i) {
-		fill(i);
-		keep();
-	}
-	const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-	return spent.count() / (static_cast<double>(BLOCK) * BLOCKS);
-}
-
-double median(std::vector<double> values) {
-	std::sort(values.begin(), values.end());
-	return values[values.size() / 2];
+	const double ns = ns_of([&] {
+		for (int i = 0; i < BLOCKS; ++i) {
+			fill(i);
+			keep(block);
+		}
+	});
+	return ns / (static_cast<double>(BLOCK) * BLOCKS);
 }
 
 } // namespace

@@ -1,0 +1,236 @@
+// What recognition, synthesis and training cost, beside a plain scaled forward pass (4 states, 16 symbols) on
+// the same machine in the same run: bench_recognition [MODELS], by default the folder models. Rounds of all
+// rows alternate and the median counts, so that a busy machine slows all alike.
+
+#include "gesture/model_file.h"
+#include "hmm/baum_welch.h"
+#include "hmm/forward.h"
+#include "hmm/viterbi.h"
+#include "motion/gesture_recogniser.h"
+#include "simulation/synthetic_trial.h"
+#include "timing.h"
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+using Models = std::vector<std::shared_ptr<const GestureModel>>;
+
+constexpr int ROUNDS = 9;
+constexpr int STATES = 4;
+constexpr int SYMBOLS = 16;
+constexpr std::size_t STREAM = 100000;
+constexpr int SEQUENCES = 500; ///< of each gesture, for training
+constexpr int SEQUENCE_LENGTH = 75;
+constexpr int ITERATIONS = 3;
+constexpr std::array GESTURES{ "horizontal_drag", "vertical_drag", "tap", "zoom" };
+
+struct Row {
+	std::string name;
+	std::function<double()> measure; ///< one round, ns of one unit
+	double target_ns = 0.0;          ///< 0: none
+};
+
+/// Each state of the generating model prefers four symbols of its own.
+SymbolSequence random_sequence(std::mt19937_64 &r_random, int length) {
+	std::uniform_int_distribution<int> any(0, SYMBOLS - 1), own(0, SYMBOLS / STATES - 1);
+	std::bernoulli_distribution is_own(0.8);
+	SymbolSequence sequence;
+	for (int t = 0; t < length; ++t) {
+		const int state = t * STATES / length;
+		sequence.push_back(is_own(r_random) ? state * (SYMBOLS / STATES) + own(r_random) : any(r_random));
+	}
+	return sequence;
+}
+
+/// The textbook's recursion in probabilities, scaled at each symbol (Rabiner 1989, section V.A).
+class ScaledForward {
+public:
+	explicit ScaledForward(const DiscreteHmm &hmm) :
+			a_(hmm.log_a.transpose().array().exp()), b_(hmm.log_b.array().exp()),
+			pi_(hmm.log_pi.array().exp()) {}
+
+	void reset() { alpha_ = pi_; }
+	void push(Symbol symbol) {
+		alpha_ = (a_ * alpha_).cwiseProduct(b_.col(symbol)).eval();
+		alpha_ /= alpha_.sum();
+	}
+
+private:
+	Eigen::Matrix<double, STATES, STATES> a_;
+	Eigen::Matrix<double, STATES, SYMBOLS> b_;
+	Eigen::Matrix<double, STATES, 1> pi_, alpha_ = pi_;
+};
+
+/// Over gestures one after the other, each from its start, until there are as many symbols.
+template <class Filter> double ns_a_symbol(Filter filter, const std::vector<SymbolSequence> &gestures) {
+	std::size_t symbols = 0;
+	const double ns = ns_of([&] {
+		for (std::size_t i = 0; symbols < STREAM; ++i) {
+			filter.reset();
+			for (const Symbol symbol : gestures[i % gestures.size()]) {
+				filter.push(symbol);
+				keep(filter);
+			}
+			symbols += gestures[i % gestures.size()].size();
+		}
+	});
+	return ns / static_cast<double>(symbols);
+}
+
+double ns_an_iteration(const std::vector<std::vector<SymbolSequence>> &gestures) {
+	BaumWelchOptions options;
+	options.max_iterations = ITERATIONS;
+	options.tolerance_nats = std::numeric_limits<double>::lowest();
+	double ns = 0.0;
+	for (const std::vector<SymbolSequence> &sequences : gestures) {
+		const DiscreteHmm start = left_right_from_equal_segments(sequences, STATES, SYMBOLS, options.pseudo);
+		ns += ns_of([&] { keep(baum_welch(start, sequences, options)); });
+	}
+	return ns / ITERATIONS;
+}
+
+/// The trials through the models, each from its start to its end; outputs: of each millisecond as many.
+/// Returns ns a frame.
+double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
+		MotionMode mode, int outputs = 0) {
+	double ns = 0.0;
+	std::size_t frames = 0;
+	for (const SyntheticTrial &trial : trials) {
+		const Task task{ trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
+		GestureRecogniser recogniser(models, has_task ? std::optional(task) : std::nullopt, mode);
+		ns += ns_of([&] {
+			int ms = 0;
+			for (const HandFrame &frame : trial.measured.frames) {
+				for (; outputs >= 0 && ms < frame.t_s * 1e3; ++ms) {
+					recogniser.advance(1e-3 * ms);
+					for (int i = 0; i < outputs; ++i) {
+						keep(recogniser.motion(MotionSource::SYNTHESISED));
+					}
+				}
+				recogniser.push(frame);
+			}
+		});
+		frames += trial.measured.frames.size();
+	}
+	return ns / static_cast<double>(frames);
+}
+
+/// Difference of a run with outputs and one without, by the milliseconds that the trials last.
+double ns_an_output(const std::vector<SyntheticTrial> &trials, const Models &models, MotionMode mode) {
+	constexpr int OUTPUTS = 4;
+	double frames_a_ms = 0.0, seconds = 0.0;
+	for (const SyntheticTrial &trial : trials) {
+		frames_a_ms += static_cast<double>(trial.measured.frames.size());
+		seconds += trial.measured.frames.back().t_s - trial.measured.frames.front().t_s;
+	}
+	frames_a_ms /= 1e3 * seconds;
+	const double with = ns_a_frame(trials, models, true, mode, OUTPUTS),
+				 without = ns_a_frame(trials, models, true, mode, 0);
+	return (with - without) * frames_a_ms / OUTPUTS;
+}
+
+Models read_models(const std::string &folder) {
+	Models models;
+	for (const std::string gesture : GESTURES) {
+		const std::string path = folder + "/" + gesture + ".gesture";
+		std::ifstream file(path);
+		const std::string text{ std::istreambuf_iterator<char>(file), {} };
+		const Result<GestureModel> model = parse_model(text, path);
+		if (!model) {
+			std::fprintf(stderr, "%s\n", model.error().c_str());
+			return {};
+		}
+		models.push_back(std::make_shared<const GestureModel>(model.value()));
+	}
+	return models;
+}
+
+/// One of each gesture, by one subject, where tracking is unstable.
+std::vector<SyntheticTrial> make_trials() {
+	std::vector<SyntheticTrial> trials;
+	for (const std::string gesture : GESTURES) {
+		SyntheticSetOptions options;
+		options.subjects = options.repetitions = 1;
+		options.gestures = { gesture };
+		options.positions = { HandPosition::UNSTABLE };
+		trials.push_back(make_synthetic_trial(plan_synthetic_set(options).front()).value());
+	}
+	return trials;
+}
+
+std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTrial> &trials) {
+	std::vector<Row> rows;
+	for (const MotionMode mode : { MotionMode::PHASE, MotionMode::PAPER }) {
+		const std::string mode_name = mode == MotionMode::PHASE ? "phase" : "paper";
+		for (const bool has_task : { true, false }) {
+			for (const int count : { 0, 1, 2, 4 }) {
+				const Models active(models.begin(), models.begin() + count);
+				rows.push_back({ "frame, " + mode_name + (has_task ? ", scene, " : ", open, ") +
+								std::to_string(count) + " of 4 gestures",
+						[&trials, active, has_task, mode] {
+							return ns_a_frame(trials, active, has_task, mode, -1);
+						},
+						count == 4 ? 1000.0 : 0.0 });
+			}
+		}
+		rows.push_back({ "motion(t) at 1 kHz, " + mode_name,
+				[&trials, &models, mode] { return ns_an_output(trials, { models.front() }, mode); } });
+	}
+	return rows;
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+	const Models models = read_models(count > 1 ? arguments[1] : "models");
+	if (models.empty()) {
+		return 1;
+	}
+	std::mt19937_64 random(1);
+	std::vector<std::vector<SymbolSequence>> training(GESTURES.size());
+	for (std::vector<SymbolSequence> &sequences : training) {
+		for (int i = 0; i < SEQUENCES; ++i) {
+			sequences.push_back(random_sequence(random, SEQUENCE_LENGTH));
+		}
+	}
+	const DiscreteHmm hmm = left_right_from_equal_segments(training[0], STATES, SYMBOLS, {});
+
+	std::vector<Row> rows{
+		{ "plain scaled forward pass, a symbol",
+				[&] { return ns_a_symbol(ScaledForward(hmm), training[0]); } },
+		{ "HMM, a symbol and gesture: OnlineViterbi",
+				[&] { return ns_a_symbol(OnlineViterbi(hmm), training[0]); }, 10.0 },
+		{ "HMM, a symbol and gesture: ForwardFilter",
+				[&] { return ns_a_symbol(ForwardFilter(hmm), training[0]); }, 10.0 },
+		{ "Baum-Welch, an iteration of 4 x 500 x 75 symbols", [&] { return ns_an_iteration(training); },
+				3e6 },
+	};
+	const std::vector<SyntheticTrial> trials = make_trials();
+	for (Row &row : motion_rows(models, trials)) {
+		rows.push_back(std::move(row));
+	}
+	std::vector<std::vector<double>> ns(rows.size());
+	for (int round = 0; round < ROUNDS; ++round) {
+		for (std::size_t i = 0; i < rows.size(); ++i) {
+			ns[i].push_back(rows[i].measure());
+		}
+	}
+	const double reference_ns = median(ns[0]);
+	std::printf("median of %d rounds %34s %14s %12s\n", ROUNDS, "ns", "x forward", "target, ns");
+	for (std::size_t i = 0; i < rows.size(); ++i) {
+		const double row_ns = median(ns[i]);
+		std::printf("  %-46s %12.1f %14.1f", rows[i].name.c_str(), row_ns, row_ns / reference_ns);
+		rows[i].target_ns > 0.0 ? std::printf(" %12.0f\n", rows[i].target_ns) : std::printf("\n");
+	}
+	return 0;
+}
