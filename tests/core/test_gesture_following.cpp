@@ -117,6 +117,27 @@ TEST_CASE("`phase` bridges 0.3 s without frames, and what comes back makes no st
 	}
 }
 
+TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 0.2 };
+	constexpr double FROZEN_S = 0.45, BACK_S = 0.9;
+	Track track = test::drag_track(drag, 110.0, 2.5);
+	Eigen::Vector3d last = Eigen::Vector3d::Zero();
+	for (HandFrame &frame : track.frames) {
+		if (frame.t_s > FROZEN_S && frame.t_s < BACK_S) {
+			frame.set(Joint::INDEX, last);
+		} else {
+			// A live sensor's last digits never stand still.
+			last = frame.position(Joint::INDEX) + Eigen::Vector3d(1e-6 * std::sin(9e3 * frame.t_s), 0.0, 0.0);
+			frame.set(Joint::INDEX, last);
+		}
+	}
+	const std::vector<Row> rows = play(MotionMode::PHASE, track, 2.4);
+	for (double t_s = BACK_S + 0.06; t_s < 2.3; t_s += 0.05) {
+		CAPTURE(t_s);
+		CHECK(std::abs(rows[static_cast<std::size_t>(1000.0 * t_s)][0] - drag.x_m(t_s)) < 0.03);
+	}
+}
+
 TEST_CASE("`phase` follows a hand that stops half-way, and one that turns back") {
 	const auto followed = [](auto &&x_m) {
 		Track track;

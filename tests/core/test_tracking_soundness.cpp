@@ -68,3 +68,40 @@ TEST_CASE("values that repeat on the way are a frozen tracker, exact rest is not
 	move(trembling, 50 * PERIOD_S, 0.0, 0.0, 5);
 	CHECK(trembling.frozen());
 }
+
+TEST_CASE("a burst of frames at the start does not make what follows a row of gaps") {
+	TrackingSoundness soundness;
+	for (int i = 0; i < 6; ++i) {
+		soundness.push(0.0005 * i, 0.0001 * i);
+	}
+	move(soundness, 0.003 + PERIOD_S, 0.001, 0.5, 100);
+	CHECK(soundness.unsoundness() == 0.0);
+}
+
+TEST_CASE("what comes back from a freeze further on has returned, and the news is as old as the freeze") {
+	TrackingSoundness soundness;
+	const double frozen_s = move(soundness, 0.0, 0.0, 0.1, 20) - PERIOD_S;
+	const double x = 0.1 * 19 * PERIOD_S;
+	double t_s = frozen_s;
+	for (int i = 0; i < 20; ++i) {
+		soundness.push(t_s += PERIOD_S, x);
+		CHECK_FALSE(soundness.returned());
+	}
+	soundness.push(t_s += PERIOD_S, x + 0.5);
+	CHECK(soundness.returned());
+	CHECK(soundness.news_s() == doctest::Approx(frozen_s));
+	soundness.push(t_s += PERIOD_S, x + 0.52);
+	CHECK(soundness.news_s() == doctest::Approx(t_s));
+}
+
+TEST_CASE("a value off the way by more than a hand can bend it has jumped, the fastest drag has not") {
+	TrackingSoundness fastest;
+	constexpr double DURATION_S = 0.15;
+	for (int i = 0; i < 40; ++i) {
+		const double s = std::min(i * PERIOD_S / DURATION_S, 1.0);
+		fastest.push(i * PERIOD_S, s * s * s * (10.0 - 15.0 * s + 6.0 * s * s));
+		CHECK_FALSE(fastest.jumped());
+	}
+	fastest.push(40 * PERIOD_S, 1.06);
+	CHECK(fastest.jumped());
+}

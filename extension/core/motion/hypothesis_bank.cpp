@@ -62,12 +62,13 @@ void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
 	const auto wandering = std::partition(erring, end, [](const auto &h) { return kind(h) == ERRING; });
 	const std::array bounds{ begin, erring, wandering, end };
 
-	const double usual = total({ begin, erring });
-	const std::array<double, KINDS> at_least{ 0.0, unsound_at_least * usual, free_at_least * usual };
+	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least };
+	double usual = 0.0;
 	auto kept = begin;
 	for (std::size_t k = 0; k < KINDS; ++k) {
 		const auto moved = std::move(bounds[k], bounds[k + 1], kept);
-		kept += static_cast<std::ptrdiff_t>(keep_likely({ kept, moved }, MOST_KEPT[k], at_least[k]));
+		kept += static_cast<std::ptrdiff_t>(keep_likely({ kept, moved }, MOST_KEPT[k], share[k] * usual));
+		usual = k == USUAL ? total({ begin, kept }) : usual;
 	}
 	count_ = static_cast<std::size_t>(kept - hypotheses_.begin());
 }

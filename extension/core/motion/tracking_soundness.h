@@ -76,7 +76,7 @@ private:
 	double evidence_ = 0.0;
 	double fault_ = 0.0;
 	double speed_ = 0.0;    ///< of steps that are news, smoothed
-	double velocity_ = 0.0; ///< of the last step
+	double velocity_ = 0.0; ///< of the last step that was no leap
 	double step_ = 0.0;
 	std::uint16_t turns_ = 0;
 	int repeats_ = 0;
@@ -89,7 +89,9 @@ private:
 		const double bend = frames_ > 1 ? std::abs(step - velocity_ * dt_s) : 0.0;
 		jumped_ = bend > SHARPEST_PER_S2 * dt_s * dt_s + SMALLEST_BEND;
 		returned_ = t_s - news_s_ > BLIND_S && std::abs(step) > BLIND_STEP;
-		velocity_ = step / dt_s;
+		if (!jumped_ && !returned_) { // a leap says nothing of the hand's speed
+			velocity_ = step / dt_s;
+		}
 
 		if (frames_ == 1) {
 			period_s_ = std::clamp(dt_s, FIRST_PERIOD_S, LAST_PERIOD_S);
@@ -107,7 +109,7 @@ private:
 			if (!jumped_) {
 				news_s_ = returned_ ? news_s_ : t_s;
 			}
-			speed_ += SPEED_SHARE * (velocity_ - speed_);
+			speed_ += SPEED_SHARE * (step / dt_s - speed_);
 			turns_ = static_cast<std::uint16_t>((turns_ << 1U) | (step * step_ < 0.0 ? 1U : 0U));
 			step_ = step;
 		}

@@ -1,0 +1,160 @@
+#include "minimum_jerk_drag.h"
+#include "motion/hypothesis_bank.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+const GestureModel &drag_model() {
+	static const GestureModel model = test::trained_drag_model();
+	return model;
+}
+
+/// Covariance of critically damped noise at two instants (Matern 3/2; Rasmussen & Williams 2006, eq. 4.17).
+double covariance(const Deviation &noise, double apart_s) {
+	const double r = noise.rate_per_s * std::abs(apart_s);
+	return noise.amplitudes * noise.amplitudes * (1.0 + r) * std::exp(-r);
+}
+
+} // namespace
+
+TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so far, and its weight the "
+		  "evidence") {
+	constexpr double NOISE = 0.004;
+	const RegimeNumbers &numbers = regime_numbers(Regime::REST);
+	std::mt19937_64 random(5);
+	std::normal_distribution<double> normal;
+	std::vector<double> t, x;
+	for (double t_s = 0.0; t.size() < 40; t_s += 0.005 + 0.02 * std::abs(normal(random))) {
+		t.push_back(t_s);
+		x.push_back(0.03 * std::sin(5.0 * t_s) + 0.004 * normal(random));
+	}
+
+	GestureHypothesis hypothesis = GestureHypothesis::resting(0.0);
+	double filtered_s = t.front();
+	for (std::size_t i = 0; i < t.size(); ++i) {
+		hypothesis.predict(drag_model(), t[i], t[i] - filtered_s);
+		filtered_s = t[i];
+		hypothesis.absorb(drag_model(), t[i], x[i], { .outlier = 0.0, .weight = 1.0 });
+	}
+
+	const auto n = static_cast<Eigen::Index>(t.size());
+	const double later_s = t.back() + 0.05;
+	Eigen::MatrixXd seen(n, n);
+	Eigen::VectorXd hand(n);
+	for (Eigen::Index i = 0; i < n; ++i) {
+		const double t_i = t[static_cast<std::size_t>(i)];
+		for (Eigen::Index j = 0; j < n; ++j) {
+			const double apart_s = t_i - t[static_cast<std::size_t>(j)];
+			seen(i, j) = covariance(numbers.hand, apart_s) + covariance(numbers.error, apart_s) +
+					(i == j ? NOISE * NOISE : 0.0);
+		}
+		hand[i] = covariance(numbers.hand, later_s - t_i);
+	}
+	const Eigen::LLT<Eigen::MatrixXd> factor(seen);
+	const Eigen::Map<const Eigen::VectorXd> values(x.data(), n);
+	const double expected = hand.dot(factor.solve(values));
+	CHECK(hypothesis.hand(drag_model(), later_s, filtered_s).value ==
+			doctest::Approx(expected).epsilon(1e-8));
+
+	// The constant of the normal density is left out of the weight.
+	const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
+	const double evidence = -0.5 * values.dot(factor.solve(values)) - 0.5 * log_determinant;
+	CHECK(hypothesis.log_weight == doctest::Approx(evidence).epsilon(1e-8));
+}
+
+TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, and says how the hand moves") {
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.2, .amplitude_m = 1.0 };
+	GestureHypothesis hypothesis =
+			GestureHypothesis::resting(0.0).begun(Regime::SOUND, 0.55, 0.05, std::log(1.0), 0.3);
+	double filtered_s = 0.5;
+	for (double t_s = 0.5; t_s < 1.4; t_s += 0.009) {
+		hypothesis.predict(drag_model(), t_s, t_s - filtered_s);
+		filtered_s = t_s;
+		hypothesis.absorb(drag_model(), t_s, drag.x_m(t_s), {});
+	}
+	for (double ahead_s = 0.0; ahead_s < 0.15; ahead_s += 0.03) {
+		CHECK(hypothesis.hand(drag_model(), filtered_s + ahead_s, filtered_s).value ==
+				doctest::Approx(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
+	}
+	constexpr double STEP_S = 1e-5;
+	const double at_s = filtered_s + 0.05;
+	const auto before = hypothesis.hand(drag_model(), at_s - STEP_S, filtered_s),
+			   now = hypothesis.hand(drag_model(), at_s, filtered_s),
+			   after = hypothesis.hand(drag_model(), at_s + STEP_S, filtered_s);
+	CHECK(now.velocity == doctest::Approx((after.value - before.value) / (2.0 * STEP_S)).epsilon(1e-6));
+	CHECK(now.acceleration ==
+			doctest::Approx((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
+}
+
+TEST_CASE("an outlier moves little, and a frame that fits moves as without outliers") {
+	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+	const auto moved = [&](double x, double outlier) {
+		GestureHypothesis h = rest;
+		h.absorb(drag_model(), 0.0, x, { .outlier = outlier });
+		return h.hand(drag_model(), 0.0, 0.0).value;
+	};
+	CHECK(moved(1.0, 0.01) < 1e-6);
+	CHECK(moved(1.0, 0.0) > 0.9);
+	CHECK(moved(0.01, 0.01) == doctest::Approx(moved(0.01, 0.0)).epsilon(0.01));
+}
+
+TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that may still turn out right") {
+	HypothesisBank bank;
+	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+	bank.start(rest);
+	bank.at_rest().log_weight = -50.0;
+	const auto began = [&](Regime regime, double log_weight) {
+		bank.add(rest.begun(regime, 0.0, 0.01, 0.0, 0.1)).log_weight = log_weight;
+	};
+	for (int i = 0; i < 24; ++i) {
+		began(Regime::SOUND, -3.0 - 0.1 * i);
+	}
+	began(Regime::SOUND, -14.0);
+	began(Regime::UNSOUND, -20.0);
+	began(Regime::FREE, -25.0);
+	bank.prune(0.02, 0.002);
+
+	double usual = 0.0, unsound = 0.0, free = 0.0, greatest = -1.0, least_sound = 0.0;
+	for (const GestureHypothesis &h : bank.all().subspan(1)) {
+		const double weight = std::exp(h.log_weight);
+		greatest = std::max(greatest, weight);
+		(h.regime() == Regime::UNSOUND ? unsound : h.regime() == Regime::FREE ? free : usual) += weight;
+		if (h.regime() == Regime::SOUND) {
+			least_sound = std::min(least_sound, h.log_weight);
+		}
+	}
+	CHECK(bank.all().size() == 1 + 20 + 1 + 1);
+	CHECK(bank.at_rest().regime() == Regime::REST);
+	CHECK(greatest == doctest::Approx(1.0));
+	CHECK(least_sound == doctest::Approx(-1.9));
+	CHECK(unsound == doctest::Approx(0.02 * usual));
+	CHECK(free == doctest::Approx(0.002 * usual));
+}
+
+TEST_CASE(
+		"the motion elements are joined: value and slope are continuous, at the joints and beyond the end") {
+	constexpr double STEP = 1e-7;
+	std::vector<double> joints{ 0.0 };
+	for (const PrimitiveMotionElement &element : drag_model().elements) {
+		joints.push_back(element.phase_end);
+	}
+	for (const double joint : joints) {
+		CAPTURE(joint);
+		const CurvePoint before = evaluate_onwards(drag_model(), joint - STEP),
+						 after = evaluate_onwards(drag_model(), joint + STEP);
+		CHECK(std::abs(after.value - before.value) < 1e-6);
+		CHECK(std::abs(after.slope - before.slope) < 1e-4);
+	}
+	CHECK(evaluate_onwards(drag_model(), -1.0).value == 0.0);
+	CHECK(evaluate_onwards(drag_model(), 1.0).value == doctest::Approx(1.0));
+	CHECK(evaluate_onwards(drag_model(), 3.0).slope < 1e-12);
+}

@@ -1,0 +1,173 @@
+"""Recorded hands seen through recorded tracker errors: the trial set that `phase` mode's numbers were set on.
+
+    python tools/tuning/hybrid_trials.py --real ../shared/real --out DIR [--seed N] [--corrections]
+
+The hands are those of drags_train, scaled to the scenes' 20 cm, each once as recorded (stable) and once (unstable)
+with errors of leap_qtm times 2 to 6, late content, freezes, gaps and jumps, all growing along the way. With
+--corrections each hand also makes a share of its way by later submovements, and may hesitate.
+Equal arguments give equal files.
+"""
+
+import argparse
+import csv
+from pathlib import Path
+
+import numpy as np
+
+AXES = ("x", "y", "z")
+SCENE_AMPLITUDE_M = 0.2
+ERROR_RATE_HZ = 200.0
+LARGEST_ERROR_M = 0.06  # a pair of recordings that differs by more was not matched well
+
+
+def read_track(path: Path) -> tuple[list[str], np.ndarray]:
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    rows = [[float(cell) if cell else np.nan for cell in line.split(",")] for line in lines[1:]]
+    return lines[0].split(","), np.array(rows)
+
+
+def joint(header: list[str], rows: np.ndarray, name: str) -> np.ndarray:
+    return rows[:, [header.index(f"{name}_{axis}") for axis in AXES]]
+
+
+def tracker_errors(folder: Path) -> list[np.ndarray]:
+    """Leap minus motion capture, m, at ERROR_RATE_HZ without its mean: one array (n, 3) a fingertip."""
+    errors = []
+    for path in sorted(folder.glob("*_leap.csv")):
+        leap_header, leap = read_track(path)
+        mocap_header, mocap = read_track(path.with_name(path.name.replace("_leap", "_mocap")))
+        leap = leap[leap[:, leap_header.index("valid")] > 0]
+        mocap = mocap[mocap[:, mocap_header.index("valid")] > 0]
+        t = np.arange(max(leap[0, 0], mocap[0, 0]), min(leap[-1, 0], mocap[-1, 0]), 1.0 / ERROR_RATE_HZ)
+        for tip in ("index", "middle", "thumb", "ring"):
+            seen, true = joint(leap_header, leap, tip), joint(mocap_header, mocap, tip)
+            error = np.stack(
+                [np.interp(t, leap[:, 0], seen[:, k]) - np.interp(t, mocap[:, 0], true[:, k]) for k in range(3)], axis=1
+            )
+            error -= error.mean(axis=0)
+            if len(t) > 6.0 * ERROR_RATE_HZ and np.abs(error).max() < LARGEST_ERROR_M:
+                errors.append(error)
+    return errors
+
+
+def minimum_jerk(s: np.ndarray) -> np.ndarray:
+    s = np.clip(s, 0.0, 1.0)
+    return s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+
+
+def corrected(way: np.ndarray, t: np.ndarray, start_s: float, end_s: float, rng: np.random.Generator) -> np.ndarray:
+    """The way (1: the amplitude) with submovements, perhaps a hesitation, and a start beside the start."""
+    onset_s = t[np.argmax(way > 0.05)]
+    duration_s = max(end_s - onset_s, 0.3)
+    later, total = np.zeros(len(t)), 0.0
+    for _ in range(rng.integers(0, 5)):
+        share = rng.normal(0.0, 0.2)
+        later += share * minimum_jerk((t - onset_s - duration_s * rng.uniform(0.1, 1.0)) / rng.uniform(0.15, 0.4))
+        total += share
+    way = (1.0 - total) * way + later
+    if rng.random() < 0.4:
+        centre_s, width_s = onset_s + duration_s * rng.uniform(0.2, 0.9), rng.uniform(0.05, 0.15)
+        pace = 1.0 - rng.uniform(0.5, 1.2) * np.exp(-0.5 * ((t - centre_s) / width_s) ** 2)
+        own_t = t[0] + np.concatenate([[0.0], np.cumsum(0.5 * (pace[1:] + pace[:-1]) * np.diff(t))])
+        way = np.interp(own_t, t, way)
+    return way + rng.normal(0.0, 0.04) * (1.0 - np.clip(way, 0.0, 1.0))
+
+
+def spoiled(
+    t: np.ndarray,
+    hand: np.ndarray,
+    way: np.ndarray,
+    span: tuple[float, float],
+    errors: list[np.ndarray],
+    rng: np.random.Generator,
+) -> tuple[np.ndarray, np.ndarray]:
+    """What a bad tracker makes of a hand (n, 3), m: its own stamps, and positions."""
+    period_s = rng.choice([1 / 72, 1 / 90, 1 / 110])
+    stamps = t[0] + period_s * np.arange(int((t[-1] - t[0]) / period_s)) + 0.0
+    stamps = np.maximum.accumulate(np.maximum(stamps + rng.normal(0.0, 1e-4, len(stamps)), t[0]))
+    bad = np.interp(stamps, t, np.clip(way, 0.0, 1.0) ** rng.uniform(0.7, 2.0))
+    lag_s = np.convolve(np.pad(rng.uniform(0.0, 0.2) * bad, 10, "edge"), np.full(21, 1 / 21), "valid")
+    seen = np.stack([np.interp(stamps - lag_s, t, hand[:, k]) for k in range(3)], axis=1)
+
+    error = errors[rng.integers(len(errors))]
+    first = rng.integers(0, max(1, len(error) - 2 * len(stamps)))
+    at = first + (stamps - stamps[0]) * ERROR_RATE_HZ
+    turned, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+    drift = np.stack([np.interp(at, np.arange(len(error)), error[:, k]) for k in range(3)], axis=1) @ turned
+    seen += drift * (rng.uniform(2.0, 6.0) * (0.15 + 0.85 * bad))[:, None]
+    seen += rng.normal(0.0, 4e-5, seen.shape)
+
+    moving = (stamps > span[0] - 0.1) & (stamps < span[1] + 0.1)
+    likely = bad + 0.4 * moving
+    likely /= likely.sum()
+    kept = np.ones(len(stamps), bool)
+    for _ in range(rng.poisson(0.8)):
+        i = rng.choice(len(stamps), p=likely)
+        seen[i : i + int(rng.uniform(0.05, 0.35) / period_s)] = seen[i]
+    for _ in range(rng.poisson(0.8)):
+        i = rng.choice(len(stamps), p=likely)
+        kept[i + 1 : i + int(rng.uniform(0.05, 0.3) / period_s)] = False
+    for _ in range(rng.poisson(0.8)):
+        i = rng.choice(len(stamps), p=likely)
+        jump = rng.normal(size=3)
+        seen[i : i + rng.integers(1, 10)] += jump / np.linalg.norm(jump) * rng.uniform(0.01, 0.06)
+    kept &= rng.random(len(stamps)) > 0.02
+    return stamps[kept], seen[kept]
+
+
+def write_track(path: Path, t: np.ndarray, index: np.ndarray) -> None:
+    rows = (f"{stamp:.6f},{x:.6f},{y:.6f},{z:.6f}" for stamp, (x, y, z) in zip(t, index, strict=True))
+    path.write_text("t,index_x,index_y,index_z\n" + "\n".join(rows) + "\n")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--real", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--corrections", action="store_true")
+    given = parser.parse_args()
+    rng = np.random.default_rng(given.seed)
+    errors = tracker_errors(given.real / "leap_qtm")
+    given.out.mkdir(parents=True, exist_ok=True)
+    with (given.real / "drags_train" / "trials.csv").open() as source:
+        trials = list(csv.DictReader(source))
+    written = []
+    for trial in trials:
+        header, reference = read_track(given.real / "drags_train" / f"{trial['trial']}.reference.csv")
+        t, hand = reference[:, 0], joint(header, reference, "index")
+        start = np.array([float(trial[f"start_{axis}"]) for axis in AXES])
+        direction = np.array([float(trial[f"axis_{axis}"]) for axis in AXES])
+        amplitude_m = float(trial["amplitude_m"])
+        span = (float(trial["start_s"]), float(trial["end_s"]))
+        way = (hand - start) @ direction / amplitude_m
+        if given.corrections:
+            other = corrected(way, t, *span, rng)
+            hand = hand + ((other - way) * amplitude_m)[:, None] * direction
+            level = 0.95 * other[np.argmin(np.abs(t - span[1]))]
+            reached_s = t[np.argmax((other >= level) & (t > span[0]))]
+            way, span = other, (span[0], min(t[-1] - 0.05, max(span[1], reached_s + 0.05)))
+        hand = start + (hand - start) * (SCENE_AMPLITUDE_M / amplitude_m)
+        for position in ("stable", "unstable"):
+            name = trial["trial"].replace("_stable", f"_{position}")
+            seen = (t[::3], hand[::3]) if position == "stable" else spoiled(t, hand, way, span, errors, rng)
+            write_track(given.out / f"{name}.measured.csv", *seen)
+            write_track(given.out / f"{name}.reference.csv", t, hand)
+            written.append(
+                trial
+                | {
+                    "trial": name,
+                    "position": position,
+                    "end_s": f"{span[1]:.4f}",
+                    "amplitude_m": f"{SCENE_AMPLITUDE_M:.4f}",
+                }
+            )
+    with (given.out / "trials.csv").open("w", newline="") as target:
+        writer = csv.DictWriter(target, written[0].keys())
+        writer.writeheader()
+        writer.writerows(written)
+    print(f"{len(written)} trials in {given.out}")
+
+
+if __name__ == "__main__":
+    main()
