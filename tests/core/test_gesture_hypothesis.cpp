@@ -33,7 +33,9 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> normal;
 	std::vector<double> t, x;
-	for (double t_s = 0.0; t.size() < 40; t_s += 0.005 + 0.02 * std::abs(normal(random))) {
+	double t_s = 0.0;
+	while (t.size() < 40) {
+		t_s += 0.005 + 0.02 * std::abs(normal(random));
 		t.push_back(t_s);
 		x.push_back(0.03 * std::sin(5.0 * t_s) + 0.004 * normal(random));
 	}
@@ -76,12 +78,13 @@ TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, a
 	GestureHypothesis hypothesis =
 			GestureHypothesis::resting(0.0).begun(Regime::SOUND, 0.55, 0.05, std::log(1.0), 0.3);
 	double filtered_s = 0.5;
-	for (double t_s = 0.5; t_s < 1.4; t_s += 0.009) {
+	for (int i = 0; i <= 100; ++i) {
+		const double t_s = 0.5 + 0.009 * i;
 		hypothesis.predict(drag_model(), t_s, t_s - filtered_s);
 		filtered_s = t_s;
 		hypothesis.absorb(drag_model(), t_s, drag.x_m(t_s), {});
 	}
-	for (double ahead_s = 0.0; ahead_s < 0.15; ahead_s += 0.03) {
+	for (const double ahead_s : { 0.0, 0.03, 0.06, 0.09, 0.12, 0.15 }) {
 		CHECK(hypothesis.hand(drag_model(), filtered_s + ahead_s, filtered_s).value ==
 				doctest::Approx(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
 	}
