@@ -37,6 +37,8 @@ struct Events {
 	std::vector<std::string> said; ///< "started sideways" and so on
 	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m
 	double last_confidence = 0.0;  ///< when the last gesture ended
+	double last_value_m = 0.0;     ///< synthesised
+	double first_shown_s = 1e9;    ///< when a gesture was first under way
 };
 
 using Way = std::function<Eigen::Vector3d(double t_s)>;
@@ -73,6 +75,9 @@ Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, dou
 		if (!shown.empty() && !had_arrived && now != shown) {
 			events.said.push_back("aborted " + shown);
 		}
+		if (is_shown) {
+			events.first_shown_s = std::min(events.first_shown_s, t_s);
+		}
 		if (is_shown && now != shown) {
 			events.said.push_back("started " + now);
 		}
@@ -86,6 +91,7 @@ Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, dou
 		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
 		last_value_m = value_m;
 	}
+	events.last_value_m = last_value_m;
 	return events;
 }
 
@@ -137,6 +143,32 @@ TEST_CASE("with nothing given each gesture is found, whichever way it goes") {
 		const test::Drag other{ .onset_s = 0.6, .duration_s = 0.7, .amplitude_m = 0.2 * size };
 		CHECK(in_the_open(along(X, { other }), 2.5).said == times(1, "sideways"));
 	}
+}
+
+TEST_CASE("with nothing given the motion is the way along the hand's own direction, as far as it goes") {
+	for (const double angle : { 0.0, 0.2, 0.35 }) {
+		for (const double amplitude_m : { 0.15, 0.2, 0.35 }) {
+			CAPTURE(angle);
+			CAPTURE(amplitude_m);
+			const test::Drag drag{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = amplitude_m };
+			const Eigen::Vector3d axis(std::cos(angle), std::sin(angle), 0.0);
+			for (const double sense : { 1.0, -1.0 }) {
+				const Events events = in_the_open(along(sense * axis, { drag }), 2.2);
+				CHECK(events.last_value_m == doctest::Approx(amplitude_m).epsilon(0.02));
+				// A third of the way is gone at 0.4 s.
+				CHECK(events.first_shown_s < drag.onset_s + 0.4);
+			}
+		}
+	}
+}
+
+TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
+	const Way jumped = [](double t_s) {
+		return Eigen::Vector3d(DRAG.x_m(t_s) + (t_s < 0.3 ? 0.0 : 0.04), 0.0, 0.0);
+	};
+	const Events events = in_the_open(jumped, 2.2);
+	CHECK(events.said == times(1, "sideways"));
+	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
 }
 
 TEST_CASE("ten taps in a row each start and end once") {

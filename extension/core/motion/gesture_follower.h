@@ -68,6 +68,8 @@ private:
 	FeaturePlace place_ = FeaturePlace::Zero();
 	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
 	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of its growth
+	FeaturePlace axis_ = FeaturePlace::Zero();  ///< without a task: the model's, in the sense of the stroke
+	FeaturePlace from_ = FeaturePlace::Zero();  ///< without a task: start_ as strokes count it
 
 	Stage stage_ = Stage::RESTING;
 	double stage_began_s_ = -INFINITY;
@@ -109,6 +111,7 @@ private:
 	void dismiss(double t_s);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
+	void aim(const FeaturePlace &to);
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
 };
 

@@ -12,6 +12,9 @@ namespace {
 
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double SHORTEST = 0.12;
+/// How far off the model's axis people go, radians, and how well a tracker sees where they go, amplitudes.
+constexpr double AIM = 0.14;
+constexpr double AIM_SEEN = 0.03;
 /// log odds below which a stroke that is well under way was none after all, and how far that is.
 constexpr double HOPELESS = -4.0;
 constexpr double WELL_UNDER_WAY = 0.3;
@@ -31,6 +34,18 @@ FeaturePlace GestureFollower::way_of(const Stroke &stroke) const {
 	const FeaturePlace direction = feature_->direction(task_);
 	const bool is_reverse = model_->both_ways && (stroke.to - stroke.from).dot(direction) < 0.0;
 	return is_reverse ? FeaturePlace(-direction) : direction;
+}
+
+/// The motion is the way along the hand's own direction; while that is short, between it and the axis.
+void GestureFollower::aim(const FeaturePlace &to) {
+	const FeaturePlace chord = to - from_;
+	const double length = chord.norm() / task_.amplitude_m;
+	if (feature_->is_radius || length < SHORTEST) {
+		return;
+	}
+	const double seen = AIM_SEEN / length;
+	const double share = AIM * AIM / (AIM * AIM + seen * seen);
+	way_ = (axis_ + share * (chord.normalized() - axis_)).normalized();
 }
 
 double GestureFollower::amplitudes(const Stroke &stroke) const {
@@ -53,7 +68,7 @@ void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
 }
 
 void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
-	start_ = strokes.stroke() ? strokes.stroke()->from : place_;
+	start_ = strokes.stroke() ? strokes.stroke()->seen_from : place_;
 	way_ = feature_->direction(task_);
 	for (const std::optional<Stroke> *const seen :
 			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
@@ -64,11 +79,13 @@ void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		const StrokeEvidence evidence =
 				stroke_evidence(**seen, way, task_.amplitude_m, model_->duration_mean_s);
 		const bool is_over = seen == &strokes.lost() ? amplitudes(**seen) > LOST_AT_END : strokes.ended();
-		const double best = is_over ? std::max(evidence.path, evidence.sum()) : evidence.path;
-		if (LOG_PRIOR_OPEN + best > 0.0) {
-			log_odds_ = LOG_PRIOR_OPEN + best;
-			start_ = (*seen)->from;
-			way_ = way;
+		const double size = is_over ? evidence.size : largest_size_evidence();
+		if (LOG_PRIOR_OPEN + evidence.path + std::max(size, 0.0) > 0.0) {
+			log_odds_ = LOG_PRIOR_OPEN + evidence.path;
+			start_ = (*seen)->seen_from;
+			from_ = (*seen)->from;
+			way_ = axis_ = way;
+			aim((*seen)->to);
 			start_from(t_s, **seen, strokes);
 			look_for_end(t_s, strokes); // it may be over already
 			return;
@@ -107,9 +124,10 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 			continue;
 		}
 		const StrokeEvidence evidence =
-				stroke_evidence(*stroke, way_, task_.amplitude_m, model_->duration_mean_s);
+				stroke_evidence(*stroke, axis_, task_.amplitude_m, model_->duration_mean_s);
 		const double path = LOG_PRIOR_OPEN + evidence.path;
-		if (path > 0.0) {
+		aim(stroke->to);
+		if (path + largest_size_evidence() > 0.0) {
 			likely_s_ = t_s;
 			log_odds_ = path;
 		} else if (path < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {

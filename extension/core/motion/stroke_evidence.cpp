@@ -28,6 +28,11 @@ double log_two_piece_normal(double x, double below, double above) {
 	return -0.5 * z * z - std::log(0.5 * (below + above) * std::sqrt(2.0 * std::numbers::pi));
 }
 
+double size_evidence(double log_length, double log_time) {
+	return log_two_piece_normal(log_length, LOG_SHORTER, LOG_LONGER) + std::log(LOG_LENGTHS) +
+			log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION) + std::log(LOG_DURATIONS);
+}
+
 } // namespace
 
 StrokeEvidence stroke_evidence(
@@ -45,9 +50,11 @@ StrokeEvidence stroke_evidence(
 	const double straightness = std::log(2.0) + log_two_piece_normal(bow, BOW, BOW) + std::log(LARGEST_BOW);
 	const double log_length = std::log(length_m / amplitude_m);
 	const double log_time = std::log(time_s / duration_s);
-	return { direction + straightness,
-		log_two_piece_normal(log_length, LOG_SHORTER, LOG_LONGER) + std::log(LOG_LENGTHS) +
-				log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION) + std::log(LOG_DURATIONS) };
+	return { direction + straightness, size_evidence(log_length, log_time) };
+}
+
+double largest_size_evidence() {
+	return size_evidence(0.0, 0.0);
 }
 
 double task_evidence(

@@ -21,6 +21,9 @@ struct StrokeEvidence {
 [[nodiscard]] StrokeEvidence stroke_evidence(
 		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
 
+/// The most that a stroke's length and duration can say for a gesture, nats.
+[[nodiscard]] double largest_size_evidence();
+
 /// The same for a task that says where the stroke should begin, instead of how long it should be: nats.
 [[nodiscard]] double task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);

@@ -27,7 +27,7 @@ constexpr double HESITATION_COSINE = 0.8;
 
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	first_ = count_ = rest_count_ = 0;
-	frames_[0] = { t_s, place_m, FeaturePlace::Zero(), 0.0 };
+	frames_[0] = { t_s, place_m, FeaturePlace::Zero(), 0.0, place_m };
 	count_ = 1;
 	last_m_ = place_m;
 	step_m_ = velocity_m_s_ = FeaturePlace::Zero();
@@ -103,7 +103,7 @@ const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) con
 }
 
 Stroke StrokeFinder::since(const Sample &onset, const Sample &now) const {
-	Stroke stroke{ onset.t_s, now.t_s, onset.place_m, now.place_m, now.place_m, peak_m_s_ };
+	Stroke stroke{ onset.t_s, now.t_s, onset.place_m, now.place_m, now.place_m, peak_m_s_, onset.seen_m };
 	if (now.t_s > onset.t_s) {
 		stroke.middle = (now.sum - onset.sum) / (now.t_s - onset.t_s);
 	}
@@ -136,7 +136,7 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 	}
 	last_m_ = place_m;
 	place_m -= step_m_;
-	Sample now{ t_s, place_m, last.sum + 0.5 * dt_s * (last.place_m + place_m), 0.0 };
+	Sample now{ t_s, place_m, last.sum + 0.5 * dt_s * (last.place_m + place_m), 0.0, last_m_ };
 	if (dt_s > LOSS_S) {
 		lost_ = stroke_;
 	}

@@ -16,6 +16,8 @@ struct Stroke {
 	FeaturePlace to = FeaturePlace::Zero();
 	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its time
 	double peak_m_s = 0.0;
+	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
+	FeaturePlace seen_from = FeaturePlace::Zero();
 };
 
 /// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
@@ -56,6 +58,7 @@ private:
 		FeaturePlace place_m = FeaturePlace::Zero();
 		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over time, m s
 		double speed_m_s = 0.0;
+		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
 	};
 
 	struct Frame {
