@@ -1,5 +1,5 @@
 #include "minimum_jerk_drag.h"
-#include "motion/hypothesis_bank.h"
+#include "motion/motion_outlook.h"
 
 #include <doctest/doctest.h>
 
@@ -16,6 +16,20 @@ namespace {
 const GestureModel &drag_model() {
 	static const GestureModel model = test::trained_drag_model();
 	return model;
+}
+
+const ElementCurve &drag_curve() {
+	static const ElementCurve curve(drag_model());
+	return curve;
+}
+
+/// What one hypothesis alone expects.
+PhaseEstimate hand(const GestureHypothesis &hypothesis, double t_s, double filtered_s) {
+	HypothesisBank bank;
+	bank.start(hypothesis);
+	MotionOutlook outlook;
+	outlook.look(bank, filtered_s);
+	return outlook.at(drag_curve(), t_s);
 }
 
 /// Covariance of critically damped noise at two instants (Matern 3/2; Rasmussen & Williams 2006, eq. 4.17).
@@ -43,15 +57,15 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 	GestureHypothesis hypothesis = GestureHypothesis::resting(0.0);
 	double filtered_s = t.front();
 	for (std::size_t i = 0; i < t.size(); ++i) {
-		hypothesis.predict(drag_model(), t[i], t[i] - filtered_s);
+		hypothesis.predict(drag_curve(), t[i], passages(t[i] - filtered_s));
 		filtered_s = t[i];
-		hypothesis.absorb(drag_model(), t[i], x[i], { .outlier = 0.0, .weight = 1.0 });
+		hypothesis.absorb(drag_curve(), t[i], x[i], { .outlier = 0.0, .weight = 1.0 });
 	}
 
 	const auto n = static_cast<Eigen::Index>(t.size());
 	const double later_s = t.back() + 0.05;
 	Eigen::MatrixXd seen(n, n);
-	Eigen::VectorXd hand(n);
+	Eigen::VectorXd shared(n);
 	for (Eigen::Index i = 0; i < n; ++i) {
 		const double t_i = t[static_cast<std::size_t>(i)];
 		for (Eigen::Index j = 0; j < n; ++j) {
@@ -59,13 +73,12 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 			seen(i, j) = covariance(numbers.hand, apart_s) + covariance(numbers.error, apart_s) +
 					(i == j ? NOISE * NOISE : 0.0);
 		}
-		hand[i] = covariance(numbers.hand, later_s - t_i);
+		shared[i] = covariance(numbers.hand, later_s - t_i);
 	}
 	const Eigen::LLT<Eigen::MatrixXd> factor(seen);
 	const Eigen::Map<const Eigen::VectorXd> values(x.data(), n);
-	const double expected = hand.dot(factor.solve(values));
-	CHECK(hypothesis.hand(drag_model(), later_s, filtered_s).value ==
-			doctest::Approx(expected).epsilon(1e-8));
+	const double expected = shared.dot(factor.solve(values));
+	CHECK(hand(hypothesis, later_s, filtered_s).value == doctest::Approx(expected).epsilon(1e-8));
 
 	// The constant of the normal density is left out of the weight.
 	const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
@@ -80,19 +93,18 @@ TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, a
 	double filtered_s = 0.5;
 	for (int i = 0; i <= 100; ++i) {
 		const double t_s = 0.5 + 0.009 * i;
-		hypothesis.predict(drag_model(), t_s, t_s - filtered_s);
+		hypothesis.predict(drag_curve(), t_s, passages(t_s - filtered_s));
 		filtered_s = t_s;
-		hypothesis.absorb(drag_model(), t_s, drag.x_m(t_s), {});
+		hypothesis.absorb(drag_curve(), t_s, drag.x_m(t_s), {});
 	}
 	for (const double ahead_s : { 0.0, 0.03, 0.06, 0.09, 0.12, 0.15 }) {
-		CHECK(hypothesis.hand(drag_model(), filtered_s + ahead_s, filtered_s).value ==
+		CHECK(hand(hypothesis, filtered_s + ahead_s, filtered_s).value ==
 				doctest::Approx(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
 	}
 	constexpr double STEP_S = 1e-5;
 	const double at_s = filtered_s + 0.05;
-	const auto before = hypothesis.hand(drag_model(), at_s - STEP_S, filtered_s),
-			   now = hypothesis.hand(drag_model(), at_s, filtered_s),
-			   after = hypothesis.hand(drag_model(), at_s + STEP_S, filtered_s);
+	const auto before = hand(hypothesis, at_s - STEP_S, filtered_s), now = hand(hypothesis, at_s, filtered_s),
+			   after = hand(hypothesis, at_s + STEP_S, filtered_s);
 	CHECK(now.velocity == doctest::Approx((after.value - before.value) / (2.0 * STEP_S)).epsilon(1e-6));
 	CHECK(now.acceleration ==
 			doctest::Approx((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
@@ -102,8 +114,8 @@ TEST_CASE("an outlier moves little, and a frame that fits moves as without outli
 	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
 	const auto moved = [&](double x, double outlier) {
 		GestureHypothesis h = rest;
-		h.absorb(drag_model(), 0.0, x, { .outlier = outlier });
-		return h.hand(drag_model(), 0.0, 0.0).value;
+		h.absorb(drag_curve(), 0.0, x, { .outlier = outlier });
+		return hand(h, 0.0, 0.0).value;
 	};
 	CHECK(moved(1.0, 0.01) < 1e-6);
 	CHECK(moved(1.0, 0.0) > 0.9);
@@ -127,7 +139,7 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	bank.prune(0.02, 0.002);
 
 	double usual = 0.0, unsound = 0.0, free = 0.0, greatest = -1.0, least_sound = 0.0;
-	for (const GestureHypothesis &h : bank.all().subspan(1)) {
+	for (const GestureHypothesis &h : bank.others()) {
 		const double weight = std::exp(h.log_weight);
 		greatest = std::max(greatest, weight);
 		(h.regime() == Regime::UNSOUND ? unsound : h.regime() == Regime::FREE ? free : usual) += weight;

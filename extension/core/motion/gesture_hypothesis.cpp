@@ -3,7 +3,6 @@
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace steadyhand {
@@ -20,32 +19,7 @@ const double LOG_LONGEST = std::log(6.0);
 constexpr double SHAPE_MEAN = 0.3;
 constexpr double SHAPE_DEVIATION = 0.3;
 
-constexpr Deviation SMALL_ERROR{ 0.005, 2.0 };
-constexpr std::array<RegimeNumbers, 4> NUMBERS{
-	RegimeNumbers{ { 0.045, 4.5 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.08, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.015, 8.0 }, { 0.01, 5.0 }, 0.06, 0.12, 0.06, 0.04 },
-	RegimeNumbers{ { 0.5, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-};
-
-/// Critically damped motion x'' = -2 a x' - a^2 x over a time: [x, x'] is multiplied by this.
-struct Transition {
-	double xx, xv, vx, vv;
-
-	Transition(double a, double dt_s) {
-		const double fading = std::exp(-a * dt_s);
-		xx = fading * (1.0 + a * dt_s);
-		xv = fading * dt_s;
-		vx = -fading * a * a * dt_s;
-		vv = fading * (1.0 - a * dt_s);
-	}
-};
-
 } // namespace
-
-const RegimeNumbers &regime_numbers(Regime regime) {
-	return NUMBERS[static_cast<std::size_t>(regime)];
-}
 
 void GestureHypothesis::begin_at(Eigen::Index i, double mean, double deviation) {
 	mean_[i] = mean;
@@ -67,11 +41,13 @@ GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double
 	GestureHypothesis h = in(regime);
 	const RegimeNumbers &numbers = regime_numbers(regime);
 	h.on_its_way_ = true;
+	h.extent_ = numbers.lag_deviation_s > 0.0 ? Extent::ALL : Extent::WITHOUT_LAG;
 	h.begin_at(ONSET, onset_s, onset_deviation_s);
 	h.begin_at(LOG_DURATION, log_duration, log_duration_deviation);
-	h.begin_at(LAG, numbers.lag_s, numbers.lag_deviation_s);
 	h.begin_at(GAIN, 0.0, numbers.gain_deviation);
 	h.begin_at(SHAPE, SHAPE_MEAN, SHAPE_DEVIATION);
+	h.begin_at(LAG, numbers.lag_s, numbers.lag_deviation_s);
+	h.rate_per_s_ = std::exp(-log_duration);
 	return h;
 }
 
@@ -81,68 +57,68 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	return h;
 }
 
-CurvePoint GestureHypothesis::curve(const GestureModel &model, double phase) const {
-	const CurvePoint elements = evaluate_onwards(model, phase);
-	const Polynomial::Point smooth = minimum_jerk(phase);
-	const double share = mean_[SHAPE];
-	return { elements.value + share * (smooth.value - elements.value),
-		elements.slope + share * (smooth.first - elements.slope),
-		elements.curvature + share * (smooth.second - elements.curvature) };
+double GestureHypothesis::way(const ElementCurve &curve, double phase) const {
+	const double elements = curve.at(phase).value;
+	return std::clamp(elements + mean_[SHAPE] * (minimum_jerk(phase).value - elements), 0.0, 1.0);
 }
 
-double GestureHypothesis::way(const GestureModel &model, double phase) const {
-	return std::clamp(curve(model, phase).value, 0.0, 1.0);
-}
-
-void GestureHypothesis::predict(const GestureModel &model, double t_s, double dt_s) {
+void GestureHypothesis::predict(const ElementCurve &curve, double t_s, const Passages &passages) {
+	const Passage &passage = passages[static_cast<std::size_t>(regime_)];
 	const RegimeNumbers &numbers = regime_numbers(regime_);
-	Deviation error = numbers.error;
+	double error = numbers.error.amplitudes;
 	if (on_its_way_ && numbers.error_on_way > 0.0) {
-		error.amplitudes +=
-				numbers.error_on_way * way(model, (t_s - mean_[ONSET]) * std::exp(-mean_[LOG_DURATION]));
+		error += numbers.error_on_way * way(curve, (t_s - mean_[ONSET]) * rate_per_s_);
 	}
-	damp(HAND, numbers.hand, dt_s);
-	damp(ERROR, error, dt_s);
+	switch (extent_) {
+		case Extent::AT_REST:
+			return predict_first<static_cast<int>(Extent::AT_REST)>(error * error, passage);
+		case Extent::WITHOUT_LAG:
+			return predict_first<static_cast<int>(Extent::WITHOUT_LAG)>(error * error, passage);
+		case Extent::ALL:
+			return predict_first<static_cast<int>(Extent::ALL)>(error * error, passage);
+	}
 }
 
-void GestureHypothesis::damp(Eigen::Index i, const Deviation &noise, double dt_s) {
-	const double a = noise.rate_per_s;
-	const Transition by(a, dt_s);
+template <int N> void GestureHypothesis::predict_first(double error_variance, const Passage &passage) {
+	const double hand = regime_numbers(regime_).hand.amplitudes;
+	damp<N>(HAND, passage.hand, hand * hand);
+	damp<N>(ERROR, passage.error, error_variance);
+}
+
+/// The covariance becomes F P F' + Q, where F differs from unity in the states i and i + 1 alone.
+template <int N> void GestureHypothesis::damp(Eigen::Index i, const Damping &by, double variance) {
 	const double x = mean_[i], v = mean_[i + 1];
 	mean_[i] = by.xx * x + by.xv * v;
 	mean_[i + 1] = by.vx * x + by.vv * v;
 
-	const Eigen::Matrix<double, 1, STATES> row_x = covariance_.row(i), row_v = covariance_.row(i + 1);
-	covariance_.row(i) = by.xx * row_x + by.xv * row_v;
-	covariance_.row(i + 1) = by.vx * row_x + by.vv * row_v;
-	const State column_x = covariance_.col(i), column_v = covariance_.col(i + 1);
-	covariance_.col(i) = by.xx * column_x + by.xv * column_v;
-	covariance_.col(i + 1) = by.vx * column_x + by.vv * column_v;
-
-	// As much noise as keeps the stationary variances: s of x, a^2 s of x'.
-	const double s = noise.amplitudes * noise.amplitudes, sv = a * a * s;
-	const double cross = by.xx * by.vx * s + by.xv * by.vv * sv;
-	covariance_(i, i) += s - (by.xx * by.xx * s + by.xv * by.xv * sv);
-	covariance_(i, i + 1) -= cross;
-	covariance_(i + 1, i) -= cross;
-	covariance_(i + 1, i + 1) += sv - (by.vx * by.vx * s + by.vv * by.vv * sv);
+	using Column = Eigen::Matrix<double, N, 1, Eigen::DontAlign>;
+	const auto column_x = covariance_.col(i).template head<N>(),
+			   column_v = covariance_.col(i + 1).template head<N>();
+	Column next_x = by.xx * column_x + by.xv * column_v;
+	Column next_v = by.vx * column_x + by.vv * column_v;
+	const double cross = by.vx * next_x[i] + by.vv * next_x[i + 1] + variance * by.noise_xv;
+	next_x[i] = by.xx * next_x[i] + by.xv * next_x[i + 1] + variance * by.noise_x;
+	next_v[i + 1] = by.vx * next_v[i] + by.vv * next_v[i + 1] + variance * by.noise_v;
+	next_x[i + 1] = next_v[i] = cross;
+	covariance_.col(i).template head<N>() = next_x;
+	covariance_.col(i + 1).template head<N>() = next_v;
+	covariance_.row(i).template head<N>() = next_x.transpose();
+	covariance_.row(i + 1).template head<N>() = next_v.transpose();
 }
 
-double GestureHypothesis::expected(const GestureModel &model, double t_s, State &r_slopes) const {
-	r_slopes.setZero();
-	r_slopes[HAND] = r_slopes[ERROR] = 1.0;
+double GestureHypothesis::expected(const ElementCurve &curve, double t_s, State &r_slopes) const {
 	const double beside = mean_[HAND] + mean_[ERROR];
 	if (!on_its_way_) {
 		return beside;
 	}
-	const double rate = std::exp(-mean_[LOG_DURATION]);
+	const double rate = rate_per_s_;
 	const double now = (t_s - mean_[ONSET]) * rate;
-	const double gone = mean_[LAG] > 0.0 ? way(model, now) : 0.0;
+	const double gone = mean_[LAG] > 0.0 ? way(curve, now) : 0.0;
 	const double phase = now - mean_[LAG] * gone * rate;
 	if (phase <= 0.0) {
 		return beside;
 	}
-	const CurvePoint elements = evaluate_onwards(model, phase);
+	const CurvePoint elements = curve.at(phase);
 	const Polynomial::Point smooth = minimum_jerk(phase);
 	const double gain = 1.0 + mean_[GAIN];
 	const double value = elements.value + mean_[SHAPE] * (smooth.value - elements.value);
@@ -155,11 +131,28 @@ double GestureHypothesis::expected(const GestureModel &model, double t_s, State 
 	return gain * value + beside;
 }
 
-void GestureHypothesis::absorb(const GestureModel &model, double t_s, double x, const Trust &trust) {
-	State slopes;
-	const double innovation = x - expected(model, t_s, slopes);
-	const State seen = covariance_ * slopes;
-	const double variance = slopes.dot(seen) + NOISE * NOISE;
+void GestureHypothesis::absorb(const ElementCurve &curve, double t_s, double x, const Trust &trust) {
+	State slopes = State::Zero();
+	slopes[HAND] = slopes[ERROR] = 1.0;
+	const double innovation = x - expected(curve, t_s, slopes);
+	switch (extent_) {
+		case Extent::AT_REST:
+			return absorb_first<static_cast<int>(Extent::AT_REST)>(innovation, slopes, trust);
+		case Extent::WITHOUT_LAG:
+			return absorb_first<static_cast<int>(Extent::WITHOUT_LAG)>(innovation, slopes, trust);
+		case Extent::ALL:
+			return absorb_first<static_cast<int>(Extent::ALL)>(innovation, slopes, trust);
+	}
+}
+
+template <int N>
+void GestureHypothesis::absorb_first(double innovation, const State &slopes, const Trust &trust) {
+	using Column = Eigen::Matrix<double, N, 1, Eigen::DontAlign>;
+	Column seen = covariance_.col(HAND).template head<N>() + covariance_.col(ERROR).template head<N>();
+	for (Eigen::Index j = ONSET; j < N; ++j) {
+		seen += slopes[j] * covariance_.col(j).template head<N>();
+	}
+	const double variance = slopes.template head<N>().dot(seen) + NOISE * NOISE;
 	const double squared = innovation * innovation;
 	const double broad = variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION;
 	const double good = (1.0 - trust.outlier) * std::exp(-0.5 * squared / variance) / std::sqrt(variance);
@@ -167,35 +160,16 @@ void GestureHypothesis::absorb(const GestureModel &model, double t_s, double x, 
 	log_weight += trust.weight * std::log(std::max(good + bad, IMPOSSIBLE));
 
 	const double share = good + bad > 0.0 ? good / (good + bad) : 0.0;
-	const State gain = seen / variance;
-	mean_ += gain * (share * innovation);
-	covariance_ -= gain * gain.transpose() * (share * variance - share * (1.0 - share) * squared);
-	mean_[LOG_DURATION] = std::clamp(mean_[LOG_DURATION], LOG_SHORTEST, LOG_LONGEST);
-	mean_[LAG] = std::max(mean_[LAG], 0.0);
-}
-
-GestureHypothesis::Hand GestureHypothesis::hand(
-		const GestureModel &model, double t_s, double filtered_s) const {
-	const double a = regime_numbers(regime_).hand.rate_per_s;
-	const double dt_s = std::max(t_s - filtered_s, 0.0);
-	const double fading = std::exp(-a * dt_s);
-	const double c = mean_[HAND_RATE] + a * mean_[HAND];
-	const double left = mean_[HAND] + c * dt_s;
-	Hand hand{ left * fading, (c - a * left) * fading, a * (a * left - 2.0 * c) * fading, 0.0 };
-	if (!on_its_way_) {
-		return hand;
+	mean_.template head<N>() += seen * (share * innovation / variance);
+	const double less = (share * variance - share * (1.0 - share) * squared) / (variance * variance);
+	for (Eigen::Index j = 0; j < N; ++j) {
+		covariance_.col(j).template head<N>() -= (seen * seen[j]) * less; // in this order it stays symmetric
 	}
-	const double rate = std::exp(-mean_[LOG_DURATION]);
-	const double phase = (t_s - mean_[ONSET]) * rate;
-	if (phase > 0.0) {
-		const CurvePoint point = curve(model, phase);
-		const double gain = 1.0 + mean_[GAIN];
-		hand.value += gain * point.value;
-		hand.velocity += gain * point.slope * rate;
-		hand.acceleration += gain * point.curvature * rate * rate;
-		hand.phase = std::min(phase, 1.0);
+	if (on_its_way_) {
+		mean_[LOG_DURATION] = std::clamp(mean_[LOG_DURATION], LOG_SHORTEST, LOG_LONGEST);
+		mean_[LAG] = std::max(mean_[LAG], 0.0);
+		rate_per_s_ = std::exp(-mean_[LOG_DURATION]);
 	}
-	return hand;
 }
 
 } // namespace steadyhand

@@ -4,12 +4,14 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <ranges>
 #include <span>
 
 namespace steadyhand {
 
 /// The hypotheses that are weighed against each other; the first one is at rest and always stays. Allocates
-/// nothing.
+/// nothing, and moves none of them: what is sorted are their places.
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
@@ -22,23 +24,47 @@ public:
 	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
 	/// there are any: a tracker may begin to err, a hand to do something else, at any time.
 	void prune(double unsound_at_least, double free_at_least);
+	/// One on its way, of this log weight, would be dropped by the next prune, if it were now.
+	[[nodiscard]] bool is_hopeless(Regime regime, double log_weight) const {
+		return log_weight <= least_[regime == Regime::UNSOUND ? ERRING : USUAL];
+	}
 
 	[[nodiscard]] bool empty() const { return count_ == 0; }
 	[[nodiscard]] GestureHypothesis &at_rest() { return hypotheses_[0]; }
-	[[nodiscard]] std::span<GestureHypothesis> all() { return { hypotheses_.data(), count_ }; }
-	[[nodiscard]] std::span<const GestureHypothesis> all() const { return { hypotheses_.data(), count_ }; }
+	[[nodiscard]] auto all() {
+		return places() |
+				std::views::transform([this](Place i) -> GestureHypothesis & { return hypotheses_[i]; });
+	}
+	[[nodiscard]] auto all() const {
+		return places() | std::views::transform([this](Place i) -> const GestureHypothesis & {
+			return hypotheses_[i];
+		});
+	}
+	/// All but the one at rest.
+	[[nodiscard]] auto others() const { return all() | std::views::drop(1); }
 
 private:
 	enum Kind : std::size_t { USUAL, ERRING, WANDERING, KINDS };
 	static constexpr std::array<std::size_t, KINDS> MOST_KEPT{ 20, 16, 4 };
-	static constexpr std::size_t CAPACITY = 1 + 20 + 16 + 4 + MOST_ADDED;
+
+public:
+	static constexpr std::size_t MOST_AFTER_PRUNE =
+			1 + MOST_KEPT[USUAL] + MOST_KEPT[ERRING] + MOST_KEPT[WANDERING];
+
+private:
+	static constexpr std::size_t CAPACITY = MOST_AFTER_PRUNE + MOST_ADDED;
+	using Place = std::uint8_t;
 
 	std::array<GestureHypothesis, CAPACITY> hypotheses_{};
+	std::array<Place, CAPACITY> order_{}; ///< the first count_ are in use
 	std::size_t count_ = 0;
+	std::array<double, KINDS> least_{}; ///< log weight below which the last prune dropped
 
+	[[nodiscard]] std::span<const Place> places() const { return { order_.data(), count_ }; }
 	static Kind kind(const GestureHypothesis &hypothesis);
-	static std::size_t keep_likely(
-			std::span<GestureHypothesis> r_hypotheses, std::size_t most, double at_least);
+	[[nodiscard]] double greatest(std::span<const Place> places) const;
+	[[nodiscard]] double total(std::span<const Place> places) const;
+	std::size_t keep_likely(std::span<Place> r_places, Kind kind, double at_least);
 };
 
 } // namespace steadyhand

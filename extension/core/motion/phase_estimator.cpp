@@ -48,7 +48,7 @@ constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
 
 } // namespace
 
-PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model) {
+PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model), curve_(model) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
@@ -69,6 +69,7 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model) {
 void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	filtered_s_ = blended_s_ = t_s;
+	outlook_.look(bank_, t_s);
 	next_branch_s_ = t_s + BRANCH_PERIOD_S;
 }
 
@@ -102,9 +103,12 @@ void PhaseEstimator::branch(double t_s) {
 	come_to_rest();
 	set_free();
 	constexpr double STARTS = ONSETS_PER_S * BRANCH_PERIOD_S;
-	for (std::size_t k = 0; k < DURATIONS; ++k) {
-		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
-			start(k, regime, t_s - 0.5 * BRANCH_PERIOD_S, 0.6 * BRANCH_PERIOD_S, std::log(STARTS));
+	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
+		const double log_probability = std::log(STARTS * probability(regime));
+		for (std::size_t k = 0; k < DURATIONS; ++k) {
+			if (!bank_.is_hopeless(regime, bank_.at_rest().log_weight + log_probability + log_prior_[k])) {
+				start(k, regime, t_s - 0.5 * BRANCH_PERIOD_S, 0.6 * BRANCH_PERIOD_S, log_probability);
+			}
 		}
 	}
 	bank_.at_rest().log_weight += std::log1p(-STARTS);
@@ -116,12 +120,12 @@ void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, 
 		double log_probability) {
 	const GestureHypothesis started = bank_.at_rest().begun(
 			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
-	bank_.add(started).log_weight += log_probability + log_prior_[duration] + std::log(probability(regime));
+	bank_.add(started).log_weight += log_probability + log_prior_[duration];
 }
 
 /// A hand that wandered off and came back is at rest again.
 void PhaseEstimator::come_to_rest() {
-	for (const GestureHypothesis &h : bank_.all().subspan(1)) {
+	for (const GestureHypothesis &h : bank_.others()) {
 		const double log_weight = h.log_weight + std::log(AT_REST_PER_S * BRANCH_PERIOD_S);
 		if (!h.on_its_way() && std::abs(h.hand_deviation()) < AT_START &&
 				log_weight > bank_.at_rest().log_weight) {
@@ -138,7 +142,7 @@ void PhaseEstimator::set_free() {
 	const double log_probability =
 			std::log(FREED_PER_S * BRANCH_PERIOD_S * sound * sound + std::numeric_limits<double>::min());
 	const GestureHypothesis *likeliest = nullptr;
-	for (const GestureHypothesis &h : bank_.all().subspan(1)) {
+	for (const GestureHypothesis &h : bank_.others()) {
 		if (h.on_its_way() && h.regime() != Regime::FREE &&
 				(likeliest == nullptr || h.log_weight > likeliest->log_weight)) {
 			likeliest = &h;
@@ -165,7 +169,8 @@ void PhaseEstimator::seed(double t_s, double x) {
 			const double deviation_s = SEED_SPREAD * duration_s;
 			// The mass of a Gaussian of this deviation is sqrt(2 pi) times its height.
 			const double starts = ONSETS_PER_S * std::sqrt(2.0 * std::numbers::pi) * deviation_s;
-			start(k, regime, onset_s, deviation_s, std::log(starts) - 0.5 * too_early * too_early);
+			start(k, regime, onset_s, deviation_s,
+					std::log(starts * probability(regime)) - 0.5 * too_early * too_early);
 		}
 	}
 }
@@ -173,6 +178,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 void PhaseEstimator::prune() {
 	const double sound = 1.0 - soundness_.unsoundness();
 	bank_.prune(UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
+	outlook_.look(bank_, filtered_s_);
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
@@ -182,8 +188,9 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
+	const Passages over_step = passages(step_s);
 	for (GestureHypothesis &h : bank_.all()) {
-		h.predict(*model_, t_s, step_s);
+		h.predict(curve_, t_s, over_step);
 	}
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	if (soundness_.jumped() || soundness_.returned()) {
@@ -194,7 +201,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 			h.log_weight -= h.regime() == Regime::UNSOUND ? no_fault : FAULT_LOG_RATIO * soundness_.fault();
 		}
 		if (!soundness_.frozen()) { // a repeated value is no news of the hand
-			h.absorb(*model_, t_s, x, trust);
+			h.absorb(curve_, t_s, x, trust);
 		}
 	}
 }
@@ -211,34 +218,11 @@ void PhaseEstimator::push(double t_s, double x) {
 	blend_from(before, t_s);
 }
 
-PhaseEstimate PhaseEstimator::expected(double t_s) const {
-	PhaseEstimate estimate;
-	double total = 0.0;
-	for (const GestureHypothesis &h : bank_.all()) {
-		const double weight = std::exp(h.log_weight);
-		const GestureHypothesis::Hand hand = h.hand(*model_, t_s, filtered_s_);
-		total += weight;
-		estimate.value += weight * hand.value;
-		estimate.velocity += weight * hand.velocity;
-		estimate.acceleration += weight * hand.acceleration;
-		if (h.on_its_way()) {
-			estimate.moving += weight;
-			estimate.phase += weight * hand.phase;
-		}
-	}
-	estimate.value /= total; // the best one weighs 1
-	estimate.velocity /= total;
-	estimate.acceleration /= total;
-	estimate.phase /= total;
-	estimate.moving /= total;
-	return estimate;
-}
-
 PhaseEstimate PhaseEstimator::at(double t_s) const {
 	if (bank_.empty()) {
 		return {};
 	}
-	PhaseEstimate estimate = expected(t_s);
+	PhaseEstimate estimate = outlook_.at(curve_, t_s);
 	// Critically damped from the last change: (v + c s) exp(-k s), c = v' + k v.
 	const double s = std::max(t_s - blended_s_, 0.0);
 	const double fading = std::exp(-BLEND_RATE_PER_S * s);
@@ -251,7 +235,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 }
 
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {
-	const PhaseEstimate now = expected(t_s);
+	const PhaseEstimate now = outlook_.at(curve_, t_s);
 	blend_value_ = before.value - now.value;
 	blend_velocity_ = before.velocity - now.velocity;
 	blended_s_ = t_s;

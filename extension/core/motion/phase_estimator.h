@@ -1,21 +1,14 @@
 #pragma once
 
 #include "gesture/gesture_model.h"
+#include "motion/element_curve.h"
 #include "motion/hypothesis_bank.h"
+#include "motion/motion_outlook.h"
 #include "motion/tracking_soundness.h"
 
 #include <array>
 
 namespace steadyhand {
-
-/// What is believed of the motion at an instant; values in amplitudes, time in seconds.
-struct PhaseEstimate {
-	double value = 0.0;
-	double velocity = 0.0;
-	double acceleration = 0.0;
-	double phase = 0.0;  ///< 0..1, expected
-	double moving = 0.0; ///< probability that the gesture has begun
-};
 
 /// `phase` mode: a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) of hypotheses about
 /// when the gesture began, how long it takes, and in which regime hand and tracker are; each is an extended
@@ -48,11 +41,13 @@ private:
 	static_assert(2 + 2 * DURATIONS <= HypothesisBank::MOST_ADDED, "a branching adds so many");
 
 	const GestureModel *model_;
+	ElementCurve curve_;
 	std::array<double, DURATIONS> log_durations_{};
 	std::array<double, DURATIONS> log_prior_{};
 	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
 	HypothesisBank bank_;
+	MotionOutlook outlook_;   ///< of the bank
 	double filtered_s_ = 0.0; ///< the filters are at this time
 	double next_branch_s_ = 0.0;
 	double suspicion_ = 0.0;   ///< 1 after a jump, fading: the frames that follow may be more of it
@@ -70,7 +65,6 @@ private:
 	void prune();
 	void absorb(double t_s, double x);
 	[[nodiscard]] double probability(Regime regime) const;
-	[[nodiscard]] PhaseEstimate expected(double t_s) const;
 	/// Keeps the output where `before` had it.
 	void blend_from(const PhaseEstimate &before, double t_s);
 };

@@ -1,0 +1,41 @@
+#include "motion/regime.h"
+
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+constexpr Deviation SMALL_ERROR{ 0.005, 2.0 };
+constexpr std::array<RegimeNumbers, REGIMES> NUMBERS{
+	RegimeNumbers{ { 0.045, 4.5 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.08, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.015, 8.0 }, { 0.01, 5.0 }, 0.06, 0.12, 0.06, 0.04 },
+	RegimeNumbers{ { 0.5, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+};
+
+} // namespace
+
+const RegimeNumbers &regime_numbers(Regime regime) {
+	return NUMBERS[static_cast<std::size_t>(regime)];
+}
+
+Damping::Damping(double rate_per_s, double dt_s) {
+	const double a = rate_per_s, fading = std::exp(-a * dt_s);
+	xx = fading * (1.0 + a * dt_s);
+	xv = fading * dt_s;
+	vx = -fading * a * a * dt_s;
+	vv = fading * (1.0 - a * dt_s);
+	noise_x = 1.0 - (xx * xx + xv * xv * a * a);
+	noise_xv = -(xx * vx + xv * vv * a * a);
+	noise_v = a * a - (vx * vx + vv * vv * a * a);
+}
+
+Passages passages(double dt_s) {
+	Passages all;
+	for (std::size_t i = 0; i < REGIMES; ++i) {
+		all[i] = { { NUMBERS[i].hand.rate_per_s, dt_s }, { NUMBERS[i].error.rate_per_s, dt_s } };
+	}
+	return all;
+}
+
+} // namespace steadyhand
