@@ -10,7 +10,7 @@ namespace {
 
 constexpr double NOISE = 0.004; ///< white part of a tracker's error, amplitudes
 /// Of an outlier, amplitudes: jumps of some centimetres.
-constexpr double OUTLIER_DEVIATION = 0.3;
+constexpr double OUTLIER_DEVIATION = 0.2;
 constexpr double IMPOSSIBLE = 1e-30;
 /// Durations that a hypothesis may come to.
 const double LOG_SHORTEST = std::log(0.12);

@@ -40,7 +40,7 @@ constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as
 
 constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
-constexpr double SEED_SPREAD = 0.08;  ///< of the onset, in durations
+constexpr double SEED_SPREAD = 0.15;  ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.05;       ///< how strongly a frame at rest speaks against an earlier onset
 
