@@ -46,8 +46,11 @@ public:
 	/// A stroke has ended that is likelier the gesture than none: confirm() or dismiss() it.
 	[[nodiscard]] bool claims() const { return claims_; }
 	void confirm(double t_s);
-	/// Another gesture was it: what is under way is given up.
+	/// What is under way, and what of it is still to come, was another gesture's.
 	void give_way(double t_s);
+	/// log of the posterior odds that the stroke under way leads back after the gesture, against anything
+	/// else, nats; -infinity while there is none, and where the task is known.
+	[[nodiscard]] double log_odds_of_return() const { return log_odds_of_return_; }
 	/// The motion element as it is seen, m; 0 before the first frame.
 	[[nodiscard]] double measured_m() const { return window_.position_m(); }
 	[[nodiscard]] const Task &task() const { return task_; }
@@ -75,6 +78,7 @@ private:
 	double stage_began_s_ = -INFINITY;
 	OutputBlend blend_; ///< of what would step otherwise: the output in amplitudes
 	double log_odds_ = LOG_PRIOR_OPEN;
+	double log_odds_of_return_ = -INFINITY;
 	bool claims_ = false;
 	bool is_rejected_ = false;        ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture

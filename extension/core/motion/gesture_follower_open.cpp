@@ -54,6 +54,7 @@ double GestureFollower::amplitudes(const Stroke &stroke) const {
 
 void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
 	claims_ = false;
+	log_odds_of_return_ = -INFINITY;
 	switch (stage_) {
 		case Stage::RESTING:
 			look_for_start(t_s, strokes);
@@ -152,6 +153,8 @@ void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const bool is_on_its_way = strokes.stroke() && amplitudes(*strokes.stroke()) > SHORTEST;
 	if (is_on_its_way) {
 		likely_s_ = t_s;
+		log_odds_of_return_ = LOG_PRIOR_TASK +
+				stroke_evidence(*strokes.stroke(), -axis_, task_.amplitude_m, model_->duration_mean_s).path;
 	}
 	if (along < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
 		not_before_s_ = t_s; // the way back is no gesture
@@ -168,7 +171,9 @@ void GestureFollower::confirm(double t_s) {
 
 void GestureFollower::give_way(double t_s) {
 	not_before_s_ = t_s;
-	dismiss(t_s);
+	if (stage_ != Stage::RESTING) {
+		dismiss(t_s);
+	}
 }
 
 void GestureFollower::dismiss(double t_s) {

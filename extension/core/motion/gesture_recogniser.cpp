@@ -53,6 +53,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	time_s_ = frame.t_s;
 	decide_claims();
+	let_return();
 	choose_leader();
 }
 
@@ -105,6 +106,19 @@ void GestureRecogniser::decide_claims() {
 		}
 	}
 	leader_ = best;
+}
+
+/// A hand on its way back after a gesture may look like another one's: fingers that close after a zoom, like
+/// a drag of the index.
+void GestureRecogniser::let_return() {
+	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED) {
+		return;
+	}
+	for (GestureFollower &other : followers_) {
+		if (&other != follower() && follower()->log_odds_of_return() > std::max(other.log_odds(), 0.0)) {
+			other.give_way(time_s_);
+		}
+	}
 }
 
 void GestureRecogniser::choose_leader() {

@@ -54,6 +54,7 @@ private:
 
 	[[nodiscard]] double posterior(const GestureFollower &follower) const;
 	void decide_claims();
+	void let_return();
 	void choose_leader();
 };
 
