@@ -39,6 +39,7 @@ struct Events {
 	double last_confidence = 0.0;  ///< when the last gesture ended
 	double last_value_m = 0.0;     ///< synthesised
 	double first_shown_s = 1e9;    ///< when a gesture was first under way
+	double last_ended_s = 0.0;     ///< when the last gesture ended
 };
 
 using Way = std::function<Eigen::Vector3d(double t_s)>;
@@ -84,6 +85,7 @@ Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, dou
 		if (has_arrived && (now != shown || !had_arrived)) {
 			events.said.push_back("ended " + now);
 			events.last_confidence = recogniser.confidence();
+			events.last_ended_s = t_s;
 		}
 		shown = now;
 		had_arrived = has_arrived;
@@ -169,6 +171,34 @@ TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 	const Events events = in_the_open(jumped, 2.2);
 	CHECK(events.said == times(1, "sideways"));
 	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
+}
+
+TEST_CASE("with nothing given a gesture that ends in full motion ends there, and not where the hand stops") {
+	// A contact at four fifths of the way, passed after 0.6734 of the time: 10 s^3 - 15 s^4 + 6 s^5 = 0.8.
+	constexpr double CONTACT = 0.6734;
+	std::vector<TrainingRecording> recordings = test::drag_recordings();
+	for (TrainingRecording &recording : recordings) {
+		const double duration_s = recording.end_s - 0.5;
+		recording.end_s = 0.5 + CONTACT * duration_s;
+		recording.task.amplitude_m = 0.8 * 0.2;
+	}
+	const auto contact = std::make_shared<const GestureModel>(
+			train("contact", "index_along_axis", recordings, {}).value());
+	for (const double duration_s : { 0.8, 1.0, 1.3 }) {
+		CAPTURE(duration_s);
+		GestureRecogniser recogniser({ contact }, std::nullopt, MotionMode::PHASE);
+		const test::Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+		const Events events = watch(recogniser, along(X, { drag }), 2.5);
+		CHECK(events.said == times(1, "contact"));
+		CHECK(std::abs(events.last_ended_s - (0.6 + CONTACT * duration_s)) < 0.05);
+	}
+}
+
+TEST_CASE("with nothing given a hand that goes twice as far ends where it stops, not where others do") {
+	const test::Drag far{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.4 };
+	const Events events = in_the_open(along(X, { far }), 2.5);
+	CHECK(events.said == times(1, "sideways"));
+	CHECK(far.x_m(events.last_ended_s) > 0.36);
 }
 
 TEST_CASE("ten taps in a row each start and end once") {

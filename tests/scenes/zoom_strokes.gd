@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## A zoom made in several strokes, by the model that is shipped: fingers open, close, and open again.
+## A zoom in several strokes, by the model that is shipped: fingers open, close, and open again.
 
 const Rig := preload("support/rig.gd")
 
@@ -23,7 +23,10 @@ func test_three_strokes_are_three_zooms() -> void:
 		check_equal(seen["events"], _zooms(3), "%s: each stroke is a zoom" % _context(in_task))
 		for at_s: float in [0.5, 2.55, 4.35]:
 			check_near(
-				_value_at(seen, at_s), 0.0, 0.05 * GROWTH_M, "%s: closed at %.2f s" % [_context(in_task), at_s]
+				_value_at(seen, at_s),
+				0.0,
+				0.05 * GROWTH_M,
+				"%s: closed at %.2f s" % [_context(in_task), at_s]
 			)
 		for at_s: float in [1.6, 3.4, 5.6]:
 			check_near(
@@ -40,7 +43,9 @@ func test_fingers_that_open_too_far_and_come_back_are_one_zoom() -> void:
 	]
 	for in_task: bool in [true, false]:
 		var seen := _play(strokes, 3.0, in_task)
-		check_equal(seen["events"], _zooms(1), "%s: overshoot is no second zoom" % _context(in_task))
+		check_equal(
+			seen["events"], _zooms(1), "%s: overshoot is no second zoom" % _context(in_task)
+		)
 		check_near(
 			_value_at(seen, 2.5),
 			GROWTH_M,

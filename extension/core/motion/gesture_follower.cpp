@@ -9,9 +9,6 @@ namespace {
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
-/// `phase` mode: expected phase and value from which on the gesture is at its end.
-constexpr double ARRIVED_PHASE = 0.97;
-constexpr double ARRIVED_VALUE = 0.9;
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
@@ -28,6 +25,17 @@ constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside
 constexpr double LONG_ENOUGH = 0.5;
 constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: within a tenth of a second
 
+/// The model's speed at its end in shares of its peak, and what people slow down less.
+double end_speed_share(const GestureModel &model) {
+	constexpr double SLOWED = 0.25;
+	constexpr int POINTS = 50;
+	double peak = 0.0;
+	for (int i = 0; i <= POINTS; ++i) {
+		peak = std::max(peak, evaluate(model, static_cast<double>(i) / POINTS).slope);
+	}
+	return peak > 0.0 ? SLOWED + std::max(evaluate(model, ARRIVED_PHASE).slope, 0.0) / peak : SLOWED;
+}
+
 } // namespace
 
 GestureFollower::GestureFollower(
@@ -36,7 +44,7 @@ GestureFollower::GestureFollower(
 		element_(*find_feature(model.feature)), feature_(&element_.feature()), task_(task),
 		start_is_known_(start_is_known), mode_(mode),
 		way_(feature_->direction != nullptr ? feature_->direction(task) : FeaturePlace::Zero()),
-		decoder_(model.hmm), paper_(model), phase_(model) {}
+		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model), phase_(model) {}
 
 bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) {
 	if (clock_started_) {

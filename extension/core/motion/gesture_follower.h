@@ -16,6 +16,10 @@
 
 namespace steadyhand {
 
+/// `phase` mode: expected phase and value from which on the gesture is at its end.
+inline constexpr double ARRIVED_PHASE = 0.97;
+inline constexpr double ARRIVED_VALUE = 0.9;
+
 /// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays
 /// the motion out, holds its end until the hand has come back. Strokes that do not look like the gesture are
 /// let alone. Time is the frames' own; after construction nothing is allocated.
@@ -84,6 +88,7 @@ private:
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
 	bool has_moved_ = false;          ///< along the way, in the stroke under way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
+	double end_speed_share_ = 0.0;    ///< of the peak speed: what a hand still has where the gesture ends
 	double likeliest_ = 0.0;          ///< log odds, the best since the gesture began
 	double at_end_since_s_ = 0.0;
 	double furthest_ = 0.0; ///< since it arrived, in amplitudes
@@ -114,6 +119,7 @@ private:
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	void dismiss(double t_s);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
+	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	void aim(const FeaturePlace &to);
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;

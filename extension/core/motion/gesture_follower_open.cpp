@@ -18,6 +18,8 @@ constexpr double AIM_SEEN = 0.03;
 /// log odds below which a stroke that is well under way was none after all, and how far that is.
 constexpr double HOPELESS = -4.0;
 constexpr double WELL_UNDER_WAY = 0.3;
+/// log odds from which on an end is taken before the hand has come to it.
+constexpr double SURE = 2.0;
 /// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
 /// start.
 constexpr double HOLD_S = 1.0;
@@ -54,7 +56,7 @@ double GestureFollower::amplitudes(const Stroke &stroke) const {
 
 void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
 	claims_ = false;
-	log_odds_of_return_ = -INFINITY;
+	log_odds_of_return_ = -std::numeric_limits<double>::infinity();
 	switch (stage_) {
 		case Stage::RESTING:
 			look_for_start(t_s, strokes);
@@ -135,7 +137,8 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 			is_hopeless = true;
 		}
 		const bool is_over = seen == &strokes.lost() ? amplitudes(*stroke) > LOST_AT_END : strokes.ended();
-		if (is_over) {
+		const bool is_sure = LOG_PRIOR_OPEN + evidence.sum() > SURE;
+		if (is_over || (is_sure && is_arriving(t_s, *stroke))) {
 			size = std::max(size, LOG_PRIOR_OPEN + evidence.sum());
 		}
 	}
@@ -145,6 +148,17 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 	} else if (t_s - likely_s_ > (is_hopeless ? 0.1 : HOLD_S)) {
 		dismiss(t_s);
 	}
+}
+
+/// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
+/// slowed down too.
+bool GestureFollower::is_arriving(double t_s, const Stroke &stroke) const {
+	if (mode_ == MotionMode::PAPER) {
+		return false;
+	}
+	const PhaseEstimate estimate = phase_.at(t_s);
+	return estimate.phase > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE &&
+			task_.amplitude_m * estimate.velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
 void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
