@@ -6,6 +6,9 @@
 namespace steadyhand {
 namespace {
 
+/// `phase` mode: expected phase and value from which on the gesture is at its end.
+constexpr double ARRIVED_PHASE = 0.97;
+constexpr double ARRIVED_VALUE = 0.9;
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
@@ -253,7 +256,7 @@ Motion GestureFollower::synthesised(double t_s) const {
 
 Motion GestureFollower::motion(double t_s) const {
 	Motion motion = synthesised(t_s);
-	const OutputBlend::Point missing = blend_.at(t_s);
+	const CriticallyDamped missing = blend_.at(t_s);
 	motion.value_m += missing.value;
 	motion.velocity_m_s += missing.velocity;
 	motion.acceleration_m_s2 += missing.acceleration;

@@ -16,10 +16,6 @@
 
 namespace steadyhand {
 
-/// `phase` mode: expected phase and value from which on the gesture is at its end.
-inline constexpr double ARRIVED_PHASE = 0.97;
-inline constexpr double ARRIVED_VALUE = 0.9;
-
 /// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays
 /// the motion out, holds its end until the hand has come back. Strokes that do not look like the gesture are
 /// let alone. Time is the frames' own; after construction nothing is allocated.
@@ -104,11 +100,12 @@ private:
 	void enter(Stage stage, double t_s);
 	[[nodiscard]] Motion synthesised(double t_s) const;
 
+	[[nodiscard]] bool has_arrived(double t_s) const;
+
 	// With a task.
 	[[nodiscard]] bool has_begun(double t_s, const Observation &observation) const;
 	[[nodiscard]] bool was_nothing(double t_s, const Observation &observation) const;
 	void arrive(double t_s);
-	[[nodiscard]] bool has_arrived(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s, const Observation &observation) const;
 	void judge_by_task(const StrokeFinder &strokes);
 
@@ -123,6 +120,7 @@ private:
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	void aim(const FeaturePlace &to);
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
+	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;
 };
 
 } // namespace steadyhand

@@ -54,6 +54,12 @@ double GestureFollower::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task_.amplitude_m;
 }
 
+/// stroke: one of the finder's. What was lost near the end was over too.
+bool GestureFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
+	const bool is_lost = strokes.lost() && &stroke == &*strokes.lost();
+	return is_lost ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
+}
+
 void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
 	claims_ = false;
 	log_odds_of_return_ = -std::numeric_limits<double>::infinity();
@@ -81,8 +87,7 @@ void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		const FeaturePlace way = way_of(**seen);
 		const StrokeEvidence evidence =
 				stroke_evidence(**seen, way, task_.amplitude_m, model_->duration_mean_s);
-		const bool is_over = seen == &strokes.lost() ? amplitudes(**seen) > LOST_AT_END : strokes.ended();
-		const double size = is_over ? evidence.size : largest_size_evidence();
+		const double size = is_over(**seen, strokes) ? evidence.size : largest_size_evidence();
 		if (LOG_PRIOR_OPEN + evidence.path + std::max(size, 0.0) > 0.0) {
 			log_odds_ = LOG_PRIOR_OPEN + evidence.path;
 			start_ = (*seen)->seen_from;
@@ -136,9 +141,8 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 		} else if (path < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {
 			is_hopeless = true;
 		}
-		const bool is_over = seen == &strokes.lost() ? amplitudes(*stroke) > LOST_AT_END : strokes.ended();
 		const bool is_sure = LOG_PRIOR_OPEN + evidence.sum() > SURE;
-		if (is_over || (is_sure && is_arriving(t_s, *stroke))) {
+		if (is_over(*stroke, strokes) || (is_sure && is_arriving(t_s, *stroke))) {
 			size = std::max(size, LOG_PRIOR_OPEN + evidence.sum());
 		}
 	}
@@ -153,12 +157,8 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 /// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
 /// slowed down too.
 bool GestureFollower::is_arriving(double t_s, const Stroke &stroke) const {
-	if (mode_ == MotionMode::PAPER) {
-		return false;
-	}
-	const PhaseEstimate estimate = phase_.at(t_s);
-	return estimate.phase > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE &&
-			task_.amplitude_m * estimate.velocity < end_speed_share_ * stroke.peak_m_s;
+	return mode_ == MotionMode::PHASE && has_arrived(t_s) &&
+			task_.amplitude_m * phase_.at(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
 void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {

@@ -7,9 +7,9 @@
 namespace steadyhand {
 namespace {
 
-/// The gesture shown changes for one that is likelier by this factor, in nats.
 /// No clock counts further: beyond, a symbol's period is lost in rounding.
 constexpr double LARGEST_TIME_S = 1e12;
+/// The gesture shown changes for one that is likelier by this factor, in nats.
 constexpr double SWITCH_MARGIN = 1.0;
 
 } // namespace
@@ -86,15 +86,20 @@ double GestureRecogniser::confidence() const {
 			: 0.0;
 }
 
-void GestureRecogniser::decide_claims() {
+template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i].claims() &&
+		if (is_candidate(followers_[i]) &&
 				(best < 0 ||
 						followers_[i].log_odds() > followers_[static_cast<std::size_t>(best)].log_odds())) {
 			best = static_cast<int>(i);
 		}
 	}
+	return best;
+}
+
+void GestureRecogniser::decide_claims() {
+	const int best = likeliest([](const GestureFollower &follower) { return follower.claims(); });
 	if (best < 0) {
 		return;
 	}
@@ -123,14 +128,9 @@ void GestureRecogniser::let_return() {
 
 void GestureRecogniser::choose_leader() {
 	const bool over = leader_ < 0 || follower()->stage() == GestureFollower::Stage::RESTING;
-	int best = -1;
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i].stage() == GestureFollower::Stage::MOVING &&
-				(best < 0 ||
-						followers_[i].log_odds() > followers_[static_cast<std::size_t>(best)].log_odds())) {
-			best = static_cast<int>(i);
-		}
-	}
+	const int best = likeliest([](const GestureFollower &follower) {
+		return follower.stage() == GestureFollower::Stage::MOVING;
+	});
 	if (over) {
 		leader_ = best;
 		return;

@@ -53,6 +53,8 @@ private:
 	double time_s_;
 
 	[[nodiscard]] double posterior(const GestureFollower &follower) const;
+	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
+	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	void decide_claims();
 	void let_return();
 	void choose_leader();

@@ -1,9 +1,9 @@
 #include "motion/motion_outlook.h"
 
+#include "signal/critically_damped.h"
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace steadyhand {
 namespace {
@@ -44,18 +44,15 @@ PhaseEstimate MotionOutlook::at(const ElementCurve &curve, double t_s) const {
 	estimate.moving = moving_;
 	const double dt_s = std::max(t_s - filtered_s_, 0.0);
 	for (std::size_t i = 0; i < REGIMES; ++i) {
-		// Critically damped: (x + c dt) exp(-a dt), c = v + a x.
 		const auto &[x, v] = hand_[i];
 		if (x == 0.0 && v == 0.0) {
 			continue;
 		}
-		const double a = regime_numbers(static_cast<Regime>(i)).hand.rate_per_s;
-		const double fading = std::exp(-a * dt_s);
-		const double c = v + a * x;
-		const double left = x + c * dt_s;
-		estimate.value += left * fading;
-		estimate.velocity += (c - a * left) * fading;
-		estimate.acceleration += a * (a * left - 2.0 * c) * fading;
+		const CriticallyDamped hand =
+				critically_damped(x, v, regime_numbers(static_cast<Regime>(i)).hand.rate_per_s, dt_s);
+		estimate.value += hand.value;
+		estimate.velocity += hand.velocity;
+		estimate.acceleration += hand.acceleration;
 	}
 	for (std::size_t i = 0; i < count_; ++i) {
 		const Course &course = courses_[i];

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "signal/critically_damped.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace steadyhand {
 
@@ -12,27 +13,19 @@ public:
 	void start(double t_s, double value, double velocity, double rate_per_s) {
 		began_s_ = t_s;
 		value_ = value;
+		velocity_ = velocity;
 		rate_per_s_ = rate_per_s;
-		// (v + c s) exp(-k s), c = v' + k v
-		growth_ = velocity + rate_per_s * value;
 	}
 
 	/// What is to be added at t_s.
-	struct Point {
-		double value, velocity, acceleration;
-	};
-	[[nodiscard]] Point at(double t_s) const {
-		const double s = std::max(t_s - began_s_, 0.0);
-		const double fading = std::exp(-rate_per_s_ * s);
-		const double left = value_ + growth_ * s;
-		return { left * fading, (growth_ - rate_per_s_ * left) * fading,
-			rate_per_s_ * (rate_per_s_ * left - 2.0 * growth_) * fading };
+	[[nodiscard]] CriticallyDamped at(double t_s) const {
+		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));
 	}
 
 private:
 	double began_s_ = 0.0;
 	double value_ = 0.0;
-	double growth_ = 0.0;
+	double velocity_ = 0.0;
 	double rate_per_s_ = 1.0;
 };
 

@@ -68,7 +68,7 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model), curv
 
 void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
-	filtered_s_ = blended_s_ = t_s;
+	filtered_s_ = t_s;
 	outlook_.look(bank_, t_s);
 	next_branch_s_ = t_s + BRANCH_PERIOD_S;
 }
@@ -223,22 +223,16 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 		return {};
 	}
 	PhaseEstimate estimate = outlook_.at(curve_, t_s);
-	// Critically damped from the last change: (v + c s) exp(-k s), c = v' + k v.
-	const double s = std::max(t_s - blended_s_, 0.0);
-	const double fading = std::exp(-BLEND_RATE_PER_S * s);
-	const double c = blend_velocity_ + BLEND_RATE_PER_S * blend_value_;
-	const double left = blend_value_ + c * s;
-	estimate.value += left * fading;
-	estimate.velocity += (c - BLEND_RATE_PER_S * left) * fading;
-	estimate.acceleration += BLEND_RATE_PER_S * (BLEND_RATE_PER_S * left - 2.0 * c) * fading;
+	const CriticallyDamped missing = blend_.at(t_s);
+	estimate.value += missing.value;
+	estimate.velocity += missing.velocity;
+	estimate.acceleration += missing.acceleration;
 	return estimate;
 }
 
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {
 	const PhaseEstimate now = outlook_.at(curve_, t_s);
-	blend_value_ = before.value - now.value;
-	blend_velocity_ = before.velocity - now.velocity;
-	blended_s_ = t_s;
+	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
 }
 
 } // namespace steadyhand

@@ -4,6 +4,7 @@
 #include "motion/element_curve.h"
 #include "motion/hypothesis_bank.h"
 #include "motion/motion_outlook.h"
+#include "motion/output_blend.h"
 #include "motion/tracking_soundness.h"
 
 #include <array>
@@ -50,10 +51,8 @@ private:
 	MotionOutlook outlook_;   ///< of the bank
 	double filtered_s_ = 0.0; ///< the filters are at this time
 	double next_branch_s_ = 0.0;
-	double suspicion_ = 0.0;   ///< 1 after a jump, fading: the frames that follow may be more of it
-	double blend_value_ = 0.0; ///< output minus estimate when it last changed
-	double blend_velocity_ = 0.0;
-	double blended_s_ = 0.0; ///< and when that was
+	double suspicion_ = 0.0; ///< 1 after a jump, fading: the frames that follow may be more of it
+	OutputBlend blend_;      ///< of what the last change of the estimate would step by
 
 	void begin(double t_s, double d);
 	void branch(double t_s);
