@@ -1,5 +1,4 @@
 #include "hmm/forward.h"
-#include "hmm/log_sum.h"
 #include "hmm/viterbi.h"
 #include "hmm_random.h"
 
@@ -91,18 +90,6 @@ TEST_CASE("online Viterbi ends every prefix as Viterbi over that prefix does") {
 	}
 }
 
-TEST_CASE("forward and backward variables give the same likelihood at every instant") {
-	std::mt19937_64 random(3);
-	const DiscreteHmm hmm = test::random_hmm(random, 4, 5);
-	const SymbolSequence symbols = test::random_symbols(random, 60, 5);
-	const Eigen::MatrixXd alpha = log_forward(hmm, symbols);
-	const Eigen::MatrixXd beta = log_backward(hmm, symbols);
-	const double expected = log_likelihood(hmm, symbols);
-	for (Eigen::Index t = 0; t < alpha.cols(); ++t) {
-		CHECK(log_sum_exp(alpha.col(t) + beta.col(t)) == doctest::Approx(expected).epsilon(1e-12));
-	}
-}
-
 TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
 	// After n symbols '0' the likelihood has a closed form: the sum over the frame k at which state 0 was
 	// left, 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k). A scaled forward pass loses it:
@@ -116,14 +103,6 @@ TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
 	const double expected = stay + std::log1p(0.01 * ratio / (1.0 - ratio));
 	const SymbolSequence zeros(static_cast<std::size_t>(n), 0);
 	CHECK(log_likelihood(hmm, zeros) == doctest::Approx(expected).epsilon(1e-12));
-}
-
-TEST_CASE("log_sum_exp holds at the ends of the number range") {
-	CHECK(log_sum_exp(Eigen::Vector2d(-1e6, -1e6)) == doctest::Approx(-1e6 + std::log(2.0)).epsilon(1e-15));
-	CHECK(log_sum_exp(Eigen::Vector2d(800.0, 800.0)) == doctest::Approx(800.0 + std::log(2.0)));
-	const double never = -std::numeric_limits<double>::infinity();
-	CHECK(log_sum_exp(Eigen::Vector2d(never, never)) == never);
-	CHECK(log_sum_exp(Eigen::VectorXd()) == never);
 }
 
 TEST_CASE("nothing to observe weighs on no state") {

@@ -1,48 +1,14 @@
 #include "hmm/baum_welch.h"
 
-#include "hmm/forward.h"
-#include "hmm/log_sum.h"
+#include "hmm/expected_counts.h"
 
-#include <cmath>
+#include <algorithm>
 #include <limits>
 
 namespace steadyhand {
 namespace {
 
 constexpr double NEVER = -std::numeric_limits<double>::infinity();
-
-/// Expected counts of the E-step.
-struct ExpectedCounts {
-	Eigen::MatrixXd transitions; ///< N x N: sum over t of xi_t(i, j)
-	Eigen::MatrixXd symbols;     ///< N x M: sum over t with o_t = k of gamma_t(j)
-	double log_likelihood = 0.0;
-};
-
-void accumulate(const DiscreteHmm &hmm, const SymbolSequence &sequence, ExpectedCounts &r_counts) {
-	const Eigen::MatrixXd log_alpha = log_forward(hmm, sequence);
-	const Eigen::MatrixXd log_beta = log_backward(hmm, sequence);
-	const auto length = static_cast<Eigen::Index>(sequence.size());
-	const double log_likelihood = log_sum_exp(log_alpha.col(length - 1));
-	r_counts.log_likelihood += log_likelihood;
-	if (!std::isfinite(log_likelihood)) {
-		return; // impossible under a model without pseudo-counts: it says nothing about the parameters
-	}
-	Eigen::VectorXd log_b(hmm.states());
-	for (Eigen::Index t = 0; t < length; ++t) {
-		const Symbol symbol = sequence[static_cast<std::size_t>(t)];
-		if (symbol >= 0 && symbol < hmm.symbols()) {
-			r_counts.symbols.col(symbol) +=
-					(log_alpha.col(t) + log_beta.col(t)).array().operator-(log_likelihood).exp().matrix();
-		}
-		if (t + 1 < length) {
-			hmm.emission(sequence[static_cast<std::size_t>(t + 1)], log_b);
-			const Eigen::RowVectorXd arrival =
-					(log_b + log_beta.col(t + 1)).transpose().array() - log_likelihood;
-			r_counts.transitions.array() +=
-					((hmm.log_a.colwise() + log_alpha.col(t)).rowwise() + arrival).array().exp();
-		}
-	}
-}
 
 /// Dirichlet(1 + pseudo) log density of the allowed entries, up to a constant.
 double log_prior(const DiscreteHmm &hmm, const PseudoCounts &pseudo) {
@@ -73,20 +39,13 @@ BaumWelchResult baum_welch(
 		DiscreteHmm start, std::span<const SymbolSequence> sequences, const BaumWelchOptions &options) {
 	BaumWelchResult result{ std::move(start), {} };
 	DiscreteHmm &hmm = result.hmm;
+	const auto used = std::count_if(sequences.begin(), sequences.end(),
+			[](const SymbolSequence &sequence) { return !sequence.empty(); });
 	for (int iteration = 0; iteration < options.max_iterations; ++iteration) {
 		if (options.go_on && !options.go_on(iteration)) {
 			break;
 		}
-		ExpectedCounts counts;
-		counts.transitions = Eigen::MatrixXd::Zero(hmm.states(), hmm.states());
-		counts.symbols = Eigen::MatrixXd::Zero(hmm.states(), hmm.symbols());
-		std::size_t used = 0;
-		for (const SymbolSequence &sequence : sequences) {
-			if (!sequence.empty()) {
-				accumulate(hmm, sequence, counts);
-				++used;
-			}
-		}
+		const ExpectedCounts counts = expected_counts(hmm, sequences);
 		result.objective.push_back(counts.log_likelihood + log_prior(hmm, options.pseudo));
 		const std::size_t n = result.objective.size();
 		if (used == 0 ||

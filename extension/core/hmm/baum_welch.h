@@ -21,7 +21,7 @@ struct BaumWelchResult {
 	std::vector<double> objective;
 };
 
-/// Baum-Welch over many sequences (Rabiner 1989 eq. (109)-(110), in log space), with Dirichlet pseudo-counts
+/// Baum-Welch over many sequences (Rabiner 1989 eq. (109)-(110)), with Dirichlet pseudo-counts
 /// on the rows of A and B; pi stays as it is, and a transition that `start` forbids stays forbidden.
 /// Deterministic. Empty sequences are passed over; UNSEEN frames count for transitions only.
 BaumWelchResult baum_welch(

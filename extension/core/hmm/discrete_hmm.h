@@ -18,9 +18,7 @@ inline constexpr Symbol UNSEEN = -1;
 using SymbolSequence = std::vector<Symbol>;
 
 /// A discrete hidden Markov model of N states and M symbols, lambda = (A, B, pi) of Rabiner, "A tutorial on
-/// hidden Markov models", Proc. IEEE 77(2), 1989, doi:10.1109/5.18626. All parameters are natural logarithms,
-/// because a scaled forward pass loses the early states of a left-right model once they underflow against the
-/// absorbing one.
+/// hidden Markov models", Proc. IEEE 77(2), 1989, doi:10.1109/5.18626. All parameters are natural logarithms.
 struct DiscreteHmm {
 	Eigen::VectorXd log_pi; ///< N: log P(first state = i)
 	Eigen::MatrixXd log_a;  ///< N x N: log P(next state = j | state = i) at (i, j)

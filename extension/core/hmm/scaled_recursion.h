@@ -1,0 +1,194 @@
+#pragma once
+
+#include "hmm/linear_hmm.h"
+#include "hmm/scaled_number.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+
+/// v_j(t) = b_j(o_t) sum_i a_ij v_i(t - 1): the forward variable (Rabiner 1989 eq. (20)); with A transposed,
+/// the backward variable times its emission. Of LANES sequences at once.
+///
+/// In probabilities, and exact to rounding at any length. A pass with one scale a frame loses the states of a
+/// left-right model that underflow against the others, though paths through them may win later. Here each
+/// state has a scale of its own, v = m 2^e. Exponents are renewed after so many frames that no mantissa can
+/// have underflowed by then, by the smallest entries of A and B; until the next time they are part of the
+/// transitions, and cost nothing. Where no such number of frames can be told (zeros in B, states without a
+/// way to themselves, leaps of likelihood) they are renewed in each.
+template <int LANES> class ScaledRecursion {
+public:
+	/// a: N x N, from, to; b: N x any, all emissions there are. Allocates; nothing else does.
+	ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b);
+
+	/// Before the lanes are started on other sequences.
+	void reset() { left_ = FALL; }
+	/// v of a lane from now on: N probabilities. The others stay.
+	void start(int lane, const double *v);
+	/// b: N x LANES, the emission of state j in lane l at j * LANES + l. True where exponents have changed.
+	bool step(const double *b);
+
+	/// N x LANES, as in step.
+	[[nodiscard]] const double *mantissas() const { return m_.data(); }
+	[[nodiscard]] const std::int64_t *exponents() const { return e_.data(); }
+	/// A lane's sum of v.
+	[[nodiscard]] ScaledNumber total(int lane) const;
+
+private:
+	/// In bits: a mantissa is TOP after a renewal, and between TOP - FALL and TOP + RISE until the next. So
+	/// products of two are in range; and what vanishes in one with a power of two, is nothing beside any.
+	static constexpr int TOP = 250, FALL = 600, RISE = 200;
+
+	struct Stretch {
+		Eigen::Index first, end;
+	};
+
+	Eigen::Index n_;
+	Eigen::MatrixXd a_;
+	std::vector<Stretch> from_; ///< of each state: where transitions to it come from
+	/// From i to j, in any number of frames.
+	Eigen::Matrix<bool, Eigen::Dynamic, Eigen::Dynamic> leads_;
+	double fall_ = 0.0;  ///< bits that a state may lose in a frame, if not all
+	bool keeps_ = false; ///< no state loses all in a frame
+	int left_ = FALL;    ///< frames until exponents are to be renewed
+	std::vector<double> m_, next_;
+	std::vector<std::int64_t> e_;
+	std::vector<double> scaled_a_; ///< between the scales: stretch by stretch, LANES for each entry
+	std::vector<ScaledNumber> v_;
+
+	using Lanes = Eigen::Array<double, LANES, 1>;
+	static Eigen::Map<Lanes> lanes(double *p) { return Eigen::Map<Lanes>(p); }
+	static Eigen::Map<const Lanes> lanes(const double *p) { return Eigen::Map<const Lanes>(p); }
+	static std::size_t place(Eigen::Index state, int lane) {
+		return static_cast<std::size_t>(state * LANES + lane);
+	}
+
+	void step_plainly(const double *b);
+	void step_carefully(int lane, const double *b);
+	void scale_transitions(int lane);
+	[[nodiscard]] bool is_steady(int lane) const;
+};
+
+template <int LANES>
+ScaledRecursion<LANES>::ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) :
+		n_(a.rows()), a_(a), leads_(a.array() > 0.0), m_(place(n_, 0)), next_(m_.size()), e_(m_.size()),
+		v_(static_cast<std::size_t>(n_)) {
+	const auto bits = [](const Eigen::MatrixXd &p) {
+		return -std::log2((p.array() > 0.0).select(p.array(), 1.0).minCoeff());
+	};
+	fall_ = std::max(bits(a) + bits(b), 1.0);
+	keeps_ = a.diagonal().minCoeff() > 0.0 && b.minCoeff() > 0.0;
+	std::size_t entries = 0;
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		Stretch stretch{ 0, n_ };
+		while (stretch.end > 1 && a(stretch.end - 1, j) == 0.0) {
+			--stretch.end;
+		}
+		while (stretch.first + 1 < stretch.end && a(stretch.first, j) == 0.0) {
+			++stretch.first;
+		}
+		from_.push_back(stretch);
+		entries += place(stretch.end - stretch.first, 0);
+	}
+	scaled_a_.resize(entries);
+	for (Eigen::Index k = 0; k < n_; ++k) { // transitive closure (Warshall 1962)
+		for (Eigen::Index i = 0; i < n_; ++i) {
+			for (Eigen::Index j = 0; j < n_; ++j) {
+				leads_(i, j) = leads_(i, j) || (leads_(i, k) && leads_(k, j));
+			}
+		}
+	}
+}
+
+template <int LANES> void ScaledRecursion<LANES>::start(int lane, const double *v) {
+	double least = 1.0;
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		m_[place(j, lane)] = v[j] * power_of_two(TOP);
+		e_[place(j, lane)] = -TOP; // one scale for all: what is 0 is so in truth
+		least = v[j] > 0.0 ? std::min(least, v[j]) : least;
+	}
+	scale_transitions(lane);
+	left_ = std::min(left_, static_cast<int>(std::max(FALL + std::log2(least), 0.0) / fall_));
+}
+
+template <int LANES> bool ScaledRecursion<LANES>::step(const double *b) {
+	if (left_ > 0) {
+		--left_;
+		step_plainly(b);
+		return false;
+	}
+	bool are_steady = keeps_;
+	for (int lane = 0; lane < LANES; ++lane) {
+		step_carefully(lane, b);
+		scale_transitions(lane);
+		are_steady = are_steady && is_steady(lane);
+	}
+	left_ = are_steady ? static_cast<int>(FALL / fall_) : 0;
+	return true;
+}
+
+template <int LANES> void ScaledRecursion<LANES>::step_plainly(const double *b) {
+	const double *a = scaled_a_.data();
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		const auto [first, end] = from_[static_cast<std::size_t>(j)];
+		const double *m = m_.data() + first * LANES;
+		Lanes sum = lanes(m) * lanes(a);
+		for (Eigen::Index i = first + 1; i < end; ++i) {
+			m += LANES;
+			a += LANES;
+			sum += lanes(m) * lanes(a);
+		}
+		a += LANES;
+		lanes(next_.data() + j * LANES) = sum * lanes(b + j * LANES);
+	}
+	m_.swap(next_);
+}
+
+template <int LANES> void ScaledRecursion<LANES>::step_carefully(int lane, const double *b) {
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		v_[static_cast<std::size_t>(j)] = { m_[place(j, lane)], e_[place(j, lane)] };
+	}
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		const auto [first, end] = from_[static_cast<std::size_t>(j)];
+		ScaledNumber sum;
+		for (Eigen::Index i = first; i < end; ++i) {
+			sum = sum + v_[static_cast<std::size_t>(i)] * a_(i, j);
+		}
+		const ScaledNumber next = sum * b[place(j, lane)];
+		m_[place(j, lane)] = next.mantissa * power_of_two(TOP);
+		e_[place(j, lane)] = next.exponent - TOP;
+	}
+}
+
+template <int LANES> void ScaledRecursion<LANES>::scale_transitions(int lane) {
+	std::size_t entry = static_cast<std::size_t>(lane);
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		const auto [first, end] = from_[static_cast<std::size_t>(j)];
+		for (Eigen::Index i = first; i < end; ++i) {
+			scaled_a_[entry] = a_(i, j) * power_of_two(e_[place(i, lane)] - e_[place(j, lane)]);
+			entry += LANES;
+		}
+	}
+}
+
+/// All who lead to a state are no further above it than it may rise.
+template <int LANES> bool ScaledRecursion<LANES>::is_steady(int lane) const {
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		for (Eigen::Index i = 0; i < n_; ++i) {
+			if (leads_(i, j) && e_[place(i, lane)] - e_[place(j, lane)] > RISE) {
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+template <int LANES> ScaledNumber ScaledRecursion<LANES>::total(int lane) const {
+	ScaledNumber sum;
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		sum = sum + ScaledNumber(m_[place(j, lane)], e_[place(j, lane)]);
+	}
+	return sum;
+}
+
+} // namespace steadyhand
