@@ -174,8 +174,11 @@ bool GestureFollower::has_begun(double t_s, const Observation &observation) cons
 	if (mode_ == MotionMode::PAPER) {
 		return observation.x() > ONSET_VALUE && observation.y() > ONSET_VELOCITY;
 	}
+	if (!has_moved_) {
+		return false;
+	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	return has_moved_ && estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
+	return estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
 }
 
 bool GestureFollower::was_nothing(double t_s, const Observation &observation) const {

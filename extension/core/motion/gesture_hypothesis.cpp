@@ -11,7 +11,8 @@ namespace {
 constexpr double NOISE = 0.004; ///< white part of a tracker's error, amplitudes
 /// Of an outlier, amplitudes: jumps of some centimetres.
 constexpr double OUTLIER_DEVIATION = 0.2;
-constexpr double IMPOSSIBLE = 1e-30;
+const double LOG_IMPOSSIBLE = std::log(1e-30);
+constexpr double LARGEST_LOG = 700.0;
 /// Durations that a hypothesis may come to.
 const double LOG_SHORTEST = std::log(0.12);
 const double LOG_LONGEST = std::log(6.0);
@@ -79,31 +80,36 @@ void GestureHypothesis::predict(const ElementCurve &curve, double t_s, const Pas
 	}
 }
 
+/// The covariance becomes F P F' + Q, where F differs from unity in two pairs of states alone: a deviation
+/// and its rate, of the hand and of the tracker.
 template <int N> void GestureHypothesis::predict_first(double error_variance, const Passage &passage) {
 	const double hand = regime_numbers(regime_).hand.amplitudes;
-	damp<N>(HAND, passage.hand, hand * hand);
-	damp<N>(ERROR, passage.error, error_variance);
-}
-
-/// The covariance becomes F P F' + Q, where F differs from unity in the states i and i + 1 alone.
-template <int N> void GestureHypothesis::damp(Eigen::Index i, const Damping &by, double variance) {
-	const double x = mean_[i], v = mean_[i + 1];
-	mean_[i] = by.xx * x + by.xv * v;
-	mean_[i + 1] = by.vx * x + by.vv * v;
-
-	using Column = Eigen::Matrix<double, N, 1, Eigen::DontAlign>;
-	const auto column_x = covariance_.col(i).template head<N>(),
-			   column_v = covariance_.col(i + 1).template head<N>();
-	Column next_x = by.xx * column_x + by.xv * column_v;
-	Column next_v = by.vx * column_x + by.vv * column_v;
-	const double cross = by.vx * next_x[i] + by.vv * next_x[i + 1] + variance * by.noise_xv;
-	next_x[i] = by.xx * next_x[i] + by.xv * next_x[i + 1] + variance * by.noise_x;
-	next_v[i + 1] = by.vx * next_v[i] + by.vv * next_v[i + 1] + variance * by.noise_v;
-	next_x[i + 1] = next_v[i] = cross;
-	covariance_.col(i).template head<N>() = next_x;
-	covariance_.col(i + 1).template head<N>() = next_v;
-	covariance_.row(i).template head<N>() = next_x.transpose();
-	covariance_.row(i + 1).template head<N>() = next_v.transpose();
+	Eigen::Matrix<double, N, DAMPED, Eigen::DontAlign> next;
+	for (const Eigen::Index i : { HAND, ERROR }) {
+		const Damping &by = i == HAND ? passage.hand : passage.error;
+		const double x = mean_[i], v = mean_[i + 1];
+		mean_[i] = by.xx * x + by.xv * v;
+		mean_[i + 1] = by.vx * x + by.vv * v;
+		const auto column_x = covariance_.col(i).template head<N>(),
+				   column_v = covariance_.col(i + 1).template head<N>();
+		next.col(i) = by.xx * column_x + by.xv * column_v;
+		next.col(i + 1) = by.vx * column_x + by.vv * column_v;
+	}
+	for (const Eigen::Index i : { HAND, ERROR }) {
+		const Damping &by = i == HAND ? passage.hand : passage.error;
+		const double variance = i == HAND ? hand * hand : error_variance;
+		const Eigen::Matrix<double, 1, DAMPED> row_x = next.row(i), row_v = next.row(i + 1);
+		next.row(i) = by.xx * row_x + by.xv * row_v;
+		next.row(i + 1) = by.vx * row_x + by.vv * row_v;
+		next(i, i) += variance * by.noise_x;
+		next(i + 1, i) += variance * by.noise_xv;
+		next(i + 1, i + 1) += variance * by.noise_v;
+	}
+	covariance_.template topLeftCorner<N, DAMPED>() = next;
+	for (Eigen::Index j = 1; j < N; ++j) { // stays symmetric
+		const Eigen::Index above = std::min<Eigen::Index>(j, DAMPED);
+		covariance_.col(j).head(above) = covariance_.row(j).head(above).transpose();
+	}
 }
 
 double GestureHypothesis::expected(const ElementCurve &curve, double t_s, State &r_slopes) const {
@@ -153,15 +159,26 @@ void GestureHypothesis::absorb_first(double innovation, const State &slopes, con
 		seen += slopes[j] * covariance_.col(j).template head<N>();
 	}
 	const double variance = slopes.template head<N>().dot(seen) + NOISE * NOISE;
-	const double squared = innovation * innovation;
-	const double broad = variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION;
-	const double good = (1.0 - trust.outlier) * std::exp(-0.5 * squared / variance) / std::sqrt(variance);
-	const double bad = trust.outlier * std::exp(-0.5 * squared / broad) / std::sqrt(broad);
-	log_weight += trust.weight * std::log(std::max(good + bad, IMPOSSIBLE));
+	const double precision = 1.0 / variance;
+	const double broad_precision = 1.0 / (variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION);
+	const double half_squared = 0.5 * innovation * innovation;
+	// Of an outlier against a good frame; beyond LARGEST_LOG the exponential would be infinite, and none is
+	// good.
+	const double log_ratio = half_squared * (precision - broad_precision);
+	const double bad = trust.outlier * std::sqrt(broad_precision);
+	double good_share = 0.0, log_likelihood = 0.0;
+	if (log_ratio < LARGEST_LOG) {
+		const double good = (1.0 - trust.outlier) * std::sqrt(precision);
+		const double sum = good + bad * std::exp(log_ratio);
+		good_share = good / sum;
+		log_likelihood = std::log(sum) - half_squared * precision;
+	} else {
+		log_likelihood = std::log(bad) - half_squared * broad_precision;
+	}
+	log_weight += trust.weight * std::max(log_likelihood, LOG_IMPOSSIBLE);
 
-	const double share = good + bad > 0.0 ? good / (good + bad) : 0.0;
-	mean_.template head<N>() += seen * (share * innovation / variance);
-	const double less = (share * variance - share * (1.0 - share) * squared) / (variance * variance);
+	mean_.template head<N>() += seen * (good_share * innovation * precision);
+	const double less = good_share * precision * (1.0 - 2.0 * (1.0 - good_share) * half_squared * precision);
 	for (Eigen::Index j = 0; j < N; ++j) {
 		covariance_.col(j).template head<N>() -= (seen * seen[j]) * less; // in this order it stays symmetric
 	}

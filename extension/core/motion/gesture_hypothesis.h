@@ -70,6 +70,7 @@ private:
 		UNUSED,
 		STATES
 	};
+	static constexpr Eigen::Index DAMPED = ONSET; ///< the states before it
 	/// How many of the states may differ from zero. Even numbers, which processors compute in pairs.
 	enum class Extent : std::uint8_t { AT_REST = 4, WITHOUT_LAG = 8, ALL = 10 };
 	// Unaligned, so that the classes that hold it may be allocated anywhere.
@@ -84,7 +85,6 @@ private:
 	bool on_its_way_ = false;
 
 	void begin_at(Eigen::Index i, double mean, double deviation);
-	template <int N> void damp(Eigen::Index i, const Damping &by, double variance);
 	template <int N> void predict_first(double error_variance, const Passage &passage);
 	template <int N> void absorb_first(double innovation, const State &slopes, const Trust &trust);
 	/// f(phase) in 0..1
