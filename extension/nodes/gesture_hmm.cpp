@@ -131,6 +131,7 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 	if (!outdated_) {
 		recogniser_->advance(p_time_s);
 		time_s_ = std::max(time_s_, p_time_s);
+		listeners_.call(&MotionListener::on_motion_known);
 	}
 }
 
@@ -155,7 +156,7 @@ void GestureHMM::publish() {
 		recognised_ = gesture;
 	}
 	if (!listeners_.empty()) {
-		listeners_.call(&MotionListener::on_motion, instant_s, current(motion_).value_m / amplitude_m());
+		listeners_.call(&MotionListener::on_motion, motion_at(instant_s));
 	}
 	if (aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
@@ -177,6 +178,17 @@ void GestureHMM::publish() {
 steadyhand::Motion GestureHMM::current(Motion p_motion) const {
 	return recogniser_ && !outdated_ ? recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion))
 									 : steadyhand::Motion{};
+}
+
+MotionInstant GestureHMM::motion_at(double p_time_s) const {
+	if (!recogniser_ || outdated_) {
+		return { .time_s = p_time_s };
+	}
+	const steadyhand::Motion motion =
+			recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), p_time_s);
+	const double per_amplitude = 1.0 / amplitude_m();
+	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
+		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 };
 }
 
 double GestureHMM::amplitude_m() const {

@@ -64,6 +64,9 @@ public:
 	void reset();
 	double get_motion_value(Motion p_motion) const;
 
+	/// As by now it will be at p_time_s, not before get_time().
+	MotionInstant motion_at(double p_time_s) const;
+
 	void add_listener(MotionListener *p_listener) { listeners_.add(p_listener); }
 	void remove_listener(MotionListener *p_listener) { listeners_.remove(p_listener); }
 

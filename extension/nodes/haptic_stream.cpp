@@ -4,12 +4,16 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace godot {
 
-HapticStreamPlayback::HapticStreamPlayback() :
-		waveform_(std::make_unique<steadyhand::SpringWaveform>(
-				static_cast<double>(AudioServer::get_singleton()->get_mix_rate()))) {}
+static_assert(sizeof(AudioFrame) == 2 * sizeof(float), "two channels, interleaved");
+
+void HapticStreamPlayback::follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link) {
+	const double rate_hz = static_cast<double>(AudioServer::get_singleton()->get_mix_rate());
+	vibration_ = std::make_unique<steadyhand::LiveVibration>(p_link, rate_hz, 2);
+}
 
 void HapticStreamPlayback::_start(double) {
 	playing_ = true;
@@ -20,14 +24,11 @@ void HapticStreamPlayback::_stop() {
 }
 
 int32_t HapticStreamPlayback::_mix(AudioFrame *p_buffer, float, int32_t p_frames) {
-	waveform_->set_frequency(static_cast<double>(level_->frequency_hz.load(std::memory_order_relaxed)));
-	const double amplitude = static_cast<double>(level_->amplitude.load(std::memory_order_relaxed));
-	for (int32_t done = 0; done < p_frames;) {
-		const std::size_t count = std::min(static_cast<std::size_t>(p_frames - done), samples_.size());
-		waveform_->render(std::span(samples_).first(count), amplitude);
-		for (std::size_t i = 0; i < count; ++i) {
-			p_buffer[done++] = { samples_[i], samples_[i] };
-		}
+	const std::span<float> samples(&p_buffer->left, 2 * static_cast<std::size_t>(std::max(p_frames, 0)));
+	if (vibration_) {
+		vibration_->render(samples);
+	} else {
+		std::fill(samples.begin(), samples.end(), 0.0F);
 	}
 	return p_frames;
 }
@@ -35,7 +36,7 @@ int32_t HapticStreamPlayback::_mix(AudioFrame *p_buffer, float, int32_t p_frames
 Ref<AudioStreamPlayback> HapticStream::_instantiate_playback() const {
 	Ref<HapticStreamPlayback> playback;
 	playback.instantiate();
-	playback->follow(shared_level_);
+	playback->follow(link_);
 	return playback;
 }
 

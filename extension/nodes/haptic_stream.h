@@ -1,6 +1,6 @@
 #pragma once
 
-#include "haptics/spring.h"
+#include "haptics/live_vibration.h"
 
 #include <godot_cpp/classes/audio_frame.hpp>
 #include <godot_cpp/classes/audio_stream.hpp>
@@ -11,31 +11,18 @@
 
 namespace godot {
 
-/// All that passes from the scene to the audio thread.
-struct HapticLevel {
-	std::atomic<float> amplitude = 0.0F; ///< 0..1
-	std::atomic<float> frequency_hz = static_cast<float>(steadyhand::SpringWaveform::DEFAULT_FREQUENCY_HZ);
-	static_assert(std::atomic<float>::is_always_lock_free);
-};
-
-/// Makes the vibration on the audio thread, block by block; the amplitude is ramped inside each, so that it
-/// never steps.
+/// Makes the vibration on the audio thread.
 class HapticStreamPlayback : public AudioStreamPlayback {
 	GDCLASS(HapticStreamPlayback, AudioStreamPlayback)
 
-	static constexpr std::size_t BLOCK = 256;
-
-	std::shared_ptr<HapticLevel> level_ = std::make_shared<HapticLevel>();
-	std::unique_ptr<steadyhand::SpringWaveform> waveform_;
-	std::array<float, BLOCK> samples_{};
+	std::unique_ptr<steadyhand::LiveVibration> vibration_;
 	std::atomic<bool> playing_ = false;
 
 protected:
 	static void _bind_methods() {}
 
 public:
-	HapticStreamPlayback();
-	void follow(const std::shared_ptr<HapticLevel> &p_level) { level_ = p_level; }
+	void follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link);
 
 	void _start(double p_from_pos) override;
 	void _stop() override;
@@ -47,13 +34,13 @@ public:
 class HapticStream : public AudioStream {
 	GDCLASS(HapticStream, AudioStream)
 
-	std::shared_ptr<HapticLevel> shared_level_ = std::make_shared<HapticLevel>();
+	std::shared_ptr<steadyhand::VibrationLink> link_ = std::make_shared<steadyhand::VibrationLink>();
 
 protected:
 	static void _bind_methods() {}
 
 public:
-	HapticLevel &level() { return *shared_level_; }
+	void follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link) { link_ = p_link; }
 
 	Ref<AudioStreamPlayback> _instantiate_playback() const override;
 	String _get_stream_name() const override { return "Vibration"; }

@@ -1,6 +1,8 @@
 #include "haptic_synth.h"
 
+#include "conversions.h"
 #include "gesture_hmm.h"
+#include "gesture_task.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
 #include <godot_cpp/classes/audio_stream_player.hpp>
@@ -14,9 +16,15 @@ namespace godot {
 
 namespace {
 
-/// A motion that is not driven on for this long of real time is over: a paused tracker must not keep the hand
-/// buzzing.
-constexpr double QUIET_AFTER_S = 0.1;
+/// How far ahead the motion is told to those who make its samples: more than a frame of a slow game, a mix
+/// and the latency of device and output together.
+constexpr std::size_t AHEAD_KNOTS = 13;
+constexpr double AHEAD_PERIOD_S = 0.01;
+constexpr int MOST_BUFFER_FRAMES = 1 << 20;
+
+steadyhand::MotionSnapshot::Knot knot_of(const MotionInstant &p_motion) {
+	return { p_motion.position, p_motion.velocity, p_motion.acceleration, false };
+}
 
 } // namespace
 
@@ -26,52 +34,90 @@ HapticSynth::~HapticSynth() {
 	}
 }
 
-void HapticSynth::_notification(int p_what) {
-	if (p_what == NOTIFICATION_ENTER_TREE) {
-		update_player();
-	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
-		quiet_s_ = motion_came_ ? 0.0 : quiet_s_ + get_process_delta_time();
-		motion_came_ = false;
-		if (quiet_s_ > QUIET_AFTER_S) {
-			stream_->level().amplitude.store(0.0F, std::memory_order_relaxed);
+template <class Function> void HapticSynth::for_each_sink(Function p_function) const {
+	for (HapticSink *const sink : { static_cast<HapticSink *>(bus_sink_.get()),
+				 static_cast<HapticSink *>(buffer_.get()), static_cast<HapticSink *>(wav_.get()) }) {
+		if (sink != nullptr) {
+			p_function(*sink);
 		}
+	}
+}
+
+void HapticSynth::add_sink(HapticSink &p_sink) {
+	if (effects_are_set_) {
+		p_sink.set_effects(core_effects_);
 	}
 }
 
 void HapticSynth::on_motion_started() {
-	if (wav_) {
-		wav_->start_anew();
-	}
-	set_amplitude(0.0);
+	arrivals_.restart();
+	strength_ = {};
+	effects_are_set_ = false;
+	for_each_sink([](HapticSink &sink) { sink.start_anew(); });
 }
 
-void HapticSynth::on_motion(double p_time_s, double p_displacement) {
-	const double displacement = std::isfinite(p_displacement) ? std::clamp(p_displacement, 0.0, 1.0) : 0.0;
-	set_amplitude(displacement * gain_);
+void HapticSynth::on_motion(const MotionInstant &p_motion) {
+	if (effects_.is_empty() && expected_gesture() != default_gesture_) {
+		effects_are_set_ = false;
+	}
+	if (!effects_are_set_) {
+		build_effects();
+	}
 	if (wav_wanted_) {
-		wav_wanted_ = false;
-		wav_ = std::make_unique<HapticWav>(wav_sample_rate_hz_, frequency_hz_);
-		if (wav_->open(wav_path_) != OK) {
-			wav_.reset();
-		}
+		open_wav();
 	}
-	if (wav_) {
-		wav_->advance(p_time_s, amplitude_);
+	steadyhand::MotionSnapshot::Knot knot = knot_of(p_motion);
+	arrivals_.push(p_motion.time_s, knot, p_motion.under_way, p_motion.amplitude_m);
+	knot.moving = arrivals_.is_moving();
+	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
+			{ knot.position, knot.velocity, knot.acceleration, 0.0 }, knot.moving, p_motion.amplitude_m,
+			arrivals_.last());
+	for_each_sink([&](HapticSink &sink) {
+		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last());
+	});
+}
+
+void HapticSynth::on_motion_known() {
+	bool any_live = false;
+	for_each_sink([&](const HapticSink &sink) { any_live = any_live || sink.is_live(); });
+	if (!any_live) {
+		return;
 	}
+	const steadyhand::LiveMotion motion = live_motion();
+	for_each_sink([&](HapticSink &sink) { sink.play(motion); });
+}
+
+steadyhand::LiveMotion HapticSynth::live_motion() const {
+	steadyhand::LiveMotion motion;
+	steadyhand::MotionSnapshot &snapshot = motion.snapshot;
+	const double now_s = gesture_hmm_->get_time();
+	snapshot.time_s = now_s;
+	snapshot.period_s = AHEAD_PERIOD_S;
+	snapshot.count = AHEAD_KNOTS;
+	for (std::size_t i = 0; i < AHEAD_KNOTS; ++i) {
+		const MotionInstant instant =
+				gesture_hmm_->motion_at(now_s + AHEAD_PERIOD_S * static_cast<double>(i));
+		snapshot.amplitude_m = instant.amplitude_m;
+		snapshot.knots[i] = knot_of(instant);
+	}
+	snapshot.arrival = arrivals_.last();
+	snapshot.expected = arrivals_.expected(snapshot, now_s);
+	for (std::size_t i = 0; i < AHEAD_KNOTS; ++i) {
+		const double time_s = now_s + AHEAD_PERIOD_S * static_cast<double>(i);
+		snapshot.knots[i].moving =
+				arrivals_.is_moving() && (snapshot.expected.number == 0 || time_s < snapshot.expected.time_s);
+	}
+	// The motion is told of once a frame, and is half a frame old when it is heard of on average.
+	const double age_s = is_inside_tree() ? 0.5 * get_process_delta_time() : 0.0;
+	const double device_s = device_.is_valid() ? device_->get_latency() : 0.0;
+	motion.heard_s = now_s + age_s + output_latency_s_ + device_s;
+	return motion;
 }
 
 void HapticSynth::on_motion_freed() {
 	gesture_hmm_ = nullptr;
-	set_amplitude(0.0);
+	on_motion_started();
 	update_configuration_warnings();
-}
-
-void HapticSynth::set_amplitude(double p_amplitude) {
-	amplitude_ = p_amplitude;
-	motion_came_ = true;
-	if (stream_.is_valid()) {
-		stream_->level().amplitude.store(static_cast<float>(amplitude_), std::memory_order_relaxed);
-	}
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
@@ -89,22 +135,95 @@ void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
 	update_configuration_warnings();
 }
 
-void HapticSynth::set_frequency(double p_frequency_hz) {
-	ERR_FAIL_COND_MSG(!(p_frequency_hz > 0.0) || !std::isfinite(p_frequency_hz),
-			"HapticSynth: frequency must be above 0 Hz");
-	frequency_hz_ = p_frequency_hz;
-	if (stream_.is_valid()) {
-		stream_->level().frequency_hz.store(static_cast<float>(frequency_hz_), std::memory_order_relaxed);
+StringName HapticSynth::expected_gesture() const {
+	StringName under_way = gesture_hmm_->get_gesture();
+	if (under_way != StringName()) {
+		return under_way;
 	}
-	if (wav_) {
-		wav_->set_frequency(frequency_hz_);
+	const GestureTask *const task = gesture_hmm_->get_task();
+	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
+	return wanted != StringName() ? wanted : default_gesture_;
+}
+
+void HapticSynth::build_effects() {
+	effects_are_set_ = true;
+	const std::uint64_t generation = core_effects_.generation + 1;
+	steadyhand::EffectSet wanted;
+	HapticEffect::Tables tables;
+	if (effects_.is_empty()) {
+		default_gesture_ = expected_gesture();
+		wanted = steadyhand::effects_of_gesture(to_core(String(default_gesture_)));
 	}
+	for (int64_t i = 0; i < effects_.size(); ++i) {
+		const Ref<HapticEffect> effect = effects_[i];
+		if (effect.is_valid()) {
+			wanted.add(effect->to_core(tables));
+		}
+	}
+	core_effects_ = {};
+	core_effects_.generation = generation;
+	for (std::size_t i = 0; i < wanted.count; ++i) {
+		steadyhand::Effect effect = wanted.effects[i];
+		effect.gain *= gain_;
+		core_effects_.add(device_.is_valid() ? steadyhand::adapted(effect, device_->core()) : effect);
+	}
+	tables_->push_back({ generation, std::move(tables) });
+	for_each_sink([this](HapticSink &sink) { sink.set_effects(core_effects_); });
+	drop_old_tables();
+}
+
+void HapticSynth::drop_old_tables() {
+	std::uint64_t oldest = core_effects_.generation;
+	for_each_sink([&](const HapticSink &sink) { oldest = std::min(oldest, sink.oldest_generation()); });
+	while (tables_->size() > 1 && (*tables_)[1].generation <= oldest) {
+		tables_->pop_front();
+	}
+}
+
+void HapticSynth::connect_changed(Object *p_object, bool p_connect) {
+	const Callable callable = callable_mp(this, &HapticSynth::on_effects_changed);
+	if (p_object == nullptr || p_object->is_connected("changed", callable) == p_connect) {
+		return; // an effect may stand in the list twice
+	}
+	if (p_connect) {
+		p_object->connect("changed", callable);
+	} else {
+		p_object->disconnect("changed", callable);
+	}
+}
+
+void HapticSynth::connect_effects(bool p_connect) {
+	for (int64_t i = 0; i < effects_.size(); ++i) {
+		connect_changed(effects_[i], p_connect);
+	}
+}
+
+void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
+	connect_effects(false);
+	effects_ = p_effects;
+	connect_effects(true);
+	on_effects_changed();
+	update_configuration_warnings();
 }
 
 void HapticSynth::set_gain(double p_gain) {
 	ERR_FAIL_COND_MSG(
 			std::isnan(p_gain) || p_gain < 0.0 || p_gain > 1.0, "HapticSynth: gain must be within 0..1");
 	gain_ = p_gain;
+	on_effects_changed();
+}
+
+void HapticSynth::set_arrival_level(double p_level) {
+	ERR_FAIL_COND_MSG(!(p_level > 0.5) || !(p_level <= 1.0),
+			"HapticSynth: arrival_level must be above 0.5 and at most 1");
+	arrivals_.set_level(p_level);
+}
+
+void HapticSynth::set_device(const Ref<HapticDeviceProfile> &p_device) {
+	connect_changed(device_.ptr(), false);
+	device_ = p_device;
+	connect_changed(device_.ptr(), true);
+	on_effects_changed();
 }
 
 void HapticSynth::set_bus(const StringName &p_bus) {
@@ -115,21 +234,33 @@ void HapticSynth::set_bus(const StringName &p_bus) {
 	update_configuration_warnings();
 }
 
+void HapticSynth::_notification(int p_what) {
+	if (p_what == NOTIFICATION_ENTER_TREE) {
+		update_player();
+	}
+}
+
 void HapticSynth::update_player() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const bool exists = bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
+	AudioServer *const server = AudioServer::get_singleton();
+	const bool exists = bus_ != StringName() && server->get_bus_index(bus_) >= 0;
 	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
 		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
 				String("'; nothing is played"));
 	}
 	if (exists && player_ == nullptr) {
-		stream_.instantiate();
-		set_frequency(frequency_hz_);
+		bus_sink_ = std::make_unique<LiveSink>();
+		bus_sink_->link()->tables = tables_;
+		add_sink(*bus_sink_);
+		output_latency_s_ = server->get_output_latency();
+		Ref<HapticStream> stream;
+		stream.instantiate();
+		stream->follow(bus_sink_->link());
 		player_ = memnew(AudioStreamPlayer);
-		player_->set_stream(stream_);
+		player_->set_stream(stream);
 		player_->set_autoplay(true);
 		player_->set_bus(bus_);
 		add_child(player_, false, INTERNAL_MODE_FRONT);
@@ -138,15 +269,27 @@ void HapticSynth::update_player() {
 	} else if (player_ != nullptr) {
 		player_->queue_free();
 		player_ = nullptr;
-		stream_.unref();
+		bus_sink_.reset();
+		// The audio thread may mix once more: what it reads then is left alone.
+		tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
+		output_latency_s_ = 0.0;
 	}
-	set_process_internal(exists);
 }
 
 void HapticSynth::set_wav_path(const String &p_path) {
 	stop_wav();
 	wav_path_ = p_path;
 	wav_wanted_ = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();
+}
+
+void HapticSynth::open_wav() {
+	wav_wanted_ = false;
+	wav_ = std::make_unique<HapticWav>(wav_sample_rate_hz_);
+	if (wav_->open(wav_path_) == OK) {
+		add_sink(*wav_);
+	} else {
+		wav_.reset();
+	}
 }
 
 void HapticSynth::set_wav_sample_rate(int p_rate_hz) {
@@ -160,70 +303,29 @@ void HapticSynth::stop_wav() {
 	wav_wanted_ = false;
 }
 
-PackedStringArray HapticSynth::_get_configuration_warnings() const {
-	PackedStringArray warnings;
-	if (gesture_hmm_ == nullptr) {
-		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
-	}
-	if (bus_ == StringName() && wav_path_.is_empty()) {
-		warnings.push_back(
-				"Set \"bus\" to an audio bus that leads to the actuator, or \"wav_path\" to a file; "
-				"otherwise the vibration goes nowhere.");
-	} else if (bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) < 0) {
-		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
-				String("' in the Audio panel, or set \"bus\" to one that exists."));
-	}
-	return warnings;
+void HapticSynth::set_buffer_sample_rate(int p_rate_hz) {
+	ERR_FAIL_COND_MSG(p_rate_hz < 8000 || p_rate_hz > 192000,
+			"HapticSynth: buffer_sample_rate must be in 8000..192000 Hz");
+	buffer_sample_rate_hz_ = p_rate_hz;
+	buffer_.reset();
 }
 
-void HapticSynth::_validate_property(PropertyInfo &p_property) const {
-	if (p_property.name == StringName("bus")) {
-		AudioServer *const server = AudioServer::get_singleton();
-		String names;
-		for (int32_t i = 0; i < server->get_bus_count(); ++i) {
-			names += (i > 0 ? String(",") : String()) + String(server->get_bus_name(i));
-		}
-		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
-		p_property.hint_string = std::move(names);
+PackedVector2Array HapticSynth::get_buffer(int p_frames) {
+	ERR_FAIL_COND_V_MSG(p_frames < 0 || p_frames > MOST_BUFFER_FRAMES, PackedVector2Array(),
+			String("HapticSynth: frames must be in 0..") + itos(MOST_BUFFER_FRAMES));
+	if (!buffer_) {
+		buffer_ = std::make_unique<BufferSink>(buffer_sample_rate_hz_);
+		add_sink(*buffer_);
 	}
-}
-
-void HapticSynth::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("set_gesture_hmm", "gesture_hmm"), &HapticSynth::set_gesture_hmm);
-	ClassDB::bind_method(D_METHOD("get_gesture_hmm"), &HapticSynth::get_gesture_hmm);
-	ClassDB::bind_method(D_METHOD("set_effect", "effect"), &HapticSynth::set_effect);
-	ClassDB::bind_method(D_METHOD("get_effect"), &HapticSynth::get_effect);
-	ClassDB::bind_method(D_METHOD("set_frequency", "frequency"), &HapticSynth::set_frequency);
-	ClassDB::bind_method(D_METHOD("get_frequency"), &HapticSynth::get_frequency);
-	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &HapticSynth::set_gain);
-	ClassDB::bind_method(D_METHOD("get_gain"), &HapticSynth::get_gain);
-	ClassDB::bind_method(D_METHOD("set_bus", "bus"), &HapticSynth::set_bus);
-	ClassDB::bind_method(D_METHOD("get_bus"), &HapticSynth::get_bus);
-	ClassDB::bind_method(D_METHOD("set_wav_path", "path"), &HapticSynth::set_wav_path);
-	ClassDB::bind_method(D_METHOD("get_wav_path"), &HapticSynth::get_wav_path);
-	ClassDB::bind_method(D_METHOD("set_wav_sample_rate", "rate"), &HapticSynth::set_wav_sample_rate);
-	ClassDB::bind_method(D_METHOD("get_wav_sample_rate"), &HapticSynth::get_wav_sample_rate);
-	ClassDB::bind_method(D_METHOD("get_amplitude"), &HapticSynth::get_amplitude);
-	ClassDB::bind_method(D_METHOD("stop_wav"), &HapticSynth::stop_wav);
-
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "gesture_hmm", PROPERTY_HINT_NODE_TYPE, "GestureHMM"),
-			"set_gesture_hmm", "get_gesture_hmm");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "effect", PROPERTY_HINT_ENUM, "Spring"), "set_effect", "get_effect");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE,
-						 "20,1000,1,or_greater,or_less,suffix:Hz"),
-			"set_frequency", "get_frequency");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_gain", "get_gain");
-	ADD_GROUP("Output", "");
-	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bus"), "set_bus", "get_bus");
-	ADD_PROPERTY(PropertyInfo(Variant::STRING, "wav_path", PROPERTY_HINT_GLOBAL_SAVE_FILE, "*.wav"),
-			"set_wav_path", "get_wav_path");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "wav_sample_rate", PROPERTY_HINT_RANGE, "8000,192000,1,suffix:Hz"),
-			"set_wav_sample_rate", "get_wav_sample_rate");
-
-	BIND_ENUM_CONSTANT(EFFECT_SPRING);
+	std::vector<float> samples(2 * static_cast<std::size_t>(p_frames));
+	buffer_->vibration.render(samples);
+	PackedVector2Array frames;
+	frames.resize(p_frames);
+	Vector2 *const out = frames.ptrw();
+	for (std::size_t i = 0; i < static_cast<std::size_t>(p_frames); ++i) {
+		out[i] = Vector2(samples[2 * i], samples[2 * i + 1]);
+	}
+	return frames;
 }
 
 } // namespace godot

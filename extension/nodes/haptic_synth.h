@@ -1,49 +1,61 @@
 #pragma once
 
+#include "haptic_device_profile.h"
+#include "haptic_effect.h"
 #include "haptic_stream.h"
 #include "haptic_wav.h"
 #include "motion_listener.h"
 
-#include <godot_cpp/classes/node.hpp>
+#include "haptics/arrival_detector.h"
 
+#include <godot_cpp/classes/node.hpp>
+#include <godot_cpp/variant/packed_vector2_array.hpp>
+#include <godot_cpp/variant/typed_array.hpp>
+
+#include <deque>
 #include <memory>
+#include <vector>
 
 namespace godot {
 
 class AudioStreamPlayer;
 class GestureHMM;
 
-/// Turns a GestureHMM's motion into vibration: live to an audio bus, and on the motion's own clock to a WAV
-/// file.
+/// Turns a GestureHMM's motion into vibration: live to an audio bus or a script's buffer, and on the motion's
+/// own clock to a WAV file.
 class HapticSynth : public Node, public MotionListener {
 	GDCLASS(HapticSynth, Node)
 
 public:
-	enum Effect { EFFECT_SPRING };
-
 	HapticSynth() = default;
 	~HapticSynth() override;
 
 	void set_gesture_hmm(GestureHMM *p_gesture_hmm);
 	GestureHMM *get_gesture_hmm() const { return gesture_hmm_; }
-	void set_effect(Effect p_effect) { effect_ = p_effect; }
-	Effect get_effect() const { return effect_; }
-	void set_frequency(double p_frequency_hz);
-	double get_frequency() const { return frequency_hz_; }
+	void set_effects(const TypedArray<HapticEffect> &p_effects);
+	TypedArray<HapticEffect> get_effects() const { return effects_; }
 	void set_gain(double p_gain);
 	double get_gain() const { return gain_; }
+	void set_arrival_level(double p_level);
+	double get_arrival_level() const { return arrivals_.level(); }
+	void set_device(const Ref<HapticDeviceProfile> &p_device);
+	Ref<HapticDeviceProfile> get_device() const { return device_; }
 	void set_bus(const StringName &p_bus);
 	StringName get_bus() const { return bus_; }
 	void set_wav_path(const String &p_path);
 	String get_wav_path() const { return wav_path_; }
 	void set_wav_sample_rate(int p_rate_hz);
 	int get_wav_sample_rate() const { return wav_sample_rate_hz_; }
+	void set_buffer_sample_rate(int p_rate_hz);
+	int get_buffer_sample_rate() const { return buffer_sample_rate_hz_; }
 
-	double get_amplitude() const { return amplitude_; }
+	double get_amplitude() const { return strength_.amplitude; }
 	void stop_wav();
+	PackedVector2Array get_buffer(int p_frames);
 
 	void on_motion_started() override;
-	void on_motion(double p_time_s, double p_displacement) override;
+	void on_motion(const MotionInstant &p_motion) override;
+	void on_motion_known() override;
 	void on_motion_freed() override;
 
 	PackedStringArray _get_configuration_warnings() const override;
@@ -54,26 +66,52 @@ protected:
 	void _validate_property(PropertyInfo &p_property) const;
 
 private:
+	/// For a script that takes samples as it needs them.
+	struct BufferSink : LiveSink {
+		explicit BufferSink(int p_rate_hz) : vibration(link(), p_rate_hz, 2) {}
+		steadyhand::LiveVibration vibration;
+	};
+	/// Of effects that may be in use still.
+	struct TablesInUse {
+		std::uint64_t generation;
+		HapticEffect::Tables tables;
+	};
+
 	GestureHMM *gesture_hmm_ = nullptr;
-	Effect effect_ = EFFECT_SPRING;
-	double frequency_hz_ = steadyhand::SpringWaveform::DEFAULT_FREQUENCY_HZ;
+	TypedArray<HapticEffect> effects_;
 	double gain_ = 1.0;
+	Ref<HapticDeviceProfile> device_;
 	StringName bus_;
 	String wav_path_;
 	int wav_sample_rate_hz_ = 48000;
+	int buffer_sample_rate_hz_ = 48000;
 
-	double amplitude_ = 0.0;
+	steadyhand::EffectSet core_effects_;
+	bool effects_are_set_ = false; ///< core_effects_ are what the properties say
+	StringName default_gesture_;   ///< whose defaults they are, where no effect is set
+	/// Each of them shared with the links whose readers may need it.
+	std::shared_ptr<std::deque<TablesInUse>> tables_ = std::make_shared<std::deque<TablesInUse>>();
+	steadyhand::ArrivalDetector arrivals_;
+	steadyhand::Strength strength_;
+
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
-	Ref<HapticStream> stream_;
-	bool motion_came_ = false; ///< since the last process frame
-	double quiet_s_ = 0.0;     ///< for how long none has come
+	std::unique_ptr<LiveSink> bus_sink_;
+	double output_latency_s_ = 0.0;
+	std::unique_ptr<BufferSink> buffer_;
 	std::unique_ptr<HapticWav> wav_;
 	bool wav_wanted_ = false; ///< opened with the first motion
 
+	template <class Function> void for_each_sink(Function p_function) const;
+	void add_sink(HapticSink &p_sink);
 	void update_player();
-	void set_amplitude(double p_amplitude);
+	void open_wav();
+	void on_effects_changed() { effects_are_set_ = false; }
+	void build_effects();
+	StringName expected_gesture() const;
+	void drop_old_tables();
+	steadyhand::LiveMotion live_motion() const;
+	void connect_effects(bool p_connect);
+	void connect_changed(Object *p_object, bool p_connect);
 };
 
 } // namespace godot
-
-VARIANT_ENUM_CAST(godot::HapticSynth::Effect);

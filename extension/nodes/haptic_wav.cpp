@@ -14,17 +14,20 @@ namespace godot {
 namespace {
 
 constexpr std::size_t BLOCK = 1024;
+/// Instants are equally far apart up to this share.
+constexpr double SAME_PERIOD = 1e-3;
 
 } // namespace
 
-HapticWav::HapticWav(int p_sample_rate_hz, double p_frequency_hz) :
-		sample_rate_hz_(static_cast<std::uint32_t>(p_sample_rate_hz)),
-		waveform_(p_sample_rate_hz, p_frequency_hz), block_(BLOCK) {
+HapticWav::HapticWav(int p_sample_rate_hz) :
+		sample_rate_hz_(static_cast<std::uint32_t>(p_sample_rate_hz)), vibration_(p_sample_rate_hz, 1),
+		block_(BLOCK) {
 	bytes_.resize(BUFFER_BYTES);
 }
 
 HapticWav::~HapticWav() {
 	if (file_.is_valid()) {
+		write_known(true);
 		flush();
 		file_->seek(0);
 		write_header();
@@ -47,22 +50,84 @@ void HapticWav::write_header() {
 	}
 }
 
-void HapticWav::advance(double p_time_s, double p_amplitude) {
-	const double rate = static_cast<double>(sample_rate_hz_);
-	if (!connected_) {
-		began_s_ = p_time_s - static_cast<double>(frames_) / rate;
-		connected_ = true;
+void HapticWav::set_effects(const steadyhand::EffectSet &p_effects) {
+	write_known(false);
+	vibration_.set_effects(p_effects);
+}
+
+void HapticWav::start_anew() {
+	write_known(true);
+	is_connected_ = false;
+}
+
+void HapticWav::connect_at(double p_time_s) {
+	is_connected_ = true;
+	known_.count = 0;
+	began_s_ = p_time_s;
+	connected_frames_ = 0;
+	// Samples that are made already come first.
+	vibration_.seek(p_time_s + static_cast<double>(vibration_.ahead()) / vibration_.sample_rate_hz());
+}
+
+void HapticWav::advance(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion,
+		double p_amplitude_m, const steadyhand::Arrival &p_arrival) {
+	if (!is_connected_) {
+		connect_at(p_time_s);
+	} else if (!(p_time_s > known_.end_s())) {
+		return;
 	}
-	const auto due = static_cast<std::uint64_t>(std::max(0.0, std::round((p_time_s - began_s_) * rate)));
-	while (frames_ < due) {
-		write_block(std::min(static_cast<std::size_t>(due - frames_), BLOCK));
+	const bool news = p_arrival.number != known_.arrival.number || p_amplitude_m != known_.amplitude_m;
+	if (known_.count == steadyhand::MotionSnapshot::MOST_KNOTS || news) {
+		write_known(false);
 	}
-	amplitude_ = p_amplitude;
+	append(p_time_s, p_motion);
+	known_.amplitude_m = p_amplitude_m;
+	known_.arrival = p_arrival;
+}
+
+void HapticWav::append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion) {
+	if (known_.count > 1 &&
+			std::abs(p_time_s - known_.end_s() - known_.period_s) > SAME_PERIOD * known_.period_s) {
+		write_known(true);
+		const double last_s = known_.end_s();
+		known_.knots[0] = known_.knots[known_.count - 1];
+		known_.time_s = last_s;
+		known_.count = 1;
+	}
+	if (known_.count == 0) {
+		known_.time_s = p_time_s;
+	} else if (known_.count == 1) {
+		known_.period_s = p_time_s - known_.time_s;
+	}
+	known_.knots[known_.count++] = p_motion;
+}
+
+/// Whole runs up to the last instant, or all samples up to it.
+void HapticWav::write_known(bool p_to_the_end) {
+	if (!is_connected_ || known_.count < 2) {
+		return;
+	}
+	vibration_.set_motion(known_);
+	const double rate_hz = vibration_.sample_rate_hz();
+	const auto due =
+			static_cast<std::uint64_t>(std::max(0.0, std::round((known_.end_s() - began_s_) * rate_hz)));
+	const std::uint64_t made = connected_frames_ + vibration_.ahead();
+	const std::uint64_t runs = due > made ? (due - made) / steadyhand::RUN : 0;
+	const std::uint64_t until = p_to_the_end ? due : made + runs * steadyhand::RUN;
+	while (connected_frames_ < until) {
+		write_block(std::min(static_cast<std::size_t>(until - connected_frames_), BLOCK));
+	}
+	const double passed = std::floor((vibration_.time_s() - known_.time_s) / known_.period_s);
+	const auto dropped = std::min(static_cast<std::size_t>(std::max(passed, 0.0)), known_.count - 2);
+	std::copy(known_.knots.begin() + static_cast<std::ptrdiff_t>(dropped),
+			known_.knots.begin() + static_cast<std::ptrdiff_t>(known_.count), known_.knots.begin());
+	known_.time_s += known_.period_s * static_cast<double>(dropped);
+	known_.count -= dropped;
 }
 
 void HapticWav::write_block(std::size_t p_frames) {
 	const std::span<float> samples = std::span(block_).first(p_frames);
-	waveform_.render(samples, amplitude_);
+	vibration_.render(samples);
 	const auto size = static_cast<int64_t>(2 * p_frames);
 	if (used_bytes_ + size > BUFFER_BYTES) {
 		flush();
@@ -71,6 +136,7 @@ void HapticWav::write_block(std::size_t p_frames) {
 	steadyhand::wav_encode(samples, steadyhand::WavSample::PCM16, std::as_writable_bytes(free));
 	used_bytes_ += size;
 	frames_ += p_frames;
+	connected_frames_ += p_frames;
 }
 
 void HapticWav::flush() {

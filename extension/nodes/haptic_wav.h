@@ -1,6 +1,8 @@
 #pragma once
 
-#include "haptics/spring.h"
+#include "haptic_sink.h"
+
+#include "haptics/vibration.h"
 
 #include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
@@ -11,22 +13,24 @@
 namespace godot {
 
 /// The vibration as a mono 16-bit WAV, sample by sample on the motion's clock, written as it goes.
-class HapticWav {
+class HapticWav : public HapticSink {
 public:
-	HapticWav(int p_sample_rate_hz, double p_frequency_hz);
-	/// Completes the header.
-	~HapticWav();
+	explicit HapticWav(int p_sample_rate_hz);
+	/// Completes the file.
+	~HapticWav() override;
 	HapticWav(const HapticWav &) = delete;
 	HapticWav &operator=(const HapticWav &) = delete;
 
 	/// Reports in the log why it cannot write there.
 	Error open(const String &p_path);
-	void set_frequency(double p_frequency_hz) { waveform_.set_frequency(p_frequency_hz); }
 
+	void set_effects(const steadyhand::EffectSet &p_effects) override;
+	std::uint64_t oldest_generation() const override { return vibration_.oldest_generation(); }
 	/// What follows continues where the file is, whatever its time.
-	void start_anew() { connected_ = false; }
-	/// The amplitude (0..1) from p_time_s on. Fills the file up to that time with what was known before.
-	void advance(double p_time_s, double p_amplitude);
+	void start_anew() override;
+	/// The file is made up to this instant at the latest when the next one of many is known.
+	void advance(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion, double p_amplitude_m,
+			const steadyhand::Arrival &p_arrival) override;
 
 private:
 	static constexpr int64_t BUFFER_BYTES = 1 << 16;
@@ -34,18 +38,22 @@ private:
 	Ref<FileAccess> file_;
 	String path_;
 	std::uint32_t sample_rate_hz_;
-	steadyhand::SpringWaveform waveform_;
+	steadyhand::Vibration vibration_;
+	steadyhand::MotionSnapshot known_; ///< from what is not written yet up to the last instant
+	bool is_connected_ = false;
 	std::vector<float> block_;
 	PackedByteArray bytes_;
 	int64_t used_bytes_ = 0;
 	std::uint64_t frames_ = 0;
-	double began_s_ = 0.0; ///< instant of the sample number 0
-	bool connected_ = false;
-	double amplitude_ = 0.0;
+	std::uint64_t connected_frames_ = 0; ///< those since began_s_
+	double began_s_ = 0.0;
 	bool complained_ = false;
 
-	void write_header();
+	void connect_at(double p_time_s);
+	void append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion);
+	void write_known(bool p_to_the_end);
 	void write_block(std::size_t p_frames);
+	void write_header();
 	void flush();
 };
 

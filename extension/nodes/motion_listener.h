@@ -2,13 +2,25 @@
 
 namespace godot {
 
+/// A GestureHMM's motion at an instant, in units of its amplitude: 0 at the start and 1 at the end; its
+/// derivatives per s and s^2.
+struct MotionInstant {
+	double time_s = 0.0;
+	double position = 0.0;
+	double velocity = 0.0;
+	double acceleration = 0.0;
+	double amplitude_m = 1.0;
+	bool under_way = false; ///< a gesture is, or has arrived and is held
+};
+
 /// Whoever needs a GestureHMM's motion at each of its control instants.
 class MotionListener {
 public:
 	/// Time starts anew: what follows is not connected to what was before.
 	virtual void on_motion_started() = 0;
-	/// p_displacement: the motion in units of the amplitude, 0 at the start and 1 at the end.
-	virtual void on_motion(double p_time_s, double p_displacement) = 0;
+	virtual void on_motion(const MotionInstant &p_motion) = 0;
+	/// All that was due has been told: what is to be expected from now on may be asked for.
+	virtual void on_motion_known() = 0;
 	/// The GestureHMM is being freed; it must not be called again.
 	virtual void on_motion_freed() = 0;
 

@@ -6,6 +6,8 @@
 #include "gesture_task.h"
 #include "gesture_trainer.h"
 #include "hand_tracker.h"
+#include "haptic_device_profile.h"
+#include "haptic_effect.h"
 #include "haptic_stream.h"
 #include "haptic_synth.h"
 #include "motion_metrics.h"
@@ -59,6 +61,12 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);
+		GDREGISTER_ABSTRACT_CLASS(HapticEffect);
+		GDREGISTER_CLASS(SpringEffect);
+		GDREGISTER_CLASS(InertialViscousEffect);
+		GDREGISTER_CLASS(ImpulseEffect);
+		GDREGISTER_CLASS(CustomEffect);
+		GDREGISTER_CLASS(HapticDeviceProfile);
 		GDREGISTER_CLASS(HapticSynth);
 		GDREGISTER_INTERNAL_CLASS(HapticStreamPlayback);
 		GDREGISTER_INTERNAL_CLASS(HapticStream);

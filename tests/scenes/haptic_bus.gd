@@ -62,7 +62,10 @@ func _build() -> void:
 	_gesture_hmm.task = _task
 	_gesture_hmm.motion = GestureHMM.MOTION_MEASURED
 	_synth.gesture_hmm = _gesture_hmm
-	_synth.frequency = FREQUENCY_HZ
+	var spring := SpringEffect.new()
+	spring.frequency = FREQUENCY_HZ
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	_synth.effects = [spring]
 	_synth.bus = BUS
 	for node: Node in [_tracker, _task, _gesture_hmm, _synth]:
 		root.add_child(node)

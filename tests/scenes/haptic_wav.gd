@@ -84,7 +84,10 @@ func _first_step(rig: Rig) -> int:
 func _make_synth(rig: Rig, wav_path: String) -> HapticSynth:
 	var synth := HapticSynth.new()
 	synth.gesture_hmm = rig.gesture_hmm
-	synth.frequency = FREQUENCY_HZ
+	var spring := SpringEffect.new()
+	spring.frequency = FREQUENCY_HZ
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	synth.effects = [spring]
 	synth.wav_sample_rate = RATE_HZ
 	synth.wav_path = wav_path
 	root.add_child(synth)

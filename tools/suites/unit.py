@@ -1,4 +1,4 @@
-"""The doctest cases of the core, as built for the extension and under the sanitizers."""
+"""The doctest cases of the core, as built for the extension and under sanitizers; of what threads share, under TSan."""
 
 import xml.etree.ElementTree as xml
 from collections.abc import Iterator
@@ -7,17 +7,22 @@ from pathlib import Path
 from suites.outcome import Outcome
 from suites.process import ROOT, run, scons
 
-BUILDS = {"template_debug": [], "template_debug.address_undefined": ["sanitize=address,undefined"]}
+BUILDS = {
+    "template_debug": ["tests"],
+    "template_debug.address_undefined": ["tests", "sanitize=address,undefined"],
+    "template_debug.thread": ["race_tests", "sanitize=thread"],
+}
+PROGRAMS = {"tests": "unit_tests", "race_tests": "race_tests"}
 
 
 def outcomes() -> Iterator[Outcome]:
     for variant, options in BUILDS.items():
         name = f"unit/{variant}"
-        status, output = scons("tests", *options)
+        status, output = scons(*options)
         if status != 0:
             yield Outcome.of(f"{name} builds", False, output)
             continue
-        yield from run_cases(name, ROOT / "build" / variant / "unit_tests")
+        yield from run_cases(name, ROOT / "build" / variant / PROGRAMS[options[0]])
 
 
 def run_cases(name: str, program: Path) -> Iterator[Outcome]:

@@ -145,7 +145,7 @@ void GestureRecogniser::choose_leader() {
 	}
 }
 
-Motion GestureRecogniser::motion(MotionSource source) const {
+Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
 	if (followers_.empty()) {
 		return {};
 	}
@@ -153,7 +153,7 @@ Motion GestureRecogniser::motion(MotionSource source) const {
 	const auto shown = static_cast<std::size_t>(std::max(leader_, 0));
 	const GestureFollower &follower = followers_[shown];
 	if (source == MotionSource::SYNTHESISED) {
-		return follower.motion(time_s_);
+		return follower.motion(t_s);
 	}
 	const double value_m = filtered_[shown].value_m(source);
 	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };

@@ -26,7 +26,9 @@ public:
 	void advance(double t_s);
 
 	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else.
-	[[nodiscard]] Motion motion(MotionSource source) const;
+	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
+	/// What it will be at t_s, not before that time, if nothing is seen until then.
+	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
 
 	/// Index of the model under way or just finished; -1 while all of them rest.
 	[[nodiscard]] int gesture() const { return leader_; }

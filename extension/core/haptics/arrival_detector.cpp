@@ -1,0 +1,53 @@
+#include "haptics/arrival_detector.h"
+
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// Below this the hand is on its way for another time.
+constexpr double AGAIN_BELOW = 0.5;
+
+} // namespace
+
+void ArrivalDetector::restart() {
+	was_under_way_ = awaits_ = connected_ = false;
+}
+
+void ArrivalDetector::push(
+		double t_s, const MotionSnapshot::Knot &motion, bool under_way, double amplitude_m) {
+	const bool again = under_way && !awaits_ && motion.position < AGAIN_BELOW;
+	if ((under_way && !was_under_way_) || again) {
+		awaits_ = true;
+		++number_;
+	}
+	awaits_ = awaits_ && under_way;
+	was_under_way_ = under_way;
+	if (awaits_ && motion.position >= level_) {
+		awaits_ = false;
+		last_ = { number_, t_s, std::abs(motion.velocity) * amplitude_m };
+		if (connected_ && t_s > before_s_ && before_.position < level_) {
+			MotionSnapshot step;
+			step.time_s = before_s_;
+			step.period_s = t_s - before_s_;
+			step.count = 2;
+			step.knots[0] = before_;
+			step.knots[1] = motion;
+			last_.time_s = step.reaches_s(level_, before_s_);
+			last_.speed_m_s = std::abs(step.at(last_.time_s).velocity) * amplitude_m;
+		}
+	}
+	before_ = motion;
+	before_s_ = t_s;
+	connected_ = true;
+}
+
+Arrival ArrivalDetector::expected(const MotionSnapshot &ahead, double after_s) const {
+	const double time_s = awaits_ ? ahead.reaches_s(level_, after_s) : NAN;
+	if (std::isnan(time_s)) {
+		return {};
+	}
+	return { number_, time_s, std::abs(ahead.at(time_s).velocity) * ahead.amplitude_m };
+}
+
+} // namespace steadyhand

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "haptics/motion_snapshot.h"
+
+namespace steadyhand {
+
+/// Finds where a motion comes to where it leads: the first time that it reaches `level`, by default the 95 %
+/// of the amplitude that define a gesture's end (docs/method.md), once a gesture, or once a stroke where the
+/// hand goes back by half of the way between.
+class ArrivalDetector {
+public:
+	static constexpr double DEFAULT_LEVEL = 0.95;
+
+	void set_level(double level) { level_ = level; }
+	[[nodiscard]] double level() const { return level_; }
+
+	/// Time starts anew: nothing connects.
+	void restart();
+	/// The motion at an instant; under_way: while a gesture is. Instants must not decrease.
+	void push(double t_s, const MotionSnapshot::Knot &motion, bool under_way, double amplitude_m);
+
+	/// A gesture is under way and has not arrived.
+	[[nodiscard]] bool is_moving() const { return awaits_; }
+	[[nodiscard]] const Arrival &last() const { return last_; }
+	/// The next one by what the snapshot says of the time after `after_s`; number 0 where it says none.
+	[[nodiscard]] Arrival expected(const MotionSnapshot &ahead, double after_s) const;
+
+private:
+	double level_ = DEFAULT_LEVEL;
+	bool was_under_way_ = false;
+	bool awaits_ = false;
+	bool connected_ = false;
+	double before_s_ = 0.0;
+	MotionSnapshot::Knot before_;
+	std::uint32_t number_ = 0; ///< of the arrival that is awaited or was the last
+	Arrival last_;
+};
+
+} // namespace steadyhand

@@ -1,0 +1,162 @@
+#include "haptics/effect.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// Decaying sines end at exp(-this): with N = 200 /s after the paper's 40 ms.
+constexpr double DECAYS = 8.0;
+
+/// The drive in units of its full scale.
+LevelPoint drive_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
+	const double sign_v = motion.velocity < 0.0 ? -1.0 : 1.0;
+	const double sign_a = motion.acceleration < 0.0 ? -1.0 : 1.0;
+	const double share = 1.0 / effect.full_scale;
+	const double metric = amplitude_m * share;
+	switch (effect.drive) {
+		case Drive::CONSTANT:
+			break;
+		case Drive::POSITION:
+			return { motion.position * share, motion.velocity * share };
+		case Drive::VELOCITY:
+			return { sign_v * motion.velocity * metric, sign_v * motion.acceleration * metric };
+		case Drive::ACCELERATION:
+			return { sign_a * motion.acceleration * metric, sign_a * motion.jerk * metric };
+	}
+	return { 1.0, 0.0 };
+}
+
+LevelPoint held(const LevelPoint &level, double most) {
+	if (!std::isfinite(level.value) || !std::isfinite(level.slope) || level.value <= 0.0) {
+		return {};
+	}
+	return level.value < most ? level : LevelPoint{ most, 0.0 };
+}
+
+} // namespace
+
+double Table::value(double at) const {
+	if (count == 0) {
+		return 0.0;
+	}
+	const double last = static_cast<double>(count - 1);
+	const double place = at > 0.0 ? std::min(at, last) : 0.0;
+	const auto low = std::min(static_cast<std::uint32_t>(place), count > 1 ? count - 2 : 0);
+	const double from = static_cast<double>(values[low]);
+	const double to = static_cast<double>(values[std::min(low + 1, count - 1)]);
+	return from + (to - from) * (place - static_cast<double>(low));
+}
+
+double Table::slope(double at) const {
+	if (count < 2 || !(at >= 0.0) || at >= static_cast<double>(count - 1)) {
+		return 0.0;
+	}
+	const auto low = static_cast<std::uint32_t>(at);
+	return static_cast<double>(values[low + 1]) - static_cast<double>(values[low]);
+}
+
+double Effect::length_s() const {
+	switch (shape) {
+		case Shape::DECAYING_SINE:
+			return DECAYS / decay_per_s;
+		case Shape::SAMPLES:
+			return table.count > 1 ? static_cast<double>(table.count - 1) / table_rate_hz : 0.0;
+		case Shape::SINE:
+		case Shape::INERTIAL_VISCOUS:
+		case Shape::CURVE:
+			break;
+	}
+	return duration_s;
+}
+
+LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
+	if (effect.shape == Shape::INERTIAL_VISCOUS) {
+		const double inertia = effect.gain * effect.inertia_s2_m * amplitude_m;
+		const double sign = motion.acceleration < 0.0 ? -1.0 : 1.0;
+		return held({ effect.gain * effect.viscous + sign * inertia * motion.acceleration,
+							sign * inertia * motion.jerk },
+				effect.most);
+	}
+	const LevelPoint drive = held(drive_of(effect, motion, amplitude_m), 1.0);
+	if (effect.shape == Shape::CURVE && effect.trigger != Trigger::ARRIVAL && effect.table.count > 0) {
+		const double cells = static_cast<double>(effect.table.count - 1);
+		return held({ effect.gain * effect.table.value(cells * drive.value),
+							effect.gain * effect.table.slope(cells * drive.value) * cells * drive.slope },
+				effect.most);
+	}
+	return held({ effect.gain * drive.value, effect.gain * drive.slope }, effect.most);
+}
+
+double peak_of(const Effect &effect, const Arrival &arrival, const MotionPoint &motion, double amplitude_m) {
+	if (effect.drive == Drive::VELOCITY && effect.shape != Shape::INERTIAL_VISCOUS) {
+		return held({ effect.gain * std::min(arrival.speed_m_s / effect.full_scale, 1.0), 0.0 }, effect.most)
+				.value;
+	}
+	return level_of(effect, motion, amplitude_m).value;
+}
+
+Effect spring_effect() {
+	return {};
+}
+
+Effect impulse_effect() {
+	Effect effect;
+	effect.shape = Shape::DECAYING_SINE;
+	effect.drive = Drive::VELOCITY;
+	effect.trigger = Trigger::ARRIVAL;
+	effect.frequency_hz = 300.0;
+	return effect;
+}
+
+Effect inertial_viscous_effect() {
+	Effect effect;
+	effect.shape = Shape::INERTIAL_VISCOUS;
+	effect.drive = Drive::ACCELERATION;
+	effect.trigger = Trigger::ARRIVAL;
+	return effect;
+}
+
+EffectSet effects_of_gesture(std::string_view gesture) {
+	EffectSet set;
+	set.add(gesture == "tap" ? impulse_effect() : spring_effect());
+	if (gesture == "horizontal_drag" || gesture == "vertical_drag") {
+		set.add(inertial_viscous_effect());
+	}
+	return set;
+}
+
+Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &motion, bool is_moving,
+		double amplitude_m, const Arrival &arrival) {
+	Strength strength;
+	double strongest = 0.0;
+	for (std::size_t i = 0; i < effects.count; ++i) {
+		const Effect &effect = effects.effects[i];
+		double amplitude = 0.0;
+		if (effect.trigger == Trigger::ARRIVAL) {
+			const double since_s = t_s - arrival.time_s;
+			if (arrival.number == 0 || !(since_s >= 0.0) || since_s >= effect.length_s()) {
+				continue;
+			}
+			amplitude = peak_of(effect, arrival, motion, amplitude_m);
+			if (effect.shape == Shape::DECAYING_SINE) {
+				amplitude *= std::exp(-effect.decay_per_s * since_s);
+			} else if (effect.shape == Shape::CURVE) {
+				amplitude *= effect.table.value(
+						static_cast<double>(effect.table.count - 1) * since_s / effect.duration_s);
+			}
+		} else if (effect.trigger == Trigger::ALWAYS || is_moving) {
+			amplitude = level_of(effect, motion, amplitude_m).value;
+		}
+		strength.amplitude += amplitude;
+		if (amplitude > strongest) {
+			strongest = amplitude;
+			strength.frequency_hz = effect.frequency_hz;
+		}
+	}
+	strength.amplitude = std::min(strength.amplitude, 1.0);
+	return strength;
+}
+
+} // namespace steadyhand

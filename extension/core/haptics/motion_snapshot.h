@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace steadyhand {
+
+/// A motion at an instant, in units of the task's amplitude: 0 at the start, 1 at the end; its derivatives
+/// per s, s^2 and s^3.
+struct MotionPoint {
+	double position = 0.0;
+	double velocity = 0.0;
+	double acceleration = 0.0;
+	double jerk = 0.0;
+};
+
+/// Position as a polynomial of the time since the piece began, s.
+struct QuinticPiece {
+	std::array<double, 6> c{};
+
+	[[nodiscard]] MotionPoint at(double s) const {
+		return { c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5])))),
+			c[1] + s * (2.0 * c[2] + s * (3.0 * c[3] + s * (4.0 * c[4] + s * 5.0 * c[5]))),
+			2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5])),
+			6.0 * c[3] + s * (24.0 * c[4] + s * 60.0 * c[5]) };
+	}
+};
+
+/// The motion has come to where it leads: a tap to its surface, a drag to its end.
+struct Arrival {
+	std::uint32_t number = 0; ///< counts them, from 1; 0: none
+	double time_s = 0.0;
+	double speed_m_s = 0.0;
+};
+
+/// The analytic motion around now, small enough to be handed over as a whole: its values and derivatives at
+/// instants a period apart, between them the quintic that has all of these at both ends.
+struct MotionSnapshot {
+	struct Knot {
+		double position = 0.0;
+		double velocity = 0.0;
+		double acceleration = 0.0;
+		bool moving = false; ///< a gesture is under way and has not arrived, from here to the next knot
+	};
+	static constexpr std::size_t MOST_KNOTS = 32;
+
+	double time_s = 0.0; ///< of the first knot
+	double period_s = 0.001;
+	std::size_t count = 0;
+	double amplitude_m = 0.0; ///< of the task
+	Arrival arrival;          ///< the last one
+	Arrival expected; ///< the next one, if all goes on as it does; with a later snapshot it may be gone
+	std::array<Knot, MOST_KNOTS> knots{};
+
+	[[nodiscard]] double end_s() const { return time_s + period_s * static_cast<double>(count - 1); }
+
+	/// NaN where the snapshot is. Before the first knot: as it began there. After the last one the motion
+	/// coasts to a stop. At rest at 0 where there is none.
+	[[nodiscard]] MotionPoint at(double t_s) const;
+	[[nodiscard]] bool is_moving(double t_s) const;
+	/// The first instant at or after from_s, up to the last knot, at which the position is `level` or more;
+	/// NaN where there is none.
+	[[nodiscard]] double reaches_s(double level, double from_s) const;
+};
+
+/// A snapshot that is asked for one instant after the other: its quintic of the present instant is kept.
+class MotionCurve {
+public:
+	void set(const MotionSnapshot &snapshot) {
+		snapshot_ = snapshot;
+		length_s_ = 0.0;
+	}
+	[[nodiscard]] const MotionSnapshot &snapshot() const { return snapshot_; }
+
+	/// snapshot().at(t_s), up to rounding
+	[[nodiscard]] MotionPoint at(double t_s) {
+		const double s = t_s - began_s_;
+		if (!(s >= 0.0 && s < length_s_) && !find(t_s)) {
+			return snapshot_.at(t_s);
+		}
+		return piece_.at(t_s - began_s_);
+	}
+
+private:
+	MotionSnapshot snapshot_;
+	QuinticPiece piece_;
+	double began_s_ = 0.0, length_s_ = 0.0; ///< of the piece
+
+	bool find(double t_s);
+};
+
+} // namespace steadyhand

@@ -1,0 +1,23 @@
+#include "haptics/oscillator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+
+std::uint64_t phase_step(double frequency_hz, double sample_rate_hz) {
+	if (!(frequency_hz > 0.0) || !(sample_rate_hz > 0.0) || !std::isfinite(sample_rate_hz)) {
+		return 0;
+	}
+	// The quotient and what its rounding lost, so that the step is exact to its last bit: half a unit of
+	// 2^-64 turns a sample is 1e-8 rad in a week at 192 kHz, the rounding of a double alone would be 1e-7.
+	const double held_hz = std::min(frequency_hz, 0.5 * sample_rate_hz);
+	const double turns = held_hz / sample_rate_hz;
+	const double lost_turns = std::fma(-turns, sample_rate_hz, held_hz) / sample_rate_hz;
+	const double units = std::ldexp(turns, 64);
+	const double whole = std::floor(units);
+	const double rest = (units - whole) + std::ldexp(lost_turns, 64);
+	return static_cast<std::uint64_t>(whole) + static_cast<std::uint64_t>(std::llround(rest));
+}
+
+} // namespace steadyhand

@@ -1,0 +1,119 @@
+#include "haptics/voice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace steadyhand {
+namespace {
+
+constexpr double TWO_PI = 2.0 * std::numbers::pi;
+constexpr auto LENGTH = static_cast<std::int64_t>(RUN);
+/// A swelling over this many periods of the carrier changes no faster than the carrier itself.
+constexpr double RAMP_PERIODS = 0.5;
+
+double rad_per_s(double frequency_hz, double sample_rate_hz) {
+	return TWO_PI * std::min(frequency_hz, 0.5 * sample_rate_hz);
+}
+
+} // namespace
+
+void SustainedVoice::add_run(const Effect &effect, bool wanted, const RunContext &context, Run &out) {
+	// A voice that dies away keeps the frequency that it had.
+	if ((wanted && effect.frequency_hz != frequency_hz_) || context.sample_rate_hz != sample_rate_hz_) {
+		frequency_hz_ = wanted || frequency_hz_ == 0.0 ? effect.frequency_hz : frequency_hz_;
+		sample_rate_hz_ = context.sample_rate_hz;
+		oscillator_.step = phase_step(frequency_hz_, sample_rate_hz_);
+	}
+	LevelPoint from, to;
+	if (wanted) {
+		const bool goes_on = context.is_connected && next_run_ == context.number;
+		from = goes_on ? wanted_ : level_of(effect, context.from, context.amplitude_m);
+		to = level_of(effect, context.to, context.amplitude_m);
+	}
+	wanted_ = to;
+	const Level level = level_.follow(from, to, rad_per_s(frequency_hz_, sample_rate_hz_), context.run_s);
+	// In silence the phase goes on.
+	oscillator_.advance(RUN * (context.number - next_run_));
+	next_run_ = context.number;
+	if (!level.is_zero()) {
+		add_sine(out, oscillator_, level);
+	}
+	oscillator_.advance(RUN);
+	++next_run_;
+}
+
+void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const Arrival &arrival,
+		std::int32_t first, const MotionPoint &motion, const RunContext &context) {
+	effect_ = effect;
+	generation_ = generation;
+	const double rate = context.sample_rate_hz;
+	peak_ = peak_of(effect, arrival, motion, context.amplitude_m);
+	is_active_ = peak_ > 0.0;
+	has_level_ = false;
+	next_ = -first;
+	length_ = std::llround(effect.length_s() * rate);
+	const double ramp =
+			std::min(RAMP_PERIODS * rate / effect.frequency_hz, 0.5 * static_cast<double>(length_));
+	window_ = { static_cast<float>(std::max(ramp, 1.0)), static_cast<float>(length_) };
+	oscillator_.step = phase_step(effect.frequency_hz, rate);
+	oscillator_.phase = oscillator_.step * static_cast<std::uint64_t>(next_);
+	if (effect.shape == Shape::DECAYING_SINE) {
+		const double each = effect.decay_per_s / rate;
+		for (std::size_t i = 0; i < RUN; ++i) {
+			decay_[i] = static_cast<float>(std::exp(-each * static_cast<double>(i)));
+		}
+		decayed_ = peak_ * std::exp(each * static_cast<double>(first));
+		decay_over_run_ = std::exp(-each * static_cast<double>(RUN));
+	}
+}
+
+void ArrivalVoice::fill_from_table(const RunContext &context, Run &values) const {
+	const bool is_curve = effect_.shape == Shape::CURVE;
+	const double cells = static_cast<double>(effect_.table.count) - 1.0;
+	const double each =
+			is_curve ? cells / static_cast<double>(length_) : effect_.table_rate_hz / context.sample_rate_hz;
+	Oscillator oscillator = oscillator_;
+	for (std::size_t i = 0; i < RUN; ++i) {
+		const double at = each * static_cast<double>(next_ + static_cast<std::int64_t>(i));
+		const float carrier = is_curve ? sine(static_cast<std::uint32_t>(oscillator.phase >> 32U)) : 1.0F;
+		values[i] = static_cast<float>(peak_ * effect_.table.value(at)) * carrier;
+		oscillator.advance(1);
+	}
+}
+
+void ArrivalVoice::add_run(const RunContext &context, Run &out) {
+	const auto at = static_cast<std::int32_t>(next_);
+	switch (effect_.shape) {
+		case Shape::DECAYING_SINE:
+			add_decaying_sine(out, oscillator_, static_cast<float>(decayed_), decay_, std::max(-at, 0));
+			decayed_ *= decay_over_run_;
+			break;
+		case Shape::SINE:
+			add_windowed_sine(out, oscillator_, Level::hermite(peak_, 0.0, peak_, 0.0), window_, at);
+			break;
+		case Shape::INERTIAL_VISCOUS: {
+			const LevelPoint from = level_of(effect_, context.from, context.amplitude_m);
+			const LevelPoint to = level_of(effect_, context.to, context.amplitude_m);
+			if (!has_level_) {
+				level_.start(from);
+				has_level_ = true;
+			}
+			const double w = rad_per_s(effect_.frequency_hz, context.sample_rate_hz);
+			add_windowed_sine(out, oscillator_, level_.follow(from, to, w, context.run_s), window_, at);
+			break;
+		}
+		case Shape::CURVE:
+		case Shape::SAMPLES: {
+			Run values;
+			fill_from_table(context, values);
+			add_windowed(out, values, window_, at);
+			break;
+		}
+	}
+	oscillator_.advance(RUN);
+	next_ += LENGTH;
+	is_active_ = next_ < length_;
+}
+
+} // namespace steadyhand

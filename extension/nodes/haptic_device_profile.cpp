@@ -1,0 +1,69 @@
+#include "haptic_device_profile.h"
+
+#include <godot_cpp/core/class_db.hpp>
+
+#include <cmath>
+
+namespace godot {
+
+void HapticDeviceProfile::set_response(const PackedVector2Array &p_response) {
+	std::vector<steadyhand::DeviceProfile::Point> points;
+	double last_hz = 0.0;
+	for (const Vector2 &point : p_response) {
+		const double frequency_hz = static_cast<double>(point.x), response = static_cast<double>(point.y);
+		ERR_FAIL_COND_MSG(!(frequency_hz > last_hz) || !(response >= 0.0) || !std::isfinite(frequency_hz) ||
+						!std::isfinite(response),
+				"HapticDeviceProfile: response must be points (frequency in Hz, rising; response, 0 or "
+				"more)");
+		points.push_back({ frequency_hz, response });
+		last_hz = frequency_hz;
+	}
+	response_ = p_response;
+	profile_.response = std::move(points);
+	emit_changed();
+}
+
+void HapticDeviceProfile::set_resonance(double p_resonance_hz) {
+	ERR_FAIL_COND_MSG(!(p_resonance_hz >= 0.0) || !std::isfinite(p_resonance_hz),
+			"HapticDeviceProfile: resonance must be 0 Hz (none) or more");
+	profile_.resonance_hz = p_resonance_hz;
+	emit_changed();
+}
+
+void HapticDeviceProfile::set_maximum_amplitude(double p_amplitude) {
+	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || p_amplitude > 1.0,
+			"HapticDeviceProfile: maximum_amplitude must be above 0 and at most 1");
+	profile_.most = p_amplitude;
+	emit_changed();
+}
+
+void HapticDeviceProfile::set_latency(double p_latency_s) {
+	ERR_FAIL_COND_MSG(!(p_latency_s >= 0.0) || !std::isfinite(p_latency_s),
+			"HapticDeviceProfile: latency must be 0 s or more");
+	profile_.latency_s = p_latency_s;
+	emit_changed();
+}
+
+void HapticDeviceProfile::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_response", "response"), &HapticDeviceProfile::set_response);
+	ClassDB::bind_method(D_METHOD("get_response"), &HapticDeviceProfile::get_response);
+	ClassDB::bind_method(D_METHOD("set_resonance", "resonance"), &HapticDeviceProfile::set_resonance);
+	ClassDB::bind_method(D_METHOD("get_resonance"), &HapticDeviceProfile::get_resonance);
+	ClassDB::bind_method(
+			D_METHOD("set_maximum_amplitude", "amplitude"), &HapticDeviceProfile::set_maximum_amplitude);
+	ClassDB::bind_method(D_METHOD("get_maximum_amplitude"), &HapticDeviceProfile::get_maximum_amplitude);
+	ClassDB::bind_method(D_METHOD("set_latency", "latency"), &HapticDeviceProfile::set_latency);
+	ClassDB::bind_method(D_METHOD("get_latency"), &HapticDeviceProfile::get_latency);
+
+	ADD_PROPERTY(PropertyInfo(Variant::PACKED_VECTOR2_ARRAY, "response"), "set_response", "get_response");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "resonance", PROPERTY_HINT_RANGE, "0,500,1,or_greater,suffix:Hz"),
+			"set_resonance", "get_resonance");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "maximum_amplitude", PROPERTY_HINT_RANGE, "0.01,1,0.01"),
+			"set_maximum_amplitude", "get_maximum_amplitude");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "latency", PROPERTY_HINT_RANGE, "0,0.1,0.001,or_greater,suffix:s"),
+			"set_latency", "get_latency");
+}
+
+} // namespace godot

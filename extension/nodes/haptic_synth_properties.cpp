@@ -1,0 +1,98 @@
+// HapticSynth as the inspector and scripts see it.
+
+#include "gesture_hmm.h"
+#include "haptic_synth.h"
+
+#include <godot_cpp/classes/audio_server.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+namespace godot {
+
+PackedStringArray HapticSynth::_get_configuration_warnings() const {
+	PackedStringArray warnings;
+	if (gesture_hmm_ == nullptr) {
+		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
+	}
+	if (bus_ == StringName() && wav_path_.is_empty()) {
+		warnings.push_back(
+				"Set \"bus\" to an audio bus that leads to the actuator, or \"wav_path\" to a file; "
+				"otherwise the vibration goes nowhere, unless a script takes it by get_buffer().");
+	} else if (bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) < 0) {
+		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
+				String("' in the Audio panel, or set \"bus\" to one that exists."));
+	}
+	bool has_empty = false;
+	for (int64_t i = 0; i < effects_.size(); ++i) {
+		const Ref<HapticEffect> effect = effects_[i];
+		has_empty = has_empty || effect.is_null();
+	}
+	if (has_empty) {
+		warnings.push_back("Remove the empty entry from \"effects\", or make a HapticEffect in it.");
+	}
+	if (effects_.size() > static_cast<int64_t>(steadyhand::EffectSet::MOST)) {
+		warnings.push_back(String("Remove effects: only the first ") +
+				itos(static_cast<int64_t>(steadyhand::EffectSet::MOST)) + String(" are felt."));
+	}
+	return warnings;
+}
+
+void HapticSynth::_validate_property(PropertyInfo &p_property) const {
+	if (p_property.name == StringName("bus")) {
+		AudioServer *const server = AudioServer::get_singleton();
+		String names;
+		for (int32_t i = 0; i < server->get_bus_count(); ++i) {
+			names += (i > 0 ? String(",") : String()) + String(server->get_bus_name(i));
+		}
+		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
+		p_property.hint_string = std::move(names);
+	}
+}
+
+void HapticSynth::_bind_methods() {
+	ClassDB::bind_method(D_METHOD("set_gesture_hmm", "gesture_hmm"), &HapticSynth::set_gesture_hmm);
+	ClassDB::bind_method(D_METHOD("get_gesture_hmm"), &HapticSynth::get_gesture_hmm);
+	ClassDB::bind_method(D_METHOD("set_effects", "effects"), &HapticSynth::set_effects);
+	ClassDB::bind_method(D_METHOD("get_effects"), &HapticSynth::get_effects);
+	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &HapticSynth::set_gain);
+	ClassDB::bind_method(D_METHOD("get_gain"), &HapticSynth::get_gain);
+	ClassDB::bind_method(D_METHOD("set_arrival_level", "level"), &HapticSynth::set_arrival_level);
+	ClassDB::bind_method(D_METHOD("get_arrival_level"), &HapticSynth::get_arrival_level);
+	ClassDB::bind_method(D_METHOD("set_device", "device"), &HapticSynth::set_device);
+	ClassDB::bind_method(D_METHOD("get_device"), &HapticSynth::get_device);
+	ClassDB::bind_method(D_METHOD("set_bus", "bus"), &HapticSynth::set_bus);
+	ClassDB::bind_method(D_METHOD("get_bus"), &HapticSynth::get_bus);
+	ClassDB::bind_method(D_METHOD("set_wav_path", "path"), &HapticSynth::set_wav_path);
+	ClassDB::bind_method(D_METHOD("get_wav_path"), &HapticSynth::get_wav_path);
+	ClassDB::bind_method(D_METHOD("set_wav_sample_rate", "rate"), &HapticSynth::set_wav_sample_rate);
+	ClassDB::bind_method(D_METHOD("get_wav_sample_rate"), &HapticSynth::get_wav_sample_rate);
+	ClassDB::bind_method(D_METHOD("set_buffer_sample_rate", "rate"), &HapticSynth::set_buffer_sample_rate);
+	ClassDB::bind_method(D_METHOD("get_buffer_sample_rate"), &HapticSynth::get_buffer_sample_rate);
+	ClassDB::bind_method(D_METHOD("get_amplitude"), &HapticSynth::get_amplitude);
+	ClassDB::bind_method(D_METHOD("stop_wav"), &HapticSynth::stop_wav);
+	ClassDB::bind_method(D_METHOD("get_buffer", "frames"), &HapticSynth::get_buffer);
+
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "gesture_hmm", PROPERTY_HINT_NODE_TYPE, "GestureHMM"),
+			"set_gesture_hmm", "get_gesture_hmm");
+	const String effect_hint =
+			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_RESOURCE_TYPE) + ":HapticEffect";
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "effects", PROPERTY_HINT_ARRAY_TYPE, effect_hint),
+			"set_effects", "get_effects");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_gain", "get_gain");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "arrival_level", PROPERTY_HINT_RANGE, "0.51,1,0.01"),
+			"set_arrival_level", "get_arrival_level");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "device", PROPERTY_HINT_RESOURCE_TYPE, "HapticDeviceProfile"),
+			"set_device", "get_device");
+	ADD_GROUP("Output", "");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bus"), "set_bus", "get_bus");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "wav_path", PROPERTY_HINT_GLOBAL_SAVE_FILE, "*.wav"),
+			"set_wav_path", "get_wav_path");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "wav_sample_rate", PROPERTY_HINT_RANGE, "8000,192000,1,suffix:Hz"),
+			"set_wav_sample_rate", "get_wav_sample_rate");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "buffer_sample_rate", PROPERTY_HINT_RANGE, "8000,192000,1,suffix:Hz"),
+			"set_buffer_sample_rate", "get_buffer_sample_rate");
+}
+
+} // namespace godot

@@ -1,0 +1,115 @@
+// What a sample of the vibration costs, amplitude from the motion and all, beside std::sin and memset on the
+// same machine in the same run. Rounds alternate and the median counts, so that a busy machine slows all
+// alike.
+
+#include "haptics/vibration.h"
+#include "timing.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+
+constexpr std::size_t BLOCK = 512;
+constexpr int BLOCKS = 100;
+constexpr int ROUNDS = 201;
+constexpr double RATE_HZ = 48000.0;
+constexpr double BLOCK_S = static_cast<double>(BLOCK) / RATE_HZ;
+
+std::array<float, BLOCK> block;
+
+template <class Fill> double ns_per_sample(Fill fill) {
+	const double ns = ns_of([&] {
+		for (int i = 0; i < BLOCKS; ++i) {
+			fill(i);
+			keep(block);
+		}
+	});
+	return ns / (static_cast<double>(BLOCK) * BLOCKS);
+}
+
+/// A hand that swings through its way for as long as a round lasts.
+MotionSnapshot swinging(double from_s, std::uint32_t arrivals) {
+	MotionSnapshot snapshot;
+	snapshot.time_s = from_s;
+	snapshot.period_s = 0.01;
+	snapshot.count = 11;
+	snapshot.amplitude_m = 0.2;
+	snapshot.arrival = { arrivals, from_s, 1.0 };
+	for (std::size_t i = 0; i < snapshot.count; ++i) {
+		const double w = 6.0;
+		const double phase = w * (from_s + 0.01 * static_cast<double>(i));
+		snapshot.knots[i] = { 0.5 - 0.4 * std::cos(phase), 0.4 * w * std::sin(phase),
+			0.4 * w * w * std::cos(phase), true };
+	}
+	return snapshot;
+}
+
+/// With a new snapshot a block, and with `at_arrivals` an arrival every 40 ms.
+double ns_of_effect(const Effect &effect, bool at_arrivals) {
+	Vibration vibration(RATE_HZ, 1);
+	EffectSet effects;
+	effects.add(effect);
+	vibration.set_effects(effects);
+	vibration.seek(0.0);
+	std::vector<MotionSnapshot> snapshots;
+	for (int i = 0; i < BLOCKS; ++i) {
+		const auto arrivals = static_cast<std::uint32_t>(at_arrivals ? 1 + i * BLOCK_S / 0.04 : 0);
+		snapshots.push_back(swinging(i * BLOCK_S, arrivals));
+	}
+	return ns_per_sample([&](int i) {
+		vibration.set_motion(snapshots[static_cast<std::size_t>(i)]);
+		vibration.render(block);
+	});
+}
+
+} // namespace
+
+int main() {
+	double phase = 0.0;
+	const auto sine = [&] {
+		return ns_per_sample([&](int) {
+			for (float &sample : block) {
+				sample = static_cast<float>(0.5 * std::sin(phase));
+				phase += 2.0 * std::numbers::pi * 180.0 / RATE_HZ;
+			}
+		});
+	};
+	struct Row {
+		const char *name;
+		std::function<double()> measure;
+		std::vector<double> ns;
+	};
+	std::vector<Row> rows{
+		{ "spring", [] { return ns_of_effect(spring_effect(), false); }, {} },
+		{ "impulse", [] { return ns_of_effect(impulse_effect(), true); }, {} },
+		{ "inertial-viscous", [] { return ns_of_effect(inertial_viscous_effect(), true); }, {} },
+		{ "silence", [] { return ns_of_effect(impulse_effect(), false); }, {} },
+		{ "std::sin", sine, {} },
+		{ "memset", [] { return ns_per_sample([](int) { std::memset(block.data(), 0, sizeof(block)); }); },
+				{} },
+	};
+	for (int round = 0; round < ROUNDS; ++round) {
+		for (Row &row : rows) {
+			row.ns.push_back(row.measure());
+		}
+	}
+	const double sine_ns = median(rows[4].ns), memset_ns = median(rows[5].ns);
+	std::printf(
+			"ns a sample at 48 kHz, blocks of %zu with a snapshot of the motion each, median of %d rounds\n",
+			BLOCK, ROUNDS);
+	for (const Row &row : rows) {
+		const double ns = median(row.ns);
+		std::printf("  %-17s %7.3f  %6.3f x std::sin  %6.1f x memset\n", row.name, ns, ns / sine_ns,
+				ns / memset_ns);
+	}
+	return 0;
+}

@@ -1,0 +1,164 @@
+#include "haptics/arrival_detector.h"
+#include "haptics/latest_value.h"
+#include "haptics/motion_clock.h"
+#include "haptics/motion_snapshot.h"
+#include "vibration_rig.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+using namespace steadyhand;
+using steadyhand::test::Movement;
+
+TEST_CASE("a snapshot is the quintic that it was taken of, derivatives and all") {
+	const Movement movement{ 0.35 };
+	const MotionSnapshot snapshot = movement.snapshot(0.05);
+	MotionCurve curve;
+	curve.set(snapshot);
+	for (int i = 0; i < 270; ++i) {
+		const double t_s = 0.05 + 0.00037 * i;
+		const MotionPoint truth = movement.at(t_s);
+		for (const MotionPoint &made : { snapshot.at(t_s), curve.at(t_s) }) {
+			REQUIRE(std::abs(made.position - truth.position) < 1e-12);
+			REQUIRE(std::abs(made.velocity - truth.velocity) < 1e-10);
+			REQUIRE(std::abs(made.acceleration - truth.acceleration) < 1e-7);
+			const double jerk = (movement.at(t_s + 1e-6).acceleration - truth.acceleration) / 1e-6;
+			REQUIRE(std::abs(made.jerk - jerk) < 0.05); // of up to 1400
+		}
+	}
+}
+
+TEST_CASE("outside its knots a snapshot goes on as it began and coasts to a stop, without a step") {
+	const MotionSnapshot snapshot = Movement{ 0.35 }.snapshot(0.05);
+	for (const double t_s : { snapshot.time_s, snapshot.end_s() }) {
+		const MotionPoint before = snapshot.at(t_s - 1e-9), after = snapshot.at(t_s + 1e-9);
+		CHECK(after.position == doctest::Approx(before.position).epsilon(1e-6));
+		CHECK(after.velocity == doctest::Approx(before.velocity).epsilon(1e-6));
+		CHECK(after.acceleration == doctest::Approx(before.acceleration).epsilon(1e-5));
+	}
+	CHECK(snapshot.at(1e9).velocity == 0.0);
+	CHECK(std::abs(snapshot.at(-1e9).position) < 1.0);
+	CHECK(MotionSnapshot{}.at(0.0).position == 0.0);
+	CHECK_FALSE(MotionSnapshot{}.is_moving(0.0));
+	CHECK_FALSE(snapshot.is_moving(NAN));
+}
+
+TEST_CASE("the instant at which a level is reached is found to the nanosecond") {
+	const Movement movement{ 0.14 };
+	const MotionSnapshot snapshot = movement.snapshot(0.02);
+	CHECK(std::abs(snapshot.reaches_s(0.95, 0.02) - movement.end_s()) < 1e-9);
+	CHECK(snapshot.reaches_s(0.0, 0.03) == 0.03);
+	CHECK(std::isnan(snapshot.reaches_s(1.5, 0.02)));
+	CHECK(std::isnan(MotionSnapshot{}.reaches_s(0.0, 0.0)));
+}
+
+TEST_CASE("an arrival is found between instants, once, and is foretold at the same time") {
+	const Movement movement{ 0.3 };
+	ArrivalDetector detector;
+	const double end_s = movement.end_s();
+	for (int i = 0; i < 400; ++i) {
+		const double t_s = 0.001 * i;
+		detector.push(t_s, movement.knot(t_s), true, 0.2);
+		const Arrival expected = detector.expected(movement.snapshot(t_s), t_s);
+		CAPTURE(t_s);
+		if (t_s < end_s && t_s + 0.1 > end_s) {
+			REQUIRE(expected.number == 1);
+			REQUIRE(std::abs(expected.time_s - end_s) < 1e-9);
+			REQUIRE(expected.speed_m_s == doctest::Approx(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
+		} else {
+			REQUIRE(expected.number == 0);
+		}
+		REQUIRE(detector.is_moving() == (t_s < end_s));
+		REQUIRE(detector.last().number == (t_s < end_s ? 0 : 1));
+	}
+	CHECK(std::abs(detector.last().time_s - end_s) < 1e-9);
+	CHECK(detector.last().speed_m_s == doctest::Approx(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
+}
+
+TEST_CASE("a hand that trembles at the end arrives once; one that goes back by half arrives again") {
+	ArrivalDetector detector;
+	double t_s = 0.0;
+	const auto push = [&](double position, bool under_way = true) {
+		detector.push(t_s += 0.01, { position, 0.0, 0.0, true }, under_way, 0.2);
+		return detector.last().number;
+	};
+	CHECK(push(0.99, false) == 0);
+	CHECK(push(0.3) == 0);
+	CHECK(push(0.96) == 1);
+	CHECK(push(0.9) == 1);
+	CHECK(push(0.97) == 1);
+	CHECK(push(0.4) == 1);
+	CHECK(detector.is_moving());
+	CHECK(push(1.0) == 2);
+	// Broken off, then begun when it is there already.
+	CHECK(push(0.2) == 2);
+	CHECK(push(0.2, false) == 2);
+	CHECK_FALSE(detector.is_moving());
+	CHECK(push(0.98) == 4);
+	CHECK(push(NAN) == 4);
+}
+
+TEST_CASE("the motion's clock shifts by less than a millisecond under the jitter of frames") {
+	MotionClock clock;
+	std::uint32_t random = 1;
+	double told_s = 0.0, from_s = 0.0;
+	double least = 1e9, most = -1e9;
+	// Blocks of 512 at 44.1 kHz, frames of 60 Hz that come up to 5 ms late.
+	for (int block = 0; block < 20000; ++block) {
+		const double now_s = block * 512.0 / 44100.0;
+		while (told_s + 1.0 / 60.0 < now_s) {
+			told_s += 1.0 / 60.0;
+			random = random * 1664525U + 1013904223U;
+			const double late_s = 0.005 * static_cast<double>(random >> 8U) * 0x1p-24;
+			clock.follow(told_s - late_s);
+		}
+		for (int run = 0; run < 8; ++run) {
+			clock.advance(64.0 / 44100.0);
+		}
+		const double off_s = clock.now_s() - now_s;
+		if (block > 1000) {
+			from_s = from_s == 0.0 ? off_s : from_s;
+			least = std::min(least, off_s);
+			most = std::max(most, off_s);
+		}
+	}
+	CHECK(most - least < 2e-3);
+}
+
+TEST_CASE("the motion's clock runs at most 2 % off, and steps where it is far off") {
+	MotionClock clock;
+	clock.follow(100.0);
+	CHECK(clock.now_s() == 100.0);
+	clock.follow(100.04);
+	clock.advance(0.1);
+	CHECK(clock.now_s() == doctest::Approx(100.102));
+	for (int i = 0; i < 3000; ++i) {
+		clock.advance(0.001);
+	}
+	CHECK(clock.now_s() == doctest::Approx(103.14).epsilon(1e-4));
+	clock.follow(104.0);
+	CHECK(clock.now_s() == 104.0);
+	for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL }) {
+		clock.follow(bad);
+		CHECK(clock.now_s() == 104.0);
+	}
+}
+
+TEST_CASE("the reader takes the newest value once") {
+	LatestValue<int> box;
+	CHECK(box.take() == nullptr);
+	box.publish(1);
+	box.publish(2);
+	const int *const taken = box.take();
+	REQUIRE(taken != nullptr);
+	CHECK(*taken == 2);
+	CHECK(box.take() == nullptr);
+	box.publish(3);
+	CHECK(*taken == 2); // until the next call
+	box.publish(4);
+	CHECK(*taken == 2);
+	CHECK(*box.take() == 4);
+}

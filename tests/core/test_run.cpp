@@ -1,0 +1,132 @@
+#include "haptics/run.h"
+#include "vibration_rig.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+using namespace steadyhand;
+using steadyhand::test::TURN;
+
+namespace {
+
+/// One at a time, where the compiler sees no row of them.
+[[gnu::noinline]] float one_sample(const Level &level, std::uint32_t phase, std::int32_t i) {
+	return level.at(static_cast<float>(i)) * sine(phase);
+}
+
+[[gnu::noinline]] float one_windowed(
+		const Level &level, const Window &window, std::uint32_t phase, std::int32_t i, std::int32_t at) {
+	return level.at(static_cast<float>(i)) * window.at(static_cast<float>(at + i)) * sine(phase);
+}
+
+constexpr std::uint32_t upper(std::uint64_t phase) {
+	return static_cast<std::uint32_t>(phase >> 32U);
+}
+
+} // namespace
+
+TEST_CASE("a sine is the sine at every phase") {
+	double largest = 0.0;
+	for (std::uint64_t phase = 0; phase < (1ULL << 32U); phase += 65521U) {
+		const long double truth = std::sin(TURN * static_cast<long double>(phase) * 0x1p-32L);
+		const float made = sine(static_cast<std::uint32_t>(phase));
+		largest = std::max(largest, static_cast<double>(std::abs(static_cast<long double>(made) - truth)));
+	}
+	CHECK(largest < 5e-7);
+	for (const std::uint32_t root : { 0U, 1U << 31U }) {
+		CHECK(sine(root) == 0.0F);
+	}
+}
+
+TEST_CASE("a level has the values and slopes of its ends, and is exact for cubics") {
+	const Level level = Level::hermite(0.25, 0.5, -0.5, 2.0);
+	CHECK(level.at(0.0F) == doctest::Approx(0.25));
+	CHECK(level.at(RUN) == doctest::Approx(-0.5));
+	const auto cubic = [](double s) { return 0.1 + s * (0.2 + s * (-0.7 + 0.9 * s)); };
+	const Level same = Level::hermite(cubic(0.0), 0.2, cubic(1.0), 0.2 - 1.4 + 2.7);
+	for (int i = 0; i < 64; ++i) {
+		REQUIRE(static_cast<double>(same.at(static_cast<float>(i))) ==
+				doctest::Approx(cubic(i / 64.0)).epsilon(1e-6));
+	}
+}
+
+TEST_CASE("vector code makes the samples that are made one at a time, to the last bit") {
+	std::uint64_t random = 1;
+	for (int round = 0; round < 500; ++round) {
+		random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+		const Oscillator oscillator{ random, random >> (round % 12) };
+		const auto part = [&](unsigned shift) {
+			return static_cast<double>((random >> shift) & 0xFFFU) / 4096.0;
+		};
+		const Level level = Level::hermite(part(0), part(12) - 0.5, part(24), part(36) - 0.5);
+		const Window window{ 1.0F + static_cast<float>(part(48)) * 100.0F, 300.0F };
+		const std::int32_t at = round - 70;
+		Run plain{}, windowed{}, decaying{}, held{};
+		Run decay;
+		decay.fill(0.7F);
+		add_sine(plain, oscillator, level);
+		add_windowed_sine(windowed, oscillator, level, window, at);
+		add_decaying_sine(decaying, oscillator, 0.3F, decay, round % 64);
+		held = plain;
+		hold(held);
+		std::uint32_t phase = upper(oscillator.phase);
+		for (std::int32_t i = 0; i < 64; ++i) {
+			const auto n = static_cast<std::size_t>(i);
+			REQUIRE(plain[n] == one_sample(level, phase, i));
+			REQUIRE(windowed[n] == one_windowed(level, window, phase, i, at));
+			REQUIRE(decaying[n] == (i < round % 64 ? 0.0F : 0.3F * 0.7F * sine(phase)));
+			REQUIRE(held[n] == std::clamp(plain[n], -1.0F, 1.0F));
+			phase += upper(oscillator.step + (1ULL << 31U));
+		}
+	}
+}
+
+TEST_CASE("a window is nothing outside, everything within, and has no corner at its ends") {
+	const Window window{ 16.0F, 100.0F };
+	for (const float outside : { -1e6F, -1.0F, 0.0F, 100.0F, 101.0F, 1e6F }) {
+		CHECK(window.at(outside) == 0.0F);
+	}
+	for (int i = 16; i <= 84; ++i) {
+		CHECK(window.at(static_cast<float>(i)) == 1.0F);
+	}
+	CHECK(window.at(8.0F) == 0.5F);
+	CHECK(window.at(92.0F) == 0.5F);
+	CHECK(window.at(0.01F) < 2e-6F);
+}
+
+TEST_CASE("the phase is off by less than 1e-6 rad after a week") {
+	// Whole frequencies and rates: the true phase is the fraction n f mod rate / rate, in integers.
+	for (const std::uint64_t rate_hz : { 8000U, 11025U, 22050U, 44100U, 48000U, 96000U, 192000U }) {
+		for (const std::uint64_t frequency_hz : { 1U, 60U, 180U, 181U, 300U, 3989U }) {
+			CAPTURE(rate_hz);
+			CAPTURE(frequency_hz);
+			Oscillator oscillator;
+			oscillator.step = phase_step(static_cast<double>(frequency_hz), static_cast<double>(rate_hz));
+			const std::uint64_t samples = 7ULL * 24 * 3600 * rate_hz + 12345;
+			oscillator.advance(samples);
+			const std::uint64_t remainder = samples % rate_hz * frequency_hz % rate_hz;
+			const long double truth =
+					std::ldexp(static_cast<long double>(remainder) / static_cast<long double>(rate_hz), 64);
+			// As a signed number: the difference, within half a turn of 0.
+			const auto error =
+					static_cast<std::int64_t>(oscillator.phase - static_cast<std::uint64_t>(truth));
+			CHECK(std::abs(std::ldexp(static_cast<long double>(error), -64) * TURN) < 1e-7L);
+		}
+	}
+}
+
+TEST_CASE("a frequency that is none makes no step, one too high half a turn") {
+	for (const double bad : { std::numeric_limits<double>::quiet_NaN(), -1.0, 0.0, -HUGE_VAL }) {
+		CHECK(phase_step(bad, 48000.0) == 0);
+		CHECK(phase_step(180.0, bad) == 0);
+	}
+	CHECK(phase_step(180.0, HUGE_VAL) == 0);
+	for (const double frequency_hz : { 1e300, HUGE_VAL, 24000.0 }) {
+		CHECK(phase_step(frequency_hz, 48000.0) == 1ULL << 63U);
+	}
+	CHECK(phase_step(23999.999999999, 48000.0) <= 1ULL << 63U);
+}

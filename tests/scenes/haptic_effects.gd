@@ -1,0 +1,167 @@
+extends "support/scene_test.gd"
+## What a gesture feels like: the effects that come with it, each from its own sample on.
+
+const Rig := preload("support/rig.gd")
+const Waveform := preload("support/waveform.gd")
+
+const RATE_HZ := 48000
+const LAST_STEP := 2400
+## Share of the amplitude at which a motion has arrived.
+const ARRIVED := 0.95
+
+var _folder := DirAccess.create_temp("steadyhand_effects")
+
+
+func test_a_drag_is_a_spring_and_a_cue_from_its_end_on() -> void:
+	var played := _play("horizontal_drag", [])
+	var samples: PackedFloat32Array = played["samples"]
+	var arrival: int = played["arrival"]
+	check(arrival > 0, "the drag arrives")
+	var before := samples.slice(arrival - RATE_HZ / 20, arrival)
+	check(Waveform.peak(before) > 0.8, "the spring is stretched: %s" % Waveform.peak(before))
+	var cue := samples.slice(arrival + RATE_HZ / 50, arrival + RATE_HZ / 25)
+	var level := Waveform.amplitude_at(cue, RATE_HZ, 180.0)
+	check(level > 0.45 and level < 0.8, "half by the constant speed, more by the hand: %s" % level)
+	check_equal(Waveform.peak(samples.slice(arrival + int(0.062 * RATE_HZ))), 0.0, "then silence")
+	var bound := 2.0 * sin(PI * 180.0 / RATE_HZ)
+	# While the spring fades the cue swells, and both are heard.
+	check(Waveform.greatest_step(samples) < 1.5 * bound, "no click")
+
+
+func test_a_tap_is_an_impulse_from_the_sample_of_the_contact_on() -> void:
+	var played := _play("tap", [])
+	var samples: PackedFloat32Array = played["samples"]
+	var arrival: int = played["arrival"]
+	check_equal(Waveform.peak(samples.slice(0, arrival - 1)), 0.0, "nothing before the contact")
+	var peak: float = played["speed"]
+	var worst := INF
+	# The value between two instants is known to a sample.
+	for first: int in [arrival - 1, arrival, arrival + 1]:
+		var error := 0.0
+		for i in RATE_HZ / 30:
+			var t := float(i) / RATE_HZ
+			var truth := peak * exp(-200.0 * t) * sin(TAU * 300.0 * t)
+			error = maxf(error, absf(samples[first + i] - truth))
+		worst = minf(worst, error)
+	check(worst < 0.01 * peak, "M exp(-N t) sin(2 pi f t), within %s of M = %s" % [worst, peak])
+	check_equal(
+		Waveform.peak(samples.slice(arrival + int(0.042 * RATE_HZ))), 0.0, "over after 40 ms"
+	)
+
+
+func test_effects_change_while_they_play_without_a_click() -> void:
+	var spring := SpringEffect.new()
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	var other := SpringEffect.new()
+	other.trigger = HapticEffect.TRIGGER_ALWAYS
+	other.gain = 0.3
+	var sets: Array[Array] = [[spring], [other], [], [spring]]
+	var changes := func(synth: HapticSynth, step: int) -> void:
+		if step % 37 == 0:
+			synth.effects.assign(sets[step / 37 % sets.size()])
+			synth.effects = synth.effects
+		elif step % 101 == 0:
+			spring.gain = 0.2 if spring.gain == 1.0 else 1.0
+	var played := _play("horizontal_drag", [spring], changes)
+	var bound := 2.0 * sin(PI * 180.0 / RATE_HZ)
+	var greatest := Waveform.greatest_step(played["samples"]) / bound
+	check(
+		greatest > 0.3 and greatest < 1.02, "greatest step: %.3f of the waveform's own" % greatest
+	)
+
+
+func test_a_custom_waveform_is_played_at_the_arrival() -> void:
+	var custom := CustomEffect.new()
+	custom.trigger = HapticEffect.TRIGGER_ARRIVAL
+	custom.drive = HapticEffect.DRIVE_CONSTANT
+	custom.frequency = 2000.0
+	custom.waveform_rate = 1000.0
+	var waveform := PackedFloat32Array()
+	waveform.resize(30)
+	waveform.fill(-0.5)
+	custom.waveform = waveform
+	var played := _play("tap", [custom])
+	var samples: PackedFloat32Array = played["samples"]
+	var arrival: int = played["arrival"]
+	var within := samples.slice(arrival + 50, arrival + int(0.028 * RATE_HZ))
+	check_near(within[0], -0.5, 1e-3, "its level")
+	check_near(within[-1], -0.5, 1e-3, "to its end")
+	check_equal(Waveform.peak(samples.slice(arrival + int(0.03 * RATE_HZ))), 0.0, "then silence")
+
+
+func test_the_device_decides_frequency_and_strength() -> void:
+	var device := HapticDeviceProfile.new()
+	device.resonance = 175.0
+	device.maximum_amplitude = 0.5
+	var synth := HapticSynth.new()
+	synth.device = device
+	var played := _play("horizontal_drag", [], Callable(), synth)
+	var samples: PackedFloat32Array = played["samples"]
+	var arrival: int = played["arrival"]
+	check_near(Waveform.peak(samples), 0.5, 1e-3, "held to what it bears")
+	var window := samples.slice(arrival - RATE_HZ / 25, arrival)
+	var at_resonance := Waveform.amplitude_at(window, RATE_HZ, 175.0)
+	check_near(at_resonance, 0.5, 0.02, "at its resonance")
+
+
+func test_a_script_takes_the_live_vibration() -> void:
+	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
+	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var spring := SpringEffect.new()
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	spring.channels = 2
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.effects = [spring]
+	synth.buffer_sample_rate = 8000
+	root.add_child(synth)
+	rig.tracker.start()
+	var left := 0.0
+	var right := 0.0
+	for step in range(ceili(rig.tracker.get_start_time() / 0.016), 150):
+		rig.tracker.advance_to(0.016 * step)
+		for frame in synth.get_buffer(128):
+			left = maxf(left, absf(frame.x))
+			right = maxf(right, absf(frame.y))
+	check_equal(left, 0.0, "nothing on the other channel")
+	check(right > 0.9 and right <= 1.0, "the spring: %s" % right)
+	synth.free()
+	rig.free_nodes()
+
+
+## A trial through the nodes and into a file. Of the result, `arrival` is the number of the first
+## sample at or after the arrival, `speed` the hand's there, m/s.
+func _play(
+	gesture: String, effects: Array, each: Callable = Callable(), synth := HapticSynth.new()
+) -> Dictionary:
+	var trials := Rig.write_trials(_folder.get_current_dir(), 1, gesture)
+	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var wav_path := _folder.get_current_dir().path_join("%s.wav" % gesture)
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.effects.assign(effects)
+	synth.effects = synth.effects
+	synth.wav_path = wav_path
+	root.add_child(synth)
+	rig.tracker.start()
+	var first := ceili(rig.tracker.get_start_time() / Rig.STEP_S)
+	var before := 0.0
+	var arrival_s := -1.0
+	var speed := 0.0
+	for step in range(first, LAST_STEP + 1):
+		if each.is_valid():
+			each.call(synth, step)
+		rig.tracker.advance_to(step * Rig.STEP_S)
+		var position := rig.gesture_hmm.value / rig.task.amplitude
+		if arrival_s < 0.0 and position >= ARRIVED:
+			var share := (ARRIVED - before) / (position - before)
+			arrival_s = (step - 1 + share) * Rig.STEP_S
+			speed = rig.gesture_hmm.velocity
+		before = position
+	synth.stop_wav()
+	synth.free()
+	rig.free_nodes()
+	return {
+		samples = Waveform.read_wav(wav_path, RATE_HZ),
+		arrival = ceili((arrival_s - first * Rig.STEP_S) * RATE_HZ),
+		speed = speed,
+	}
