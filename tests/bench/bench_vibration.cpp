@@ -71,6 +71,38 @@ double ns_of_effect(const Effect &effect, bool at_arrivals) {
 	});
 }
 
+/// The waveform alone, its amplitude a given cubic.
+template <class Add> double ns_of_runs(Add add) {
+	Run run{};
+	Oscillator oscillator{ 0, phase_step(180.0, RATE_HZ) };
+	constexpr int RUNS = BLOCKS * static_cast<int>(BLOCK / RUN);
+	const double ns = ns_of([&] {
+		for (int i = 0; i < RUNS; ++i) {
+			if (i % 8 == 0) {
+				run.fill(0.0F);
+			}
+			add(run, oscillator);
+			oscillator.advance(RUN);
+			keep(run);
+		}
+	});
+	return ns / (static_cast<double>(RUN) * RUNS);
+}
+
+double ns_of_spring_runs() {
+	return ns_of_runs([](Run &run, const Oscillator &oscillator) {
+		add_sine(run, oscillator, Level::hermite(0.1, 0.01, 0.11, 0.01));
+	});
+}
+
+double ns_of_impulse_runs() {
+	Run decay;
+	decay.fill(0.9F);
+	return ns_of_runs([&](Run &run, const Oscillator &oscillator) {
+		add_decaying_sine(run, oscillator, 0.1F, decay, 0);
+	});
+}
+
 } // namespace
 
 int main() {
@@ -89,6 +121,8 @@ int main() {
 		std::vector<double> ns;
 	};
 	std::vector<Row> rows{
+		{ "spring, waveform", ns_of_spring_runs, {} },
+		{ "impulse, waveform", ns_of_impulse_runs, {} },
 		{ "spring", [] { return ns_of_effect(spring_effect(), false); }, {} },
 		{ "impulse", [] { return ns_of_effect(impulse_effect(), true); }, {} },
 		{ "inertial-viscous", [] { return ns_of_effect(inertial_viscous_effect(), true); }, {} },
@@ -102,7 +136,7 @@ int main() {
 			row.ns.push_back(row.measure());
 		}
 	}
-	const double sine_ns = median(rows[4].ns), memset_ns = median(rows[5].ns);
+	const double sine_ns = median(rows[rows.size() - 2].ns), memset_ns = median(rows.back().ns);
 	std::printf(
 			"ns a sample at 48 kHz, blocks of %zu with a snapshot of the motion each, median of %d rounds\n",
 			BLOCK, ROUNDS);

@@ -453,3 +453,23 @@ TEST_CASE("the strength without the carrier is the envelope of the samples") {
 	CHECK(impulse.amplitude == doctest::Approx(0.6 * std::exp(-4.0)));
 	CHECK(impulse.frequency_hz == 300.0);
 }
+
+TEST_CASE("an hour of play leaves amplitude and phase where they are to be") {
+	Effect spring = spring_effect();
+	spring.trigger = Trigger::ALWAYS;
+	Vibration vibration(RATE_HZ, 1);
+	vibration.set_effects(set_of(spring));
+	vibration.seek(0.0);
+	std::vector<float> block(48000);
+	for (int second = 0; second < 3600; ++second) {
+		const double held = second % 2 == 0 ? 1.0 : 0.25;
+		vibration.set_motion(still(second, held));
+		vibration.render(block);
+		if (second % 600 == 599 || second == 3598) {
+			// 180 Hz: whole turns a second.
+			CHECK(largest_error(std::span(block).last(24000), RATE_HZ,
+						  [&](double t_s) { return held * sine_at(180.0, t_s); }) < SAMPLE_ERROR);
+		}
+	}
+	CHECK(vibration.time_s() == doctest::Approx(3600.0).epsilon(1e-9));
+}

@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## The vibration on an audio bus, as the audio thread mixes it.
 
+const Rig := preload("support/rig.gd")
 const Waveform := preload("support/waveform.gd")
 
 const FREQUENCY_HZ := 180.0
@@ -8,6 +9,8 @@ const LEVEL := 0.5
 const BUS := "Wristband"
 const HEARD_S := 0.5
 const PATIENCE_S := 10.0
+## Below 24 bits.
+const SILENCE := 1e-7
 
 var _tracker := HandTracker.new()
 var _task := GestureTask.new()
@@ -46,6 +49,42 @@ func test_a_tracker_that_stops_is_silent() -> void:
 	check(samples.size() > 0 and samples[-1] == Vector2.ZERO, "nothing where no motion comes")
 	for node: Node in [_synth, _gesture_hmm, _task, _tracker]:
 		node.free()
+
+
+func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
+	var folder := DirAccess.create_temp("steadyhand_bus")
+	var trials := Rig.write_trials(folder.get_current_dir(), 1, "tap")
+	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.bus = BUS
+	root.add_child(synth)
+	_capture.clear_buffer()
+	rig.tracker.update_mode = HandTracker.UPDATE_IDLE
+	rig.tracker.start()
+	var heard := PackedFloat32Array()
+	while not rig.tracker.is_finished():
+		await process_frame
+		for frame in _capture.get_buffer(_capture.get_frames_available()):
+			heard.append(frame.x)
+	synth.free()
+	rig.free_nodes()
+	var first := 0
+	while first < heard.size() and absf(heard[first]) < SILENCE:
+		first += 1
+	check(first < heard.size() - 2000, "the tap is felt")
+	# That of the phase 0 is silence.
+	var rate_hz := AudioServer.get_mix_rate()
+	var t := 1.0 / rate_hz
+	var peak := heard[first] / (exp(-200.0 * t) * sin(TAU * 300.0 * t))
+	var error := 0.0
+	for i in 1500:
+		t = (i + 1) / rate_hz
+		var truth := peak * exp(-200.0 * t) * sin(TAU * 300.0 * t)
+		error = maxf(error, absf(heard[first + i] - truth))
+	check(peak > 0.1 and peak < 1.0, "M is the speed: %s" % peak)
+	check(error < 1e-4, "M exp(-N t) sin(2 pi f t), within %s" % error)
+	check_equal(Waveform.peak(heard.slice(first + 2000)), 0.0, "once, and then nothing")
 
 
 func _build() -> void:

@@ -65,6 +65,7 @@ bool MotionCurve::find(double t_s) {
 	piece_ = quintic(snapshot_.knots[knot], snapshot_.knots[knot + 1], snapshot_.period_s);
 	began_s_ = snapshot_.time_s + snapshot_.period_s * static_cast<double>(knot);
 	length_s_ = snapshot_.period_s;
+	is_moving_ = snapshot_.knots[knot].moving;
 	return true;
 }
 

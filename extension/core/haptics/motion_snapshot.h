@@ -82,10 +82,17 @@ public:
 		return piece_.at(t_s - began_s_);
 	}
 
+	/// snapshot().is_moving(t_s)
+	[[nodiscard]] bool is_moving(double t_s) const {
+		const double s = t_s - began_s_;
+		return s >= 0.0 && s < length_s_ ? is_moving_ : snapshot_.is_moving(t_s);
+	}
+
 private:
 	MotionSnapshot snapshot_;
 	QuinticPiece piece_;
 	double began_s_ = 0.0, length_s_ = 0.0; ///< of the piece
+	bool is_moving_ = false;                ///< in it
 
 	bool find(double t_s);
 };

@@ -115,7 +115,7 @@ std::size_t Vibration::add_sustained(const RunContext &context, double from_s, b
 	// An expected arrival that has begun comes before the snapshot that will tell of it.
 	const bool has_arrived =
 			motion_.snapshot().expected.number != 0 && arrived_ >= motion_.snapshot().expected.number;
-	const bool is_moving = motion_.snapshot().is_moving(from_s) && !has_arrived;
+	const bool is_moving = motion_.is_moving(from_s) && !has_arrived;
 	std::size_t sounding = 0;
 	for (std::size_t i = 0; i < in_use_; ++i) {
 		SustainedVoice &voice = sustained_[i];

@@ -59,12 +59,14 @@ void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const A
 	oscillator_.step = phase_step(effect.frequency_hz, rate);
 	oscillator_.phase = oscillator_.step * static_cast<std::uint64_t>(next_);
 	if (effect.shape == Shape::DECAYING_SINE) {
-		const double each = effect.decay_per_s / rate;
-		for (std::size_t i = 0; i < RUN; ++i) {
-			decay_[i] = static_cast<float>(std::exp(-each * static_cast<double>(i)));
+		const double each = std::exp(-effect.decay_per_s / rate);
+		double decayed = 1.0;
+		for (float &share : decay_) {
+			share = static_cast<float>(decayed);
+			decayed *= each;
 		}
-		decayed_ = peak_ * std::exp(each * static_cast<double>(first));
-		decay_over_run_ = std::exp(-each * static_cast<double>(RUN));
+		decay_over_run_ = decayed;
+		decayed_ = peak_ * std::exp(effect.decay_per_s / rate * static_cast<double>(first));
 	}
 }
 
