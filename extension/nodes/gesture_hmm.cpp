@@ -144,6 +144,7 @@ void GestureHMM::publish() {
 	shown_.state = under_way ? follower->state() : -1;
 	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
 	const bool started = under_way && shown_.model != before.model;
+	gestures_begun_ += started || (before.arrived && under_way && !shown_.arrived) ? 1 : 0;
 	const bool ended = shown_.arrived && (started || !before.arrived);
 	const bool aborted = before.model >= 0 && !before.arrived && shown_.model != before.model;
 	const bool state_changed = started || shown_.state != before.state;
@@ -188,7 +189,7 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 			recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), p_time_s);
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
-		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 };
+		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 ? gestures_begun_ : 0 };
 }
 
 double GestureHMM::amplitude_m() const {

@@ -116,6 +116,7 @@ private:
 	double time_s_ = 0.0;
 	Shown shown_;
 	StringName recognised_;
+	uint32_t gestures_begun_ = 0;
 
 	void prepare(double p_time_s);
 	void build_recogniser();

@@ -9,7 +9,8 @@ namespace godot {
 void HapticDeviceProfile::set_response(const PackedVector2Array &p_response) {
 	std::vector<steadyhand::DeviceProfile::Point> points;
 	double last_hz = 0.0;
-	for (const Vector2 &point : p_response) {
+	for (int64_t i = 0; i < p_response.size(); ++i) {
+		const Vector2 point = p_response[i];
 		const double frequency_hz = static_cast<double>(point.x), response = static_cast<double>(point.y);
 		ERR_FAIL_COND_MSG(!(frequency_hz > last_hz) || !(response >= 0.0) || !std::isfinite(frequency_hz) ||
 						!std::isfinite(response),

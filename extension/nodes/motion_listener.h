@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace godot {
 
 /// A GestureHMM's motion at an instant, in units of its amplitude: 0 at the start and 1 at the end; its
@@ -10,7 +12,7 @@ struct MotionInstant {
 	double velocity = 0.0;
 	double acceleration = 0.0;
 	double amplitude_m = 1.0;
-	bool under_way = false; ///< a gesture is, or has arrived and is held
+	uint32_t gesture = 0; ///< number of the one under way, or held at its end: each has its own; 0: none
 };
 
 /// Whoever needs a GestureHMM's motion at each of its control instants.

@@ -61,7 +61,7 @@ TEST_CASE("an arrival is found between instants, once, and is foretold at the sa
 	const double end_s = movement.end_s();
 	for (int i = 0; i < 400; ++i) {
 		const double t_s = 0.001 * i;
-		detector.push(t_s, movement.knot(t_s), true, 0.2);
+		detector.push(t_s, movement.knot(t_s), 1, 0.2);
 		const Arrival expected = detector.expected(movement.snapshot(t_s), t_s);
 		CAPTURE(t_s);
 		if (t_s < end_s && t_s + 0.1 > end_s) {
@@ -81,24 +81,29 @@ TEST_CASE("an arrival is found between instants, once, and is foretold at the sa
 TEST_CASE("a hand that trembles at the end arrives once; one that goes back by half arrives again") {
 	ArrivalDetector detector;
 	double t_s = 0.0;
-	const auto push = [&](double position, bool under_way = true) {
-		detector.push(t_s += 0.01, { position, 0.0, 0.0, true }, under_way, 0.2);
+	const auto push = [&](double position, std::uint32_t gesture = 1) {
+		detector.push(t_s += 0.01, { position, 0.0, 0.0, true }, gesture, 0.2);
 		return detector.last().number;
 	};
-	CHECK(push(0.99, false) == 0);
+	CHECK(push(0.99, 0) == 0);
 	CHECK(push(0.3) == 0);
+	CHECK(detector.is_moving());
 	CHECK(push(0.96) == 1);
 	CHECK(push(0.9) == 1);
 	CHECK(push(0.97) == 1);
 	CHECK(push(0.4) == 1);
-	CHECK(detector.is_moving());
+	CHECK_FALSE(detector.is_moving()); // on its way back
 	CHECK(push(1.0) == 2);
-	// Broken off, then begun when it is there already.
+	// Broken off, then another begins when it is there already.
 	CHECK(push(0.2) == 2);
-	CHECK(push(0.2, false) == 2);
+	CHECK(push(0.2, 0) == 2);
 	CHECK_FALSE(detector.is_moving());
-	CHECK(push(0.98) == 4);
-	CHECK(push(NAN) == 4);
+	CHECK(push(0.98, 2) == 4);
+	// The next follows without a rest.
+	CHECK(push(0.1, 3) == 4);
+	CHECK(detector.is_moving());
+	CHECK(push(0.99, 3) == 5);
+	CHECK(push(NAN, 3) == 5);
 }
 
 TEST_CASE("the motion's clock shifts by less than a millisecond under the jitter of frames") {

@@ -11,20 +11,24 @@ constexpr double AGAIN_BELOW = 0.5;
 } // namespace
 
 void ArrivalDetector::restart() {
-	was_under_way_ = awaits_ = connected_ = false;
+	gesture_ = 0;
+	awaits_ = connected_ = false;
 }
 
 void ArrivalDetector::push(
-		double t_s, const MotionSnapshot::Knot &motion, bool under_way, double amplitude_m) {
-	const bool again = under_way && !awaits_ && motion.position < AGAIN_BELOW;
-	if ((under_way && !was_under_way_) || again) {
+		double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture, double amplitude_m) {
+	const bool begins = gesture != 0 && gesture != gesture_;
+	const bool again = gesture != 0 && !awaits_ && motion.position < AGAIN_BELOW;
+	if (begins || again) {
 		awaits_ = true;
 		++number_;
+		was_there_ = was_there_ && !begins;
 	}
-	awaits_ = awaits_ && under_way;
-	was_under_way_ = under_way;
+	awaits_ = awaits_ && gesture != 0;
+	gesture_ = gesture;
 	if (awaits_ && motion.position >= level_) {
 		awaits_ = false;
+		was_there_ = true;
 		last_ = { number_, t_s, std::abs(motion.velocity) * amplitude_m };
 		if (connected_ && t_s > before_s_ && before_.position < level_) {
 			MotionSnapshot step;

@@ -5,8 +5,8 @@
 namespace steadyhand {
 
 /// Finds where a motion comes to where it leads: the first time that it reaches `level`, by default the 95 %
-/// of the amplitude that define a gesture's end (docs/method.md), once a gesture, or once a stroke where the
-/// hand goes back by half of the way between.
+/// of the amplitude that define a gesture's end (docs/method.md), once a gesture, and
+/// again where the hand has gone back to half of the way in between.
 class ArrivalDetector {
 public:
 	static constexpr double DEFAULT_LEVEL = 0.95;
@@ -16,19 +16,20 @@ public:
 
 	/// Time starts anew: nothing connects.
 	void restart();
-	/// The motion at an instant; under_way: while a gesture is. Instants must not decrease.
-	void push(double t_s, const MotionSnapshot::Knot &motion, bool under_way, double amplitude_m);
+	/// The motion at an instant; gesture: number of the one under way, 0: none. Instants must not decrease.
+	void push(double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture, double amplitude_m);
 
 	/// A gesture is under way and has not arrived.
-	[[nodiscard]] bool is_moving() const { return awaits_; }
+	[[nodiscard]] bool is_moving() const { return awaits_ && !was_there_; }
 	[[nodiscard]] const Arrival &last() const { return last_; }
 	/// The next one by what the snapshot says of the time after `after_s`; number 0 where it says none.
 	[[nodiscard]] Arrival expected(const MotionSnapshot &ahead, double after_s) const;
 
 private:
 	double level_ = DEFAULT_LEVEL;
-	bool was_under_way_ = false;
+	std::uint32_t gesture_ = 0;
 	bool awaits_ = false;
+	bool was_there_ = false; ///< in this gesture
 	bool connected_ = false;
 	double before_s_ = 0.0;
 	MotionSnapshot::Knot before_;

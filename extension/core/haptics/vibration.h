@@ -24,8 +24,8 @@ namespace steadyhand {
 class Vibration {
 public:
 	static constexpr double LOWEST_RATE_HZ = 8000.0, HIGHEST_RATE_HZ = 192000.0;
-	/// An arrival that is noticed later than this is let pass: people feel that a cue is late from there on
-	/// (Di Luca & Mahnan 2019, doi:10.1109/WHC.2019.8816083).
+	/// An arrival that is noticed later than this is let pass: up to here hardly anyone feels that a cue is
+	/// late (Di Luca & Mahnan 2019, World Haptics Conference).
 	static constexpr double LATEST_S = 0.05;
 	/// Live motion that is not heard of for so long is over: it fades out.
 	static constexpr double PATIENCE_S = 0.1;
