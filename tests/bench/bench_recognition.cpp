@@ -2,19 +2,16 @@
 // the same machine in the same run: bench_recognition [MODELS], by default the folder models. Rounds of all
 // rows alternate and the median counts, so that a busy machine slows all alike.
 
-#include "gesture/model_file.h"
 #include "hmm/baum_welch.h"
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
+#include "models.h"
 #include "motion/gesture_recogniser.h"
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
 
-#include <array>
 #include <cstdio>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -23,7 +20,6 @@ namespace {
 
 using namespace steadyhand;
 using namespace steadyhand::bench;
-using Models = std::vector<std::shared_ptr<const GestureModel>>;
 
 constexpr int ROUNDS = 9;
 constexpr int STATES = 4;
@@ -32,7 +28,6 @@ constexpr std::size_t STREAM = 100000;
 constexpr int SEQUENCES = 500; ///< of each gesture, for training
 constexpr int SEQUENCE_LENGTH = 75;
 constexpr int ITERATIONS = 3;
-constexpr std::array GESTURES{ "horizontal_drag", "vertical_drag", "tap", "zoom" };
 
 struct Row {
 	std::string name;
@@ -137,22 +132,6 @@ double ns_an_output(const std::vector<SyntheticTrial> &trials, const Models &mod
 	const double with = ns_a_frame(trials, models, true, mode, OUTPUTS),
 				 without = ns_a_frame(trials, models, true, mode, 0);
 	return (with - without) * frames_a_ms / OUTPUTS;
-}
-
-Models read_models(const std::string &folder) {
-	Models models;
-	for (const std::string gesture : GESTURES) {
-		const std::string path = folder + "/" + gesture + ".gesture";
-		std::ifstream file(path);
-		const std::string text{ std::istreambuf_iterator<char>(file), {} };
-		const Result<GestureModel> model = parse_model(text, path);
-		if (!model) {
-			std::fprintf(stderr, "%s\n", model.error().c_str());
-			return {};
-		}
-		models.push_back(std::make_shared<const GestureModel>(model.value()));
-	}
-	return models;
 }
 
 /// One of each gesture, by one subject, where tracking is unstable.

@@ -41,13 +41,13 @@ double end_speed_share(const GestureModel &model) {
 
 } // namespace
 
-GestureFollower::GestureFollower(
-		const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode) :
+GestureFollower::GestureFollower(const GestureModel &model, const Task &task, bool start_is_known,
+		MotionMode mode, const PhaseEffort &effort) :
 		model_(&model),
 		element_(*find_feature(model.feature)), feature_(&element_.feature()), task_(task),
-		start_is_known_(start_is_known), mode_(mode),
+		start_is_known_(start_is_known), mode_(mode), effort_(effort),
 		way_(feature_->direction != nullptr ? feature_->direction(task) : FeaturePlace::Zero()),
-		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model), phase_(model) {}
+		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model), phase_(model, effort) {}
 
 bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) {
 	if (clock_started_) {
@@ -235,7 +235,7 @@ void GestureFollower::enter(Stage stage, double t_s) {
 	stage_began_s_ = t_s;
 	if (restarts) {
 		if (element_.is_periodic()) {
-			phase_ = PhaseEstimator(*model_); // the same place is another value from now on
+			phase_ = PhaseEstimator(*model_, effort_); // the same place is another value from now on
 		} else {
 			phase_.restart();
 		}

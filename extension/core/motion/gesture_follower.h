@@ -29,7 +29,8 @@ public:
 
 	/// model must outlive the follower; its feature must exist. Without a task the place of rest is taken for
 	/// the start, and the model's mean amplitude for the task's.
-	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode);
+	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode,
+			const PhaseEffort &effort = {});
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not
 	/// hold what the feature needs. strokes: of the feature, with this frame in it.
@@ -63,6 +64,7 @@ private:
 	Task task_;
 	bool start_is_known_;
 	MotionMode mode_;
+	PhaseEffort effort_;
 
 	ObservationWindow window_;
 	SymbolClock clock_;

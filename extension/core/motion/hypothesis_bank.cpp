@@ -83,8 +83,8 @@ std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, do
 	const auto likely_end = std::partition(r_places.begin(), r_places.end(),
 			[this, bound](Place i) { return hypotheses_[i].log_weight > bound; });
 	auto count = static_cast<std::size_t>(likely_end - r_places.begin());
-	if (count > MOST_KEPT[kind]) {
-		count = MOST_KEPT[kind];
+	if (count > most_kept_[kind]) {
+		count = most_kept_[kind];
 		std::nth_element(r_places.begin(), r_places.begin() + static_cast<std::ptrdiff_t>(count), likely_end,
 				[this](Place a, Place b) { return hypotheses_[a].log_weight > hypotheses_[b].log_weight; });
 	}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "motion/gesture_hypothesis.h"
+#include "motion/phase_effort.h"
 
 #include <array>
 #include <cstddef>
@@ -16,6 +17,11 @@ class HypothesisBank {
 public:
 	/// Between two calls of prune.
 	static constexpr std::size_t MOST_ADDED = 32;
+	static constexpr std::size_t MOST_AFTER_PRUNE =
+			1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING + PhaseEffort::MOST_WANDERING;
+
+	explicit HypothesisBank(const PhaseEffort &effort = {}) :
+			most_kept_{ effort.usual, effort.erring, effort.wandering } {}
 
 	/// Only the one at rest.
 	void start(const GestureHypothesis &at_rest);
@@ -45,16 +51,10 @@ public:
 
 private:
 	enum Kind : std::size_t { USUAL, ERRING, WANDERING, KINDS };
-	static constexpr std::array<std::size_t, KINDS> MOST_KEPT{ 20, 16, 4 };
-
-public:
-	static constexpr std::size_t MOST_AFTER_PRUNE =
-			1 + MOST_KEPT[USUAL] + MOST_KEPT[ERRING] + MOST_KEPT[WANDERING];
-
-private:
 	static constexpr std::size_t CAPACITY = MOST_AFTER_PRUNE + MOST_ADDED;
 	using Place = std::uint8_t;
 
+	std::array<std::size_t, KINDS> most_kept_;
 	std::array<GestureHypothesis, CAPACITY> hypotheses_{};
 	std::array<Place, CAPACITY> order_{}; ///< the first count_ are in use
 	std::size_t count_ = 0;

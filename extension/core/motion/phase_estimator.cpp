@@ -14,8 +14,7 @@ constexpr double ONSETS_PER_S = 2.0;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
-constexpr double BRANCH_PERIOD_S = 0.03;
-constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
+constexpr double LONGEST_S = 8.0;     ///< an onset before that no longer matters
 /// Durations are log-normal about the model's mean, never narrower than this: people differ from recordings.
 constexpr double SMALLEST_SPREAD = 0.4;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
@@ -48,15 +47,16 @@ constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
 
 } // namespace
 
-PhaseEstimator::PhaseEstimator(const GestureModel &model) : model_(&model), curve_(model) {
+PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort) :
+		model_(&model), effort_(effort), curve_(model), bank_(effort) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
-	constexpr double STEP = 2.0 * WIDEST / (DURATIONS - 1);
-	log_duration_deviation_ = 0.6 * STEP * spread;
+	const double step = 2.0 * WIDEST / static_cast<double>(effort.durations - 1);
+	log_duration_deviation_ = 0.6 * step * spread;
 	double total = 0.0;
-	for (std::size_t k = 0; k < DURATIONS; ++k) {
-		const double z = STEP * static_cast<double>(k) - WIDEST;
+	for (std::size_t k = 0; k < effort_.durations; ++k) {
+		const double z = step * static_cast<double>(k) - WIDEST;
 		log_durations_[k] = centre + spread * z;
 		log_prior_[k] = -0.5 * z * z;
 		total += std::exp(log_prior_[k]);
@@ -70,7 +70,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	filtered_s_ = t_s;
 	outlook_.look(bank_, t_s);
-	next_branch_s_ = t_s + BRANCH_PERIOD_S;
+	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
 void PhaseEstimator::restart() {
@@ -89,7 +89,7 @@ void PhaseEstimator::advance(double t_s) {
 	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
 	while (next_branch_s_ <= t_s) {
 		branch(next_branch_s_);
-		next_branch_s_ += BRANCH_PERIOD_S;
+		next_branch_s_ += effort_.branch_period_s;
 	}
 }
 
@@ -102,16 +102,17 @@ void PhaseEstimator::branch(double t_s) {
 	const PhaseEstimate before = at(t_s);
 	come_to_rest();
 	set_free();
-	constexpr double STARTS = ONSETS_PER_S * BRANCH_PERIOD_S;
+	const double starts = ONSETS_PER_S * effort_.branch_period_s;
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
-		const double log_probability = std::log(STARTS * probability(regime));
-		for (std::size_t k = 0; k < DURATIONS; ++k) {
+		const double log_probability = std::log(starts * probability(regime));
+		for (std::size_t k = 0; k < effort_.durations; ++k) {
 			if (!bank_.is_hopeless(regime, bank_.at_rest().log_weight + log_probability + log_prior_[k])) {
-				start(k, regime, t_s - 0.5 * BRANCH_PERIOD_S, 0.6 * BRANCH_PERIOD_S, log_probability);
+				start(k, regime, t_s - 0.5 * effort_.branch_period_s, 0.6 * effort_.branch_period_s,
+						log_probability);
 			}
 		}
 	}
-	bank_.at_rest().log_weight += std::log1p(-STARTS);
+	bank_.at_rest().log_weight += std::log1p(-starts);
 	prune();
 	blend_from(before, t_s);
 }
@@ -126,7 +127,7 @@ void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, 
 /// A hand that wandered off and came back is at rest again.
 void PhaseEstimator::come_to_rest() {
 	for (const GestureHypothesis &h : bank_.others()) {
-		const double log_weight = h.log_weight + std::log(AT_REST_PER_S * BRANCH_PERIOD_S);
+		const double log_weight = h.log_weight + std::log(AT_REST_PER_S * effort_.branch_period_s);
 		if (!h.on_its_way() && std::abs(h.hand_deviation()) < AT_START &&
 				log_weight > bank_.at_rest().log_weight) {
 			bank_.at_rest() = h.in(Regime::REST);
@@ -139,8 +140,8 @@ void PhaseEstimator::come_to_rest() {
 /// the tracker errs that is less likely to be what is seen.
 void PhaseEstimator::set_free() {
 	const double sound = 1.0 - soundness_.unsoundness();
-	const double log_probability =
-			std::log(FREED_PER_S * BRANCH_PERIOD_S * sound * sound + std::numeric_limits<double>::min());
+	const double log_probability = std::log(
+			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
 	const GestureHypothesis *likeliest = nullptr;
 	for (const GestureHypothesis &h : bank_.others()) {
 		if (h.on_its_way() && h.regime() != Regime::FREE &&
@@ -160,7 +161,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 		return;
 	}
 	const double phase = phase_of_value(*model_, std::min(x, SEEDED_TO));
-	for (std::size_t k = 0; k < DURATIONS; ++k) {
+	for (std::size_t k = 0; k < effort_.durations; ++k) {
 		const double duration_s = std::exp(log_durations_[k]);
 		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
 			const double onset_s = t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);

@@ -25,7 +25,7 @@ namespace steadyhand {
 class PhaseEstimator {
 public:
 	/// model must outlive the estimator.
-	explicit PhaseEstimator(const GestureModel &model);
+	explicit PhaseEstimator(const GestureModel &model, const PhaseEffort &effort = {});
 
 	/// A frame in which the motion element was seen, x in amplitudes; t_s must not decrease.
 	void push(double t_s, double x);
@@ -38,13 +38,14 @@ public:
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
-	static constexpr std::size_t DURATIONS = 7;
-	static_assert(2 + 2 * DURATIONS <= HypothesisBank::MOST_ADDED, "a branching adds so many");
+	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
+	static_assert(2 + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED, "a branching adds so many");
 
 	const GestureModel *model_;
+	PhaseEffort effort_;
 	ElementCurve curve_;
-	std::array<double, DURATIONS> log_durations_{};
-	std::array<double, DURATIONS> log_prior_{};
+	std::array<double, MOST_DURATIONS> log_durations_{};
+	std::array<double, MOST_DURATIONS> log_prior_{};
 	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
 	HypothesisBank bank_;

@@ -1,0 +1,275 @@
+// What accuracy costs: a line of CSV for each effort that `phase` mode can make, and for `paper` mode, with
+// the time that a frame takes and how near the motion comes to the reference. bench_quality [MODELS], by
+// default the folder models. On synthetic people of the tuning population.
+
+#include "gesture/motion_element.h"
+#include "metrics/recognition.h"
+#include "metrics/summary.h"
+#include "models.h"
+#include "motion/gesture_recogniser.h"
+#include "simulation/synthetic_trial.h"
+#include "timing.h"
+#include "tracking/track_csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+
+constexpr int ROUNDS = 7;
+constexpr std::uint32_t SUBJECTS = 8;
+constexpr std::uint32_t REPETITIONS = 2;
+constexpr double OUTPUTS_PER_S = 1000.0;
+
+struct Setting {
+	std::string name; ///< of the preset, if it is one
+	MotionMode mode;
+	PhaseEffort effort;
+	double outputs_per_s = OUTPUTS_PER_S;
+};
+
+struct Accuracy {
+	double r2_stable, r2_unstable; ///< means of R2 at no lag
+	double t_diff_s;               ///< mean of its size
+	double missed, recognised;     ///< shares
+	double alarms_per_minute;
+};
+
+/// Whatever else the machine does only adds.
+double least(const std::vector<double> &values) {
+	return *std::min_element(values.begin(), values.end());
+}
+
+bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
+	return a.usual == b.usual && a.erring == b.erring && a.wandering == b.wandering &&
+			a.durations == b.durations && a.branch_period_s == b.branch_period_s;
+}
+
+std::vector<Setting> settings() {
+	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
+	constexpr std::array<std::array<std::size_t, 3>, 8> KEPT{ { { 20, 16, 4 }, { 14, 11, 3 }, { 10, 8, 2 },
+			{ 7, 5, 2 }, { 5, 4, 1 }, { 4, 3, 1 }, { 2, 2, 1 }, { 1, 1, 1 } } };
+	for (const auto &[usual, erring, wandering] : KEPT) {
+		for (const std::size_t durations : { 7, 5, 3 }) {
+			for (const double branch_period_s : { 0.03, 0.06 }) {
+				all.push_back(
+						{ "", MotionMode::PHASE, { usual, erring, wandering, durations, branch_period_s } });
+			}
+		}
+	}
+	for (const auto &[name, quality] : { std::pair{ "fast", Quality::FAST },
+				 std::pair{ "balanced", Quality::BALANCED }, std::pair{ "accurate", Quality::ACCURATE } }) {
+		const PhaseEffort effort = phase_effort(quality);
+		std::erase_if(all, [&effort](const Setting &setting) {
+			return setting.mode == MotionMode::PHASE && is_same(setting.effort, effort);
+		});
+		all.push_back({ name, MotionMode::PHASE, effort });
+		all.push_back({ "", MotionMode::PHASE, effort, 250.0 });
+	}
+	return all;
+}
+
+std::vector<SyntheticTrial> make_trials() {
+	SyntheticSetOptions options;
+	options.population = Population::TUNE;
+	options.subjects = SUBJECTS;
+	options.repetitions = REPETITIONS;
+	std::vector<SyntheticTrial> trials;
+	for (const SyntheticTrialRequest &request : plan_synthetic_set(options)) {
+		trials.push_back(make_synthetic_trial(request).value());
+	}
+	return trials;
+}
+
+/// Of a folder; none, and the reason on stderr, where it cannot be read.
+std::vector<SyntheticTrial> read_trials(const std::string &folder) {
+	std::vector<SyntheticTrial> trials;
+	const std::string path = folder + "/trials.csv";
+	const Result<std::vector<Trial>> rows = parse_trials_csv(read_text(path), path);
+	if (!rows) {
+		std::fprintf(stderr, "%s\n", rows.error().c_str());
+		return {};
+	}
+	for (const Trial &row : rows.value()) {
+		SyntheticTrial &trial = trials.emplace_back(row, Track{}, Track{});
+		for (const auto &[track, ending] : { std::pair{ &trial.measured, ".measured.csv" },
+					 std::pair{ &trial.reference, ".reference.csv" } }) {
+			const std::string file = folder + "/" + row.trial + ending;
+			Result<Track> parsed = parse_track_csv(read_text(file), file);
+			if (!parsed) {
+				std::fprintf(stderr, "%s\n", parsed.error().c_str());
+				return {};
+			}
+			*track = std::move(parsed.value());
+		}
+	}
+	return trials;
+}
+
+Task task_of(const SyntheticTrial &trial) {
+	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
+}
+
+/// In amplitudes, at 1 kHz from 0 on.
+std::vector<double> reference_curve(
+		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
+	MotionElement element(*find_feature(model.feature));
+	std::vector<double> t_s, x;
+	for (const HandFrame &frame : trial.reference.frames) {
+		if (const std::optional<double> x_m = element.measure(frame, task_of(trial))) {
+			t_s.push_back(frame.t_s);
+			x.push_back(*x_m / trial.trial.amplitude_m);
+		}
+	}
+	std::vector<double> curve(length);
+	resample_linear(t_s, x, {}, curve);
+	return curve;
+}
+
+/// Calls output(seconds) at each instant of the outputs, frames up to it pushed before.
+template <class Output>
+void replay(
+		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
+	std::size_t next = 0;
+	for (const HandFrame &frame : trial.measured.frames) {
+		for (double t_s = 0.0; (t_s = static_cast<double>(next) / outputs_per_s) < frame.t_s; ++next) {
+			r_recogniser.advance(t_s);
+			output(t_s);
+		}
+		r_recogniser.push(frame);
+	}
+}
+
+class Study {
+public:
+	Study(Models models, std::vector<SyntheticTrial> trials) : models_(std::move(models)) {
+		for (SyntheticTrial &trial : trials) {
+			const auto known = std::find(GESTURES.begin(), GESTURES.end(), trial.trial.gesture);
+			const auto gesture = static_cast<std::size_t>(known - GESTURES.begin());
+			(gesture < GESTURES.size() ? trials_[gesture] : nothing_).push_back(std::move(trial));
+		}
+	}
+
+	/// ns a frame and the outputs until the next, one gesture with its task; the first trials of each
+	/// gesture.
+	[[nodiscard]] double cost_ns(const Setting &setting) const {
+		constexpr std::size_t TRIALS = 2;
+		double ns = 0.0;
+		std::size_t frames = 0;
+		for (std::size_t g = 0; g < trials_.size(); ++g) {
+			for (std::size_t i = 0; i < std::min(TRIALS, trials_[g].size()); ++i) {
+				const SyntheticTrial &trial = trials_[g][i];
+				GestureRecogniser recogniser({ models_[g] }, task_of(trial), setting.mode, setting.effort);
+				ns += ns_of([&] {
+					replay(trial, recogniser, setting.outputs_per_s,
+							[&](double) { keep(recogniser.motion(MotionSource::SYNTHESISED)); });
+				});
+				frames += trial.measured.frames.size();
+			}
+		}
+		return ns / static_cast<double>(frames);
+	}
+
+	[[nodiscard]] Accuracy accuracy(const Setting &setting) const {
+		std::vector<double> stable, unstable, t_diff;
+		std::size_t missed = 0, recognised = 0, alarms = 0, trials = 0;
+		for (std::size_t g = 0; g < trials_.size(); ++g) {
+			for (const SyntheticTrial &trial : trials_[g]) {
+				const CurveComparison compared = compare(trial, g, setting);
+				(trial.trial.position == HandPosition::STABLE ? stable : unstable)
+						.push_back(compared.r2_zero);
+				t_diff.push_back(std::abs(compared.t_diff_s));
+				missed += compared.missed ? 1 : 0;
+				const std::vector<int> found = arrivals(trial, setting);
+				recognised += !found.empty() && found.back() == static_cast<int>(g) ? 1 : 0;
+				++trials;
+			}
+		}
+		double idle_s = 0.0;
+		for (const SyntheticTrial &trial : nothing_) {
+			alarms += arrivals(trial, setting).size();
+			idle_s += trial.measured.frames.back().t_s;
+		}
+		const auto count = static_cast<double>(trials);
+		return { mean(stable), mean(unstable), mean(t_diff), static_cast<double>(missed) / count,
+			static_cast<double>(recognised) / count, false_alarms_per_minute(alarms, idle_s) };
+	}
+
+private:
+	Models models_;
+	std::array<std::vector<SyntheticTrial>, GESTURES.size()> trials_;
+	std::vector<SyntheticTrial> nothing_;
+
+	/// With its task, held from output to output.
+	[[nodiscard]] CurveComparison compare(
+			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
+		GestureRecogniser recogniser({ models_[gesture] }, task_of(trial), setting.mode, setting.effort);
+		std::vector<double> t_s, x;
+		replay(trial, recogniser, setting.outputs_per_s, [&](double now_s) {
+			t_s.push_back(now_s);
+			x.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
+		});
+		std::vector<double> held(static_cast<std::size_t>(trial.measured.frames.back().t_s * 1000.0));
+		resample_hold(t_s, x, 0.0, {}, held);
+		return compare_curves(reference_curve(trial, *models_[gesture], held.size()), held, {},
+				{ trial.trial.start_s, trial.trial.end_s });
+	}
+
+	/// Gestures that came to their end, all models active and nothing given.
+	[[nodiscard]] std::vector<int> arrivals(const SyntheticTrial &trial, const Setting &setting) const {
+		GestureRecogniser recogniser(models_, std::nullopt, setting.mode, setting.effort);
+		std::vector<int> found;
+		bool had_arrived = false;
+		for (const HandFrame &frame : trial.measured.frames) {
+			recogniser.push(frame);
+			const GestureFollower *const follower = recogniser.follower();
+			const bool has_arrived =
+					follower != nullptr && follower->stage() == GestureFollower::Stage::ARRIVED;
+			if (has_arrived && !had_arrived) {
+				found.push_back(recogniser.gesture());
+			}
+			had_arrived = has_arrived;
+		}
+		return found;
+	}
+};
+
+} // namespace
+
+int main(int count, char **arguments) {
+	Models models = read_models(count > 1 ? arguments[1] : "models");
+	if (models.empty()) {
+		return 1;
+	}
+	std::vector<SyntheticTrial> trials = count > 2 ? read_trials(arguments[2]) : make_trials();
+	if (trials.empty()) {
+		return 1;
+	}
+	const Study study(std::move(models), std::move(trials));
+	const std::vector<Setting> all = settings();
+	std::vector<std::vector<double>> ns(all.size());
+	for (int round = 0; round < ROUNDS; ++round) {
+		for (std::size_t i = 0; i < all.size(); ++i) {
+			ns[i].push_back(study.cost_ns(all[i]));
+		}
+	}
+	std::printf(
+			"setting,hypotheses,durations,branch_period_s,outputs_per_s,ns_a_frame,x_paper,r2_zero_stable,"
+			"r2_zero_unstable,t_diff_s,missed,recognised,false_alarms_per_minute\n");
+	for (std::size_t i = 0; i < all.size(); ++i) {
+		const auto &[name, mode, effort, outputs_per_s] = all[i];
+		const bool is_phase = mode == MotionMode::PHASE;
+		const Accuracy accuracy = study.accuracy(all[i]);
+		std::printf("%s,%zu,%zu,%g,%g,%.0f,%.2f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n", name.c_str(),
+				is_phase ? effort.usual + effort.erring + effort.wandering : 0,
+				is_phase ? effort.durations : 0, is_phase ? effort.branch_period_s : 0.0, outputs_per_s,
+				least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable,
+				accuracy.t_diff_s, accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);
+	}
+	return 0;
+}
