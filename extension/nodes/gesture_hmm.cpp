@@ -73,8 +73,9 @@ void GestureHMM::build_recogniser() {
 	} else if (!active.empty()) {
 		rest_amplitude_m_ = active.front()->typical_task.amplitude_m;
 	}
-	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(
-			std::move(active), task_in_use_, static_cast<steadyhand::MotionMode>(mode_));
+	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(active), task_in_use_,
+			static_cast<steadyhand::MotionMode>(mode_),
+			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)));
 }
 
 void GestureHMM::on_task_changed() {

@@ -34,6 +34,8 @@ class GestureHMM : public Node, public FrameListener {
 public:
 	/// In the order of the core's MotionMode.
 	enum Mode { MODE_PHASE, MODE_PAPER };
+	/// In the order of the core's Quality.
+	enum Quality { QUALITY_FAST, QUALITY_BALANCED, QUALITY_ACCURATE };
 	/// In the order of the core's MotionSource.
 	enum Motion { MOTION_SYNTHESISED, MOTION_MEASURED, MOTION_AVERAGE, MOTION_ONE_EURO, MOTION_KALMAN };
 
@@ -48,6 +50,8 @@ public:
 	TypedArray<GestureModel> get_models() const { return models_; }
 	void set_mode(Mode p_mode);
 	Mode get_mode() const { return mode_; }
+	void set_quality(Quality p_quality);
+	Quality get_quality() const { return quality_; }
 	void set_motion(Motion p_motion);
 	Motion get_motion() const { return motion_; }
 
@@ -99,6 +103,7 @@ private:
 	ObjectID task_id_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
+	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
 
 	SignalNames names_;
@@ -135,4 +140,5 @@ private:
 } // namespace godot
 
 VARIANT_ENUM_CAST(godot::GestureHMM::Mode);
+VARIANT_ENUM_CAST(godot::GestureHMM::Quality);
 VARIANT_ENUM_CAST(godot::GestureHMM::Motion);

@@ -92,6 +92,14 @@ void GestureHMM::set_mode(Mode p_mode) {
 	}
 }
 
+void GestureHMM::set_quality(Quality p_quality) {
+	ERR_FAIL_INDEX(static_cast<int>(p_quality), QUALITY_ACCURATE + 1);
+	if (quality_ != p_quality) {
+		quality_ = p_quality;
+		on_settings_changed();
+	}
+}
+
 void GestureHMM::set_motion(Motion p_motion) {
 	ERR_FAIL_INDEX(static_cast<int>(p_motion), MOTION_KALMAN + 1);
 	motion_ = p_motion;
@@ -134,6 +142,8 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_models"), &GestureHMM::get_models);
 	ClassDB::bind_method(D_METHOD("set_mode", "mode"), &GestureHMM::set_mode);
 	ClassDB::bind_method(D_METHOD("get_mode"), &GestureHMM::get_mode);
+	ClassDB::bind_method(D_METHOD("set_quality", "quality"), &GestureHMM::set_quality);
+	ClassDB::bind_method(D_METHOD("get_quality"), &GestureHMM::get_quality);
 	ClassDB::bind_method(D_METHOD("set_motion", "motion"), &GestureHMM::set_motion);
 	ClassDB::bind_method(D_METHOD("get_motion"), &GestureHMM::get_motion);
 	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
@@ -158,6 +168,8 @@ void GestureHMM::_bind_methods() {
 			"get_models");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::INT, "mode", PROPERTY_HINT_ENUM, "Phase,Paper"), "set_mode", "get_mode");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "quality", PROPERTY_HINT_ENUM, "Fast,Balanced,Accurate"),
+			"set_quality", "get_quality");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM,
 						 "Synthesised,Measured,Average,One Euro,Kalman"),
 			"set_motion", "get_motion");
@@ -190,6 +202,9 @@ void GestureHMM::_bind_methods() {
 
 	BIND_ENUM_CONSTANT(MODE_PHASE);
 	BIND_ENUM_CONSTANT(MODE_PAPER);
+	BIND_ENUM_CONSTANT(QUALITY_FAST);
+	BIND_ENUM_CONSTANT(QUALITY_BALANCED);
+	BIND_ENUM_CONSTANT(QUALITY_ACCURATE);
 	BIND_ENUM_CONSTANT(MOTION_SYNTHESISED);
 	BIND_ENUM_CONSTANT(MOTION_MEASURED);
 	BIND_ENUM_CONSTANT(MOTION_AVERAGE);

@@ -155,6 +155,24 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	CHECK(free == doctest::Approx(0.002 * usual));
 }
 
+TEST_CASE("a bank keeps no more than its effort says") {
+	HypothesisBank bank({ .usual = 3, .erring = 2, .wandering = 1 });
+	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+	bank.start(rest);
+	for (int i = 0; i < 8; ++i) {
+		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND, Regime::FREE }) {
+			bank.add(rest.begun(regime, 0.0, 0.01, 0.0, 0.1)).log_weight = -0.1 * i;
+		}
+	}
+	bank.prune(0.0, 0.0);
+	std::array<int, REGIMES> kept{};
+	for (const GestureHypothesis &h : bank.all()) {
+		++kept[static_cast<std::size_t>(h.regime())];
+		CHECK(h.log_weight > -0.25);
+	}
+	CHECK(kept == std::array{ 1, 3, 2, 1 });
+}
+
 TEST_CASE(
 		"the motion elements are joined: value and slope are continuous, at the joints and beyond the end") {
 	constexpr double STEP = 1e-7;

@@ -105,6 +105,29 @@ func test_only_the_tasks_model_is_active() -> void:
 	rig.free_nodes()
 
 
+func test_quality() -> void:
+	var gesture_hmm := GestureHMM.new()
+	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate unless told otherwise")
+	gesture_hmm.free()
+
+	var curves: Array[PackedFloat64Array] = []
+	for quality: GestureHMM.Quality in [
+		GestureHMM.QUALITY_FAST, GestureHMM.QUALITY_BALANCED, GestureHMM.QUALITY_ACCURATE
+	]:
+		var rig := _make_rig(STABLE)
+		rig.gesture_hmm.quality = quality
+		curves.append(rig.record(0, 2400))
+		check_equal(String(rig.gesture_hmm.recognised), "horizontal_drag", "recognised")
+		rig.free_nodes()
+	check(curves[0] != curves[2] and curves[1] != curves[2], "each makes a motion of its own")
+	var amplitude: float = _trials.get_trial(STABLE)["amplitude_m"]
+	for i in 2:
+		var furthest := 0.0
+		for step in curves[2].size():
+			furthest = maxf(furthest, absf(curves[i][step] - curves[2][step]))
+		check(furthest < 0.05 * amplitude, "near the accurate one where tracking is good")
+
+
 func test_reset_forgets() -> void:
 	var rig := _make_rig(0)
 	rig.record(0, 2400)

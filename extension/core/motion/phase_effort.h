@@ -22,7 +22,7 @@ enum class Quality : std::uint8_t { FAST, BALANCED, ACCURATE };
 [[nodiscard]] constexpr PhaseEffort phase_effort(Quality quality) {
 	switch (quality) {
 		case Quality::FAST:
-			return { 4, 3, 1, 3, 0.06 };
+			return { 2, 2, 1, 5, 0.06 };
 		case Quality::BALANCED:
 			return { 10, 8, 2, 5, 0.03 };
 		case Quality::ACCURATE:
