@@ -27,8 +27,8 @@ var _rows: Dictionary[String, Array] = {}
 ## Of each trial, for the confusion table.
 var _done: PackedStringArray = []
 var _recognised: PackedStringArray = []
-## Of the trials in which no gesture is made.
-var _false_alarms := 0
+## Of the trials in which no gesture is made: {trial, gesture, time_s}.
+var _false_alarms: Array[Dictionary] = []
 var _none_s := 0.0
 
 
@@ -64,7 +64,8 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 	_done.append(trial["gesture"])
 	_recognised.append(run.recognised)
 	if trial["gesture"] == TrialRun.NO_GESTURE:
-		_false_alarms += run.ended
+		for end in run.ends:
+			_false_alarms.append({trial = trial["trial"]}.merged(end))
 		_none_s += run.count / TrialRun.RATE_HZ
 
 
@@ -90,7 +91,9 @@ func finish(settings: Dictionary) -> void:
 		var content := {
 			settings = settings,
 			confusion = MotionMetrics.confusion(_done, _recognised),
-			false_alarms_per_minute = MotionMetrics.false_alarms_per_minute(_false_alarms, _none_s),
+			false_alarms = _false_alarms,
+			false_alarms_per_minute =
+			MotionMetrics.false_alarms_per_minute(_false_alarms.size(), _none_s),
 			none_minutes = _none_s / 60.0,
 			groups = groups,
 		}

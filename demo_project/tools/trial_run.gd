@@ -16,8 +16,8 @@ const ROUNDING_MS := 1e-6
 var error := ""
 ## The gesture that was recognised to its end, NO_GESTURE where there was none.
 var recognised := NO_GESTURE
-## How many gestures were recognised to their end, right or wrong.
-var ended := 0
+## Each gesture that was recognised to its end, right or wrong: {gesture, time_s}.
+var ends: Array[Dictionary] = []
 ## First instant of the curves, whole milliseconds on the trial's clock.
 var first_ms := 0
 ## Number of instants, 1 ms apart; they span the reference's record.
@@ -66,7 +66,10 @@ func run(
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	hmm.tracker = tracker
 	hmm.task = task
-	hmm.gesture_ended.connect(func(_gesture: StringName, _time_s: float) -> void: ended += 1)
+	hmm.gesture_ended.connect(
+		func(ended: StringName, time_s: float) -> void:
+			ends.append({gesture = String(ended), time_s = time_s})
+	)
 	_parent.add_child(hmm)
 
 	_record(tracker, hmm, 1.0 if gesture == NO_GESTURE else _trial["amplitude_m"])

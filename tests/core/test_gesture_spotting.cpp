@@ -2,7 +2,6 @@
 
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
-#include "motion/stroke_evidence.h"
 #include "simulation/synthetic_trial.h"
 
 #include <doctest/doctest.h>
@@ -321,25 +320,27 @@ TEST_CASE("confidence is a probability, and near 1 where a gesture is plain") {
 	CHECK(resting.confidence() == 0.0);
 }
 
-TEST_CASE("the evidence of a stroke is the ratio of its densities") {
-	Stroke stroke;
-	stroke.now_s = 1.0;
-	stroke.to = FeaturePlace(0.2, 0.0, 0.0, 0.0);
-	stroke.middle = FeaturePlace(0.1, 0.0, 0.0, 0.0);
-	const StrokeEvidence straight = stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
-	// Directions about the axis: summed over the sphere, both densities make 1.
-	double sum = 0.0;
-	const int steps = 2000;
-	for (int i = 0; i < steps; ++i) {
-		const double angle = std::numbers::pi * (i + 0.5) / steps;
-		stroke.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
-		stroke.middle = 0.5 * stroke.to;
-		const StrokeEvidence turned = stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
-		CHECK(turned.size == doctest::Approx(straight.size));
-		// exp(turned - straight): the bow's part, the same for all, falls out.
-		sum += std::exp(turned.path - straight.path) * 0.5 * std::sin(angle) * std::numbers::pi / steps;
+TEST_CASE("a stroke that another one leads into is no gesture, unless it is the way back") {
+	// The two strokes of a 1: up obliquely, and at once straight down.
+	const Eigen::Vector3d up(0.7, 0.7, 0.0);
+	const Way one = [&](double t_s) {
+		const test::Drag first{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 };
+		const test::Drag second{ .onset_s = 1.05, .duration_s = 0.5, .amplitude_m = 0.2 };
+		return Eigen::Vector3d(first.x_m(t_s) * up - second.x_m(t_s) * Y);
+	};
+	for (const std::string &said : in_the_open(one, 3.0).said) {
+		CHECK_MESSAGE(!said.starts_with("ended"), said);
 	}
-	CHECK(sum * 2.0 / (0.14 * 0.14) == doctest::Approx(1.0).epsilon(0.01));
-	stroke.to = stroke.from;
-	CHECK(stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0).path < -100.0);
+}
+
+TEST_CASE("a way that winds is no gesture, wherever it ends") {
+	// To either side in turn: the mean of the way lies on its chord.
+	const Way wave = [](double t_s) {
+		const double along_m = DRAG.x_m(t_s);
+		return Eigen::Vector3d(
+				along_m, 0.12 * std::sin(4.0 * std::numbers::pi * along_m / DRAG.amplitude_m), 0.0);
+	};
+	for (const std::string &said : in_the_open(wave, 3.0).said) {
+		CHECK_MESSAGE(!said.starts_with("ended"), said);
+	}
 }

@@ -77,6 +77,11 @@ func test_confusion_and_false_alarms() -> void:
 	check_near(
 		summary["false_alarms_per_minute"] * summary["none_minutes"], 1.0, 1e-9, "one false alarm"
 	)
+	var alarms: Array = summary["false_alarms"]
+	check_equal(alarms.size(), 1, "and it is listed")
+	check_equal(alarms[0]["trial"], cells[0], "with its trial")
+	check_equal(alarms[0]["gesture"], "horizontal_drag", "its gesture")
+	check(alarms[0]["time_s"] > cells[4].to_float(), "and when it ended")
 
 
 func test_arguments() -> void:

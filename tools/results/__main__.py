@@ -12,10 +12,16 @@ from plots.box_plots import draw_box_plots
 from plots.confusion import draw_confusions
 from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all, run_tool
+from results.other_hands import OtherHands
 from results.page import write_page
 from results.study import Study
 
 REAL = ROOT.parent / "shared/real/drags"
+# Folders beside REAL: hands that do other things, and what.
+OTHER_HANDS = {
+    "lm_digits": "an index finger that writes digits into the air, 10 to 20 cm tall",
+    "leapjs_playback": "hands that splay, pinch, clap, wave, paddle, tap on a table, roll, move about",
+}
 SOURCES = ["extension", "models", "demo_project", "tools/results"]
 # Of people whom neither training nor tuning knows; asked for their own pace, faster, very fast, and slower.
 PACES = [1.0, 0.6, 0.4, 1.6]
@@ -42,7 +48,13 @@ def main() -> None:
     studies = [Study.of("synthetic", synthetic, given.work)]
     if given.real.is_dir():
         studies.append(Study.of("real", given.real, given.work))
-    run_all([evaluation for study in studies for evaluation in study.evaluations()])
+    others = [
+        OtherHands.of(folder, what, given.work / "other_hands")
+        for name, what in OTHER_HANDS.items()
+        if (folder := given.real.parent / name).is_dir()
+    ]
+    evaluations = [evaluation for study in studies for evaluation in study.evaluations()]
+    run_all([*evaluations, *(other.evaluation for other in others)])
 
     images = given.out / "images"
     images.mkdir(parents=True, exist_ok=True)
@@ -52,10 +64,9 @@ def main() -> None:
     for model in models:
         picture = os.path.relpath(model.with_suffix(".png"), given.out)
         pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
-    write_page(given.out / "results.md", studies, pictures, origin(studies[0]), sets)
-    for study in studies:
-        for evaluation in study.evaluations():
-            evaluation.drop_curves()
+    write_page(given.out / "results.md", studies, others, pictures, origin(studies[0]), sets)
+    for evaluation in evaluations:
+        evaluation.drop_curves()
     print(f"wrote {given.out / 'results.md'}")
 
 

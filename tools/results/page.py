@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from textwrap import fill
 
+from results.other_hands import OtherHands
 from results.study import CONDITIONS, MODES, Study
 from results.targets import Target, percent, targets
 
@@ -41,8 +42,24 @@ SET = """## {title}
 {table}
 """
 
+OTHERS = """### Real hands that do something else
 
-def write_page(path: Path, studies: list[Study], pictures: dict[str, str], origin: str, sets: dict[str, str]) -> None:
+Nothing given, `phase` mode. Every gesture that ends counts as a false alarm, though some of what these hands do is one
+but for its purpose: the stroke of a 1 is a straight way of 20 cm, and a hand that moves about may go up, stop, and go
+to the side.
+
+{table}
+"""
+
+
+def write_page(
+    path: Path,
+    studies: list[Study],
+    others: list[OtherHands],
+    pictures: dict[str, str],
+    origin: str,
+    sets: dict[str, str],
+) -> None:
     """pictures: Markdown of each by its name. sets: what each set is."""
     bullets = (fill(f"- **{name}**: {text}", WIDTH, subsequent_indent="  ") for name, text in sets.items())
     parts = [HEAD.format(origin=origin, sets="\n".join(bullets))]
@@ -64,6 +81,8 @@ def write_page(path: Path, studies: list[Study], pictures: dict[str, str], origi
     for study in studies:
         text = f"{study.name.capitalize()}. {false_alarms(study)}".rstrip()
         parts.append(f"{text}\n\n{table(open_table(study))}\n")
+    if others:
+        parts.append(OTHERS.format(table=table(others_table(others))))
     parts.append("## The models\n")
     parts += [pictures[name] + "\n" for name in pictures if name.startswith("model")]
     path.write_text("\n".join(parts).rstrip() + "\n")
@@ -125,6 +144,19 @@ def open_table(study: Study) -> Iterator[list[str]]:
             cells.append(ms(group[mode]["t_diff"]["median"]))
             cells.append(str(group[mode]["missed"]))
         yield cells
+
+
+def others_table(others: list[OtherHands]) -> Iterator[list[str]]:
+    yield ["recordings", "taken for", "in", "times", "false alarms a minute"]
+    for other in others:
+        alarms = other.alarms()
+        total = sum(sum(recordings.values()) for recordings in alarms.values())
+        what = f"{len(other.evaluation.rows)}, {other.minutes:.2f} minutes: {other.what}"
+        yield [what, "anything", "", str(total), f"{total / other.minutes:.2f}"]
+        for gesture, recordings in alarms.items():
+            times = sum(recordings.values())
+            where = ", ".join(name if count == 1 else f"{name} ({count})" for name, count in recordings.items())
+            yield ["", gesture.replace("_", " "), where, str(times), f"{times / other.minutes:.2f}"]
 
 
 def false_alarms(study: Study) -> str:

@@ -58,6 +58,7 @@ def training(folder: Path) -> Iterator[Outcome]:
 
 def results(folder: Path) -> Iterator[Outcome]:
     """The page of results for one simulated person, its numbers worked out anew from results.csv."""
+    write_drag(folder / "lm_digits/plain.csv")
     options = ["--out", folder, "--work", folder / "work", "--subjects", 1, "--real", folder / "none"]
     status, output = run([sys.executable, "-m", "results", *options], PYTHONPATH=str(ROOT / "tools"))
     yield Outcome.of("command/results: a page is made", status == 0, output)
@@ -80,6 +81,20 @@ def results(folder: Path) -> Iterator[Outcome]:
             found = [row for row in page.splitlines() if row.startswith(line)]
             good = len(found) == 1 and f"| {mean:.4f} | {mark} |" in found[0]
             yield Outcome.of(f"command/results: {what} of {gesture}", good, f"{mean:.4f}, {mark}, not\n{found}")
+
+    row = f"|  | horizontal drag | plain | 1 | {60 / 3.001:.2f} |"
+    found = [line for line in page.splitlines() if "horizontal drag | plain" in line]
+    yield Outcome.of("command/results: a drag of other hands is a false alarm", found == [row], f"{found}")
+
+
+def write_drag(path: Path) -> None:
+    """Three seconds of a hand that rests, goes 20 cm to the side in one, and rests."""
+    path.parent.mkdir()
+    lines = ["t,index_x,index_y,index_z"]
+    for frame in range(301):
+        s = min(max(frame / 100 - 1.0, 0.0), 1.0)
+        lines.append(f"{frame / 100},{0.2 * (10 * s**3 - 15 * s**4 + 6 * s**5):.6f},0,{1e-4 * (frame % 3)}")
+    path.write_text("\n".join(lines) + "\n")
 
 
 def interrupted(command: list[str], at: str) -> tuple[int, str]:

@@ -86,6 +86,7 @@ private:
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
 	bool has_moved_ = false;          ///< along the way, in the stroke under way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
+	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	double end_speed_share_ = 0.0;    ///< of the peak speed: what a hand still has where the gesture ends
 	double likeliest_ = 0.0;          ///< log odds, the best since the gesture began
 	double at_end_since_s_ = 0.0;
@@ -120,6 +121,7 @@ private:
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
+	[[nodiscard]] StrokeEvidence evidence_of(const Stroke &stroke, const FeaturePlace &way) const;
 	void aim(const FeaturePlace &to);
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
 	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;

@@ -15,14 +15,17 @@ constexpr double SHORTEST = 0.12;
 /// How far off the model's axis people go, radians, and how well a tracker sees where they go, amplitudes.
 constexpr double AIM = 0.14;
 constexpr double AIM_SEEN = 0.03;
-/// log odds below which a stroke that is well under way was none after all, and how far that is.
-constexpr double HOPELESS = -4.0;
+/// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
+/// how far that is.
+constexpr double HOPELESS = -8.0;
 constexpr double WELL_UNDER_WAY = 0.3;
 /// log odds from which on an end is taken before the hand has come to it.
 constexpr double SURE = 2.0;
 /// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
 /// start.
 constexpr double HOLD_S = 1.0;
+/// A gesture that comes again this soon after its own way back needs no rest before it.
+constexpr double AGAIN_S = 1.0;
 /// The hand has turned back once it is at this share of the furthest that it went.
 constexpr double RETURNED = 0.5;
 /// Where tracking is lost this near to the end, that was the end.
@@ -36,6 +39,15 @@ FeaturePlace GestureFollower::way_of(const Stroke &stroke) const {
 	const FeaturePlace direction = feature_->direction(task_);
 	const bool is_reverse = model_->both_ways && (stroke.to - stroke.from).dot(direction) < 0.0;
 	return is_reverse ? FeaturePlace(-direction) : direction;
+}
+
+/// way: in the stroke's sense.
+StrokeEvidence GestureFollower::evidence_of(const Stroke &stroke, const FeaturePlace &way) const {
+	StrokeEvidence evidence = stroke_evidence(stroke, way, task_.amplitude_m, model_->duration_mean_s);
+	if (stroke.onset_s - returned_s_ < AGAIN_S) {
+		evidence.rest = std::max(evidence.rest, 0.0);
+	}
+	return evidence;
 }
 
 /// The motion is the way along the hand's own direction; while that is short, between it and the axis.
@@ -85,11 +97,10 @@ void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			continue;
 		}
 		const FeaturePlace way = way_of(**seen);
-		const StrokeEvidence evidence =
-				stroke_evidence(**seen, way, task_.amplitude_m, model_->duration_mean_s);
-		const double size = is_over(**seen, strokes) ? evidence.size : largest_size_evidence();
-		if (LOG_PRIOR_OPEN + evidence.path + std::max(size, 0.0) > 0.0) {
-			log_odds_ = LOG_PRIOR_OPEN + evidence.path;
+		const StrokeEvidence evidence = evidence_of(**seen, way);
+		const double rest = is_over(**seen, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
+		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
+			log_odds_ = LOG_PRIOR_OPEN + evidence.so_far();
 			start_ = (*seen)->seen_from;
 			from_ = (*seen)->from;
 			way_ = axis_ = way;
@@ -131,14 +142,13 @@ void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 		if (!stroke || amplitudes(*stroke) < SHORTEST) {
 			continue;
 		}
-		const StrokeEvidence evidence =
-				stroke_evidence(*stroke, axis_, task_.amplitude_m, model_->duration_mean_s);
-		const double path = LOG_PRIOR_OPEN + evidence.path;
+		const StrokeEvidence evidence = evidence_of(*stroke, axis_);
+		const double path = LOG_PRIOR_OPEN + evidence.so_far();
 		aim(stroke->to);
-		if (path + largest_size_evidence() > 0.0) {
+		if (path + evidence.outlook > 0.0) {
 			likely_s_ = t_s;
 			log_odds_ = path;
-		} else if (path < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {
+		} else if (path + evidence.outlook < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {
 			is_hopeless = true;
 		}
 		const bool is_sure = LOG_PRIOR_OPEN + evidence.sum() > SURE;
@@ -171,7 +181,7 @@ void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 				stroke_evidence(*strokes.stroke(), -axis_, task_.amplitude_m, model_->duration_mean_s).path;
 	}
 	if (along < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
-		not_before_s_ = t_s; // the way back is no gesture
+		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
 		dismiss(t_s);
 	}
 }

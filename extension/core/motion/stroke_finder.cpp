@@ -13,6 +13,7 @@ constexpr double END_SHARE = 0.25;
 constexpr double SLOWEST_M_S = 1e-3;
 constexpr double SPEED_RATIO = 1.1;
 constexpr double LOSS_S = 0.15;
+constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
 /// A hand turns at 40 m/s^2 at most; what a frame is further off than this from where it was bound is a step
 /// of the tracker's.
@@ -27,8 +28,10 @@ constexpr double HESITATION_COSINE = 0.8;
 
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	first_ = count_ = rest_count_ = 0;
-	frames_[0] = { t_s, place_m, FeaturePlace::Zero(), 0.0, place_m };
+	frames_[0] = { .t_s = t_s, .place_m = place_m, .seen_m = place_m };
 	count_ = 1;
+	knots_[0] = frames_[0];
+	knot_count_ = 1;
 	last_m_ = place_m;
 	step_m_ = velocity_m_s_ = FeaturePlace::Zero();
 	speed_m_s_ = 0.0;
@@ -103,7 +106,9 @@ const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) con
 }
 
 Stroke StrokeFinder::since(const Sample &onset, const Sample &now) const {
-	Stroke stroke{ onset.t_s, now.t_s, onset.place_m, now.place_m, now.place_m, peak_m_s_, onset.seen_m };
+	Stroke stroke{ onset.t_s, now.t_s, onset.place_m, now.place_m, now.place_m, peak_m_s_, onset.seen_m,
+		std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()), onset.unrest_m,
+		onset.watched_s };
 	if (now.t_s > onset.t_s) {
 		stroke.middle = (now.sum - onset.sum) / (now.t_s - onset.t_s);
 	}
@@ -114,6 +119,9 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 	lost_.reset();
 	if (!place_m.allFinite()) {
 		return;
+	}
+	if (past_count_ == 0 || t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s > LONGEST_GAP_S) {
+		seen_since_s_ = t_s;
 	}
 	remember_frame(t_s, place_m);
 	if (count_ == 0 || t_s - frame(count_ - 1).t_s > LONGEST_GAP_S) {
@@ -136,7 +144,11 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 	}
 	last_m_ = place_m;
 	place_m -= step_m_;
-	Sample now{ t_s, place_m, last.sum + 0.5 * dt_s * (last.place_m + place_m), 0.0, last_m_ };
+	Sample now{ .t_s = t_s,
+		.place_m = place_m,
+		.sum = last.sum + 0.5 * dt_s * (last.place_m + place_m),
+		.seen_m = last_m_ };
+	measure_way(now);
 	if (dt_s > LOSS_S) {
 		lost_ = stroke_;
 	}
@@ -163,6 +175,29 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 		}
 	}
 	ended_ = now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s_.dot(now.place_m - onset_->place_m) < 0.0;
+}
+
+/// For the next stroke's onset too, should it be here.
+void StrokeFinder::measure_way(Sample &r_sample) {
+	const Sample &knot = knots_[(knot_count_ - 1) % KNOTS];
+	r_sample.way_m = knot.way_m + (r_sample.place_m - knot.place_m).norm();
+	// The speed by which an onset is found is that of half a window ago.
+	const double then_s = r_sample.t_s - 0.5 * WINDOW_S;
+	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
+	const Sample *still = nullptr;
+	for (std::size_t i = knot_count_; i > 0 && i + KNOTS > knot_count_; --i) {
+		const Sample &before = knots_[(i - 1) % KNOTS];
+		if (then_s - before.t_s > Stroke::REST_S) {
+			break;
+		}
+		if (then_s >= before.t_s) {
+			still = still != nullptr ? still : &before;
+			r_sample.unrest_m = std::max(r_sample.unrest_m, (still->place_m - before.place_m).norm());
+		}
+	}
+	if (r_sample.t_s - knot.t_s >= PIECE_S) {
+		knots_[knot_count_++ % KNOTS] = r_sample;
+	}
 }
 
 /// What comes is another stroke. Places of rest are kept: one deeper than this end was may be where the next

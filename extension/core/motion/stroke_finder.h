@@ -18,6 +18,12 @@ struct Stroke {
 	double peak_m_s = 0.0;
 	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
 	FeaturePlace seen_from = FeaturePlace::Zero();
+	double way_m = 0.0;    ///< length of the way from `from` to `to`, >= their distance
+	double unrest_m = 0.0; ///< how far from `from` the hand was before the onset, at most
+	double watched_s =
+			0.0; ///< for how long before the onset: no more than REST_S, less where it was not seen
+
+	static constexpr double REST_S = 0.5;
 };
 
 /// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
@@ -52,6 +58,7 @@ private:
 	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken
 	static constexpr std::size_t PAST = 256;
 	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
+	static constexpr std::size_t KNOTS = 16;  ///< more than REST_S of them
 
 	struct Sample {
 		double t_s = 0.0;
@@ -59,6 +66,8 @@ private:
 		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over time, m s
 		double speed_m_s = 0.0;
 		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
+		double way_m = 0.0;                         ///< gone so far
+		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke
 	};
 
 	struct Frame {
@@ -72,10 +81,15 @@ private:
 	std::array<Sample, FRAMES> frames_{};
 	std::size_t first_ = 0;
 	std::size_t count_ = 0;
+	/// The way in straight pieces, so that no trembling lengthens it; the newest is at (knot_count_ - 1) %
+	/// KNOTS.
+	std::array<Sample, KNOTS> knots_{};
+	std::size_t knot_count_ = 0;
 	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
 	std::array<Sample, RESTS> rests_{};
 	std::size_t rest_count_ = 0;
 
+	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
 	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
 	FeaturePlace step_m_ = FeaturePlace::Zero(); ///< sum of the steps that no hand makes
 	FeaturePlace velocity_m_s_ = FeaturePlace::Zero();
@@ -92,6 +106,7 @@ private:
 	void restart(double t_s, const FeaturePlace &place_m);
 	void keep(const Sample &sample);
 	void begin_anew(const Sample &end);
+	void measure_way(Sample &r_sample);
 	void measure_velocity();
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;

@@ -1,0 +1,136 @@
+// Strokes, and what they speak for.
+
+#include "minimum_jerk_drag.h"
+#include "motion/stroke_evidence.h"
+#include "motion/stroke_finder.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+using namespace steadyhand;
+
+namespace {
+
+const test::Drag DRAG{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
+
+/// The longest stroke of 2.5 s of the way, seen at that rate.
+Stroke longest(const std::function<Eigen::Vector3d(double)> &way, double rate_hz) {
+	StrokeFinder finder;
+	Stroke longest;
+	for (int i = 0; i < static_cast<int>(2.5 * rate_hz); ++i) {
+		FeaturePlace place = FeaturePlace::Zero();
+		place.head<3>() = way(i / rate_hz);
+		finder.push(i / rate_hz, place);
+		if (finder.stroke() && finder.stroke()->way_m > longest.way_m) {
+			longest = *finder.stroke();
+		}
+	}
+	return longest;
+}
+
+Stroke straight(double length_m) {
+	Stroke stroke;
+	stroke.now_s = 1.0;
+	stroke.to = FeaturePlace(length_m, 0.0, 0.0, 0.0);
+	stroke.middle = 0.5 * stroke.to;
+	stroke.way_m = length_m;
+	stroke.watched_s = Stroke::REST_S;
+	return stroke;
+}
+
+StrokeEvidence evidence(const Stroke &stroke) {
+	return stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
+}
+
+/// Of f over 0 .. to, by the midpoint rule.
+double integral(const std::function<double(double)> &f, double to) {
+	constexpr int STEPS = 20000;
+	double sum = 0.0;
+	for (int i = 0; i < STEPS; ++i) {
+		sum += f(to * (i + 0.5) / STEPS) * to / STEPS;
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST_CASE("a stroke is as long as the hand's way, at any rate") {
+	for (const double rate_hz : { 30.0, 110.0, 1000.0 }) {
+		CAPTURE(rate_hz);
+		const Stroke line =
+				longest([](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); }, rate_hz);
+		CHECK(line.way_m == doctest::Approx((line.to - line.from).norm()).epsilon(1e-9));
+		CHECK(line.way_m == doctest::Approx(0.2).epsilon(0.05));
+		const auto half_circle = [](double t_s) {
+			const double angle = std::numbers::pi * DRAG.x_m(t_s) / DRAG.amplitude_m;
+			return Eigen::Vector3d(-0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.0);
+		};
+		CHECK(longest(half_circle, rate_hz).way_m == doctest::Approx(0.1 * std::numbers::pi).epsilon(0.05));
+	}
+}
+
+TEST_CASE("a stroke knows how still the hand was before it, as long as it was seen") {
+	const auto from_rest = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); };
+	const Stroke rested = longest(from_rest, 110.0);
+	CHECK(rested.unrest_m < 0.01);
+	CHECK(rested.watched_s > 0.4);
+	CHECK(rested.watched_s <= Stroke::REST_S);
+	// Comes from 10 cm above and is there 0.1 s before it sets out.
+	const auto from_above = [&](double t_s) {
+		const test::Drag down{ .onset_s = 0.5, .duration_s = 0.4, .amplitude_m = 0.1 };
+		return Eigen::Vector3d(from_rest(t_s).x(), 0.1 - down.x_m(t_s), 0.0);
+	};
+	CHECK(longest(from_above, 110.0).unrest_m == doctest::Approx(0.1).epsilon(0.1));
+	const auto just_seen = [&](double t_s) { return from_rest(t_s + 0.9); };
+	CHECK(longest(just_seen, 110.0).watched_s < 0.2);
+}
+
+TEST_CASE("the evidence of a stroke is the ratio of its densities") {
+	// What the gesture's density is, summed up, is 1; the null model's are those of docs/method.md.
+	const double straightness = -std::log(0.05 * std::sqrt(2.0 * std::numbers::pi));
+	const auto directions = [&](double angle) {
+		Stroke turned = straight(0.2);
+		turned.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+		turned.middle = 0.5 * turned.to;
+		CHECK(evidence(turned).size == doctest::Approx(evidence(straight(0.2)).size));
+		return std::exp(evidence(turned).path - straightness) * 0.5 * std::sin(angle);
+	};
+	CHECK(integral(directions, std::numbers::pi) == doctest::Approx(1.0).epsilon(1e-3));
+	const auto detours = [](double detour) {
+		Stroke winding = straight(0.2);
+		winding.way_m = (1.0 + detour) * 0.2;
+		return std::exp(evidence(winding).detour) * std::exp(-detour / 0.85) / 0.85;
+	};
+	CHECK(integral(detours, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
+	const auto unrest = [](double amplitudes) {
+		Stroke stroke = straight(0.2);
+		stroke.unrest_m = 0.2 * amplitudes;
+		const double deviation = std::hypot(0.07 + 0.002 / 0.2, 1.5 * 0.5);
+		const double z = amplitudes / deviation;
+		return std::exp(evidence(stroke).rest - 0.5 * z * z) * std::sqrt(2.0 / std::numbers::pi) / deviation;
+	};
+	CHECK(integral(unrest, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("what a stroke could yet say is never less than what it comes to say") {
+	for (const double angle : { 0.0, 0.2, 0.4 }) {
+		for (const double length : { 0.2, 0.5, 1.0, 1.5 }) {
+			Stroke turned = straight(0.2 * length);
+			turned.to = 0.2 * length * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+			turned.middle = 0.5 * turned.to;
+			CHECK(evidence(turned).outlook >= evidence(turned).size);
+		}
+	}
+}
+
+TEST_CASE("a stroke that leads nowhere, or without end, speaks against every gesture") {
+	CHECK(evidence(straight(0.0)).sum() < -100.0);
+	CHECK(evidence(straight(INFINITY)).sum() < -100.0);
+	Stroke endless = straight(0.2);
+	endless.way_m = 1e9;
+	CHECK(std::isfinite(evidence(endless).sum()));
+	CHECK(evidence(endless).sum() < -100.0);
+}
