@@ -40,11 +40,6 @@ struct Accuracy {
 	double alarms_per_minute;
 };
 
-/// Whatever else the machine does only adds.
-double least(const std::vector<double> &values) {
-	return *std::min_element(values.begin(), values.end());
-}
-
 bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
 	return a.usual == b.usual && a.erring == b.erring && a.wandering == b.wandering &&
 			a.durations == b.durations && a.branch_period_s == b.branch_period_s;

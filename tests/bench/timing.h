@@ -19,6 +19,10 @@ template <class Function> double ns_of(Function f) {
 	return spent.count();
 }
 
+inline double least(const std::vector<double> &values) {
+	return *std::min_element(values.begin(), values.end());
+}
+
 inline double median(std::vector<double> values) {
 	std::sort(values.begin(), values.end());
 	return values[values.size() / 2];
