@@ -190,7 +190,8 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 			recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), p_time_s);
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
-		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 ? gestures_begun_ : 0 };
+		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 ? gestures_begun_ : 0,
+		shown_.arrived && motion_ == MOTION_SYNTHESISED };
 }
 
 double GestureHMM::amplitude_m() const {

@@ -67,7 +67,7 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 		open_wav();
 	}
 	steadyhand::MotionSnapshot::Knot knot = knot_of(p_motion);
-	arrivals_.push(p_motion.time_s, knot, p_motion.gesture, p_motion.amplitude_m);
+	arrivals_.push(p_motion.time_s, knot, p_motion.gesture, p_motion.amplitude_m, p_motion.has_ended);
 	knot.moving = arrivals_.is_moving();
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
 			{ knot.position, knot.velocity, knot.acceleration, 0.0 }, knot.moving, p_motion.amplitude_m,

@@ -12,7 +12,8 @@ struct MotionInstant {
 	double velocity = 0.0;
 	double acceleration = 0.0;
 	double amplitude_m = 1.0;
-	uint32_t gesture = 0; ///< number of the one under way, or held at its end: each has its own; 0: none
+	uint32_t gesture = 0;   ///< number of the one under way, or held at its end: each has its own; 0: none
+	bool has_ended = false; ///< that gesture, which the motion is synthesised of
 };
 
 /// Whoever needs a GestureHMM's motion at each of its control instants.

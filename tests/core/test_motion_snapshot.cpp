@@ -106,6 +106,26 @@ TEST_CASE("a hand that trembles at the end arrives once; one that goes back by h
 	CHECK(push(NAN, 3) == 5);
 }
 
+TEST_CASE("a gesture that ends short of the level arrives there and then, once") {
+	ArrivalDetector detector;
+	const MotionSnapshot::Knot short_of_it{ 0.91, 0.4, 0.0, true };
+	detector.push(1.0, short_of_it, 1, 0.2);
+	CHECK(detector.last().number == 0);
+	detector.push(1.05, { 0.91, 1.0, 0.0, true }, 1, 0.2, true); // will be there within 40 ms
+	CHECK(detector.last().number == 0);
+	detector.push(1.1, short_of_it, 1, 0.2, true);
+	CHECK(detector.last().number == 1);
+	CHECK(detector.last().time_s == 1.1);
+	CHECK(detector.last().speed_m_s == doctest::Approx(0.08));
+	CHECK_FALSE(detector.is_moving());
+	detector.push(1.2, { 0.96, 0.0, 0.0, true }, 1, 0.2, true);
+	// Back, while it is still held to have ended.
+	detector.push(1.3, { 0.2, 0.0, 0.0, true }, 1, 0.2, true);
+	CHECK(detector.last().number == 1);
+	detector.push(1.4, { 0.97, 0.0, 0.0, true }, 1, 0.2, true);
+	CHECK(detector.last().number == 2);
+}
+
 TEST_CASE("the motion's clock shifts by less than a millisecond under the jitter of frames") {
 	MotionClock clock;
 	std::uint32_t random = 1;

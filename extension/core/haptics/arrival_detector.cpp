@@ -7,6 +7,8 @@ namespace {
 
 /// Below this the hand is on its way for another time.
 constexpr double AGAIN_BELOW = 0.5;
+/// A gesture that has ended is waited for if at its speed it reaches the level within this time.
+constexpr double SOON_S = 0.05;
 
 } // namespace
 
@@ -15,8 +17,8 @@ void ArrivalDetector::restart() {
 	awaits_ = connected_ = false;
 }
 
-void ArrivalDetector::push(
-		double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture, double amplitude_m) {
+void ArrivalDetector::push(double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture,
+		double amplitude_m, bool has_ended) {
 	const bool begins = gesture != 0 && gesture != gesture_;
 	const bool again = gesture != 0 && !awaits_ && motion.position < AGAIN_BELOW;
 	if (begins || again) {
@@ -26,11 +28,13 @@ void ArrivalDetector::push(
 	}
 	awaits_ = awaits_ && gesture != 0;
 	gesture_ = gesture;
-	if (awaits_ && motion.position >= level_) {
+	const bool is_there = motion.position >= level_;
+	const bool ends_short = has_ended && !was_there_ && motion.position + SOON_S * motion.velocity < level_;
+	if (awaits_ && (is_there || ends_short)) {
 		awaits_ = false;
 		was_there_ = true;
 		last_ = { number_, t_s, std::abs(motion.velocity) * amplitude_m };
-		if (connected_ && t_s > before_s_ && before_.position < level_) {
+		if (is_there && connected_ && t_s > before_s_ && before_.position < level_) {
 			MotionSnapshot step;
 			step.time_s = before_s_;
 			step.period_s = t_s - before_s_;

@@ -5,8 +5,9 @@
 namespace steadyhand {
 
 /// Finds where a motion comes to where it leads: the first time that it reaches `level`, by default the 95 %
-/// of the amplitude that define a gesture's end (docs/method.md), once a gesture, and
-/// again where the hand has gone back to half of the way in between.
+/// of the amplitude that define a gesture's end (docs/method.md), or where the gesture is said to have ended
+/// and does not get there soon; once a gesture, and again where the hand has gone back to half of the way in
+/// between.
 class ArrivalDetector {
 public:
 	static constexpr double DEFAULT_LEVEL = 0.95;
@@ -16,8 +17,10 @@ public:
 
 	/// Time starts anew: nothing connects.
 	void restart();
-	/// The motion at an instant; gesture: number of the one under way, 0: none. Instants must not decrease.
-	void push(double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture, double amplitude_m);
+	/// The motion at an instant; gesture: number of the one under way, 0: none; has_ended: by another's
+	/// judgement. Instants must not decrease.
+	void push(double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture, double amplitude_m,
+			bool has_ended = false);
 
 	/// A gesture is under way and has not arrived.
 	[[nodiscard]] bool is_moving() const { return awaits_ && !was_there_; }
