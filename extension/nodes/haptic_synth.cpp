@@ -35,8 +35,10 @@ HapticSynth::~HapticSynth() {
 }
 
 template <class Function> void HapticSynth::for_each_sink(Function p_function) const {
-	for (HapticSink *const sink : { static_cast<HapticSink *>(bus_sink_.get()),
-				 static_cast<HapticSink *>(buffer_.get()), static_cast<HapticSink *>(wav_.get()) }) {
+	for (HapticSink *const sink :
+			{ static_cast<HapticSink *>(bus_sink_.get()), static_cast<HapticSink *>(controller_pulses_.get()),
+					static_cast<HapticSink *>(joypad_pulses_.get()), static_cast<HapticSink *>(buffer_.get()),
+					static_cast<HapticSink *>(wav_.get()) }) {
 		if (sink != nullptr) {
 			p_function(*sink);
 		}
@@ -237,6 +239,11 @@ void HapticSynth::set_bus(const StringName &p_bus) {
 void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
 		update_player();
+		update_pulses();
+	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		drop_pulses();
+	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
+		pause_pulses(p_what == NOTIFICATION_PAUSED);
 	}
 }
 
@@ -244,36 +251,44 @@ void HapticSynth::update_player() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	AudioServer *const server = AudioServer::get_singleton();
-	const bool exists = bus_ != StringName() && server->get_bus_index(bus_) >= 0;
+	const bool exists = bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
 	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
 		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
 				String("'; nothing is played"));
 	}
-	if (exists && player_ == nullptr) {
-		bus_sink_ = std::make_unique<LiveSink>();
-		bus_sink_->link()->tables = tables_;
-		add_sink(*bus_sink_);
-		output_latency_s_ = server->get_output_latency();
-		Ref<HapticStream> stream;
-		stream.instantiate();
-		stream->follow(bus_sink_->link());
-		player_ = memnew(AudioStreamPlayer);
-		player_->set_stream(stream);
-		player_->set_autoplay(true);
-		player_->set_bus(bus_);
-		add_child(player_, false, INTERNAL_MODE_FRONT);
-	} else if (exists) {
-		player_->set_bus(bus_);
-	} else if (player_ != nullptr) {
-		player_->queue_free();
-		player_ = nullptr;
-		bus_sink_.reset();
-		// The audio thread may mix once more: what it reads then is left alone.
-		tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
-		output_latency_s_ = 0.0;
+	if (player_ != nullptr && (!exists || player_->get_bus() != bus_)) {
+		drop_player();
 	}
+	if (player_ == nullptr && exists) {
+		make_player();
+	}
+}
+
+void HapticSynth::make_player() {
+	bus_sink_ = std::make_unique<LiveSink>();
+	bus_sink_->link()->tables = tables_;
+	add_sink(*bus_sink_);
+	output_latency_s_ = AudioServer::get_singleton()->get_output_latency();
+	Ref<HapticStream> stream;
+	stream.instantiate();
+	stream->follow(bus_sink_->link());
+	player_ = memnew(AudioStreamPlayer);
+	player_->set_stream(stream);
+	player_->set_autoplay(true);
+	player_->set_bus(bus_);
+	add_child(player_, false, INTERNAL_MODE_FRONT);
+}
+
+/// The engine fades out what it plays; on another bus a new player begins in silence, where a player that
+/// changes its bus would be cut in half-way through its wave.
+void HapticSynth::drop_player() {
+	player_->queue_free();
+	player_ = nullptr;
+	bus_sink_.reset();
+	// The audio thread may mix once more: what it reads then is left alone.
+	tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
+	output_latency_s_ = 0.0;
 }
 
 void HapticSynth::set_wav_path(const String &p_path) {

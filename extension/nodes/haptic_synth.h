@@ -2,6 +2,7 @@
 
 #include "haptic_device_profile.h"
 #include "haptic_effect.h"
+#include "haptic_pulses.h"
 #include "haptic_stream.h"
 #include "haptic_wav.h"
 #include "motion_listener.h"
@@ -20,9 +21,10 @@ namespace godot {
 
 class AudioStreamPlayer;
 class GestureHMM;
+class XRNode3D;
 
-/// Turns a GestureHMM's motion into vibration: live to an audio bus or a script's buffer, and on the motion's
-/// own clock to a WAV file.
+/// Turns a GestureHMM's motion into vibration: live to an audio bus or a script's buffer, its strength to an
+/// XR controller or a joypad, and on the motion's own clock to a WAV file.
 class HapticSynth : public Node, public MotionListener {
 	GDCLASS(HapticSynth, Node)
 
@@ -42,6 +44,12 @@ public:
 	Ref<HapticDeviceProfile> get_device() const { return device_; }
 	void set_bus(const StringName &p_bus);
 	StringName get_bus() const { return bus_; }
+	void set_controller(XRNode3D *p_controller);
+	XRNode3D *get_controller() const;
+	void set_controller_action(const StringName &p_action);
+	StringName get_controller_action() const { return controller_action_; }
+	void set_joypad(int p_joypad);
+	int get_joypad() const { return joypad_; }
 	void set_wav_path(const String &p_path);
 	String get_wav_path() const { return wav_path_; }
 	void set_wav_sample_rate(int p_rate_hz);
@@ -66,6 +74,8 @@ protected:
 	void _validate_property(PropertyInfo &p_property) const;
 
 private:
+	static constexpr int NO_JOYPAD = -1;
+
 	/// For a script that takes samples as it needs them.
 	struct BufferSink : LiveSink {
 		explicit BufferSink(int p_rate_hz) : vibration(link(), p_rate_hz, 2) {}
@@ -82,6 +92,9 @@ private:
 	double gain_ = 1.0;
 	Ref<HapticDeviceProfile> device_;
 	StringName bus_;
+	ObjectID controller_id_;
+	StringName controller_action_ = "haptic";
+	int joypad_ = NO_JOYPAD;
 	String wav_path_;
 	int wav_sample_rate_hz_ = 48000;
 	int buffer_sample_rate_hz_ = 48000;
@@ -97,6 +110,8 @@ private:
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
 	std::unique_ptr<LiveSink> bus_sink_;
 	double output_latency_s_ = 0.0;
+	std::unique_ptr<HapticPulses> controller_pulses_;
+	std::unique_ptr<HapticPulses> joypad_pulses_;
 	std::unique_ptr<BufferSink> buffer_;
 	std::unique_ptr<HapticWav> wav_;
 	bool wav_wanted_ = false; ///< opened with the first motion
@@ -104,6 +119,12 @@ private:
 	template <class Function> void for_each_sink(Function p_function) const;
 	void add_sink(HapticSink &p_sink);
 	void update_player();
+	void make_player();
+	void drop_player();
+	void update_pulses();
+	void drop_pulses();
+	void pause_pulses(bool p_paused);
+	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();
 	void on_effects_changed() { effects_are_set_ = false; }
 	void build_effects();

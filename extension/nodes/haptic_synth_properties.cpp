@@ -4,6 +4,7 @@
 #include "haptic_synth.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
+#include <godot_cpp/classes/xr_node3d.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 namespace godot {
@@ -13,14 +14,17 @@ PackedStringArray HapticSynth::_get_configuration_warnings() const {
 	if (gesture_hmm_ == nullptr) {
 		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
 	}
-	if (bus_ == StringName() && wav_path_.is_empty()) {
+	const bool has_motor = get_controller() != nullptr || joypad_ != NO_JOYPAD;
+	if (bus_ == StringName() && wav_path_.is_empty() && !has_motor) {
 		warnings.push_back(
-				"Set \"bus\" to an audio bus that leads to the actuator, or \"wav_path\" to a file; "
-				"otherwise the vibration goes nowhere, unless a script takes it by get_buffer().");
+				"Set \"bus\" to an audio bus that leads to the actuator, \"controller\" or \"joypad\", or "
+				"\"wav_path\" to a file; otherwise the vibration goes nowhere, unless a script takes it by "
+				"get_buffer().");
 	} else if (bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) < 0) {
 		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
 				String("' in the Audio panel, or set \"bus\" to one that exists."));
 	}
+	add_sink_warnings(warnings);
 	bool has_empty = false;
 	for (int64_t i = 0; i < effects_.size(); ++i) {
 		const Ref<HapticEffect> effect = effects_[i];
@@ -61,6 +65,12 @@ void HapticSynth::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_device"), &HapticSynth::get_device);
 	ClassDB::bind_method(D_METHOD("set_bus", "bus"), &HapticSynth::set_bus);
 	ClassDB::bind_method(D_METHOD("get_bus"), &HapticSynth::get_bus);
+	ClassDB::bind_method(D_METHOD("set_controller", "controller"), &HapticSynth::set_controller);
+	ClassDB::bind_method(D_METHOD("get_controller"), &HapticSynth::get_controller);
+	ClassDB::bind_method(D_METHOD("set_controller_action", "action"), &HapticSynth::set_controller_action);
+	ClassDB::bind_method(D_METHOD("get_controller_action"), &HapticSynth::get_controller_action);
+	ClassDB::bind_method(D_METHOD("set_joypad", "joypad"), &HapticSynth::set_joypad);
+	ClassDB::bind_method(D_METHOD("get_joypad"), &HapticSynth::get_joypad);
 	ClassDB::bind_method(D_METHOD("set_wav_path", "path"), &HapticSynth::set_wav_path);
 	ClassDB::bind_method(D_METHOD("get_wav_path"), &HapticSynth::get_wav_path);
 	ClassDB::bind_method(D_METHOD("set_wav_sample_rate", "rate"), &HapticSynth::set_wav_sample_rate);
@@ -85,6 +95,12 @@ void HapticSynth::_bind_methods() {
 			"set_device", "get_device");
 	ADD_GROUP("Output", "");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bus"), "set_bus", "get_bus");
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "controller", PROPERTY_HINT_NODE_TYPE, "XRNode3D"),
+			"set_controller", "get_controller");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "controller_action"), "set_controller_action",
+			"get_controller_action");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "joypad", PROPERTY_HINT_RANGE, "-1,15,1,or_greater"),
+			"set_joypad", "get_joypad");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "wav_path", PROPERTY_HINT_GLOBAL_SAVE_FILE, "*.wav"),
 			"set_wav_path", "get_wav_path");
 	ADD_PROPERTY(

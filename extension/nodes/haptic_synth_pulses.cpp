@@ -1,0 +1,98 @@
+// HapticSynth's outputs that take a strength only.
+
+#include "haptic_synth.h"
+
+#include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/input.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
+#include <godot_cpp/classes/xr_interface.hpp>
+#include <godot_cpp/classes/xr_node3d.hpp>
+#include <godot_cpp/classes/xr_server.hpp>
+#include <godot_cpp/core/class_db.hpp>
+
+namespace godot {
+
+void HapticSynth::set_controller(XRNode3D *p_controller) {
+	controller_id_ = ObjectID(p_controller != nullptr ? p_controller->get_instance_id() : 0);
+	update_pulses();
+}
+
+XRNode3D *HapticSynth::get_controller() const {
+	return Object::cast_to<XRNode3D>(ObjectDB::get_instance(controller_id_));
+}
+
+void HapticSynth::set_controller_action(const StringName &p_action) {
+	controller_action_ = p_action;
+	update_pulses();
+}
+
+void HapticSynth::set_joypad(int p_joypad) {
+	ERR_FAIL_COND_MSG(p_joypad < NO_JOYPAD, "HapticSynth: joypad must be -1 (none) or the number of one");
+	joypad_ = p_joypad;
+	update_pulses();
+}
+
+void HapticSynth::drop_pulses() {
+	pause_pulses(true);
+	controller_pulses_.reset();
+	joypad_pulses_.reset();
+}
+
+void HapticSynth::pause_pulses(bool p_paused) {
+	for (HapticPulses *const pulses : { controller_pulses_.get(), joypad_pulses_.get() }) {
+		if (pulses != nullptr) {
+			pulses->set_paused(p_paused);
+		}
+	}
+}
+
+void HapticSynth::update_pulses() {
+	drop_pulses();
+	update_configuration_warnings();
+	if (Engine::get_singleton()->is_editor_hint() || !is_inside_tree()) {
+		return;
+	}
+	if (controller_id_.is_valid()) {
+		controller_pulses_ = std::make_unique<ControllerPulses>(controller_id_, controller_action_);
+		add_sink(*controller_pulses_);
+	}
+	if (joypad_ != NO_JOYPAD) {
+		joypad_pulses_ = std::make_unique<JoypadPulses>(joypad_);
+		add_sink(*joypad_pulses_);
+	}
+	pause_pulses(!can_process());
+	PackedStringArray missing;
+	add_sink_warnings(missing);
+	for (int64_t i = 0; i < missing.size(); ++i) {
+		WARN_PRINT(String("HapticSynth: ") + missing[i]);
+	}
+}
+
+void HapticSynth::add_sink_warnings(PackedStringArray &r_warnings) const {
+	const XRNode3D *const controller = get_controller();
+	if (controller != nullptr) {
+		// In the editor no interface runs; whether one will is a setting.
+		const bool has_interface = Engine::get_singleton()->is_editor_hint()
+				? bool(ProjectSettings::get_singleton()->get_setting("xr/openxr/enabled", false))
+				: XRServer::get_singleton()->get_primary_interface().is_valid();
+		if (!has_interface) {
+			r_warnings.push_back(
+					"No XR interface is there for \"controller\" to vibrate by: enable XR > OpenXR in the "
+					"project settings, or initialise an XRInterface before.");
+		}
+		if (controller->get_tracker() == StringName()) {
+			r_warnings.push_back(
+					"Set the \"tracker\" of the node in \"controller\", as left_hand or right_hand.");
+		}
+		if (controller_action_ == StringName()) {
+			r_warnings.push_back(
+					"Set \"controller_action\" to the haptic action of the action map, as haptic.");
+		}
+	}
+	if (joypad_ != NO_JOYPAD && !Input::get_singleton()->get_connected_joypads().has(joypad_)) {
+		r_warnings.push_back(String("Connect joypad ") + itos(joypad_) +
+				String(", or set \"joypad\" to one that is there, or to -1."));
+	}
+}
+
+} // namespace godot
