@@ -11,7 +11,6 @@ var _titles: Array[Label] = []
 
 @onready var _table: GridContainer = %Values
 @onready var _status: Label = %Status
-@onready var _vibration: ProgressBar = %Vibration
 
 
 func _ready() -> void:
@@ -22,8 +21,7 @@ func _ready() -> void:
 		_values[row].horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
 
 
-## `vibration`: its amplitude, 0..1.
-func show_live(motion: GestureHMM, vibration: float) -> void:
+func show_live(motion: GestureHMM) -> void:
 	for row in Conditions.MOTIONS.size():
 		var colour := DRIVING if Conditions.MOTIONS[row] == motion.motion else OTHER
 		_titles[row].modulate = colour
@@ -31,7 +29,6 @@ func show_live(motion: GestureHMM, vibration: float) -> void:
 		_values[row].text = "%.1f mm" % (1000.0 * motion.get_motion_value(Conditions.MOTIONS[row]))
 	var gesture := String(motion.gesture) if motion.gesture else "at rest"
 	_status.text = "%s   state %d   %3.0f %%" % [gesture, motion.state, 100.0 * motion.progress]
-	_vibration.value = vibration
 
 
 func _add_label(text: String) -> Label:

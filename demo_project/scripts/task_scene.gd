@@ -62,7 +62,7 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	_readout.show_live(gesture_hmm, haptic_synth.get_amplitude())
+	_readout.show_live(gesture_hmm)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:

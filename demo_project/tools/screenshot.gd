@@ -4,10 +4,13 @@ extends "tool.gd"
 ##     --out DIR [--trials DIR]
 ##
 ## A picture of each task's scene, DIR/scene_GESTURE.png, in the middle of the first trial of
-## --trials (default: a synthetic person's).
+## --trials (default: a synthetic person's), and of the inspector's previews of the effects,
+## DIR/effects.png.
 
 const Tasks := preload("res://scripts/tasks.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
+
+const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
 
 const STEP_S := 1e-3
 ## Share of the way at which the picture is taken.
@@ -15,6 +18,8 @@ const MOMENT := 0.6
 ## Until the trial's task is in its place; until shaders are compiled and labels laid out.
 const PLACING_FRAMES := 2
 const SETTLING_FRAMES := 5
+const PREVIEW_WIDTH := 320
+const SPACE := 16
 
 var _is_begun := false
 
@@ -34,6 +39,7 @@ func _draw_all(arguments: PackedStringArray) -> void:
 		fail(options.error, EXIT_BAD_INPUT)
 	else:
 		exit_code = 0
+		await _draw_effects(out_folder)
 		for gesture in Tasks.SCENES:
 			await _draw(gesture, trials_folder, out_folder)
 	quit(exit_code)
@@ -50,15 +56,45 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 	scene.play_next()
 	for i in PLACING_FRAMES:
 		await process_frame
+	var strip: HapticStrip = scene.get_node("Readout/Panel/Rows/Vibration")
 	var moment_m := MOMENT * scene.task.amplitude
 	while scene.gesture_hmm.value < moment_m and tracker.is_running() and not tracker.is_finished():
 		tracker.advance(STEP_S)
+		strip.note()
 	for i in SETTLING_FRAMES:
 		await process_frame
-	var path := out_folder.path_join("scene_%s.png" % gesture)
-	var saved := root.get_texture().get_image().save_png(path)
+	_save(out_folder.path_join("scene_%s.png" % gesture), root.get_texture().get_image())
+	scene.free()
+
+
+func _draw_effects(out_folder: String) -> void:
+	var grid := GridContainer.new()
+	grid.columns = 3
+	grid.add_theme_constant_override("h_separation", SPACE)
+	var effects: Array[HapticEffect] = [
+		SpringEffect.new(), InertialViscousEffect.new(), ImpulseEffect.new()
+	]
+	for effect in effects:
+		var title := Label.new()
+		title.text = effect.get_class()
+		grid.add_child(title)
+	for effect in effects:
+		var preview := EffectPreview.new()
+		preview.effect = effect
+		preview.custom_minimum_size.x = PREVIEW_WIDTH
+		grid.add_child(preview)
+	grid.position = Vector2(SPACE, SPACE)
+	root.add_child(grid)
+	for i in SETTLING_FRAMES:
+		await process_frame
+	var shown := Rect2i(0, 0, ceili(grid.size.x) + 2 * SPACE, ceili(grid.size.y) + 2 * SPACE)
+	_save(out_folder.path_join("effects.png"), root.get_texture().get_image().get_region(shown))
+	grid.free()
+
+
+func _save(path: String, image: Image) -> void:
+	var saved := image.save_png(path)
 	if saved == OK:
 		print("wrote %s" % path)
 	else:
 		fail("cannot write %s: %s" % [path, error_string(saved)], EXIT_BAD_INPUT)
-	scene.free()

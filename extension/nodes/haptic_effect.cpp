@@ -1,5 +1,7 @@
 #include "haptic_effect.h"
 
+#include "haptics/effect_preview.h"
+
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
@@ -8,6 +10,16 @@
 namespace godot {
 
 namespace {
+
+/// Enough for what hands feel.
+constexpr double SPECTRUM_RATE_HZ = 8000.0;
+
+PackedFloat32Array packed(const std::vector<float> &values) {
+	PackedFloat32Array array;
+	array.resize(static_cast<int64_t>(values.size()));
+	std::copy(values.begin(), values.end(), array.ptrw());
+	return array;
+}
 
 /// Samples taken of a Curve.
 constexpr int CURVE_POINTS = 257;
@@ -61,6 +73,20 @@ void HapticEffect::set_trigger(Trigger p_trigger) {
 	ERR_FAIL_INDEX(static_cast<int>(p_trigger), TRIGGER_ARRIVAL + 1);
 	effect_.trigger = static_cast<steadyhand::Trigger>(p_trigger);
 	emit_changed();
+}
+
+PackedFloat32Array HapticEffect::get_preview(int p_sample_rate_hz) const {
+	ERR_FAIL_COND_V_MSG(p_sample_rate_hz < 8000 || p_sample_rate_hz > 192000, PackedFloat32Array(),
+			String(get_class()) + ": the sample rate must be in 8000..192000 Hz");
+	Tables tables;
+	return packed(steadyhand::preview_of(to_core(tables), p_sample_rate_hz));
+}
+
+PackedFloat32Array HapticEffect::get_preview_spectrum(const PackedFloat32Array &p_frequencies_hz) const {
+	Tables tables;
+	const std::vector<float> samples = steadyhand::preview_of(to_core(tables), SPECTRUM_RATE_HZ);
+	return packed(steadyhand::spectrum_of(samples, SPECTRUM_RATE_HZ,
+			std::span(p_frequencies_hz.ptr(), static_cast<std::size_t>(p_frequencies_hz.size()))));
 }
 
 void SpringEffect::set_drive(Drive p_drive) {
@@ -130,6 +156,9 @@ void HapticEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_gain"), &HapticEffect::get_gain);
 	ClassDB::bind_method(D_METHOD("set_channels", "channels"), &HapticEffect::set_channels);
 	ClassDB::bind_method(D_METHOD("get_channels"), &HapticEffect::get_channels);
+	ClassDB::bind_method(D_METHOD("get_preview", "sample_rate"), &HapticEffect::get_preview);
+	ClassDB::bind_method(
+			D_METHOD("get_preview_spectrum", "frequencies"), &HapticEffect::get_preview_spectrum);
 
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE,
 						 "20,1000,1,or_greater,or_less,suffix:Hz"),

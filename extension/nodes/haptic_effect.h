@@ -30,6 +30,9 @@ public:
 	void set_channels(int p_channels);
 	int get_channels() const { return effect_.channels; }
 
+	PackedFloat32Array get_preview(int p_sample_rate_hz) const;
+	PackedFloat32Array get_preview_spectrum(const PackedFloat32Array &p_frequencies_hz) const;
+
 	/// r_tables: those that the effect reads are added to it.
 	virtual steadyhand::Effect to_core(Tables &) const { return effect_; }
 
