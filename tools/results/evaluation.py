@@ -17,9 +17,11 @@ TOLD = re.compile(r"(\d+) %")
 FIGURES = ("r2_", "lag_", "t_diff_", "sparc_")
 
 
-def run_tool(name: str, options: dict[str, object], heard=lambda line: None) -> None:
-    """demo_project/tools/NAME.gd with these options; ends the program with what the tool said where it fails."""
-    command = [os.environ["GODOT"], "--headless", "--path", ROOT / "demo_project", "--script", f"res://tools/{name}.gd"]
+def run_tool(
+    name: str, options: dict[str, object], heard=lambda line: None, project: Path = ROOT / "demo_project"
+) -> None:
+    """tools/NAME.gd of the project with these options; ends the program with what the tool said where it fails."""
+    command = [os.environ["GODOT"], "--headless", "--path", project, "--script", f"res://tools/{name}.gd"]
     command += ["--", *(word for option, value in options.items() for word in (f"--{option}", value))]
     child = subprocess.Popen(
         [str(word) for word in command],

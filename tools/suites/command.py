@@ -24,6 +24,8 @@ def outcomes() -> Iterator[Outcome]:
         yield from training(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
         yield from results(Path(folder))
+    with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:
+        yield from haptics(Path(folder))
     yield from worked_example.outcomes()
 
 
@@ -54,6 +56,27 @@ def training(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/train: progress in one line on a terminal", good, output)
     good = picture.is_file() and picture.read_bytes().startswith(b"\x89PNG")
     yield Outcome.of("command/train: its picture", good, output)
+
+
+def haptics(folder: Path) -> Iterator[Outcome]:
+    """The tables of docs/haptics.md, short: one mix rate, one person, two minutes of play."""
+    page = folder / "haptics.md"
+    page.write_text((ROOT / "docs/haptics.md").read_text())
+    options = ["--page", page, "--work", folder / "work", "--real", folder / "none"]
+    options += ["--rates", 48000, "--subjects", 1, "--minutes", 2]
+    status, output = run([sys.executable, "-m", "haptics", *options], PYTHONPATH=str(ROOT / "tools"))
+    yield Outcome.of("command/bench haptics: the tables are made", status == 0, output)
+    if status != 0:
+        return
+    text = page.read_text()
+    held = re.search(r"^\| 48000 \| ([\d.]+) \| ([\d.]+) \|", text, re.MULTILINE)
+    good = held is not None and abs(float(held[1]) - 180.0) < 0.5 and abs(float(held[2]) - 0.5) < 0.005
+    yield Outcome.of("command/bench haptics: 180 Hz at half the amplitude", good, text)
+    steps = re.findall(r"^\| [a-z].* \| ([\d.]+) \| [\d.]+ \|$", text, re.MULTILINE | re.IGNORECASE)
+    good = len(steps) > 15 and max(float(step) for step in steps) < 1.02
+    yield Outcome.of("command/bench haptics: no change clicks", good, f"{steps}\n{text}")
+    grown = re.search(r"memory +([+-]\d+) bytes", text)
+    yield Outcome.of("command/bench haptics: memory stays", grown is not None and int(grown[1]) < 10000, text)
 
 
 def results(folder: Path) -> Iterator[Outcome]:
