@@ -139,6 +139,12 @@ int main() {
 	std::printf("%lld samples of two channels, %ld minutes of play\n", samples, MINUTES);
 	std::printf("  held spring      within %.1e of its sine in the last block\n",
 			held_error(block, samples - static_cast<long long>(BLOCK)));
+	// A week is a whole number of turns at 180 Hz.
+	Oscillator week{ 0, phase_step(180.0, RATE_HZ) };
+	week.advance(7ULL * 24 * 3600 * 48000);
+	std::printf("  phase            off by %.1e rad after a week at 180 Hz\n",
+			std::abs(static_cast<double>(static_cast<std::int64_t>(week.phase))) * 0x1p-64 * 2.0 *
+					std::numbers::pi);
 	std::printf("  allocations      %ld\n", allocations - allocated);
 	std::printf("  ns a sample      %.3f in the first %ld minutes, %.3f in the last\n", first,
 			COMPARED_MINUTES, last);
