@@ -75,7 +75,7 @@ void GestureHMM::build_recogniser() {
 	}
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(active), task_in_use_,
 			static_cast<steadyhand::MotionMode>(mode_),
-			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)));
+			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 }
 
 void GestureHMM::on_task_changed() {

@@ -54,6 +54,8 @@ public:
 	Quality get_quality() const { return quality_; }
 	void set_motion(Motion p_motion);
 	Motion get_motion() const { return motion_; }
+	void set_sensor_latency(double p_latency_s);
+	double get_sensor_latency() const { return sensor_latency_s_; }
 
 	double get_value() const;
 	double get_velocity() const;
@@ -105,6 +107,8 @@ private:
 	Mode mode_ = MODE_PHASE;
 	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
+	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
+	double sensor_latency_s_ = 0.01;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;

@@ -11,6 +11,12 @@
 
 namespace godot {
 
+namespace {
+
+constexpr double LARGEST_LATENCY_S = 0.2;
+
+} // namespace
+
 // Here, where the recogniser is a complete type.
 GestureHMM::GestureHMM() = default;
 
@@ -105,6 +111,15 @@ void GestureHMM::set_motion(Motion p_motion) {
 	motion_ = p_motion;
 }
 
+void GestureHMM::set_sensor_latency(double p_latency_s) {
+	ERR_FAIL_COND_MSG(!(p_latency_s >= 0.0) || p_latency_s > LARGEST_LATENCY_S,
+			"GestureHMM: sensor_latency must be within 0..0.2 s");
+	if (sensor_latency_s_ != p_latency_s) {
+		sensor_latency_s_ = p_latency_s;
+		on_settings_changed();
+	}
+}
+
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (tracker_ == nullptr) {
@@ -146,6 +161,8 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_quality"), &GestureHMM::get_quality);
 	ClassDB::bind_method(D_METHOD("set_motion", "motion"), &GestureHMM::set_motion);
 	ClassDB::bind_method(D_METHOD("get_motion"), &GestureHMM::get_motion);
+	ClassDB::bind_method(D_METHOD("set_sensor_latency", "latency"), &GestureHMM::set_sensor_latency);
+	ClassDB::bind_method(D_METHOD("get_sensor_latency"), &GestureHMM::get_sensor_latency);
 	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
 	ClassDB::bind_method(D_METHOD("get_velocity"), &GestureHMM::get_velocity);
 	ClassDB::bind_method(D_METHOD("get_acceleration"), &GestureHMM::get_acceleration);
@@ -173,6 +190,8 @@ void GestureHMM::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM,
 						 "Synthesised,Measured,Average,One Euro,Kalman"),
 			"set_motion", "get_motion");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "sensor_latency", PROPERTY_HINT_RANGE, "0,0.2,0.001,suffix:s"),
+			"set_sensor_latency", "get_sensor_latency");
 
 	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "value", PROPERTY_HINT_NONE, "suffix:m", READ_ONLY), "",

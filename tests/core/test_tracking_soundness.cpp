@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <random>
 
 using namespace steadyhand;
 
@@ -28,13 +29,13 @@ TEST_CASE("a hand that moves as hands do, on a sensor that skips a frame now and
 	CHECK_FALSE(soundness.frozen());
 }
 
-TEST_CASE("a jump is evidence of one, and fades with a memory of 1.5 s") {
+TEST_CASE("a jump is evidence of one, and fades with a memory of 1 s") {
 	TrackingSoundness soundness;
 	const double t_s = move(soundness, 0.0, 0.0, 0.1, 50);
 	soundness.push(t_s, 0.4);
 	CHECK(soundness.unsoundness() == doctest::Approx(1.0 - std::exp(-1.0)).epsilon(0.01));
-	const double later_s = move(soundness, t_s + PERIOD_S, 0.4, 0.1, 167);
-	CHECK(later_s - t_s == doctest::Approx(1.5).epsilon(0.01));
+	const double later_s = move(soundness, t_s + PERIOD_S, 0.4, 0.1, 111);
+	CHECK(later_s - t_s == doctest::Approx(1.0).epsilon(0.01));
 	CHECK(soundness.unsoundness() == doctest::Approx(1.0 - std::exp(-std::exp(-1.0))).epsilon(0.01));
 }
 
@@ -104,4 +105,23 @@ TEST_CASE("a value off the way by more than a hand can bend it has jumped, the f
 	}
 	fastest.push(40 * PERIOD_S, 1.06);
 	CHECK(fastest.jumped());
+}
+
+TEST_CASE("white noise of a moving sensor is told by its deviation, and jumps are none of it") {
+	for (const double deviation : { 0.0005, 0.002, 0.004 }) {
+		CAPTURE(deviation);
+		std::mt19937_64 random(6);
+		std::normal_distribution<double> noise(0.0, deviation);
+		TrackingSoundness soundness;
+		double sum = 0.0;
+		int counted = 0;
+		for (int i = 0; i < 4000; ++i) {
+			soundness.push(i * PERIOD_S, 0.5 * i * PERIOD_S + noise(random) + (i % 500 < 5 ? 0.3 : 0.0));
+			if (i > 200) {
+				sum += soundness.jitter();
+				++counted;
+			}
+		}
+		CHECK(sum / counted == doctest::Approx(deviation).epsilon(0.15));
+	}
 }

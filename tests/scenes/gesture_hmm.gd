@@ -128,6 +128,23 @@ func test_quality() -> void:
 		check(furthest < 0.05 * amplitude, "near the accurate one where tracking is good")
 
 
+func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> void:
+	const LATENCY_MS := 50
+	var amplitude: float = _trials.get_trial(STABLE)["amplitude_m"]
+	var half_way_ms: Array[int] = []
+	for latency_ms: int in [0, LATENCY_MS]:
+		var rig := _make_rig(STABLE)
+		rig.gesture_hmm.sensor_latency = latency_ms / 1000.0
+		var values := rig.record(0, 2400)
+		var step := 0
+		while values[(step + 1) * Rig.MOTIONS.size() - 1] < 0.5 * amplitude:
+			step += 1
+		half_way_ms.append(step)
+		rig.free_nodes()
+	var earlier_ms := half_way_ms[0] - half_way_ms[1]
+	check(absi(earlier_ms - LATENCY_MS) < 10, "earlier by %d ms" % earlier_ms)
+
+
 func test_reset_forgets() -> void:
 	var rig := _make_rig(0)
 	rig.record(0, 2400)

@@ -28,9 +28,9 @@ public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
 
 	/// model must outlive the follower; its feature must exist. Without a task the place of rest is taken for
-	/// the start, and the model's mean amplitude for the task's.
+	/// the start, and the model's mean amplitude for the task's. effort, latency_s: as PhaseEstimator's.
 	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode,
-			const PhaseEffort &effort = {});
+			const PhaseEffort &effort = {}, double latency_s = 0.0);
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not
 	/// hold what the feature needs. strokes: of the feature, with this frame in it.
@@ -65,6 +65,7 @@ private:
 	bool start_is_known_;
 	MotionMode mode_;
 	PhaseEffort effort_;
+	double latency_s_;
 
 	ObservationWindow window_;
 	SymbolClock clock_;

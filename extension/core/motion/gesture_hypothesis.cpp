@@ -8,17 +8,19 @@
 namespace steadyhand {
 namespace {
 
-constexpr double NOISE = 0.004; ///< white part of a tracker's error, amplitudes
+constexpr double NOISE = 0.0051; ///< white part of a tracker's error, amplitudes
 /// Of an outlier, amplitudes: jumps of some centimetres.
-constexpr double OUTLIER_DEVIATION = 0.2;
+constexpr double OUTLIER_DEVIATION = 0.21;
+/// A tracker falls behind gradually: in a shorter gesture it comes to less of its lag.
+constexpr double LAG_SETTLING_S = 0.39;
 const double LOG_IMPOSSIBLE = std::log(1e-30);
 constexpr double LARGEST_LOG = 700.0;
 /// Durations that a hypothesis may come to.
 const double LOG_SHORTEST = std::log(0.12);
 const double LOG_LONGEST = std::log(6.0);
 /// Of the minimum jerk's share in the curve: people differ from the recordings.
-constexpr double SHAPE_MEAN = 0.3;
-constexpr double SHAPE_DEVIATION = 0.3;
+constexpr double SHAPE_MEAN = 0.36;
+constexpr double SHAPE_DEVIATION = 0.33;
 
 } // namespace
 
@@ -32,9 +34,14 @@ GestureHypothesis GestureHypothesis::resting(double d) {
 	const RegimeNumbers &numbers = regime_numbers(Regime::REST);
 	h.begin_at(HAND, d, numbers.hand.amplitudes);
 	h.begin_at(HAND_RATE, 0.0, numbers.hand.amplitudes * numbers.hand.rate_per_s);
-	h.begin_at(ERROR, 0.0, numbers.error.amplitudes);
-	h.begin_at(ERROR_RATE, 0.0, numbers.error.amplitudes * numbers.error.rate_per_s);
+	h.begin_error();
 	return h;
+}
+
+void GestureHypothesis::begin_error() {
+	const Deviation &error = regime_numbers(regime_).error;
+	begin_at(ERROR, 0.0, error.amplitudes);
+	begin_at(ERROR_RATE, 0.0, error.amplitudes * error.rate_per_s);
 }
 
 GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double onset_deviation_s,
@@ -47,8 +54,9 @@ GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double
 	h.begin_at(LOG_DURATION, log_duration, log_duration_deviation);
 	h.begin_at(GAIN, 0.0, numbers.gain_deviation);
 	h.begin_at(SHAPE, SHAPE_MEAN, SHAPE_DEVIATION);
-	h.begin_at(LAG, numbers.lag_s, numbers.lag_deviation_s);
 	h.rate_per_s_ = std::exp(-log_duration);
+	const double lags = 1.0 / (1.0 + LAG_SETTLING_S * h.rate_per_s_);
+	h.begin_at(LAG, lags * numbers.lag_s, lags * numbers.lag_deviation_s);
 	return h;
 }
 
@@ -56,6 +64,18 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	GestureHypothesis h = *this;
 	h.regime_ = regime;
 	return h;
+}
+
+GestureHypothesis GestureHypothesis::displaced(double deviation) const {
+	GestureHypothesis h = *this;
+	h.covariance_(ERROR, ERROR) += deviation * deviation;
+	return h;
+}
+
+void GestureHypothesis::forget_error() {
+	covariance_.middleRows<2>(ERROR).setZero();
+	covariance_.middleCols<2>(ERROR).setZero();
+	begin_error();
 }
 
 double GestureHypothesis::way(const ElementCurve &curve, double phase) const {
@@ -158,7 +178,7 @@ void GestureHypothesis::absorb_first(double innovation, const State &slopes, con
 	for (Eigen::Index j = ONSET; j < N; ++j) {
 		seen += slopes[j] * covariance_.col(j).template head<N>();
 	}
-	const double variance = slopes.template head<N>().dot(seen) + NOISE * NOISE;
+	const double variance = slopes.template head<N>().dot(seen) + NOISE * NOISE + trust.jitter * trust.jitter;
 	const double precision = 1.0 / variance;
 	const double broad_precision = 1.0 / (variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION);
 	const double half_squared = 0.5 * innovation * innovation;

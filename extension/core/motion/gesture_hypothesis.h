@@ -21,6 +21,7 @@ public:
 	/// A frame's place in the evidence.
 	struct Trust {
 		double outlier = 0.01; ///< probability that the frame says little of the hand
+		double jitter = 0.0;   ///< standard deviation that its noise has beside the least that any has
 		double weight = 1.0; ///< part of its likelihood that counts, since errors of frames nearby are alike
 	};
 
@@ -39,6 +40,11 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in another regime.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
+
+	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.
+	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
+	/// The tracker's error is as if nothing were known of it.
+	void forget_error();
 
 	/// passages: over the time from the one predicted to before.
 	void predict(const ElementCurve &curve, double t_s, const Passages &passages);
@@ -85,6 +91,7 @@ private:
 	bool on_its_way_ = false;
 
 	void begin_at(Eigen::Index i, double mean, double deviation);
+	void begin_error();
 	template <int N> void predict_first(double error_variance, const Passage &passage);
 	template <int N> void absorb_first(double innovation, const State &slopes, const Trust &trust);
 	/// f(phase) in 0..1

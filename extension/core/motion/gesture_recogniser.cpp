@@ -15,12 +15,13 @@ constexpr double SWITCH_MARGIN = 1.0;
 } // namespace
 
 GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
-		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort) :
+		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s) :
 		models_(std::move(models)),
 		filtered_(models_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
 	followers_.reserve(models_.size());
 	for (const std::shared_ptr<const GestureModel> &model : models_) {
-		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value(), mode, effort);
+		followers_.emplace_back(
+				*model, task.value_or(model->typical_task), task.has_value(), mode, effort, latency_s);
 		const Feature *const feature = find_feature(model->feature);
 		const auto known = std::find_if(watched_.begin(), watched_.end(),
 				[feature](const WatchedFeature &watched) { return watched.feature == feature; });

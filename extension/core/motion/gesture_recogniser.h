@@ -16,9 +16,10 @@ namespace steadyhand {
 class GestureRecogniser {
 public:
 	/// task: what the scene knows of the gesture's place; nothing where the start is to be found by the
-	/// hand's rest. effort: of `phase` mode.
+	/// hand's rest. effort, latency_s: as PhaseEstimator's.
 	GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
-			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {});
+			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
+			double latency_s = 0.0);
 
 	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
 	void push(const HandFrame &frame);

@@ -16,7 +16,7 @@ namespace steadyhand {
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
-	static constexpr std::size_t MOST_ADDED = 32;
+	static constexpr std::size_t MOST_ADDED = 64;
 	static constexpr std::size_t MOST_AFTER_PRUNE =
 			1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING + PhaseEffort::MOST_WANDERING;
 
@@ -47,6 +47,7 @@ public:
 		});
 	}
 	/// All but the one at rest.
+	[[nodiscard]] auto others() { return all() | std::views::drop(1); }
 	[[nodiscard]] auto others() const { return all() | std::views::drop(1); }
 
 private:

@@ -4,15 +4,19 @@
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyhand {
 namespace {
 
-constexpr double NEGLIGIBLE = 1e-5; ///< weight beside the best one's 1
+/// A motion that had not come this far when it was last seen could as well not have begun.
+constexpr double VISIBLE_PHASE = 0.06;
+constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
+constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
 } // namespace
 
-void MotionOutlook::look(const HypothesisBank &bank, double filtered_s) {
+void MotionOutlook::look(const HypothesisBank &bank, double filtered_s, double seen_s) {
 	filtered_s_ = filtered_s;
 	count_ = 0;
 	hand_.fill({});
@@ -31,9 +35,12 @@ void MotionOutlook::look(const HypothesisBank &bank, double filtered_s) {
 		hand.v += weight * h.hand_deviation_rate();
 		if (h.on_its_way()) {
 			const GestureHypothesis::Course course = h.course();
+			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;
+			const bool waits = seen_phase < VISIBLE_PHASE || h.regime() == Regime::FREE;
+			const double waits_from = waits ? std::max(seen_phase, 0.0) : INFINITY;
 			const double way = weight * course.gain;
 			courses_[count_++] = { course.onset_s, course.rate_per_s, way * (1.0 - course.shape),
-				way * course.shape, weight };
+				way * course.shape, weight, waits_from };
 			moving_ += weight;
 		}
 	}
@@ -56,8 +63,13 @@ PhaseEstimate MotionOutlook::at(const ElementCurve &curve, double t_s) const {
 	}
 	for (std::size_t i = 0; i < count_; ++i) {
 		const Course &course = courses_[i];
-		const double rate = course.rate_per_s;
-		const double phase = (t_s - course.onset_s) * rate;
+		double rate = course.rate_per_s;
+		double phase = (t_s - course.onset_s) * rate;
+		if (phase > course.waits_from) {
+			const double slowed = std::exp((course.waits_from - phase) / WAITING_LENGTH);
+			phase = course.waits_from + WAITING_LENGTH * (1.0 - slowed);
+			rate *= slowed;
+		}
 		if (phase > 0.0) {
 			const CurvePoint elements = curve.at(phase);
 			const Polynomial::Point smooth = minimum_jerk(phase);

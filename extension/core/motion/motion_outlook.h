@@ -18,10 +18,14 @@ struct PhaseEstimate {
 
 /// The weighted mean of what hypotheses expect of the hand, in as few numbers as give it at any time until
 /// they change: it is asked for each millisecond, they change with frames.
+///
+/// A gesture that was seen to begin goes on while nothing is seen. One that was not, and a hand that did
+/// something else, wait: nothing moves on a mere chance.
 class MotionOutlook {
 public:
-	/// filtered_s: the time that the hypotheses were predicted to. To be called after HypothesisBank::prune.
-	void look(const HypothesisBank &bank, double filtered_s);
+	/// filtered_s: the time that the hypotheses were predicted to; seen_s: when a frame last told where the
+	/// hand is. To be called after HypothesisBank::prune.
+	void look(const HypothesisBank &bank, double filtered_s, double seen_s);
 
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const;
@@ -33,6 +37,7 @@ private:
 		double elements; ///< of the motion elements' curve in the value
 		double smooth;   ///< of the minimum jerk's
 		double weight;
+		double waits_from; ///< phase from which on it slows down until it is seen again
 	};
 	/// Of all in a regime: their deviations fade alike, so that the mean of them is one.
 	struct Wandering {

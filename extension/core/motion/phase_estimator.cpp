@@ -10,45 +10,49 @@ namespace {
 
 // Values in amplitudes. Set on synthetic subjects of the tuning population and on other recordings than those
 // that are evaluated (docs/method.md).
-constexpr double ONSETS_PER_S = 2.0;  ///< how soon a hand at rest begins
+constexpr double ONSETS_PER_S = 3.0;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
-constexpr double LONGEST_S = 8.0;     ///< an onset before that no longer matters
+constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
+constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 /// Durations are log-normal about the model's mean, never narrower than this: people differ from recordings.
-constexpr double SMALLEST_SPREAD = 0.4;
+constexpr double SMALLEST_SPREAD = 0.34;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
-constexpr double UNSOUND_PRIOR = 0.15;    ///< of the regime UNSOUND where nothing wrong has been seen
-constexpr double UNSOUND_AT_LEAST = 0.02; ///< and among all on their way, at any time: trackers start to err
+constexpr double UNSOUND_PRIOR = 0.16;     ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double UNSOUND_AT_LEAST = 0.013; ///< and among all on their way, at any time: trackers start to err
 constexpr double FREE_AT_LEAST =
-		0.002; ///< the same of FREE while the tracker is right: hands change their minds
+		0.0038; ///< the same of FREE while the tracker is right: hands change their minds
 constexpr double FAULT_LOG_RATIO =
-		3.0; ///< a fault's likelihood where the tracker is right, against it erring
+		6.0; ///< a fault's likelihood where the tracker is right, against it erring
 
 constexpr double FAULTS_PER_S =
-		6.0; ///< of a tracker that errs, at the end of the way: to see none speaks against it
+		2.4; ///< of a tracker that errs, at the end of the way: to see none speaks against it
 
-constexpr double OUTLIERS = 0.01;
-constexpr double OUTLIERS_AFTER_JUMP = 0.5;
-constexpr double SUSPICION_S = 0.12;
+constexpr double OUTLIERS = 0.011;
+constexpr double DISPLACED = 0.4; ///< probability that a jump leads away from the hand, and not back to it
+constexpr double DISPLACED_BY = 0.15; ///< standard deviation
+constexpr double LIKELY = 0.001;      ///< weight, from which on both are looked at
 /// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
-constexpr double ALIKE_S = 0.014;
+constexpr double ALIKE_S = 0.013;
+/// The tracker's shaking counts so many times: it is no white noise.
+constexpr double JITTER_COUNTS = 0.77;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
 constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
-constexpr double SEED_SPREAD = 0.15;  ///< of the onset, in durations
+constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
-constexpr double SEEN_S = 0.05;       ///< how strongly a frame at rest speaks against an earlier onset
+constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
 
 constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
 
 } // namespace
 
-PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort) :
-		model_(&model), effort_(effort), curve_(model), bank_(effort) {
+PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :
+		model_(&model), effort_(effort), curve_(model), latency_s_(latency_s), bank_(effort) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
@@ -68,8 +72,9 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &eff
 
 void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
+	seen_s_ = t_s;
 	filtered_s_ = t_s;
-	outlook_.look(bank_, t_s);
+	outlook_.look(bank_, t_s, seen_s_);
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -88,7 +93,9 @@ void PhaseEstimator::advance(double t_s) {
 	}
 	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
 	while (next_branch_s_ <= t_s) {
-		branch(next_branch_s_);
+		if (next_branch_s_ - seen_s_ <= BLIND_S) {
+			branch(next_branch_s_);
+		}
 		next_branch_s_ += effort_.branch_period_s;
 	}
 }
@@ -101,6 +108,7 @@ double PhaseEstimator::probability(Regime regime) const {
 void PhaseEstimator::branch(double t_s) {
 	const PhaseEstimate before = at(t_s);
 	come_to_rest();
+	choose_rest();
 	set_free();
 	const double starts = ONSETS_PER_S * effort_.branch_period_s;
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
@@ -176,16 +184,35 @@ void PhaseEstimator::seed(double t_s, double x) {
 	}
 }
 
+/// A jump is the tracker's: it leads away from where the hand is, or back to it.
+void PhaseEstimator::displace() {
+	for (GestureHypothesis &h : bank_.all()) {
+		if (h.weight > LIKELY) {
+			bank_.add(h.displaced(DISPLACED_BY)).log_weight += std::log(DISPLACED);
+		}
+		h.forget_error();
+		h.log_weight += std::log1p(-DISPLACED);
+	}
+}
+
+/// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
+void PhaseEstimator::choose_rest() {
+	for (GestureHypothesis &h : bank_.others()) {
+		if (h.regime() == Regime::REST && h.log_weight > bank_.at_rest().log_weight) {
+			std::swap(h, bank_.at_rest());
+		}
+	}
+}
+
 void PhaseEstimator::prune() {
 	const double sound = 1.0 - soundness_.unsoundness();
 	bank_.prune(UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
-	outlook_.look(bank_, filtered_s_);
+	outlook_.look(bank_, filtered_s_, seen_s_);
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
-	suspicion_ = soundness_.jumped() ? 1.0 : suspicion_ * std::exp(-dt_s / SUSPICION_S);
-	const GestureHypothesis::Trust trust{ OUTLIERS + (OUTLIERS_AFTER_JUMP - OUTLIERS) * suspicion_,
+	const GestureHypothesis::Trust trust{ OUTLIERS, JITTER_COUNTS * soundness_.jitter(),
 		dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
@@ -193,6 +220,10 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	for (GestureHypothesis &h : bank_.all()) {
 		h.predict(curve_, t_s, over_step);
 	}
+	if (soundness_.jumped()) {
+		displace();
+	}
+	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
@@ -223,7 +254,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 	if (bank_.empty()) {
 		return {};
 	}
-	PhaseEstimate estimate = outlook_.at(curve_, t_s);
+	PhaseEstimate estimate = outlook_.at(curve_, t_s + latency_s_);
 	const CriticallyDamped missing = blend_.at(t_s);
 	estimate.value += missing.value;
 	estimate.velocity += missing.velocity;
@@ -232,7 +263,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 }
 
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {
-	const PhaseEstimate now = outlook_.at(curve_, t_s);
+	const PhaseEstimate now = outlook_.at(curve_, t_s + latency_s_);
 	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
 }
 

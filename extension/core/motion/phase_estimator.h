@@ -15,17 +15,21 @@ namespace steadyhand {
 /// when the gesture began, how long it takes, and in which regime hand and tracker are; each is an extended
 /// Kalman filter of its own (gesture_hypothesis.h). What is put out is their weighted mean.
 ///
-/// - Hypotheses branch off the one at rest at a constant rate, seen or unseen, and are seeded anew from what
+/// - Hypotheses branch off the one at rest at a constant rate while the hand is seen, and are seeded from
+/// what
 ///   is seen when the tracker comes back from a gap, a freeze or a jump: a gesture that begins unseen is
 ///   caught.
+/// - A jump is the tracker's: it may lead away from the hand or back to it.
 /// - Faults of the tracker (tracking_soundness.h) speak for the regime in which it errs.
 /// - The output never steps: what a frame changes is blended in, in value and in velocity.
 ///
 /// docs/method.md has the equations and the numbers. After construction nothing is allocated.
 class PhaseEstimator {
 public:
-	/// model must outlive the estimator.
-	explicit PhaseEstimator(const GestureModel &model, const PhaseEffort &effort = {});
+	/// model must outlive the estimator. latency_s: how old what a frame shows always is; the estimate is
+	/// that much ahead of the frames.
+	explicit PhaseEstimator(
+			const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0);
 
 	/// A frame in which the motion element was seen, x in amplitudes; t_s must not decrease.
 	void push(double t_s, double x);
@@ -39,11 +43,13 @@ public:
 
 private:
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
-	static_assert(2 + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED, "a branching adds so many");
+	static_assert(HypothesisBank::MOST_AFTER_PRUNE + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED,
+			"a jump doubles each, and seeds; a branching adds fewer");
 
 	const GestureModel *model_;
 	PhaseEffort effort_;
 	ElementCurve curve_;
+	double latency_s_;
 	std::array<double, MOST_DURATIONS> log_durations_{};
 	std::array<double, MOST_DURATIONS> log_prior_{};
 	double log_duration_deviation_ = 0.0; ///< of each
@@ -51,14 +57,16 @@ private:
 	HypothesisBank bank_;
 	MotionOutlook outlook_;   ///< of the bank
 	double filtered_s_ = 0.0; ///< the filters are at this time
+	double seen_s_ = 0.0;     ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
-	double suspicion_ = 0.0; ///< 1 after a jump, fading: the frames that follow may be more of it
-	OutputBlend blend_;      ///< of what the last change of the estimate would step by
+	OutputBlend blend_; ///< of what the last change of the estimate would step by
 
 	void begin(double t_s, double d);
 	void branch(double t_s);
 	void come_to_rest();
 	void set_free();
+	void displace();
+	void choose_rest();
 	void seed(double t_s, double x);
 	void start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
 			double log_probability);

@@ -5,12 +5,12 @@
 namespace steadyhand {
 namespace {
 
-constexpr Deviation SMALL_ERROR{ 0.005, 2.0 };
+constexpr Deviation SMALL_ERROR{ 0.0056, 2.7 };
 constexpr std::array<RegimeNumbers, REGIMES> NUMBERS{
-	RegimeNumbers{ { 0.045, 4.5 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.08, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.015, 8.0 }, { 0.01, 5.0 }, 0.06, 0.12, 0.06, 0.04 },
-	RegimeNumbers{ { 0.5, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.025, 9.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.05, 4.6 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.041 },
+	RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.025 },
+	RegimeNumbers{ { 0.55, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
 };
 
 } // namespace

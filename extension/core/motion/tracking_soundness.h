@@ -42,15 +42,17 @@ public:
 	/// The newest frame is the first in a while that tells where the hand is: what it did since news_s() is
 	/// not known.
 	[[nodiscard]] bool returned() const { return returned_; }
+	/// How much the values shake from frame to frame: standard deviation of the white noise that would do so.
+	[[nodiscard]] double jitter() const { return jitter_; }
 	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
 	[[nodiscard]] double news_s() const { return news_s_; }
 
 private:
-	static constexpr double MEMORY_S = 1.5;
+	static constexpr double MEMORY_S = 1.0;
 	static constexpr double SHORTEST_S = 1e-4;
 	/// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
 	static constexpr double GAP_PERIODS = 4.0;
-	static constexpr double FULL_GAP_S = 0.1; ///< a gap of this length is as bad as a jump
+	static constexpr double FULL_GAP_S = 0.061; ///< a gap of this length is as bad as a jump
 	/// Amplitudes: a 0.15 s drag, the fastest that is studied, peaks at 1.875 / 0.15.
 	static constexpr double FASTEST_PER_S = 12.5;
 	static constexpr double SMALLEST_JUMP = 0.03;
@@ -63,7 +65,11 @@ private:
 	static constexpr double RESTING_PER_S = 0.25;
 	static constexpr int TREMBLING_TURNS = 3;  ///< of the last 16 steps, those against the one before
 	static constexpr double SPEED_SHARE = 0.4; ///< a frame's share in the recent speed
-	static constexpr double FROZEN_FRAME = 0.25;
+	static constexpr double FROZEN_FRAME = 0.5;
+	/// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
+	static constexpr double JITTER_PER_BEND = 0.5117;
+	static constexpr double JITTER_SHARE = 0.05;  ///< a frame's
+	static constexpr double LARGEST_SHAKE = 0.02; ///< a bend beyond is a jump's
 	/// The period follows a sensor that slows down within some frames, and a burst of frames slowly.
 	static constexpr double PERIOD_GROWTH = 1.2;
 	static constexpr double PERIOD_SHARE = 0.1;
@@ -78,6 +84,7 @@ private:
 	double speed_ = 0.0;    ///< of steps that are news, smoothed
 	double velocity_ = 0.0; ///< of the last step that was no leap
 	double step_ = 0.0;
+	double jitter_ = 0.0;
 	std::uint16_t turns_ = 0;
 	int repeats_ = 0;
 	int frames_ = 0;
@@ -89,6 +96,9 @@ private:
 		const double bend = frames_ > 1 ? std::abs(step - velocity_ * dt_s) : 0.0;
 		jumped_ = bend > SHARPEST_PER_S2 * dt_s * dt_s + SMALLEST_BEND;
 		returned_ = t_s - news_s_ > BLIND_S && std::abs(step) > BLIND_STEP;
+		if (frames_ > 1 && step != 0.0) {
+			jitter_ += JITTER_SHARE * (JITTER_PER_BEND * std::min(bend, LARGEST_SHAKE) - jitter_);
+		}
 		if (!jumped_ && !returned_) { // a leap says nothing of the hand's speed
 			velocity_ = step / dt_s;
 		}

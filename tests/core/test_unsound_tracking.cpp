@@ -1,0 +1,107 @@
+#include "minimum_jerk_drag.h"
+#include "motion/phase_estimator.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace steadyhand;
+
+// Values in amplitudes, as the estimator has them.
+
+namespace {
+
+constexpr double PERIOD_S = 0.009;
+
+const GestureModel &drag_model() {
+	static const GestureModel model = test::trained_drag_model();
+	return model;
+}
+
+/// A hand at rest before a sensor that trembles as all do.
+class RestingHand {
+public:
+	PhaseEstimator estimator{ drag_model() };
+	double t_s = 0.0;
+	double furthest = 0.0; ///< that the estimate has been off 0
+
+	void show(double displacement) {
+		estimator.push(t_s, displacement + 1e-3 * normal_(random_));
+		wait(PERIOD_S);
+	}
+	void wait(double for_s) {
+		const double from_s = t_s;
+		for (int ms = 0; ms < static_cast<int>(std::lround(1000.0 * for_s)); ++ms) {
+			t_s = from_s + 0.001 * ms;
+			estimator.advance(t_s);
+			furthest = std::max(furthest, std::abs(estimator.at(t_s).value));
+		}
+		t_s = from_s + for_s;
+	}
+
+private:
+	std::mt19937_64 random_{ 8 };
+	std::normal_distribution<double> normal_;
+};
+
+} // namespace
+
+TEST_CASE("a tracker that is always late is made up for where its latency is known") {
+	constexpr double LATENCY_S = 0.03;
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.0, .amplitude_m = 1.0 };
+	const auto largest_error = [&](double known_s) {
+		PhaseEstimator estimator(drag_model(), {}, known_s);
+		double largest = 0.0;
+		int frames = 0;
+		for (int ms = 0; ms < 2000; ++ms) {
+			const double t_s = ms / 1000.0;
+			for (; frames * PERIOD_S <= t_s; ++frames) {
+				estimator.push(frames * PERIOD_S, drag.x_m(frames * PERIOD_S - LATENCY_S));
+			}
+			estimator.advance(t_s);
+			largest = std::max(largest, std::abs(estimator.at(t_s).value - drag.x_m(t_s)));
+		}
+		return largest;
+	};
+	const double late = 1.875 * LATENCY_S; // at the peak velocity of a minimum jerk
+	CHECK(largest_error(0.0) == doctest::Approx(late).epsilon(0.3));
+	CHECK(largest_error(LATENCY_S) < 0.4 * late);
+}
+
+TEST_CASE("a tracker that jumps away from a hand at rest, and back, moves it no further than it jumps") {
+	for (const double jump : { -0.2, 0.05, 0.1, 0.2, 0.3 }) {
+		for (const int frames : { 1, 3, 10 }) {
+			CAPTURE(jump);
+			CAPTURE(frames);
+			RestingHand hand;
+			for (int i = 0; i < 60; ++i) {
+				hand.show(0.0);
+			}
+			for (int i = 0; i < frames; ++i) {
+				hand.show(jump);
+			}
+			for (int i = 0; i < 60; ++i) {
+				hand.show(0.0);
+			}
+			CHECK(hand.furthest < std::abs(jump));
+			CHECK(std::abs(hand.estimator.at(hand.t_s).value) < 0.01);
+		}
+	}
+}
+
+TEST_CASE("nothing begins while nothing is seen, but what may have begun just before") {
+	for (const double lost_s : { 0.1, 0.5, 2.0, 20.0 }) {
+		CAPTURE(lost_s);
+		RestingHand hand;
+		for (int i = 0; i < 60; ++i) {
+			hand.show(0.0);
+		}
+		hand.wait(lost_s);
+		CHECK(hand.furthest < 0.2); // the probability that it had
+		for (int i = 0; i < 20; ++i) {
+			hand.show(0.0);
+		}
+		CHECK(std::abs(hand.estimator.at(hand.t_s).value) < 0.01);
+	}
+}
