@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import re
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -17,6 +18,7 @@ VENV = Path(sys.executable).parent
 def outcomes() -> Iterator[Outcome]:
     cpp, headers, gd, python = files(".cpp"), files(".h", ".hpp"), files(".gd"), files(".py")
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
+    yield one_version()
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
     yield from clang_tidy(cpp, headers)
@@ -25,6 +27,14 @@ def outcomes() -> Iterator[Outcome]:
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
+
+
+def one_version() -> Outcome:
+    """The editor reads the plugin's version from a file of its own."""
+    wanted = re.search(r'VERSION = "([^"]+)"', (ROOT / "extension/core/base/version.h").read_text())
+    found = re.search(r'^version="([^"]+)"', (ROOT / "demo_project/addons/steadyhand/plugin.cfg").read_text(), re.M)
+    good = wanted is not None and found is not None and wanted[1] == found[1]
+    return Outcome.of("lint/plugin.cfg has the version of version.h", good, f"{wanted} {found}")
 
 
 def files(*endings: str) -> list[Path]:
