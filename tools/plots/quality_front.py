@@ -33,7 +33,17 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str) -> Non
         name = row["setting"]
         axes.plot(cost, accuracy, "o", color=PRESET_COLOURS[name] if name else GREY, ms=8 if name else 4)
         if name:
-            axes.annotate(name, (cost, accuracy), textcoords="offset points", xytext=(4, -14), size=9)
+            below, side = (24, "left") if name == "paper" else (-10, "right")
+            axes.annotate(
+                name,
+                (cost, accuracy),
+                textcoords="offset points",
+                xytext=(0, below),
+                rotation=30,
+                ha=side,
+                va="top",
+                size=9,
+            )
     held = [row for row in rows if float(row["outputs_per_s"]) < 1000]
     axes.plot(
         [float(row[COST]) for row in held],
