@@ -73,34 +73,34 @@ double ns_of_effect(const Effect &effect, bool at_arrivals) {
 
 /// The waveform alone, its amplitude a given cubic.
 template <class Add> double ns_of_runs(Add add) {
-	Run run{};
-	Oscillator oscillator{ 0, phase_step(180.0, RATE_HZ) };
+	Mix mix;
+	Carrier carrier;
+	carrier.set_step(phase_step(180.0, RATE_HZ));
 	constexpr int RUNS = BLOCKS * static_cast<int>(BLOCK / RUN);
 	const double ns = ns_of([&] {
 		for (int i = 0; i < RUNS; ++i) {
 			if (i % 8 == 0) {
-				run.fill(0.0F);
+				clear(mix);
 			}
-			add(run, oscillator);
-			oscillator.advance(RUN);
-			keep(run);
+			add(mix, carrier);
+			carrier.advance(1);
+			keep(mix);
 		}
 	});
 	return ns / (static_cast<double>(RUN) * RUNS);
 }
 
 double ns_of_spring_runs() {
-	return ns_of_runs([](Run &run, const Oscillator &oscillator) {
-		add_sine(run, oscillator, Level::hermite(0.1, 0.01, 0.11, 0.01));
+	return ns_of_runs([](Mix &mix, const Carrier &carrier) {
+		add_sine(mix, carrier, Level::hermite(0.1, 0.01, 0.11, 0.01));
 	});
 }
 
 double ns_of_impulse_runs() {
 	Run decay;
 	decay.fill(0.9F);
-	return ns_of_runs([&](Run &run, const Oscillator &oscillator) {
-		add_decaying_sine(run, oscillator, 0.1F, decay, 0);
-	});
+	return ns_of_runs(
+			[&](Mix &mix, const Carrier &carrier) { add_decaying_sine(mix, carrier, 0.1, decay, 0); });
 }
 
 } // namespace

@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -14,32 +16,57 @@ using steadyhand::test::TURN;
 namespace {
 
 /// One at a time, where the compiler sees no row of them.
-[[gnu::noinline]] float one_sample(const Level &level, std::uint32_t phase, std::int32_t i) {
-	return level.at(static_cast<float>(i)) * sine(phase);
+[[gnu::noinline]] float one_sample(const Level &level, const Carrier &carrier, std::size_t i) {
+	return level.at(static_cast<float>(i)) *
+			carrier.at(
+					static_cast<float>(carrier.start().sine), static_cast<float>(carrier.start().cosine), i);
 }
 
 [[gnu::noinline]] float one_windowed(
-		const Level &level, const Window &window, std::uint32_t phase, std::int32_t i, std::int32_t at) {
-	return level.at(static_cast<float>(i)) * window.at(static_cast<float>(at + i)) * sine(phase);
+		const Level &level, const Window &window, const Carrier &carrier, std::size_t i, std::int32_t at) {
+	const auto number = static_cast<float>(at + static_cast<std::int32_t>(i));
+	return level.at(static_cast<float>(i)) * window.at(number) *
+			carrier.at(
+					static_cast<float>(carrier.start().sine), static_cast<float>(carrier.start().cosine), i);
 }
 
-constexpr std::uint32_t upper(std::uint64_t phase) {
-	return static_cast<std::uint32_t>(phase >> 32U);
+[[gnu::noinline]] float one_decaying(const Carrier &carrier, double scale, float decay, std::size_t i) {
+	return decay *
+			carrier.at(static_cast<float>(scale * carrier.start().sine),
+					static_cast<float>(scale * carrier.start().cosine), i);
 }
 
 } // namespace
 
-TEST_CASE("a sine is the sine at every phase") {
-	double largest = 0.0;
-	for (std::uint64_t phase = 0; phase < (1ULL << 32U); phase += 65521U) {
-		const long double truth = std::sin(TURN * static_cast<long double>(phase) * 0x1p-32L);
-		const float made = sine(static_cast<std::uint32_t>(phase));
-		largest = std::max(largest, static_cast<double>(std::abs(static_cast<long double>(made) - truth)));
+TEST_CASE("a carrier is the sine of its 64-bit phase at every sample, over thousands of runs") {
+	std::uint64_t random = 1;
+	double largest = 0.0, greatest = 0.0;
+	for (int round = 0; round < 200; ++round) {
+		random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+		const std::uint64_t step = random >> (1 + round % 12);
+		std::uint64_t phase = random * 2862933555777941757ULL;
+		Carrier carrier;
+		carrier.set_step(step);
+		carrier.set_phase(phase);
+		const Level full = Level::hermite(1.0, 0.0, 1.0, 0.0);
+		for (int run = 0; run < 200; ++run) {
+			Mix mix;
+			add_sine(mix, carrier, full);
+			for (std::size_t i = 0; i < RUN; ++i) {
+				const auto turns = static_cast<long double>(static_cast<std::int64_t>(phase + step * i));
+				const long double truth = std::sin(TURN * turns * 0x1p-64L);
+				const auto made = static_cast<long double>(mix.samples[i]);
+				largest = std::max(largest, static_cast<double>(std::abs(made - truth)));
+				greatest = std::max(greatest, std::abs(static_cast<double>(mix.samples[i])));
+			}
+			const std::uint64_t runs = run % 50 == 49 ? 3 : 1;
+			carrier.advance(runs);
+			phase += step * RUN * runs;
+			REQUIRE(carrier.phase() == phase);
+		}
 	}
-	CHECK(largest < 5e-7);
-	for (const std::uint32_t root : { 0U, 1U << 31U }) {
-		CHECK(sine(root) == 0.0F);
-	}
+	CHECK(largest < 2e-7);
+	CHECK(greatest > 0.99);
 }
 
 TEST_CASE("a level has the values and slopes of its ends, and is exact for cubics") {
@@ -58,29 +85,44 @@ TEST_CASE("vector code makes the samples that are made one at a time, to the las
 	std::uint64_t random = 1;
 	for (int round = 0; round < 500; ++round) {
 		random = random * 6364136223846793005ULL + 1442695040888963407ULL;
-		const Oscillator oscillator{ random, random >> (round % 12) };
+		Carrier carrier;
+		carrier.set_step(random >> (round % 12));
+		carrier.set_phase(random);
 		const auto part = [&](unsigned shift) {
 			return static_cast<double>((random >> shift) & 0xFFFU) / 4096.0;
 		};
 		const Level level = Level::hermite(part(0), part(12) - 0.5, part(24), part(36) - 0.5);
 		const Window window{ 1.0F + static_cast<float>(part(48)) * 100.0F, 300.0F };
 		const std::int32_t at = round - 70;
-		Run plain{}, windowed{}, decaying{}, held{};
+		Mix plain, windowed, decaying, twice;
 		Run decay;
 		decay.fill(0.7F);
-		add_sine(plain, oscillator, level);
-		add_windowed_sine(windowed, oscillator, level, window, at);
-		add_decaying_sine(decaying, oscillator, 0.3F, decay, round % 64);
-		held = plain;
-		hold(held);
-		std::uint32_t phase = upper(oscillator.phase);
-		for (std::int32_t i = 0; i < 64; ++i) {
-			const auto n = static_cast<std::size_t>(i);
-			REQUIRE(plain[n] == one_sample(level, phase, i));
-			REQUIRE(windowed[n] == one_windowed(level, window, phase, i, at));
-			REQUIRE(decaying[n] == (i < round % 64 ? 0.0F : 0.3F * 0.7F * sine(phase)));
-			REQUIRE(held[n] == std::clamp(plain[n], -1.0F, 1.0F));
-			phase += upper(oscillator.step + (1ULL << 31U));
+		add_sine(plain, carrier, level);
+		add_windowed_sine(windowed, carrier, level, window, at);
+		add_decaying_sine(decaying, carrier, 0.3, decay, round % 64);
+		add(twice, plain);
+		add_sine(twice, carrier, level);
+		// From anywhere in the run, any number of samples.
+		const auto from = static_cast<std::size_t>(round % 64);
+		const std::size_t count = RUN - from;
+		Run held{};
+		std::array<float, 2 * RUN> pairs{};
+		write_held(held.data(), twice, from, count);
+		write_held(pairs.data(), twice, plain, from, count);
+		for (std::size_t n = 0; n < RUN; ++n) {
+			const float one = one_sample(level, carrier, n);
+			REQUIRE(plain.samples[n] == one);
+			REQUIRE(windowed.samples[n] == one_windowed(level, window, carrier, n, at));
+			REQUIRE(decaying.samples[n] == (n < from ? 0.0F : one_decaying(carrier, 0.3, 0.7F, n)));
+			REQUIRE(twice.samples[n] == one + one);
+		}
+		for (std::size_t n = 0; n < count; ++n) {
+			REQUIRE(held[n] == std::clamp(twice.samples[from + n], -1.0F, 1.0F));
+			REQUIRE(pairs[2 * n] == held[n]);
+			REQUIRE(pairs[2 * n + 1] == std::clamp(plain.samples[from + n], -1.0F, 1.0F));
+		}
+		for (std::size_t n = count; n < RUN; ++n) {
+			REQUIRE(held[n] == 0.0F);
 		}
 	}
 }
@@ -96,6 +138,9 @@ TEST_CASE("a window is nothing outside, everything within, and has no corner at 
 	CHECK(window.at(8.0F) == 0.5F);
 	CHECK(window.at(92.0F) == 0.5F);
 	CHECK(window.at(0.01F) < 2e-6F);
+	CHECK(window.is_full(16.0F, 84.0F));
+	CHECK_FALSE(window.is_full(15.0F, 80.0F));
+	CHECK_FALSE(window.is_full(20.0F, 85.0F));
 }
 
 TEST_CASE("the phase is off by less than 1e-6 rad after a week") {

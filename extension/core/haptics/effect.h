@@ -56,6 +56,10 @@ struct Effect {
 
 	/// How long it goes on after an arrival.
 	[[nodiscard]] double length_s() const;
+	/// Whether its amplitude changes with the motion while it lasts.
+	[[nodiscard]] bool follows_motion() const {
+		return trigger != Trigger::ARRIVAL || shape == Shape::INERTIAL_VISCOUS;
+	}
 };
 
 /// The effects of a synth, small enough to be handed over as a whole.

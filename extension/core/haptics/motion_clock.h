@@ -33,9 +33,13 @@ public:
 
 	/// dt_s of samples have been made.
 	void advance(double dt_s) {
+		now_s_ += dt_s;
+		if (off_s_ == 0.0) {
+			return;
+		}
 		const double drawn_s = std::clamp(PULL_PER_S * off_s_, -MOST_PULL, MOST_PULL) * dt_s;
 		off_s_ -= drawn_s;
-		now_s_ += dt_s + drawn_s;
+		now_s_ += drawn_s;
 	}
 
 	[[nodiscard]] double now_s() const { return now_s_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -67,8 +68,15 @@ struct MotionSnapshot {
 /// A snapshot that is asked for one instant after the other: its quintic of the present instant is kept.
 class MotionCurve {
 public:
+	/// Of its knots those that count are copied.
 	void set(const MotionSnapshot &snapshot) {
-		snapshot_ = snapshot;
+		snapshot_.time_s = snapshot.time_s;
+		snapshot_.period_s = snapshot.period_s;
+		snapshot_.count = snapshot.count;
+		snapshot_.amplitude_m = snapshot.amplitude_m;
+		snapshot_.arrival = snapshot.arrival;
+		snapshot_.expected = snapshot.expected;
+		std::copy_n(snapshot.knots.begin(), snapshot.count, snapshot_.knots.begin());
 		length_s_ = 0.0;
 	}
 	[[nodiscard]] const MotionSnapshot &snapshot() const { return snapshot_; }

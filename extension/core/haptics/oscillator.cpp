@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace steadyhand {
 
@@ -18,6 +19,13 @@ std::uint64_t phase_step(double frequency_hz, double sample_rate_hz) {
 	const double whole = std::floor(units);
 	const double rest = (units - whole) + std::ldexp(lost_turns, 64);
 	return static_cast<std::uint64_t>(whole) + static_cast<std::uint64_t>(std::llround(rest));
+}
+
+Phasor phasor_of(std::uint64_t phase) {
+	constexpr double RAD = 2.0 * std::numbers::pi * 0x1p-64;
+	// As a signed number the phase lies within half a turn of 0.
+	const double rad = RAD * static_cast<double>(static_cast<std::int64_t>(phase));
+	return { std::sin(rad), std::cos(rad) };
 }
 
 } // namespace steadyhand

@@ -18,4 +18,16 @@ struct Oscillator {
 /// finite.
 [[nodiscard]] std::uint64_t phase_step(double frequency_hz, double sample_rate_hz);
 
+/// Sine and cosine of a phase.
+struct Phasor {
+	double sine = 0.0, cosine = 1.0;
+
+	/// Of the sum of both phases.
+	[[nodiscard]] Phasor turned(const Phasor &by) const {
+		return { sine * by.cosine + cosine * by.sine, cosine * by.cosine - sine * by.sine };
+	}
+};
+
+[[nodiscard]] Phasor phasor_of(std::uint64_t phase);
+
 } // namespace steadyhand

@@ -9,10 +9,14 @@
 namespace steadyhand {
 
 /// Samples are made in runs of this fixed length, whose loops the compiler turns into vector code on its own.
-/// Within a run the phase counts in 32 bits, which after 64 steps is off by 2^-26 turns at most; each run
-/// starts from the 64-bit phase again.
 inline constexpr std::size_t RUN = 64;
 using Run = std::array<float, RUN>;
+
+/// A run to which sounds are added.
+struct Mix {
+	alignas(64) Run samples{};
+	bool is_silent = true; ///< nothing has been added
+};
 
 /// An amplitude over a run, a cubic of the sample's number.
 struct Level {
@@ -39,6 +43,8 @@ struct Level {
 struct Window {
 	float ramp = 1.0F, length = 0.0F;
 
+	/// From the sample number `from` up to `to`.
+	[[nodiscard]] bool is_full(float from, float to) const { return from >= ramp && length - to >= ramp; }
 	[[nodiscard]] float at(float sample) const {
 		const float in = held(sample / ramp);
 		const float out = held((length - sample) / ramp);
@@ -52,39 +58,64 @@ private:
 	}
 };
 
-/// sin(2 pi phase) of a phase in 2^-32 turns; largest error, with its 24-bit rounding: 5e-7. It is sin(pi x)
-/// for x in -1..1 as x (1 - x^2) Q(x^2), Q of degree 4 for the least largest error (1.1e-7, found by
-/// reweighted least squares). The roots at -1, 0 and 1 are exact, and no case needs a branch.
-[[nodiscard]] inline float sine(std::uint32_t phase) {
-	// As a signed number the phase lies within half a turn of 0.
-	const float x = static_cast<float>(static_cast<std::int32_t>(phase)) * 0x1p-31F;
-	const float z = x * x;
-	float q = 5.9733399e-3F;
-	q = q * z - 7.4459445e-2F;
-	q = q * z + 5.2378049e-1F;
-	q = q * z - 2.0260838F;
-	q = q * z + 3.1415913F;
-	return x * (1.0F - z) * q;
-}
+/// A sine from run to run, its samples by sin(a + b) = sin a cos b + cos a sin b: a is the phase of the run's
+/// first sample, b what the sample is ahead of it, from a table made once for a frequency. From run to run a
+/// turns by a run in double precision, and comes anew from its 64 bits every EXACT_RUNS. Largest error: 2e-7,
+/// by the 24-bit rounding of all numbers. Aligned for whole cache lines: not for memory of the engine's.
+class Carrier {
+public:
+	static constexpr int EXACT_RUNS = 64;
 
-// Each adds to `out` the samples of one run; the oscillator's phase is that of the run's first sample.
+	/// The phase is left where it is. step: of an Oscillator
+	void set_step(std::uint64_t step);
+	/// Of the next run's first sample.
+	void set_phase(std::uint64_t phase);
+	/// By this many runs.
+	void advance(std::uint64_t runs) {
+		oscillator_.advance(RUN * runs);
+		if (runs == 1 && --to_exact_ > 0) {
+			start_ = start_.turned(over_run_);
+		} else if (runs > 0) {
+			set_phase(oscillator_.phase);
+		}
+	}
+
+	[[nodiscard]] std::uint64_t phase() const { return oscillator_.phase; }
+	[[nodiscard]] const Phasor &start() const { return start_; }
+	/// The sample number i of `start` in 24 bits.
+	[[nodiscard]] float at(float sine, float cosine, std::size_t i) const {
+		return sine * cosines_[i] + cosine * sines_[i];
+	}
+
+private:
+	alignas(64) Run sines_{};
+	alignas(64) Run cosines_{};
+	Oscillator oscillator_;
+	Phasor start_, over_run_;
+	int to_exact_ = EXACT_RUNS;
+};
+
+// Each adds to `out` the samples of one run.
 
 /// level * sine
-void add_sine(Run &out, const Oscillator &oscillator, const Level &level);
+void add_sine(Mix &out, const Carrier &carrier, const Level &level);
 
 /// scale * decay[i] * sine, from the sample number `first` of the run on.
-void add_decaying_sine(
-		Run &out, const Oscillator &oscillator, float scale, const Run &decay, std::int32_t first);
+void add_decaying_sine(Mix &out, const Carrier &carrier, double scale, const Run &decay, std::int32_t first);
 
 /// level * window * sine; the run's first sample is the window's number `at`, which may be negative.
 void add_windowed_sine(
-		Run &out, const Oscillator &oscillator, const Level &level, const Window &window, std::int32_t at);
+		Mix &out, const Carrier &carrier, const Level &level, const Window &window, std::int32_t at);
 
 /// values * window
-void add_windowed(Run &out, const Run &values, const Window &window, std::int32_t at);
+void add_windowed(Mix &out, const Run &values, const Window &window, std::int32_t at);
 
-/// Holds to -1..1; adds `other` before.
-void hold(Run &out);
-void add_held(Run &out, const Run &other);
+void clear(Mix &mix);
+void add(Mix &out, const Mix &other);
+
+/// Writes `count` samples from the number `first` on, held to -1..1: of one channel, or of two in turn.
+/// A NaN may become any number or stay one.
+void write_held(float *frames, const Mix &mono, std::size_t first, std::size_t count);
+void write_held(float *frames, const Mix &left, const Mix &right, std::size_t first, std::size_t count);
 
 } // namespace steadyhand

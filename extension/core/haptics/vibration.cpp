@@ -20,13 +20,16 @@ void Vibration::set_sample_rate(double sample_rate_hz) {
 void Vibration::set_effects(const EffectSet &effects) {
 	in_use_ = std::max(in_use_, effects.count);
 	effects_ = effects;
+	effects_follow_ = std::any_of(effects.effects.begin(), effects.effects.begin() + effects.count,
+			[](const Effect &effect) { return effect.follows_motion(); });
 	is_connected_ = false;
 }
 
 void Vibration::set_motion(const MotionSnapshot &motion) {
 	const bool is_sound = std::isfinite(motion.time_s) && motion.period_s > 0.0 && motion.count > 0 &&
 			motion.count <= MotionSnapshot::MOST_KNOTS;
-	motion_.set(is_sound ? motion : MotionSnapshot{});
+	static constexpr MotionSnapshot NONE{};
+	motion_.set(is_sound ? motion : NONE);
 	is_connected_ = false;
 	unheard_s_ = 0.0;
 }
@@ -51,26 +54,22 @@ void Vibration::render(std::span<float> frames) {
 			handed_out_ = 0;
 		}
 		const std::size_t count = std::min(RUN - handed_out_, total - done);
-		const float *const left = &(has_sides_ ? left_ : both_)[handed_out_];
-		const float *const right = &(has_sides_ ? right_ : both_)[handed_out_];
 		if (channels_ == 1) {
-			std::copy_n(left, count, &frames[done]);
+			write_held(&frames[done], both_, handed_out_, count);
 		} else {
-			for (std::size_t i = 0; i < count; ++i) {
-				frames[2 * (done + i)] = left[i];
-				frames[2 * (done + i) + 1] = right[i];
-			}
+			const bool has_sides = !left_.is_silent || !right_.is_silent;
+			write_held(&frames[2 * done], has_sides ? left_ : both_, has_sides ? right_ : both_, handed_out_,
+					count);
 		}
 		handed_out_ += count;
 		done += count;
 	}
 }
 
-Run &Vibration::mix_of(std::uint8_t channels) {
+Mix &Vibration::mix_of(std::uint8_t channels) {
 	if (channels_ == 1 || channels == (Effect::LEFT | Effect::RIGHT)) {
 		return both_;
 	}
-	has_sides_ = true;
 	return channels == Effect::LEFT ? left_ : right_;
 }
 
@@ -80,21 +79,23 @@ void Vibration::make_run() {
 	const double to_s = clock_.now_s();
 	const bool is_heard = !is_live_ || unheard_s_ <= PATIENCE_S;
 	unheard_s_ += run_s_;
-	const RunContext context{ sample_rate_hz_, run_s_, run_++, is_connected_ ? end_ : motion_.at(from_s),
-		motion_.at(to_s), is_connected_, motion_.snapshot().amplitude_m };
-	end_ = context.to;
-	is_connected_ = true;
-
-	both_.fill(0.0F);
-	if (has_sides_) {
-		left_.fill(0.0F);
-		right_.fill(0.0F);
-		has_sides_ = false;
+	follows_ = effects_follow_ || (follows_ && active_ > 0);
+	RunContext context{ sample_rate_hz_, run_s_, run_++, {}, {}, is_connected_,
+		motion_.snapshot().amplitude_m };
+	if (follows_) {
+		context.from = is_connected_ ? end_ : motion_.at(from_s);
+		context.to = end_ = motion_.at(to_s);
+	}
+	is_connected_ = follows_;
+	for (Mix *const mix : { &both_, &left_, &right_ }) {
+		if (!mix->is_silent) {
+			clear(*mix);
+		}
 	}
 	if (is_heard) {
 		begin_arrivals(context, from_s, to_s);
 	}
-	const std::size_t sounding = add_sustained(context, from_s, is_heard) + active_;
+	add_sustained(context, from_s, is_heard);
 	if (active_ > 0) {
 		for (ArrivalVoice &voice : arrivals_) {
 			if (voice.is_active()) {
@@ -103,25 +104,21 @@ void Vibration::make_run() {
 			}
 		}
 	}
-	if (has_sides_) {
-		add_held(left_, both_);
-		add_held(right_, both_);
-	} else if (sounding > 1) {
-		hold(both_);
+	if (!left_.is_silent || !right_.is_silent) {
+		add(left_, both_);
+		add(right_, both_);
 	}
 }
 
-std::size_t Vibration::add_sustained(const RunContext &context, double from_s, bool is_heard) {
+void Vibration::add_sustained(const RunContext &context, double from_s, bool is_heard) {
 	// An expected arrival that has begun comes before the snapshot that will tell of it.
 	const bool has_arrived =
 			motion_.snapshot().expected.number != 0 && arrived_ >= motion_.snapshot().expected.number;
-	const bool is_moving = motion_.is_moving(from_s) && !has_arrived;
-	std::size_t sounding = 0;
 	for (std::size_t i = 0; i < in_use_; ++i) {
 		SustainedVoice &voice = sustained_[i];
 		const Effect &effect = effects_.effects[i];
-		const bool is_due =
-				effect.trigger == Trigger::ALWAYS || (effect.trigger == Trigger::MOVING && is_moving);
+		const bool is_due = effect.trigger == Trigger::ALWAYS ||
+				(effect.trigger == Trigger::MOVING && !has_arrived && motion_.is_moving(from_s));
 		const bool wanted = is_heard && i < effects_.count && motion_.snapshot().count > 0 && is_due &&
 				voice.may_be(effect.channels);
 		if (wanted) {
@@ -129,24 +126,22 @@ std::size_t Vibration::add_sustained(const RunContext &context, double from_s, b
 		}
 		if (voice.sounds(wanted)) {
 			voice.add_run(effect, wanted, context, mix_of(voice.channels()));
-			++sounding;
 		}
 	}
 	while (in_use_ > effects_.count && !sustained_[in_use_ - 1].sounds(false)) {
 		--in_use_;
 	}
-	return sounding;
 }
 
 void Vibration::begin_arrivals(const RunContext &context, double from_s, double to_s) {
-	arrive(motion_.snapshot().arrival, context, from_s, to_s);
-	arrive(motion_.snapshot().expected, context, from_s, to_s);
+	for (const Arrival *const arrival : { &motion_.snapshot().arrival, &motion_.snapshot().expected }) {
+		if (arrival->number > arrived_ && arrival->time_s < to_s) {
+			arrive(*arrival, context, from_s, to_s);
+		}
+	}
 }
 
 void Vibration::arrive(const Arrival &arrival, const RunContext &context, double from_s, double to_s) {
-	if (arrival.number <= arrived_ || !(arrival.time_s < to_s)) {
-		return;
-	}
 	arrived_ = arrival.number;
 	if (from_s - arrival.time_s > LATEST_S) {
 		return;

@@ -70,18 +70,19 @@ private:
 	std::size_t active_ = 0;    ///< of the arrivals' voices
 	std::array<SustainedVoice, EffectSet::MOST> sustained_;
 	std::array<ArrivalVoice, EffectSet::MOST> arrivals_;
-	Run both_{}, left_{}, right_{};
-	bool has_sides_ = false;       ///< left_ and right_ hold sounds of their own
+	/// The sides with all that is heard there, where one has sounds of its own; otherwise both_ alone.
+	Mix both_, left_, right_;
 	std::size_t handed_out_ = RUN; ///< of the run
-	bool is_connected_ = false;    ///< end_ is the motion at the next run's start, and effects are the same
+	bool effects_follow_ = false;
+	bool follows_ = false;      ///< a voice follows the motion, or may
+	bool is_connected_ = false; ///< end_ is the motion at the next run's start, and effects are the same
 	MotionPoint end_;
 
 	void make_run();
-	/// How many sound.
-	std::size_t add_sustained(const RunContext &context, double from_s, bool is_heard);
+	void add_sustained(const RunContext &context, double from_s, bool is_heard);
 	void begin_arrivals(const RunContext &context, double from_s, double to_s);
 	void arrive(const Arrival &arrival, const RunContext &context, double from_s, double to_s);
-	Run &mix_of(std::uint8_t channels);
+	Mix &mix_of(std::uint8_t channels);
 };
 
 } // namespace steadyhand

@@ -18,12 +18,12 @@ double rad_per_s(double frequency_hz, double sample_rate_hz) {
 
 } // namespace
 
-void SustainedVoice::add_run(const Effect &effect, bool wanted, const RunContext &context, Run &out) {
+void SustainedVoice::add_run(const Effect &effect, bool wanted, const RunContext &context, Mix &out) {
 	// A voice that dies away keeps the frequency that it had.
 	if ((wanted && effect.frequency_hz != frequency_hz_) || context.sample_rate_hz != sample_rate_hz_) {
 		frequency_hz_ = wanted || frequency_hz_ == 0.0 ? effect.frequency_hz : frequency_hz_;
 		sample_rate_hz_ = context.sample_rate_hz;
-		oscillator_.step = phase_step(frequency_hz_, sample_rate_hz_);
+		carrier_.set_step(phase_step(frequency_hz_, sample_rate_hz_));
 	}
 	LevelPoint from, to;
 	if (wanted) {
@@ -34,12 +34,12 @@ void SustainedVoice::add_run(const Effect &effect, bool wanted, const RunContext
 	wanted_ = to;
 	const Level level = level_.follow(from, to, rad_per_s(frequency_hz_, sample_rate_hz_), context.run_s);
 	// In silence the phase goes on.
-	oscillator_.advance(RUN * (context.number - next_run_));
+	carrier_.advance(context.number - next_run_);
 	next_run_ = context.number;
 	if (!level.is_zero()) {
-		add_sine(out, oscillator_, level);
+		add_sine(out, carrier_, level);
 	}
-	oscillator_.advance(RUN);
+	carrier_.advance(1);
 	++next_run_;
 }
 
@@ -56,8 +56,9 @@ void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const A
 	const double ramp =
 			std::min(RAMP_PERIODS * rate / effect.frequency_hz, 0.5 * static_cast<double>(length_));
 	window_ = { static_cast<float>(std::max(ramp, 1.0)), static_cast<float>(length_) };
-	oscillator_.step = phase_step(effect.frequency_hz, rate);
-	oscillator_.phase = oscillator_.step * static_cast<std::uint64_t>(next_);
+	const std::uint64_t step = phase_step(effect.frequency_hz, rate);
+	carrier_.set_step(step);
+	carrier_.set_phase(step * static_cast<std::uint64_t>(next_));
 	if (effect.shape == Shape::DECAYING_SINE) {
 		const double each = std::exp(-effect.decay_per_s / rate);
 		double decayed = 1.0;
@@ -75,24 +76,32 @@ void ArrivalVoice::fill_from_table(const RunContext &context, Run &values) const
 	const double cells = static_cast<double>(effect_.table.count) - 1.0;
 	const double each =
 			is_curve ? cells / static_cast<double>(length_) : effect_.table_rate_hz / context.sample_rate_hz;
-	Oscillator oscillator = oscillator_;
+	const auto sine = static_cast<float>(carrier_.start().sine);
+	const auto cosine = static_cast<float>(carrier_.start().cosine);
 	for (std::size_t i = 0; i < RUN; ++i) {
 		const double at = each * static_cast<double>(next_ + static_cast<std::int64_t>(i));
-		const float carrier = is_curve ? sine(static_cast<std::uint32_t>(oscillator.phase >> 32U)) : 1.0F;
+		const float carrier = is_curve ? carrier_.at(sine, cosine, i) : 1.0F;
 		values[i] = static_cast<float>(peak_ * effect_.table.value(at)) * carrier;
-		oscillator.advance(1);
 	}
 }
 
-void ArrivalVoice::add_run(const RunContext &context, Run &out) {
+void ArrivalVoice::add_level(Mix &out, const Level &level) const {
+	if (window_.is_full(static_cast<float>(next_), static_cast<float>(next_ + LENGTH - 1))) {
+		add_sine(out, carrier_, level);
+	} else {
+		add_windowed_sine(out, carrier_, level, window_, static_cast<std::int32_t>(next_));
+	}
+}
+
+void ArrivalVoice::add_run(const RunContext &context, Mix &out) {
 	const auto at = static_cast<std::int32_t>(next_);
 	switch (effect_.shape) {
 		case Shape::DECAYING_SINE:
-			add_decaying_sine(out, oscillator_, static_cast<float>(decayed_), decay_, std::max(-at, 0));
+			add_decaying_sine(out, carrier_, decayed_, decay_, std::max(-at, 0));
 			decayed_ *= decay_over_run_;
 			break;
 		case Shape::SINE:
-			add_windowed_sine(out, oscillator_, Level::hermite(peak_, 0.0, peak_, 0.0), window_, at);
+			add_level(out, Level::hermite(peak_, 0.0, peak_, 0.0));
 			break;
 		case Shape::INERTIAL_VISCOUS: {
 			const LevelPoint from = level_of(effect_, context.from, context.amplitude_m);
@@ -102,7 +111,7 @@ void ArrivalVoice::add_run(const RunContext &context, Run &out) {
 				has_level_ = true;
 			}
 			const double w = rad_per_s(effect_.frequency_hz, context.sample_rate_hz);
-			add_windowed_sine(out, oscillator_, level_.follow(from, to, w, context.run_s), window_, at);
+			add_level(out, level_.follow(from, to, w, context.run_s));
 			break;
 		}
 		case Shape::CURVE:
@@ -113,7 +122,7 @@ void ArrivalVoice::add_run(const RunContext &context, Run &out) {
 			break;
 		}
 	}
-	oscillator_.advance(RUN);
+	carrier_.advance(1);
 	next_ += LENGTH;
 	is_active_ = next_ < length_;
 }

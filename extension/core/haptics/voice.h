@@ -20,7 +20,7 @@ struct RunContext {
 class SustainedVoice {
 public:
 	/// Adds the run to `out` of the voice's channels. wanted: false lets it fade out.
-	void add_run(const Effect &effect, bool wanted, const RunContext &context, Run &out);
+	void add_run(const Effect &effect, bool wanted, const RunContext &context, Mix &out);
 
 	/// Whether it needs a run to be made for it.
 	[[nodiscard]] bool sounds(bool wanted) const { return wanted || !level_.is_silent(); }
@@ -32,8 +32,8 @@ public:
 	[[nodiscard]] std::uint8_t channels() const { return channels_; }
 
 private:
-	Oscillator oscillator_;
-	std::uint64_t next_run_ = 0; ///< whose first sample has the oscillator's phase
+	Carrier carrier_;
+	std::uint64_t next_run_ = 0; ///< whose first sample has the carrier's phase
 	LevelFollower level_;
 	LevelPoint wanted_; ///< at the end of the last run
 	std::uint8_t channels_ = Effect::LEFT | Effect::RIGHT;
@@ -47,7 +47,7 @@ public:
 	/// first: the sample of the next run that it begins with.
 	void start(const Effect &effect, std::uint64_t generation, const Arrival &arrival, std::int32_t first,
 			const MotionPoint &motion, const RunContext &context);
-	void add_run(const RunContext &context, Run &out);
+	void add_run(const RunContext &context, Mix &out);
 
 	[[nodiscard]] bool is_active() const { return is_active_; }
 	[[nodiscard]] std::uint8_t channels() const { return effect_.channels; }
@@ -59,7 +59,7 @@ private:
 	bool has_level_ = false;
 	Effect effect_;
 	std::uint64_t generation_ = 0;
-	Oscillator oscillator_;
+	Carrier carrier_;
 	LevelFollower level_;
 	double peak_ = 0.0;
 	std::int64_t next_ = 0; ///< number of the next run's first sample; negative before the first
@@ -69,6 +69,7 @@ private:
 	double decayed_ = 1.0; ///< at the next run's first sample
 	double decay_over_run_ = 1.0;
 
+	void add_level(Mix &out, const Level &level) const;
 	void fill_from_table(const RunContext &context, Run &values) const;
 };
 
