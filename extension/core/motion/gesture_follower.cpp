@@ -45,7 +45,7 @@ GestureFollower::GestureFollower(const GestureModel &model, const Task &task, bo
 		MotionMode mode, const PhaseEffort &effort, double latency_s) :
 		model_(&model),
 		element_(*find_feature(model.feature)), feature_(&element_.feature()), task_(task),
-		start_is_known_(start_is_known), mode_(mode), effort_(effort), latency_s_(latency_s),
+		start_is_known_(start_is_known), mode_(mode),
 		way_(feature_->direction != nullptr ? feature_->direction(task) : FeaturePlace::Zero()),
 		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model),
 		phase_(model, effort, latency_s) {}
@@ -236,8 +236,7 @@ void GestureFollower::enter(Stage stage, double t_s) {
 	stage_began_s_ = t_s;
 	if (restarts) {
 		if (element_.is_periodic()) {
-			phase_ = PhaseEstimator(
-					*model_, effort_, latency_s_); // the same place is another value from now on
+			phase_.reset(); // the same place is another value from now on
 		} else {
 			phase_.restart();
 		}

@@ -64,8 +64,6 @@ private:
 	Task task_;
 	bool start_is_known_;
 	MotionMode mode_;
-	PhaseEffort effort_;
-	double latency_s_;
 
 	ObservationWindow window_;
 	SymbolClock clock_;

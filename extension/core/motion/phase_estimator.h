@@ -37,6 +37,8 @@ public:
 	void advance(double t_s);
 	/// The gesture is over: what comes next may be another one.
 	void restart();
+	/// As made: nothing of what was seen connects with what comes next.
+	void reset() { *this = PhaseEstimator(*model_, effort_, latency_s_); }
 
 	/// At t_s, not before the last push or advance.
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
