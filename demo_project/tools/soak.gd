@@ -6,6 +6,7 @@ extends "tool.gd"
 ## other, each in a scene of its own, with a script that takes the vibration's samples at 48 kHz.
 ## Tells memory and time in the first tenth of it and in the last; a warm-up of as long goes before.
 
+const RecordedHand := preload("recorded_hand.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
@@ -53,11 +54,7 @@ func _play_for(trials: TrialSet, seconds: float) -> void:
 
 
 func _play(trial: Dictionary, track_path: String) -> void:
-	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
-	tracker.update_mode = HandTracker.UPDATE_MANUAL
-	tracker.autostart = false
-	tracker.recording_path = track_path
+	var tracker := RecordedHand.make(track_path)
 	var task := GestureTask.new()
 	var hmm := GestureHMM.new()
 	hmm.models = [load(MODEL % trial["gesture"]) as GestureModel]

@@ -3,6 +3,7 @@ extends RefCounted
 ## their figures.
 
 const Conditions := preload("res://scripts/conditions.gd")
+const RecordedHand := preload("recorded_hand.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
 const RATE_HZ := 1000.0
@@ -134,11 +135,7 @@ func _make_task() -> GestureTask:
 
 ## A started tracker on a recording; null, and `error` set, where that cannot be read.
 func _make_tracker(path: String) -> HandTracker:
-	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
-	tracker.update_mode = HandTracker.UPDATE_MANUAL
-	tracker.autostart = false
-	tracker.recording_path = path
+	var tracker := RecordedHand.make(path)
 	_parent.add_child(tracker)
 	if tracker.start() == OK:
 		return tracker

@@ -8,6 +8,7 @@ extends "tool.gd"
 ## and vibrations.json.
 
 const Conditions := preload("res://scripts/conditions.gd")
+const RecordedHand := preload("recorded_hand.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
@@ -79,11 +80,7 @@ func _first_step(firsts: Dictionary) -> int:
 
 
 func _make_tracker(path: String) -> HandTracker:
-	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
-	tracker.update_mode = HandTracker.UPDATE_MANUAL
-	tracker.autostart = false
-	tracker.recording_path = path
+	var tracker := RecordedHand.make(path)
 	root.add_child(tracker)
 	return tracker
 
