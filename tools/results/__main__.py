@@ -10,10 +10,12 @@ from pathlib import Path
 
 from plots.box_plots import draw_box_plots
 from plots.confusion import draw_confusions
+from plots.speed import draw_speed
 from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all, run_tool
 from results.other_hands import OtherHands
 from results.page import write_page
+from results.speed import DURATIONS_S, Speed
 from results.study import Study
 
 REAL = ROOT.parent / "shared/real/drags"
@@ -37,6 +39,7 @@ def main() -> None:
     parser.add_argument("--work", type=Path, default=ROOT / "build/results", help="for trials and evaluations")
     parser.add_argument("--subjects", type=int, default=12, help="simulated people")
     parser.add_argument("--real", type=Path, default=REAL, help="trial set of real hands")
+    parser.add_argument("--durations", type=seconds, default=DURATIONS_S, help="of gestures (s): 0.15,0.6")
     given = parser.parse_args()
 
     models = sorted((ROOT / "models").glob("*.gesture"))
@@ -45,26 +48,31 @@ def main() -> None:
     print("making trials", flush=True)
     synthetic = given.work / "trials"
     make_trials(synthetic, gestures, given.subjects)
+    timed = {duration: given.work / f"trials_{duration:g}s" for duration in given.durations}
+    for duration, folder in timed.items():
+        make_timed_trials(folder, gestures, given.subjects, duration)
     studies = [Study.of("synthetic", synthetic, given.work)]
     if given.real.is_dir():
         studies.append(Study.of("real", given.real, given.work))
+    speed = Speed.of(timed, given.work / "speed")
     others = [
         OtherHands.of(folder, what, given.work / "other_hands")
         for name, what in OTHER_HANDS.items()
         if (folder := given.real.parent / name).is_dir()
     ]
     evaluations = [evaluation for study in studies for evaluation in study.evaluations()]
-    run_all([*evaluations, *(other.evaluation for other in others)])
+    run_all([*evaluations, *speed.evaluations(), *(other.evaluation for other in others)])
 
     images = given.out / "images"
     images.mkdir(parents=True, exist_ok=True)
     sets = {study.name: describe(study, given.subjects) for study in studies}
     sets.setdefault("real", "their recordings were not there.")
     pictures = draw(studies, images)
+    draw_speed(images / "results_speed.png", given.durations, speed.values, speed.recognised)
     for model in models:
         picture = os.path.relpath(model.with_suffix(".png"), given.out)
         pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
-    write_page(given.out / "results.md", studies, others, pictures, origin(studies[0]), sets)
+    write_page(given.out / "results.md", studies, speed, others, pictures, origin(studies[0]), sets)
     for evaluation in evaluations:
         evaluation.drop_curves()
     print(f"wrote {given.out / 'results.md'}")
@@ -79,6 +87,15 @@ def make_trials(folder: Path, gestures: list[str], subjects: int) -> None:
     run_tool("make_trials", {"out": folder, "gestures": "none", "duration": OTHER_MOTION_S, **common})
     other_rows = (folder / "trials.csv").read_text()
     (folder / "trials.csv").write_text(gesture_rows + other_rows.partition("\n")[2])
+
+
+def make_timed_trials(folder: Path, gestures: list[str], subjects: int, duration_s: float) -> None:
+    common = {"subjects": subjects, "trials-per-subject": 1, "duration": duration_s}
+    run_tool("make_trials", {"out": folder, "gestures": ",".join(gestures), **common})
+
+
+def seconds(text: str) -> list[float]:
+    return [float(number) for number in text.split(",")]
 
 
 def describe(study: Study, subjects: int) -> str:

@@ -4,7 +4,9 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from textwrap import fill
 
+import numpy as np
 from results.other_hands import OtherHands
+from results.speed import Speed
 from results.study import CONDITIONS, MODES, Study
 from results.targets import Target, percent, targets
 
@@ -24,6 +26,8 @@ what a filter that knew the sensor's lag, and nothing else, could come to.
 """
 
 WIDTH = 120
+POSITIONS = ["stable", "unstable"]
+FIGURES = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
 REACHED = {True: "reached", False: "**not reached**"}
 
 TARGETS = """## What is to be reached
@@ -42,6 +46,16 @@ SET = """## {title}
 {table}
 """
 
+SPEED = """## Speed of execution
+
+The same people, asked for gestures of one duration, from onset to end; all gestures together. Recognised: all models
+active, nothing given; the rest with the task given.
+
+![Figures of a trial against the duration of the gesture](images/results_speed.png)
+
+{table}
+"""
+
 OTHERS = """### Real hands that do something else
 
 Nothing given, `phase` mode. Every gesture that ends counts as a false alarm, though some of what these hands do is one
@@ -55,6 +69,7 @@ to the side.
 def write_page(
     path: Path,
     studies: list[Study],
+    speed: Speed,
     others: list[OtherHands],
     pictures: dict[str, str],
     origin: str,
@@ -83,6 +98,7 @@ def write_page(
         parts.append(f"{text}\n\n{table(open_table(study))}\n")
     if others:
         parts.append(OTHERS.format(table=table(others_table(others))))
+    parts.append(SPEED.format(table=table(speed_table(speed))))
     parts.append("## The models\n")
     parts += [pictures[name] + "\n" for name in pictures if name.startswith("model")]
     path.write_text("\n".join(parts).rstrip() + "\n")
@@ -144,6 +160,31 @@ def open_table(study: Study) -> Iterator[list[str]]:
             cells.append(ms(group[mode]["t_diff"]["median"]))
             cells.append(str(group[mode]["missed"]))
         yield cells
+
+
+def speed_table(speed: Speed) -> Iterator[list[str]]:
+    figures = ["R2", "worst 5 %", "R2 at no lag", "worst 5 %", "lag", "T_diff", "missed", "SPARC", "recognised"]
+    yield ["gestures", "condition", *figures]
+    for position in POSITIONS:
+        for duration in speed.studies:
+            for condition in ("measured", *MODES):
+                values = {name: speed.values(duration, position, name, condition) for name in FIGURES}
+                is_first = condition == "measured"
+                trials = len(values["r2"])
+                yield [
+                    f"{duration:g} s, {position}: {trials}" if is_first else "",
+                    f"**{CONDITIONS[condition]}**" if condition == "phase" else CONDITIONS[condition],
+                    *(
+                        f"{part:.3f}"
+                        for name in ("r2", "r2_zero")
+                        for part in (np.mean(values[name]), np.percentile(values[name], 5))
+                    ),
+                    ms(np.median(values["lag"])),
+                    ms(np.median(values["t_diff"])),
+                    str(speed.missed(duration, position, condition)),
+                    f"{np.mean(values['sparc']):.2f}",
+                    percent(speed.recognised(duration, position, condition)) if condition in MODES else "",
+                ]
 
 
 def others_table(others: list[OtherHands]) -> Iterator[list[str]]:

@@ -34,10 +34,12 @@ class Study:
     open: dict[str, Evaluation]  # by mode; nothing is given
 
     @classmethod
-    def of(cls, name: str, trials: Path, out: Path) -> "Study":
+    def of(cls, name: str, trials: Path, out: Path, keeps_curves: bool = True) -> "Study":
         runs = {
             context: {
-                mode: Evaluation(trials, mode, context, out / name / f"{mode}_{context}", context == "scene")
+                mode: Evaluation(
+                    trials, mode, context, out / name / f"{mode}_{context}", keeps_curves and context == "scene"
+                )
                 for mode in MODES
             }
             for context in CONTEXTS

@@ -83,6 +83,7 @@ def results(folder: Path) -> Iterator[Outcome]:
     """The page of results for one simulated person, its numbers worked out anew from results.csv."""
     write_drag(folder / "lm_digits/plain.csv")
     options = ["--out", folder, "--work", folder / "work", "--subjects", 1, "--real", folder / "none"]
+    options += ["--durations", "0.15,4"]
     status, output = run([sys.executable, "-m", "results", *options], PYTHONPATH=str(ROOT / "tools"))
     yield Outcome.of("command/results: a page is made", status == 0, output)
     if status != 0:
@@ -104,6 +105,15 @@ def results(folder: Path) -> Iterator[Outcome]:
             found = [row for row in page.splitlines() if row.startswith(line)]
             good = len(found) == 1 and f"| {mean:.4f} | {mark} |" in found[0]
             yield Outcome.of(f"command/results: {what} of {gesture}", good, f"{mean:.4f}, {mark}, not\n{found}")
+
+    with (folder / "work/speed/4 s/phase_scene/results.csv").open(newline="") as file:
+        own = [row for row in csv.DictReader(file) if row["position"] == "unstable"]
+    mean = statistics.fmean(float(row["r2_zero_synthesised"]) for row in own)
+    at = page.find(f"| 4 s, unstable: {len(own)} | measured |")
+    found = page[at:].splitlines()[2].split("|")[5].strip() if at >= 0 else ""
+    yield Outcome.of(
+        "command/results: mean R2 at no lag of gestures of 4 s", found == f"{mean:.3f}", f"{mean}, {found}"
+    )
 
     row = f"|  | horizontal drag | plain | 1 | {60 / 3.001:.2f} |"
     found = [line for line in page.splitlines() if "horizontal drag | plain" in line]
