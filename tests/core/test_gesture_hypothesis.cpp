@@ -1,5 +1,6 @@
 #include "minimum_jerk_drag.h"
 #include "motion/motion_outlook.h"
+#include "signal/minimum_jerk.h"
 
 #include <doctest/doctest.h>
 
@@ -28,7 +29,7 @@ PhaseEstimate hand(const GestureHypothesis &hypothesis, double t_s, double filte
 	HypothesisBank bank;
 	bank.start(hypothesis);
 	MotionOutlook outlook;
-	outlook.look(bank, filtered_s, filtered_s);
+	outlook.look(bank, drag_curve(), filtered_s, filtered_s);
 	return outlook.at(drag_curve(), t_s);
 }
 
@@ -116,6 +117,40 @@ TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, a
 	CHECK(now.velocity == doctest::Approx((after.value - before.value) / (2.0 * STEP_S)).epsilon(1e-6));
 	CHECK(now.acceleration ==
 			doctest::Approx((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
+}
+
+TEST_CASE("what is expected until the next frame is the weighted mean of the curves, to 1e-4") {
+	constexpr double FILTERED_S = 1.0;
+	HypothesisBank bank;
+	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+	bank.start(rest);
+	bank.at_rest().log_weight = -3.0;
+	for (const double onset_s : { 0.55, 0.7, 0.85, 0.93 }) {
+		for (const double duration_s : { 0.15, 0.4, 1.0 }) {
+			bank.add(rest.begun(Regime::SOUND, onset_s, 0.01, std::log(duration_s), 0.1)).log_weight =
+					-onset_s - duration_s;
+		}
+	}
+	bank.prune(0.0, 0.0);
+	for (const double ahead_s : { 0.0, 0.01 }) {
+		MotionOutlook outlook(ahead_s);
+		outlook.look(bank, drag_curve(), FILTERED_S, FILTERED_S);
+		for (int i = 0; i < 50; ++i) {
+			const double t_s = FILTERED_S + ahead_s + 0.0007 * i;
+			double mean = 0.0, total = 0.0;
+			for (const GestureHypothesis &h : bank.all()) {
+				total += h.weight;
+				if (h.on_its_way()) {
+					const auto [onset_s, rate_per_s, gain, shape] = h.course();
+					const double phase = (t_s - onset_s) * rate_per_s;
+					const double elements = evaluate_onwards(drag_model(), phase).value;
+					mean += h.weight * gain *
+							(elements + shape * (minimum_jerk(phase).value - elements));
+				}
+			}
+			CHECK(std::abs(outlook.at(drag_curve(), t_s).value - mean / total) < 1e-4);
+		}
+	}
 }
 
 TEST_CASE("an outlier moves little, and a frame that fits moves as without outliers") {

@@ -12,14 +12,8 @@ constexpr double LONGEST_LEAD_IN_S = 0.03;
 constexpr int BISECTIONS = 40;
 
 QuinticPiece quintic(const MotionSnapshot::Knot &from, const MotionSnapshot::Knot &to, double period_s) {
-	const double way = to.position - from.position;
-	const double v0 = from.velocity * period_s, v1 = to.velocity * period_s;
-	const double a0 = from.acceleration * period_s * period_s, a1 = to.acceleration * period_s * period_s;
-	const double rate = 1.0 / period_s, cube = rate * rate * rate;
-	return { { from.position, from.velocity, 0.5 * from.acceleration,
-			cube * (10.0 * way - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1),
-			cube * rate * (-15.0 * way + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1),
-			cube * rate * rate * (6.0 * way - 3.0 * (v0 + v1) + 0.5 * (a1 - a0)) } };
+	return QuinticPiece::between({ from.position, from.velocity, from.acceleration },
+			{ to.position, to.velocity, to.acceleration }, period_s);
 }
 
 MotionPoint before(const MotionPoint &first, double dt_s) {

@@ -1,32 +1,13 @@
 #pragma once
 
+#include "signal/quintic_piece.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace steadyhand {
-
-/// A motion at an instant, in units of the task's amplitude: 0 at the start, 1 at the end; its derivatives
-/// per s, s^2 and s^3.
-struct MotionPoint {
-	double position = 0.0;
-	double velocity = 0.0;
-	double acceleration = 0.0;
-	double jerk = 0.0;
-};
-
-/// Position as a polynomial of the time since the piece began, s.
-struct QuinticPiece {
-	std::array<double, 6> c{};
-
-	[[nodiscard]] MotionPoint at(double s) const {
-		return { c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5])))),
-			c[1] + s * (2.0 * c[2] + s * (3.0 * c[3] + s * (4.0 * c[4] + s * 5.0 * c[5]))),
-			2.0 * c[2] + s * (6.0 * c[3] + s * (12.0 * c[4] + s * 20.0 * c[5])),
-			6.0 * c[3] + s * (24.0 * c[4] + s * 60.0 * c[5]) };
-	}
-};
 
 /// The motion has come to where it leads: a tap to its surface, a drag to its end.
 struct Arrival {
@@ -56,7 +37,7 @@ struct MotionSnapshot {
 
 	[[nodiscard]] double end_s() const { return time_s + period_s * static_cast<double>(count - 1); }
 
-	/// NaN where the snapshot is. Before the first knot: as it began there. After the last one the motion
+	/// In units of the amplitude: 0 at the start, 1 at the end. NaN where the snapshot is. Before the first knot: as it began there. After the last one the motion
 	/// coasts to a stop. At rest at 0 where there is none.
 	[[nodiscard]] MotionPoint at(double t_s) const;
 	[[nodiscard]] bool is_moving(double t_s) const;

@@ -94,9 +94,6 @@ void GestureFollower::advance(double t_s) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		if (mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING)) {
-			phase_.advance(clock_.next_s());
-		}
 		step(clock_.next_s());
 		clock_.advance();
 	}

@@ -16,7 +16,10 @@ constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
 } // namespace
 
-void MotionOutlook::look(const HypothesisBank &bank, double filtered_s, double seen_s) {
+MotionOutlook::MotionOutlook(double ahead_s) : ahead_s_(ahead_s) {}
+
+void MotionOutlook::look(
+		const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double seen_s) {
 	filtered_s_ = filtered_s;
 	count_ = 0;
 	hand_.fill({});
@@ -44,12 +47,21 @@ void MotionOutlook::look(const HypothesisBank &bank, double filtered_s, double s
 			moving_ += weight;
 		}
 	}
+	const auto [from, rate_per_s] = mean(curve, ahead_s_);
+	const PhaseEstimate to = mean(curve, ahead_s_ + PIECE_S).estimate;
+	piece_ = QuinticPiece::between({ from.value, from.velocity, from.acceleration },
+			{ to.value, to.velocity, to.acceleration }, PIECE_S);
+	piece_from_s_ = filtered_s + ahead_s_;
+	const double bend = (to.phase - from.phase) / PIECE_S - rate_per_s;
+	phase_ = { from.phase, rate_per_s, bend / PIECE_S };
 }
 
-PhaseEstimate MotionOutlook::at(const ElementCurve &curve, double t_s) const {
-	PhaseEstimate estimate;
+/// dt_s: since the hypotheses' time
+MotionOutlook::Mean MotionOutlook::mean(const ElementCurve &curve, double dt_s) const {
+	Mean mean;
+	PhaseEstimate &estimate = mean.estimate;
 	estimate.moving = moving_;
-	const double dt_s = std::max(t_s - filtered_s_, 0.0);
+	const double t_s = filtered_s_ + dt_s;
 	for (std::size_t i = 0; i < REGIMES; ++i) {
 		const auto &[x, v] = hand_[i];
 		if (x == 0.0 && v == 0.0) {
@@ -78,9 +90,10 @@ PhaseEstimate MotionOutlook::at(const ElementCurve &curve, double t_s) const {
 			estimate.acceleration +=
 					rate * rate * (course.elements * elements.curvature + course.smooth * smooth.second);
 			estimate.phase += course.weight * std::min(phase, 1.0);
+			mean.phase_rate_per_s += phase < 1.0 ? course.weight * rate : 0.0;
 		}
 	}
-	return estimate;
+	return mean;
 }
 
 } // namespace steadyhand

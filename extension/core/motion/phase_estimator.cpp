@@ -52,7 +52,8 @@ constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :
-		model_(&model), effort_(effort), curve_(model), latency_s_(latency_s), bank_(effort) {
+		model_(&model), effort_(effort), curve_(model), latency_s_(latency_s), bank_(effort),
+		outlook_(latency_s) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
@@ -74,7 +75,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = t_s;
 	filtered_s_ = t_s;
-	outlook_.look(bank_, t_s, seen_s_);
+	outlook_.look(bank_, curve_, t_s, seen_s_);
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -87,16 +88,13 @@ void PhaseEstimator::restart() {
 	blend_from(before, filtered_s_);
 }
 
-void PhaseEstimator::advance(double t_s) {
-	if (bank_.empty()) {
-		return;
-	}
+/// All that is due by t_s. What branches off says nothing new of the hand before a frame comes.
+void PhaseEstimator::branch_until(double t_s) {
 	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
-	while (next_branch_s_ <= t_s) {
+	for (; next_branch_s_ <= t_s; next_branch_s_ += effort_.branch_period_s) {
 		if (next_branch_s_ - seen_s_ <= BLIND_S) {
 			branch(next_branch_s_);
 		}
-		next_branch_s_ += effort_.branch_period_s;
 	}
 }
 
@@ -106,7 +104,6 @@ double PhaseEstimator::probability(Regime regime) const {
 }
 
 void PhaseEstimator::branch(double t_s) {
-	const PhaseEstimate before = at(t_s);
 	come_to_rest();
 	choose_rest();
 	set_free();
@@ -122,7 +119,6 @@ void PhaseEstimator::branch(double t_s) {
 	}
 	bank_.at_rest().log_weight += std::log1p(-starts);
 	prune();
-	blend_from(before, t_s);
 }
 
 void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
@@ -207,7 +203,6 @@ void PhaseEstimator::choose_rest() {
 void PhaseEstimator::prune() {
 	const double sound = 1.0 - soundness_.unsoundness();
 	bank_.prune(UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
-	outlook_.look(bank_, filtered_s_, seen_s_);
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
@@ -242,11 +237,12 @@ void PhaseEstimator::push(double t_s, double x) {
 	if (bank_.empty()) {
 		begin(t_s, x);
 	}
-	advance(t_s);
 	const PhaseEstimate before = at(t_s);
+	branch_until(t_s);
 	soundness_.push(t_s, x);
 	absorb(t_s, x);
 	prune();
+	outlook_.look(bank_, curve_, t_s, seen_s_);
 	blend_from(before, t_s);
 }
 

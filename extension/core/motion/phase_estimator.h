@@ -33,14 +33,12 @@ public:
 
 	/// A frame in which the motion element was seen, x in amplitudes; t_s must not decrease.
 	void push(double t_s, double x);
-	/// All that is due by t_s, without a frame.
-	void advance(double t_s);
 	/// The gesture is over: what comes next may be another one.
 	void restart();
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() { *this = PhaseEstimator(*model_, effort_, latency_s_); }
 
-	/// At t_s, not before the last push or advance.
+	/// At t_s, not before the last push.
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
@@ -64,6 +62,7 @@ private:
 	OutputBlend blend_; ///< of what the last change of the estimate would step by
 
 	void begin(double t_s, double d);
+	void branch_until(double t_s);
 	void branch(double t_s);
 	void come_to_rest();
 	void set_free();
