@@ -144,8 +144,7 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 					const auto [onset_s, rate_per_s, gain, shape] = h.course();
 					const double phase = (t_s - onset_s) * rate_per_s;
 					const double elements = evaluate_onwards(drag_model(), phase).value;
-					mean += h.weight * gain *
-							(elements + shape * (minimum_jerk(phase).value - elements));
+					mean += h.weight * gain * (elements + shape * (minimum_jerk(phase).value - elements));
 				}
 			}
 			CHECK(std::abs(outlook.at(drag_curve(), t_s).value - mean / total) < 1e-4);

@@ -37,8 +37,9 @@ struct MotionSnapshot {
 
 	[[nodiscard]] double end_s() const { return time_s + period_s * static_cast<double>(count - 1); }
 
-	/// In units of the amplitude: 0 at the start, 1 at the end. NaN where the snapshot is. Before the first knot: as it began there. After the last one the motion
-	/// coasts to a stop. At rest at 0 where there is none.
+	/// In units of the amplitude: 0 at the start, 1 at the end. NaN where the snapshot is. Before the first
+	/// knot: as it began there. After the last one the motion coasts to a stop. At rest at 0 where there is
+	/// none.
 	[[nodiscard]] MotionPoint at(double t_s) const;
 	[[nodiscard]] bool is_moving(double t_s) const;
 	/// The first instant at or after from_s, up to the last knot, at which the position is `level` or more;

@@ -56,6 +56,9 @@ void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
 		h.log_weight -= best;
 		h.weight = std::exp(h.log_weight);
 	}
+	if (at_rest().log_weight < NEGLIGIBLE_TO_ALL) {
+		at_rest().log_weight = -std::numeric_limits<double>::infinity();
+	}
 	const auto begin = order_.begin() + 1;
 	const auto end = order_.begin() + static_cast<std::ptrdiff_t>(count_);
 	const auto is = [this](Kind wanted) {

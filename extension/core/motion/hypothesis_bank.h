@@ -11,8 +11,8 @@
 
 namespace steadyhand {
 
-/// The hypotheses that are weighed against each other; the first one is at rest and always stays. Allocates
-/// nothing, and moves none of them: what is sorted are their places.
+/// The hypotheses that are weighed against each other; the first one is at rest and always stays, with weight
+/// 0 once it is given up. Allocates nothing, and moves none of them: what is sorted are their places.
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
@@ -30,7 +30,8 @@ public:
 	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
 	/// there are any: a tracker may begin to err, a hand to do something else, at any time.
 	void prune(double unsound_at_least, double free_at_least);
-	/// One on its way, of this log weight, would be dropped by the next prune, if it were now.
+	/// One that the hand began or turned to, of this log weight, would be dropped by the next prune, if it
+	/// were now.
 	[[nodiscard]] bool is_hopeless(Regime regime, double log_weight) const {
 		return log_weight <= least_[regime == Regime::UNSOUND ? ERRING : USUAL];
 	}
@@ -46,6 +47,8 @@ public:
 			return hypotheses_[i];
 		});
 	}
+	/// Those that may still be right.
+	[[nodiscard]] auto weighed() { return all() | std::views::drop(at_rest().weight > 0.0 ? 0 : 1); }
 	/// All but the one at rest.
 	[[nodiscard]] auto others() { return all() | std::views::drop(1); }
 	[[nodiscard]] auto others() const { return all() | std::views::drop(1); }

@@ -16,7 +16,16 @@ constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
 } // namespace
 
-MotionOutlook::MotionOutlook(double ahead_s) : ahead_s_(ahead_s) {}
+MotionOutlook::MotionOutlook(double ahead_s) :
+		ahead_s_(ahead_s), fading_from_(fading(ahead_s)), fading_to_(fading(ahead_s + PIECE_S)) {}
+
+MotionOutlook::Fading MotionOutlook::fading(double dt_s) {
+	Fading all;
+	for (std::size_t i = 0; i < REGIMES; ++i) {
+		all[i] = std::exp(-regime_numbers(static_cast<Regime>(i)).hand.rate_per_s * dt_s);
+	}
+	return all;
+}
 
 void MotionOutlook::look(
 		const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double seen_s) {
@@ -47,8 +56,8 @@ void MotionOutlook::look(
 			moving_ += weight;
 		}
 	}
-	const auto [from, rate_per_s] = mean(curve, ahead_s_);
-	const PhaseEstimate to = mean(curve, ahead_s_ + PIECE_S).estimate;
+	const auto [from, rate_per_s] = mean(curve, ahead_s_, fading_from_);
+	const PhaseEstimate to = mean(curve, ahead_s_ + PIECE_S, fading_to_).estimate;
 	piece_ = QuinticPiece::between({ from.value, from.velocity, from.acceleration },
 			{ to.value, to.velocity, to.acceleration }, PIECE_S);
 	piece_from_s_ = filtered_s + ahead_s_;
@@ -57,7 +66,7 @@ void MotionOutlook::look(
 }
 
 /// dt_s: since the hypotheses' time
-MotionOutlook::Mean MotionOutlook::mean(const ElementCurve &curve, double dt_s) const {
+MotionOutlook::Mean MotionOutlook::mean(const ElementCurve &curve, double dt_s, const Fading &fading) const {
 	Mean mean;
 	PhaseEstimate &estimate = mean.estimate;
 	estimate.moving = moving_;
@@ -67,8 +76,8 @@ MotionOutlook::Mean MotionOutlook::mean(const ElementCurve &curve, double dt_s) 
 		if (x == 0.0 && v == 0.0) {
 			continue;
 		}
-		const CriticallyDamped hand =
-				critically_damped(x, v, regime_numbers(static_cast<Regime>(i)).hand.rate_per_s, dt_s);
+		const CriticallyDamped hand = critically_damped(
+				x, v, regime_numbers(static_cast<Regime>(i)).hand.rate_per_s, dt_s, fading[i]);
 		estimate.value += hand.value;
 		estimate.velocity += hand.velocity;
 		estimate.acceleration += hand.acceleration;

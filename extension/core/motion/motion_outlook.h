@@ -37,11 +37,12 @@ public:
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {
 		const double s = t_s - piece_from_s_;
 		if (!(s >= 0.0 && s <= PIECE_S)) {
-			return mean(curve, std::max(t_s - filtered_s_, 0.0)).estimate;
+			const double dt_s = std::max(t_s - filtered_s_, 0.0);
+			return mean(curve, dt_s, fading(dt_s)).estimate;
 		}
 		const MotionPoint point = piece_.at(s);
-		return { point.position, point.velocity, point.acceleration, phase_[0] + s * (phase_[1] + s * phase_[2]),
-			moving_ };
+		return { point.position, point.velocity, point.acceleration,
+			phase_[0] + s * (phase_[1] + s * phase_[2]), moving_ };
 	}
 
 private:
@@ -74,7 +75,12 @@ private:
 		PhaseEstimate estimate;
 		double phase_rate_per_s = 0.0;
 	};
-	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s) const;
+	/// What a time after the hypotheses' leaves of deviations, a regime each: exp(-rate dt_s).
+	using Fading = std::array<double, REGIMES>;
+	[[nodiscard]] static Fading fading(double dt_s);
+	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s, const Fading &fading) const;
+
+	Fading fading_from_, fading_to_; ///< at the ends of the piece
 };
 
 } // namespace steadyhand

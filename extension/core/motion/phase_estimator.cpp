@@ -156,7 +156,9 @@ void PhaseEstimator::set_free() {
 	if (likeliest != nullptr) {
 		bank_.add(likeliest->in(Regime::FREE)).log_weight += log_probability;
 	}
-	bank_.add(bank_.at_rest().in(Regime::FREE)).log_weight += log_probability;
+	if (!bank_.is_hopeless(Regime::FREE, bank_.at_rest().log_weight + log_probability)) {
+		bank_.add(bank_.at_rest().in(Regime::FREE)).log_weight += log_probability;
+	}
 }
 
 /// Hypotheses that began since the hand was last seen and have come as far as x.
@@ -212,7 +214,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
 	const Passages over_step = passages(step_s);
-	for (GestureHypothesis &h : bank_.all()) {
+	for (GestureHypothesis &h : bank_.weighed()) {
 		h.predict(curve_, t_s, over_step);
 	}
 	if (soundness_.jumped()) {
@@ -223,7 +225,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
 	}
-	for (GestureHypothesis &h : bank_.all()) {
+	for (GestureHypothesis &h : bank_.weighed()) {
 		if (h.on_its_way()) {
 			h.log_weight -= h.regime() == Regime::UNSOUND ? no_fault : FAULT_LOG_RATIO * soundness_.fault();
 		}

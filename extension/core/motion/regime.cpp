@@ -1,6 +1,6 @@
 #include "motion/regime.h"
 
-#include <cmath>
+#include <Eigen/Core>
 
 namespace steadyhand {
 namespace {
@@ -19,8 +19,8 @@ const RegimeNumbers &regime_numbers(Regime regime) {
 	return NUMBERS[static_cast<std::size_t>(regime)];
 }
 
-Damping::Damping(double rate_per_s, double dt_s) {
-	const double a = rate_per_s, fading = std::exp(-a * dt_s);
+Damping::Damping(double rate_per_s, double dt_s, double fading) {
+	const double a = rate_per_s;
 	xx = fading * (1.0 + a * dt_s);
 	xv = fading * dt_s;
 	vx = -fading * a * a * dt_s;
@@ -31,9 +31,16 @@ Damping::Damping(double rate_per_s, double dt_s) {
 }
 
 Passages passages(double dt_s) {
+	Eigen::Array<double, 2 * REGIMES, 1> fading;
+	for (std::size_t i = 0; i < REGIMES; ++i) {
+		fading[2 * i] = -dt_s * NUMBERS[i].hand.rate_per_s;
+		fading[2 * i + 1] = -dt_s * NUMBERS[i].error.rate_per_s;
+	}
+	fading = fading.exp();
 	Passages all;
 	for (std::size_t i = 0; i < REGIMES; ++i) {
-		all[i] = { { NUMBERS[i].hand.rate_per_s, dt_s }, { NUMBERS[i].error.rate_per_s, dt_s } };
+		all[i] = { { NUMBERS[i].hand.rate_per_s, dt_s, fading[2 * i] },
+			{ NUMBERS[i].error.rate_per_s, dt_s, fading[2 * i + 1] } };
 	}
 	return all;
 }

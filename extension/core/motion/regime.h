@@ -40,7 +40,8 @@ struct Damping {
 	double noise_x = 0.0, noise_xv = 0.0, noise_v = 0.0;
 
 	Damping() = default;
-	Damping(double rate_per_s, double dt_s);
+	/// fading: exp(-rate_per_s * dt_s)
+	Damping(double rate_per_s, double dt_s, double fading);
 };
 
 /// What a time does to the deviations of a regime: the same for all hypotheses in it.
