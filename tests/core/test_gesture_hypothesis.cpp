@@ -33,6 +33,21 @@ PhaseEstimate hand(const GestureHypothesis &hypothesis, double t_s, double filte
 	return outlook.at(drag_curve(), t_s);
 }
 
+/// A bank of one.
+class Alone {
+public:
+	explicit Alone(const GestureHypothesis &hypothesis) { bank_.start(hypothesis); }
+	void predict(double t_s, double dt_s) { bank_.predict(drag_curve(), t_s, passages(dt_s)); }
+	void absorb(double t_s, double x, const HypothesisGroup::Trust &trust) {
+		bank_.absorb(drag_curve(), t_s, x, trust);
+	}
+	[[nodiscard]] GestureHypothesis get() const { return bank_.hypothesis(0); }
+	void set(const GestureHypothesis &hypothesis) { bank_.set(0, hypothesis); }
+
+private:
+	HypothesisBank bank_;
+};
+
 /// Covariance of critically damped noise at two instants (Matern 3/2; Rasmussen & Williams 2006, eq. 4.17).
 double covariance(const Deviation &noise, double apart_s) {
 	const double r = noise.rate_per_s * std::abs(apart_s);
@@ -57,14 +72,15 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 		x.push_back(0.03 * std::sin(5.0 * t_s) + 0.004 * normal(random));
 	}
 
-	GestureHypothesis hypothesis = GestureHypothesis::resting(0.0);
+	Alone alone(GestureHypothesis::resting(0.0));
 	double filtered_s = t.front();
 	for (std::size_t i = 0; i < t.size(); ++i) {
-		hypothesis.predict(drag_curve(), t[i], passages(t[i] - filtered_s));
+		alone.predict(t[i], t[i] - filtered_s);
 		filtered_s = t[i];
-		hypothesis = i == JUMPS_AT ? hypothesis.displaced(JUMP) : hypothesis;
-		hypothesis.absorb(drag_curve(), t[i], x[i], { .outlier = 0.0, .weight = 1.0 });
+		alone.set(i == JUMPS_AT ? alone.get().displaced(JUMP) : alone.get());
+		alone.absorb(t[i], x[i], { .outlier = 0.0, .weight = 1.0 });
 	}
+	const GestureHypothesis hypothesis = alone.get();
 
 	// What is left of the jump: it fades critically damped.
 	const auto left = [&](double t_i) {
@@ -97,15 +113,15 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 
 TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, and says how the hand moves") {
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.2, .amplitude_m = 1.0 };
-	GestureHypothesis hypothesis =
-			GestureHypothesis::resting(0.0).begun(Regime::SOUND, 0.55, 0.05, std::log(1.0), 0.3);
+	Alone alone(GestureHypothesis::resting(0.0).begun(Regime::SOUND, 0.55, 0.05, std::log(1.0), 0.3));
 	double filtered_s = 0.5;
 	for (int i = 0; i <= 100; ++i) {
 		const double t_s = 0.5 + 0.009 * i;
-		hypothesis.predict(drag_curve(), t_s, passages(t_s - filtered_s));
+		alone.predict(t_s, t_s - filtered_s);
 		filtered_s = t_s;
-		hypothesis.absorb(drag_curve(), t_s, drag.x_m(t_s), {});
+		alone.absorb(t_s, drag.x_m(t_s), {});
 	}
+	const GestureHypothesis hypothesis = alone.get();
 	for (const double ahead_s : { 0.0, 0.03, 0.06, 0.09, 0.12, 0.15 }) {
 		CHECK(hand(hypothesis, filtered_s + ahead_s, filtered_s).value ==
 				doctest::Approx(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
@@ -119,16 +135,110 @@ TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, a
 			doctest::Approx((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
 }
 
+TEST_CASE("hypotheses side by side are extended Kalman filters, each as with dense matrices") {
+	using Vector = Eigen::Matrix<double, 9, 1>;
+	using Matrix = Eigen::Matrix<double, 9, 9>;
+	enum { D, DV, B, BV, ONSET, LOG_DURATION, GAIN, SHAPE, LAG };
+	constexpr double NOISE = 0.0051, JITTER = 0.003, STEP_S = 0.009, DEVIATION = 0.02;
+	const test::Drag drag{ .onset_s = 0.06, .duration_s = 0.5, .amplitude_m = 1.0 };
+	const auto f = [](double phase, double shape) {
+		const double elements = evaluate_onwards(drag_model(), phase).value;
+		return elements + shape * (minimum_jerk(phase).value - elements);
+	};
+	const auto shown = [&](const Vector &m, double t_s) {
+		const double rate = std::exp(-m[LOG_DURATION]), now = (t_s - m[ONSET]) * rate;
+		return (1.0 + m[GAIN]) * f(now - m[LAG] * f(now, m[SHAPE]) * rate, m[SHAPE]) + m[D] + m[B];
+	};
+	const std::array regimes{ Regime::SOUND, Regime::UNSOUND, Regime::FREE, Regime::UNSOUND, Regime::SOUND,
+		Regime::FREE };
+	HypothesisBank bank;
+	bank.start(GestureHypothesis::resting(0.0));
+	std::vector<Vector> mean;
+	std::vector<Matrix> covariance;
+	for (std::size_t k = 0; k < regimes.size(); ++k) {
+		const RegimeNumbers &n = regime_numbers(regimes[k]);
+		const double onset_s = 0.015 * static_cast<double>(k),
+					 log_duration = -0.9 + 0.1 * static_cast<double>(k);
+		const double lags = 1.0 / (1.0 + 0.39 * std::exp(-log_duration));
+		bank.add(GestureHypothesis::resting(0.0).begun(regimes[k], onset_s, DEVIATION, log_duration, 0.1));
+		const RegimeNumbers &rest = regime_numbers(Regime::REST);
+		mean.emplace_back(0, 0, 0, 0, onset_s, log_duration, 0, 0.36, lags * n.lag_s);
+		const Vector deviation(rest.hand.amplitudes, rest.hand.amplitudes * rest.hand.rate_per_s,
+				rest.error.amplitudes, rest.error.amplitudes * rest.error.rate_per_s, DEVIATION, 0.1,
+				n.gain_deviation, 0.33, lags * n.lag_deviation_s);
+		covariance.emplace_back(deviation.cwiseAbs2().asDiagonal());
+	}
+	for (int i = 0; i < 34; ++i) {
+		const double t_s = 0.1 + i * STEP_S;
+		bank.predict(drag_curve(), t_s, passages(STEP_S));
+		bank.absorb(drag_curve(), t_s, drag.x_m(t_s), { .outlier = 0.0, .jitter = JITTER });
+		for (std::size_t k = 0; k < regimes.size(); ++k) {
+			Vector &m = mean[k];
+			Matrix &p = covariance[k];
+			const RegimeNumbers &n = regime_numbers(regimes[k]);
+			const double on_way = f((t_s - m[ONSET]) * std::exp(-m[LOG_DURATION]), m[SHAPE]);
+			Matrix transition = Matrix::Identity(), noise = Matrix::Zero();
+			for (const auto &[at, a, s] : { std::tuple{ D, n.hand.rate_per_s, n.hand.amplitudes },
+						 std::tuple{
+								 B, n.error.rate_per_s, n.error.amplitudes + n.error_on_way * on_way } }) {
+				Eigen::Matrix2d step;
+				step << 1.0 + a * STEP_S, STEP_S, -a * a * STEP_S, 1.0 - a * STEP_S;
+				step *= std::exp(-a * STEP_S);
+				const Eigen::Matrix2d resting =
+						s * s * Eigen::Vector2d(1.0, a * a).asDiagonal().toDenseMatrix();
+				transition.block<2, 2>(at, at) = step;
+				noise.block<2, 2>(at, at) = resting - step * resting * step.transpose();
+			}
+			m = transition * m;
+			p = transition * p * transition.transpose() + noise;
+			Vector slopes;
+			for (Eigen::Index j = 0; j < 9; ++j) {
+				constexpr double H = 1e-6;
+				Vector up = m, down = m;
+				up[j] += H;
+				down[j] -= H;
+				slopes[j] = (shown(up, t_s) - shown(down, t_s)) / (2.0 * H);
+			}
+			// The way behind which a tracker lags counts as known.
+			const double rate = std::exp(-m[LOG_DURATION]), now = (t_s - m[ONSET]) * rate;
+			const double gone = f(now, m[SHAPE]), seen = now - m[LAG] * gone * rate;
+			const double slope = -slopes[LAG] / (gone * rate);
+			slopes[ONSET] = -slope * rate;
+			slopes[LOG_DURATION] = -slope * seen;
+			slopes[SHAPE] = (1.0 + m[GAIN]) * (f(seen, 1.0) - f(seen, 0.0));
+			const double variance = slopes.dot(p * slopes) + NOISE * NOISE + JITTER * JITTER;
+			const Vector gain = p * slopes / variance;
+			m += gain * (drag.x_m(t_s) - shown(m, t_s));
+			p -= variance * gain * gain.transpose();
+			m[LAG] = std::max(m[LAG], 0.0);
+		}
+	}
+	for (std::size_t k = 0; k < regimes.size(); ++k) {
+		CAPTURE(k);
+		const auto [onset_s, rate_per_s, gain, shape] = bank.course(k + 1);
+		CHECK(onset_s == doctest::Approx(mean[k][ONSET]).epsilon(1e-5));
+		CHECK(rate_per_s == doctest::Approx(std::exp(-mean[k][LOG_DURATION])).epsilon(1e-5));
+		CHECK(gain == doctest::Approx(1.0 + mean[k][GAIN]).epsilon(1e-5));
+		CHECK(shape == doctest::Approx(mean[k][SHAPE]).epsilon(1e-5));
+		CHECK(bank.hand_deviation(k + 1) == doctest::Approx(mean[k][D]).epsilon(1e-5));
+		CHECK(bank.hand_deviation_rate(k + 1) == doctest::Approx(mean[k][DV]).epsilon(1e-5));
+	}
+}
+
 TEST_CASE("what is expected until the next frame is the weighted mean of the curves, to 1e-4") {
 	constexpr double FILTERED_S = 1.0;
 	HypothesisBank bank;
 	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
 	bank.start(rest);
-	bank.at_rest().log_weight = -3.0;
+	bank.weigh(HypothesisBank::AT_REST, -3.0);
+	const auto began = [&](double onset_s, double duration_s) {
+		GestureHypothesis h = rest.begun(Regime::SOUND, onset_s, 0.01, std::log(duration_s), 0.1);
+		h.log_weight = -onset_s - duration_s;
+		bank.add(h);
+	};
 	for (const double onset_s : { 0.55, 0.7, 0.85, 0.93 }) {
 		for (const double duration_s : { 0.15, 0.4, 1.0 }) {
-			bank.add(rest.begun(Regime::SOUND, onset_s, 0.01, std::log(duration_s), 0.1)).log_weight =
-					-onset_s - duration_s;
+			began(onset_s, duration_s);
 		}
 	}
 	bank.prune(0.0, 0.0);
@@ -138,13 +248,14 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 		for (int i = 0; i < 50; ++i) {
 			const double t_s = FILTERED_S + ahead_s + 0.0007 * i;
 			double mean = 0.0, total = 0.0;
-			for (const GestureHypothesis &h : bank.all()) {
-				total += h.weight;
-				if (h.on_its_way()) {
-					const auto [onset_s, rate_per_s, gain, shape] = h.course();
+			for (std::size_t k = 0; k < bank.size(); ++k) {
+				total += bank.weight(k);
+				if (bank.on_its_way(k)) {
+					const auto [onset_s, rate_per_s, gain, shape] = bank.course(k);
 					const double phase = (t_s - onset_s) * rate_per_s;
 					const double elements = evaluate_onwards(drag_model(), phase).value;
-					mean += h.weight * gain * (elements + shape * (minimum_jerk(phase).value - elements));
+					mean += bank.weight(k) * gain *
+							(elements + shape * (minimum_jerk(phase).value - elements));
 				}
 			}
 			CHECK(std::abs(outlook.at(drag_curve(), t_s).value - mean / total) < 1e-4);
@@ -155,9 +266,9 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 TEST_CASE("an outlier moves little, and a frame that fits moves as without outliers") {
 	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
 	const auto moved = [&](double x, double outlier) {
-		GestureHypothesis h = rest;
-		h.absorb(drag_curve(), 0.0, x, { .outlier = outlier });
-		return hand(h, 0.0, 0.0).value;
+		Alone alone(rest);
+		alone.absorb(0.0, x, { .outlier = outlier });
+		return hand(alone.get(), 0.0, 0.0).value;
 	};
 	CHECK(moved(0.5, 0.01) < 1e-6);
 	CHECK(moved(0.5, 0.0) > 0.45);
@@ -168,9 +279,11 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	HypothesisBank bank;
 	const GestureHypothesis rest = GestureHypothesis::resting(0.0);
 	bank.start(rest);
-	bank.at_rest().log_weight = -50.0;
+	bank.weigh(HypothesisBank::AT_REST, -50.0);
 	const auto began = [&](Regime regime, double log_weight) {
-		bank.add(rest.begun(regime, 0.0, 0.01, 0.0, 0.1)).log_weight = log_weight;
+		GestureHypothesis h = rest.begun(regime, 0.0, 0.01, 0.0, 0.1);
+		h.log_weight = log_weight;
+		bank.add(h);
 	};
 	for (int i = 0; i < 24; ++i) {
 		began(Regime::SOUND, -3.0 - 0.1 * i);
@@ -181,16 +294,18 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	bank.prune(0.02, 0.002);
 
 	double usual = 0.0, unsound = 0.0, free = 0.0, greatest = -1.0, least_sound = 0.0;
-	for (const GestureHypothesis &h : bank.others()) {
-		const double weight = std::exp(h.log_weight);
+	for (std::size_t i = 1; i < bank.size(); ++i) {
+		const Regime regime = bank.regime(i);
+		const double weight = std::exp(bank.log_weight(i));
 		greatest = std::max(greatest, weight);
-		(h.regime() == Regime::UNSOUND ? unsound : h.regime() == Regime::FREE ? free : usual) += weight;
-		if (h.regime() == Regime::SOUND) {
-			least_sound = std::min(least_sound, h.log_weight);
+		(regime == Regime::UNSOUND ? unsound : regime == Regime::FREE ? free : usual) += weight;
+		if (regime == Regime::SOUND) {
+			least_sound = std::min(least_sound, bank.log_weight(i));
 		}
+		CHECK(bank.weight(i) == doctest::Approx(weight));
 	}
-	CHECK(bank.all().size() == 1 + 20 + 1 + 1);
-	CHECK(bank.at_rest().regime() == Regime::REST);
+	CHECK(bank.size() == 1 + 20 + 1 + 1);
+	CHECK(bank.regime(HypothesisBank::AT_REST) == Regime::REST);
 	CHECK(greatest == doctest::Approx(1.0));
 	CHECK(least_sound == doctest::Approx(-1.9));
 	CHECK(unsound == doctest::Approx(0.02 * usual));
@@ -203,14 +318,16 @@ TEST_CASE("a bank keeps no more than its effort says") {
 	bank.start(rest);
 	for (int i = 0; i < 8; ++i) {
 		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND, Regime::FREE }) {
-			bank.add(rest.begun(regime, 0.0, 0.01, 0.0, 0.1)).log_weight = -0.1 * i;
+			GestureHypothesis h = rest.begun(regime, 0.0, 0.01, 0.0, 0.1);
+			h.log_weight = -0.1 * i;
+			bank.add(h);
 		}
 	}
 	bank.prune(0.0, 0.0);
 	std::array<int, REGIMES> kept{};
-	for (const GestureHypothesis &h : bank.all()) {
-		++kept[static_cast<std::size_t>(h.regime())];
-		CHECK(h.log_weight > -0.25);
+	for (std::size_t i = 0; i < bank.size(); ++i) {
+		++kept[static_cast<std::size_t>(bank.regime(i))];
+		CHECK(bank.log_weight(i) > -0.25);
 	}
 	CHECK(kept == std::array{ 1, 3, 2, 1 });
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
+
+// As in lanes.h: what passes vectors is inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace steadyhand {
 namespace {
@@ -14,92 +17,147 @@ constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 
 } // namespace
 
-HypothesisBank::Kind HypothesisBank::kind(const GestureHypothesis &hypothesis) {
-	if (hypothesis.regime() == Regime::UNSOUND) {
+HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
+	if (regime(place) == Regime::UNSOUND) {
 		return ERRING;
 	}
-	return hypothesis.regime() == Regime::FREE && hypothesis.on_its_way() ? WANDERING : USUAL;
-}
-
-double HypothesisBank::greatest(std::span<const Place> places) const {
-	double best = -std::numeric_limits<double>::infinity();
-	for (const Place i : places) {
-		best = std::max(best, hypotheses_[i].log_weight);
-	}
-	return best;
+	return regime(place) == Regime::FREE && on_its_way(place) ? WANDERING : USUAL;
 }
 
 double HypothesisBank::total(std::span<const Place> places) const {
 	double sum = 0.0;
 	for (const Place i : places) {
-		sum += hypotheses_[i].weight;
+		sum += weight(i);
 	}
 	return sum;
 }
 
 void HypothesisBank::start(const GestureHypothesis &at_rest) {
-	std::iota(order_.begin(), order_.end(), Place{ 0 });
-	hypotheses_[0] = at_rest;
-	count_ = 1;
+	count_ = 0;
+	add(at_rest);
+	weights_[0][AT_REST] = 1.0;
 	least_.fill(NEGLIGIBLE_TO_ALL);
 }
 
-GestureHypothesis &HypothesisBank::add(const GestureHypothesis &hypothesis) {
-	GestureHypothesis &added = hypotheses_[order_[count_++]];
-	added = hypothesis;
-	return added;
+void HypothesisBank::set(std::size_t place, const GestureHypothesis &hypothesis) {
+	groups_[place / LANES].set(place % LANES, hypothesis);
+	log_weights_[place / LANES][place % LANES] = hypothesis.log_weight;
+}
+
+GestureHypothesis HypothesisBank::hypothesis(std::size_t place) const {
+	GestureHypothesis h = group(place).hypothesis(place % LANES);
+	h.log_weight = log_weight(place);
+	return h;
+}
+
+void HypothesisBank::swap(std::size_t a, std::size_t b) {
+	const GestureHypothesis at_a = hypothesis(a);
+	set(a, hypothesis(b));
+	set(b, at_a);
+}
+
+void HypothesisBank::predict(const ElementCurve &curve, double t_s, const Passages &passages) {
+	for (std::size_t g = 0; g < groups_in_use(); ++g) {
+		groups_[g].predict(curve, t_s, passages);
+	}
+}
+
+void HypothesisBank::absorb(
+		const ElementCurve &curve, double t_s, double x, const HypothesisGroup::Trust &trust) {
+	for (std::size_t g = 0; g < groups_in_use(); ++g) {
+		groups_[g].absorb(curve, t_s, x, trust, log_weights_[g]);
+	}
+}
+
+/// The greatest weight becomes 1.
+STEADYHAND_WIDE void HypothesisBank::scale() {
+	double best = -std::numeric_limits<double>::infinity();
+	for (std::size_t i = 0; i < count_; ++i) {
+		best = std::max(best, log_weight(i));
+	}
+	for (std::size_t g = 0; g < groups_in_use(); ++g) {
+		const LaneVector scaled = load(log_weights_[g]) - best;
+		store(log_weights_[g], scaled);
+		store(weights_[g], exponential(scaled));
+	}
+	if (log_weight(AT_REST) < NEGLIGIBLE_TO_ALL) {
+		log_weights_[0][AT_REST] = -std::numeric_limits<double>::infinity();
+		weights_[0][AT_REST] = 0.0;
+	}
 }
 
 void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
-	const double best = greatest(places());
-	for (GestureHypothesis &h : all()) {
-		h.log_weight -= best;
-		h.weight = std::exp(h.log_weight);
+	scale();
+	std::array<std::array<Place, CAPACITY>, KINDS> places;
+	std::array<std::size_t, KINDS> counts{};
+	for (std::size_t i = AT_REST + 1; i < count_; ++i) {
+		const Kind k = kind(i);
+		places[k][counts[k]++] = static_cast<Place>(i);
 	}
-	if (at_rest().log_weight < NEGLIGIBLE_TO_ALL) {
-		at_rest().log_weight = -std::numeric_limits<double>::infinity();
-	}
-	const auto begin = order_.begin() + 1;
-	const auto end = order_.begin() + static_cast<std::ptrdiff_t>(count_);
-	const auto is = [this](Kind wanted) {
-		return [this, wanted](Place i) { return kind(hypotheses_[i]) == wanted; };
-	};
-	const auto erring = std::partition(begin, end, is(USUAL));
-	const auto wandering = std::partition(erring, end, is(ERRING));
-	const std::array bounds{ begin, erring, wandering, end };
-
 	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least };
 	double usual = 0.0;
-	auto kept = begin;
+	std::array<Place, CAPACITY> kept;
+	std::size_t kept_count = 0;
 	for (const Kind k : { USUAL, ERRING, WANDERING }) {
-		const auto count = keep_likely({ bounds[k], bounds[k + 1] }, k, share[k] * usual);
-		kept = std::rotate(kept, bounds[k], bounds[k] + static_cast<std::ptrdiff_t>(count));
-		usual = k == USUAL ? total({ begin, kept }) : usual;
+		const std::span of_kind(places[k].data(), counts[k]);
+		const auto likely = of_kind.first(keep_likely(of_kind, k, share[k] * usual));
+		usual = k == USUAL ? total(likely) : usual;
+		std::copy(likely.begin(), likely.end(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
+		kept_count += likely.size();
 	}
-	count_ = static_cast<std::size_t>(kept - order_.begin());
+	keep_only({ kept.data(), kept_count });
 }
 
 /// Brings those that stay to the front; returns how many they are.
 std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, double at_least) {
-	const double bound = std::max(greatest(r_places) + NEGLIGIBLE, NEGLIGIBLE_TO_ALL);
+	double greatest = -std::numeric_limits<double>::infinity();
+	for (const Place i : r_places) {
+		greatest = std::max(greatest, log_weight(i));
+	}
+	const double bound = std::max(greatest + NEGLIGIBLE, NEGLIGIBLE_TO_ALL);
 	least_[kind] = bound;
-	const auto likely_end = std::partition(r_places.begin(), r_places.end(),
-			[this, bound](Place i) { return hypotheses_[i].log_weight > bound; });
+	const auto likely_end = std::partition(
+			r_places.begin(), r_places.end(), [this, bound](Place i) { return log_weight(i) > bound; });
 	auto count = static_cast<std::size_t>(likely_end - r_places.begin());
 	if (count > most_kept_[kind]) {
 		count = most_kept_[kind];
 		std::nth_element(r_places.begin(), r_places.begin() + static_cast<std::ptrdiff_t>(count), likely_end,
-				[this](Place a, Place b) { return hypotheses_[a].log_weight > hypotheses_[b].log_weight; });
+				[this](Place a, Place b) { return log_weight(a) > log_weight(b); });
 	}
 	const double sum = total(r_places.first(count));
 	if (sum > 0.0 && sum < at_least) {
-		const double factor = at_least / sum;
+		const double factor = at_least / sum, log_factor = std::log(factor);
 		for (const Place i : r_places.first(count)) {
-			hypotheses_[i].log_weight += std::log(factor);
-			hypotheses_[i].weight *= factor;
+			log_weights_[i / LANES][i % LANES] += log_factor;
+			weights_[i / LANES][i % LANES] *= factor;
 		}
 	}
 	return count;
+}
+
+/// And the one at rest; the last ones move to where others were dropped.
+void HypothesisBank::keep_only(std::span<const Place> places) {
+	const std::size_t left = 1 + places.size();
+	if (left == count_) {
+		return;
+	}
+	std::array<bool, CAPACITY> is_kept{};
+	for (const Place i : places) {
+		is_kept[i] = true;
+	}
+	std::size_t hole = AT_REST + 1;
+	for (std::size_t i = left; i < count_; ++i) {
+		if (is_kept[i]) {
+			while (is_kept[hole]) {
+				++hole;
+			}
+			groups_[hole / LANES].set(hole % LANES, group(i).hypothesis(i % LANES));
+			log_weights_[hole / LANES][hole % LANES] = log_weight(i);
+			weights_[hole / LANES][hole % LANES] = weight(i);
+			++hole;
+		}
+	}
+	count_ = left;
 }
 
 } // namespace steadyhand

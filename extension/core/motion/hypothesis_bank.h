@@ -1,31 +1,39 @@
 #pragma once
 
-#include "motion/gesture_hypothesis.h"
+#include "motion/hypothesis_group.h"
 #include "motion/phase_effort.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <ranges>
 #include <span>
 
 namespace steadyhand {
 
-/// The hypotheses that are weighed against each other; the first one is at rest and always stays, with weight
-/// 0 once it is given up. Allocates nothing, and moves none of them: what is sorted are their places.
+/// The hypotheses that are weighed against each other, by their places 0..size() - 1, which a prune changes.
+/// The first one is at rest and always stays, with weight 0 once it is given up. Allocates nothing.
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
 	static constexpr std::size_t MOST_ADDED = 64;
 	static constexpr std::size_t MOST_AFTER_PRUNE =
 			1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING + PhaseEffort::MOST_WANDERING;
+	static constexpr std::size_t AT_REST = 0; ///< its place
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
 			most_kept_{ effort.usual, effort.erring, effort.wandering } {}
 
 	/// Only the one at rest.
 	void start(const GestureHypothesis &at_rest);
-	GestureHypothesis &add(const GestureHypothesis &hypothesis);
+	void add(const GestureHypothesis &hypothesis) { set(count_++, hypothesis); }
+	void set(std::size_t place, const GestureHypothesis &hypothesis);
+	[[nodiscard]] GestureHypothesis hypothesis(std::size_t place) const;
+	void swap(std::size_t a, std::size_t b);
+
+	/// As HypothesisGroup's, all of them.
+	void predict(const ElementCurve &curve, double t_s, const Passages &passages);
+	void absorb(const ElementCurve &curve, double t_s, double x, const HypothesisGroup::Trust &trust);
+
 	/// Drops the unlikely, and scales weights so that the greatest is 1. unsound_at_least, free_at_least:
 	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
 	/// there are any: a tracker may begin to err, a hand to do something else, at any time.
@@ -37,38 +45,46 @@ public:
 	}
 
 	[[nodiscard]] bool empty() const { return count_ == 0; }
-	[[nodiscard]] GestureHypothesis &at_rest() { return hypotheses_[0]; }
-	[[nodiscard]] auto all() {
-		return places() |
-				std::views::transform([this](Place i) -> GestureHypothesis & { return hypotheses_[i]; });
+	[[nodiscard]] std::size_t size() const { return count_; }
+	[[nodiscard]] double log_weight(std::size_t place) const {
+		return log_weights_[place / LANES][place % LANES];
 	}
-	[[nodiscard]] auto all() const {
-		return places() | std::views::transform([this](Place i) -> const GestureHypothesis & {
-			return hypotheses_[i];
-		});
+	void weigh(std::size_t place, double log_factor) {
+		log_weights_[place / LANES][place % LANES] += log_factor;
 	}
-	/// Those that may still be right.
-	[[nodiscard]] auto weighed() { return all() | std::views::drop(at_rest().weight > 0.0 ? 0 : 1); }
-	/// All but the one at rest.
-	[[nodiscard]] auto others() { return all() | std::views::drop(1); }
-	[[nodiscard]] auto others() const { return all() | std::views::drop(1); }
+	/// exp(log_weight) at the last prune.
+	[[nodiscard]] double weight(std::size_t place) const { return weights_[place / LANES][place % LANES]; }
+	[[nodiscard]] Regime regime(std::size_t place) const { return group(place).regime(place % LANES); }
+	[[nodiscard]] bool on_its_way(std::size_t place) const { return group(place).on_its_way(place % LANES); }
+	[[nodiscard]] HypothesisGroup::Course course(std::size_t place) const {
+		return group(place).course(place % LANES);
+	}
+	[[nodiscard]] double hand_deviation(std::size_t place) const {
+		return group(place).hand_deviation(place % LANES);
+	}
+	[[nodiscard]] double hand_deviation_rate(std::size_t place) const {
+		return group(place).hand_deviation_rate(place % LANES);
+	}
 
 private:
 	enum Kind : std::size_t { USUAL, ERRING, WANDERING, KINDS };
-	static constexpr std::size_t CAPACITY = MOST_AFTER_PRUNE + MOST_ADDED;
+	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
+	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 	using Place = std::uint8_t;
 
 	std::array<std::size_t, KINDS> most_kept_;
-	std::array<GestureHypothesis, CAPACITY> hypotheses_{};
-	std::array<Place, CAPACITY> order_{}; ///< the first count_ are in use
+	std::array<HypothesisGroup, GROUPS> groups_{};
+	std::array<Lanes, GROUPS> log_weights_{}, weights_{};
 	std::size_t count_ = 0;
 	std::array<double, KINDS> least_{}; ///< log weight below which the last prune dropped
 
-	[[nodiscard]] std::span<const Place> places() const { return { order_.data(), count_ }; }
-	static Kind kind(const GestureHypothesis &hypothesis);
-	[[nodiscard]] double greatest(std::span<const Place> places) const;
+	[[nodiscard]] const HypothesisGroup &group(std::size_t place) const { return groups_[place / LANES]; }
+	[[nodiscard]] std::size_t groups_in_use() const { return (count_ + LANES - 1) / LANES; }
+	[[nodiscard]] Kind kind(std::size_t place) const;
+	void scale();
 	[[nodiscard]] double total(std::span<const Place> places) const;
 	std::size_t keep_likely(std::span<Place> r_places, Kind kind, double at_least);
+	void keep_only(std::span<const Place> places);
 };
 
 } // namespace steadyhand

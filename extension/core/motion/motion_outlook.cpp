@@ -1,10 +1,12 @@
 #include "motion/motion_outlook.h"
 
-#include "signal/critically_damped.h"
-#include "signal/minimum_jerk.h"
+#include "signal/lanes.h"
 
 #include <algorithm>
 #include <cmath>
+
+// As in lanes.h: what passes vectors is inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace steadyhand {
 namespace {
@@ -14,45 +16,98 @@ constexpr double VISIBLE_PHASE = 0.06;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
 constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
+STEADYHAND_INLINE LaneVector hand_rates_per_s() {
+	return each([](std::size_t i) STEADYHAND_INLINE_LAMBDA {
+		return regime_numbers(static_cast<Regime>(i)).hand.rate_per_s;
+	});
+}
+
 } // namespace
 
 MotionOutlook::MotionOutlook(double ahead_s) :
 		ahead_s_(ahead_s), fading_from_(fading(ahead_s)), fading_to_(fading(ahead_s + PIECE_S)) {}
 
-MotionOutlook::Fading MotionOutlook::fading(double dt_s) {
-	Fading all;
-	for (std::size_t i = 0; i < REGIMES; ++i) {
-		all[i] = std::exp(-regime_numbers(static_cast<Regime>(i)).hand.rate_per_s * dt_s);
-	}
+Lanes MotionOutlook::fading(double dt_s) {
+	Lanes all;
+	store(all, exponential(-hand_rates_per_s() * dt_s));
 	return all;
+}
+
+/// dt_s: since the hypotheses' time
+STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
+		const ElementCurve &curve, double dt_s, const Lanes &fading) const {
+	const LaneVector rates = hand_rates_per_s(), fades = load(fading);
+	const LaneVector c = load(hand_.v) + rates * load(hand_.x), left = load(hand_.x) + c * dt_s;
+	LaneVector value = left * fades, velocity = (c - rates * left) * fades;
+	LaneVector acceleration = rates * (rates * left - 2.0 * c) * fades;
+	LaneVector expected_phase{}, phase_rate{};
+	for (std::size_t g = 0; g * LANES < count_; ++g) {
+		const Courses &courses = courses_[g];
+		LaneVector rate = load(courses.rate_per_s);
+		LaneVector phase = (filtered_s_ + dt_s - load(courses.onset_s)) * rate;
+		const LaneVector waits_from = load(courses.waits_from), over = phase - waits_from;
+		const LaneVector slowed = exponential(over > 0.0 ? over / -WAITING_LENGTH : LaneVector{});
+		phase = over > 0.0 ? waits_from + WAITING_LENGTH * (1.0 - slowed) : phase;
+		rate *= slowed;
+		Lanes phases, values, slopes, curvatures;
+		store(phases, phase);
+		for (std::size_t l = 0; l < LANES; ++l) {
+			const CurvePoint point = curve.at(phases[l]);
+			values[l] = point.value;
+			slopes[l] = point.slope;
+			curvatures[l] = point.curvature;
+		}
+		const LaneVector begun = phase > 0.0 ? phase : LaneVector{}, s = begun < 1.0 ? begun : all(1.0);
+		const LaneMinimumJerk jerk(s);
+		const LaneVector elements = load(courses.elements), smooth = load(courses.smooth);
+		const LaneVector weight = load(courses.weight);
+		value += elements * load(values) + smooth * jerk.value;
+		velocity += rate * (elements * load(slopes) + smooth * jerk.first);
+		acceleration += rate * rate * (elements * load(curvatures) + smooth * jerk.second);
+		expected_phase += weight * s;
+		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
+	}
+	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase), moving_ },
+		sum(phase_rate) };
+}
+
+PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s) const {
+	const double dt_s = std::max(t_s - filtered_s_, 0.0);
+	return mean(curve, dt_s, fading(dt_s)).estimate;
 }
 
 void MotionOutlook::look(
 		const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double seen_s) {
 	filtered_s_ = filtered_s;
 	count_ = 0;
-	hand_.fill({});
+	hand_ = {};
 	moving_ = 0.0;
 	double total = 0.0;
-	for (const GestureHypothesis &h : bank.all()) {
-		total += h.weight > NEGLIGIBLE ? h.weight : 0.0;
+	for (std::size_t i = 0; i < bank.size(); ++i) {
+		total += bank.weight(i) > NEGLIGIBLE ? bank.weight(i) : 0.0;
 	}
-	for (const GestureHypothesis &h : bank.all()) {
-		if (h.weight <= NEGLIGIBLE) {
+	for (std::size_t i = 0; i < bank.size(); ++i) {
+		if (bank.weight(i) <= NEGLIGIBLE) {
 			continue;
 		}
-		const double weight = h.weight / total;
-		Wandering &hand = hand_[static_cast<std::size_t>(h.regime())];
-		hand.x += weight * h.hand_deviation();
-		hand.v += weight * h.hand_deviation_rate();
-		if (h.on_its_way()) {
-			const GestureHypothesis::Course course = h.course();
+		const double weight = bank.weight(i) / total;
+		const Regime regime = bank.regime(i);
+		hand_.x[static_cast<std::size_t>(regime)] += weight * bank.hand_deviation(i);
+		hand_.v[static_cast<std::size_t>(regime)] += weight * bank.hand_deviation_rate(i);
+		if (bank.on_its_way(i)) {
+			const HypothesisGroup::Course course = bank.course(i);
 			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;
-			const bool waits = seen_phase < VISIBLE_PHASE || h.regime() == Regime::FREE;
-			const double waits_from = waits ? std::max(seen_phase, 0.0) : INFINITY;
+			const bool waits = seen_phase < VISIBLE_PHASE || regime == Regime::FREE;
 			const double way = weight * course.gain;
-			courses_[count_++] = { course.onset_s, course.rate_per_s, way * (1.0 - course.shape),
-				way * course.shape, weight, waits_from };
+			Courses &courses = courses_[count_ / LANES];
+			const std::size_t lane = count_++ % LANES;
+			courses = lane == 0 ? Courses{} : courses;
+			courses.onset_s[lane] = course.onset_s;
+			courses.rate_per_s[lane] = course.rate_per_s;
+			courses.elements[lane] = way * (1.0 - course.shape);
+			courses.smooth[lane] = way * course.shape;
+			courses.weight[lane] = weight;
+			courses.waits_from[lane] = waits ? std::max(seen_phase, 0.0) : INFINITY;
 			moving_ += weight;
 		}
 	}
@@ -63,46 +118,6 @@ void MotionOutlook::look(
 	piece_from_s_ = filtered_s + ahead_s_;
 	const double bend = (to.phase - from.phase) / PIECE_S - rate_per_s;
 	phase_ = { from.phase, rate_per_s, bend / PIECE_S };
-}
-
-/// dt_s: since the hypotheses' time
-MotionOutlook::Mean MotionOutlook::mean(const ElementCurve &curve, double dt_s, const Fading &fading) const {
-	Mean mean;
-	PhaseEstimate &estimate = mean.estimate;
-	estimate.moving = moving_;
-	const double t_s = filtered_s_ + dt_s;
-	for (std::size_t i = 0; i < REGIMES; ++i) {
-		const auto &[x, v] = hand_[i];
-		if (x == 0.0 && v == 0.0) {
-			continue;
-		}
-		const CriticallyDamped hand = critically_damped(
-				x, v, regime_numbers(static_cast<Regime>(i)).hand.rate_per_s, dt_s, fading[i]);
-		estimate.value += hand.value;
-		estimate.velocity += hand.velocity;
-		estimate.acceleration += hand.acceleration;
-	}
-	for (std::size_t i = 0; i < count_; ++i) {
-		const Course &course = courses_[i];
-		double rate = course.rate_per_s;
-		double phase = (t_s - course.onset_s) * rate;
-		if (phase > course.waits_from) {
-			const double slowed = std::exp((course.waits_from - phase) / WAITING_LENGTH);
-			phase = course.waits_from + WAITING_LENGTH * (1.0 - slowed);
-			rate *= slowed;
-		}
-		if (phase > 0.0) {
-			const CurvePoint elements = curve.at(phase);
-			const Polynomial::Point smooth = minimum_jerk(phase);
-			estimate.value += course.elements * elements.value + course.smooth * smooth.value;
-			estimate.velocity += rate * (course.elements * elements.slope + course.smooth * smooth.first);
-			estimate.acceleration +=
-					rate * rate * (course.elements * elements.curvature + course.smooth * smooth.second);
-			estimate.phase += course.weight * std::min(phase, 1.0);
-			mean.phase_rate_per_s += phase < 1.0 ? course.weight * rate : 0.0;
-		}
-	}
-	return mean;
 }
 
 } // namespace steadyhand

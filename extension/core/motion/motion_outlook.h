@@ -4,7 +4,6 @@
 #include "motion/hypothesis_bank.h"
 #include "signal/quintic_piece.h"
 
-#include <algorithm>
 #include <array>
 
 namespace steadyhand {
@@ -37,8 +36,7 @@ public:
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {
 		const double s = t_s - piece_from_s_;
 		if (!(s >= 0.0 && s <= PIECE_S)) {
-			const double dt_s = std::max(t_s - filtered_s_, 0.0);
-			return mean(curve, dt_s, fading(dt_s)).estimate;
+			return beside_piece(curve, t_s);
 		}
 		const MotionPoint point = piece_.at(s);
 		return { point.position, point.velocity, point.acceleration,
@@ -48,22 +46,22 @@ public:
 private:
 	static constexpr double PIECE_S = 0.02;
 
-	/// Of one on its way; shares of the total weight.
-	struct Course {
-		double onset_s, rate_per_s;
-		double elements; ///< of the motion elements' curve in the value
-		double smooth;   ///< of the minimum jerk's
-		double weight;
-		double waits_from; ///< phase from which on it slows down until it is seen again
+	/// Of those on their way, side by side; shares of the total weight.
+	struct Courses {
+		Lanes onset_s{}, rate_per_s{};
+		Lanes elements{}; ///< of the motion elements' curve in the value
+		Lanes smooth{};   ///< of the minimum jerk's
+		Lanes weight{};
+		Lanes waits_from{}; ///< phase from which on it slows down until it is seen again
 	};
 	/// Of all in a regime: their deviations fade alike, so that the mean of them is one.
 	struct Wandering {
-		double x = 0.0, v = 0.0;
+		Lanes x{}, v{};
 	};
 
-	std::array<Course, HypothesisBank::MOST_AFTER_PRUNE> courses_{};
-	std::size_t count_ = 0;
-	std::array<Wandering, REGIMES> hand_{};
+	std::array<Courses, (HypothesisBank::MOST_AFTER_PRUNE + LANES - 1) / LANES> courses_{};
+	std::size_t count_ = 0; ///< of those on their way
+	Wandering hand_;        ///< a regime each
 	double moving_ = 0.0;
 	double filtered_s_ = 0.0;
 	double ahead_s_;
@@ -76,11 +74,11 @@ private:
 		double phase_rate_per_s = 0.0;
 	};
 	/// What a time after the hypotheses' leaves of deviations, a regime each: exp(-rate dt_s).
-	using Fading = std::array<double, REGIMES>;
-	[[nodiscard]] static Fading fading(double dt_s);
-	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s, const Fading &fading) const;
+	[[nodiscard]] static Lanes fading(double dt_s);
+	[[nodiscard]] PhaseEstimate beside_piece(const ElementCurve &curve, double t_s) const;
+	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s, const Lanes &fading) const;
 
-	Fading fading_from_, fading_to_; ///< at the ends of the piece
+	Lanes fading_from_, fading_to_; ///< at the ends of the piece
 };
 
 } // namespace steadyhand

@@ -107,35 +107,38 @@ void PhaseEstimator::branch(double t_s) {
 	come_to_rest();
 	choose_rest();
 	set_free();
+	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
 	const double starts = ONSETS_PER_S * effort_.branch_period_s;
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
 		const double log_probability = std::log(starts * probability(regime));
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
-			if (!bank_.is_hopeless(regime, bank_.at_rest().log_weight + log_probability + log_prior_[k])) {
-				start(k, regime, t_s - 0.5 * effort_.branch_period_s, 0.6 * effort_.branch_period_s,
+			if (!bank_.is_hopeless(regime, at_rest.log_weight + log_probability + log_prior_[k])) {
+				start(at_rest, k, regime, t_s - 0.5 * effort_.branch_period_s, 0.6 * effort_.branch_period_s,
 						log_probability);
 			}
 		}
 	}
-	bank_.at_rest().log_weight += std::log1p(-starts);
+	bank_.weigh(HypothesisBank::AT_REST, std::log1p(-starts));
 	prune();
 }
 
-void PhaseEstimator::start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
-		double log_probability) {
-	const GestureHypothesis started = bank_.at_rest().begun(
+void PhaseEstimator::start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime,
+		double onset_s, double onset_deviation_s, double log_probability) {
+	const GestureHypothesis started = at_rest.begun(
 			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
-	bank_.add(started).log_weight += log_probability + log_prior_[duration];
+	add(started, log_probability + log_prior_[duration]);
 }
 
 /// A hand that wandered off and came back is at rest again.
 void PhaseEstimator::come_to_rest() {
-	for (const GestureHypothesis &h : bank_.others()) {
-		const double log_weight = h.log_weight + std::log(AT_REST_PER_S * effort_.branch_period_s);
-		if (!h.on_its_way() && std::abs(h.hand_deviation()) < AT_START &&
-				log_weight > bank_.at_rest().log_weight) {
-			bank_.at_rest() = h.in(Regime::REST);
-			bank_.at_rest().log_weight = log_weight;
+	const double log_probability = std::log(AT_REST_PER_S * effort_.branch_period_s);
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		const double log_weight = bank_.log_weight(i) + log_probability;
+		if (!bank_.on_its_way(i) && std::abs(bank_.hand_deviation(i)) < AT_START &&
+				log_weight > bank_.log_weight(HypothesisBank::AT_REST)) {
+			GestureHypothesis rested = bank_.hypothesis(i).in(Regime::REST);
+			rested.log_weight = log_weight;
+			bank_.set(HypothesisBank::AT_REST, rested);
 		}
 	}
 }
@@ -146,19 +149,24 @@ void PhaseEstimator::set_free() {
 	const double sound = 1.0 - soundness_.unsoundness();
 	const double log_probability = std::log(
 			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
-	const GestureHypothesis *likeliest = nullptr;
-	for (const GestureHypothesis &h : bank_.others()) {
-		if (h.on_its_way() && h.regime() != Regime::FREE &&
-				(likeliest == nullptr || h.log_weight > likeliest->log_weight)) {
-			likeliest = &h;
+	std::size_t likeliest = HypothesisBank::AT_REST;
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (bank_.on_its_way(i) && bank_.regime(i) != Regime::FREE &&
+				(likeliest == HypothesisBank::AT_REST || bank_.log_weight(i) > bank_.log_weight(likeliest))) {
+			likeliest = i;
 		}
 	}
-	if (likeliest != nullptr) {
-		bank_.add(likeliest->in(Regime::FREE)).log_weight += log_probability;
+	if (likeliest != HypothesisBank::AT_REST) {
+		add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
 	}
-	if (!bank_.is_hopeless(Regime::FREE, bank_.at_rest().log_weight + log_probability)) {
-		bank_.add(bank_.at_rest().in(Regime::FREE)).log_weight += log_probability;
+	if (!bank_.is_hopeless(Regime::FREE, bank_.log_weight(HypothesisBank::AT_REST) + log_probability)) {
+		add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
 	}
+}
+
+void PhaseEstimator::add(GestureHypothesis hypothesis, double log_probability) {
+	hypothesis.log_weight += log_probability;
+	bank_.add(hypothesis);
 }
 
 /// Hypotheses that began since the hand was last seen and have come as far as x.
@@ -166,6 +174,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 	if (x < SEEDED_FROM) {
 		return;
 	}
+	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
 	const double phase = phase_of_value(*model_, std::min(x, SEEDED_TO));
 	for (std::size_t k = 0; k < effort_.durations; ++k) {
 		const double duration_s = std::exp(log_durations_[k]);
@@ -176,7 +185,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 			const double deviation_s = SEED_SPREAD * duration_s;
 			// The mass of a Gaussian of this deviation is sqrt(2 pi) times its height.
 			const double starts = ONSETS_PER_S * std::sqrt(2.0 * std::numbers::pi) * deviation_s;
-			start(k, regime, onset_s, deviation_s,
+			start(at_rest, k, regime, onset_s, deviation_s,
 					std::log(starts * probability(regime)) - 0.5 * too_early * too_early);
 		}
 	}
@@ -184,20 +193,24 @@ void PhaseEstimator::seed(double t_s, double x) {
 
 /// A jump is the tracker's: it leads away from where the hand is, or back to it.
 void PhaseEstimator::displace() {
-	for (GestureHypothesis &h : bank_.all()) {
-		if (h.weight > LIKELY) {
-			bank_.add(h.displaced(DISPLACED_BY)).log_weight += std::log(DISPLACED);
+	const std::size_t count = bank_.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		GestureHypothesis back = bank_.hypothesis(i);
+		if (bank_.weight(i) > LIKELY) {
+			add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
-		h.forget_error();
-		h.log_weight += std::log1p(-DISPLACED);
+		back.forget_error();
+		back.log_weight += std::log1p(-DISPLACED);
+		bank_.set(i, back);
 	}
 }
 
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
 void PhaseEstimator::choose_rest() {
-	for (GestureHypothesis &h : bank_.others()) {
-		if (h.regime() == Regime::REST && h.log_weight > bank_.at_rest().log_weight) {
-			std::swap(h, bank_.at_rest());
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (bank_.regime(i) == Regime::REST &&
+				bank_.log_weight(i) > bank_.log_weight(HypothesisBank::AT_REST)) {
+			bank_.swap(i, HypothesisBank::AT_REST);
 		}
 	}
 }
@@ -209,14 +222,11 @@ void PhaseEstimator::prune() {
 
 void PhaseEstimator::absorb(double t_s, double x) {
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
-	const GestureHypothesis::Trust trust{ OUTLIERS, JITTER_COUNTS * soundness_.jitter(),
+	const HypothesisGroup::Trust trust{ OUTLIERS, JITTER_COUNTS * soundness_.jitter(),
 		dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
-	const Passages over_step = passages(step_s);
-	for (GestureHypothesis &h : bank_.weighed()) {
-		h.predict(curve_, t_s, over_step);
-	}
+	bank_.predict(curve_, t_s, passages(step_s));
 	if (soundness_.jumped()) {
 		displace();
 	}
@@ -225,13 +235,14 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
 	}
-	for (GestureHypothesis &h : bank_.weighed()) {
-		if (h.on_its_way()) {
-			h.log_weight -= h.regime() == Regime::UNSOUND ? no_fault : FAULT_LOG_RATIO * soundness_.fault();
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (bank_.on_its_way(i)) {
+			bank_.weigh(i,
+					bank_.regime(i) == Regime::UNSOUND ? -no_fault : -FAULT_LOG_RATIO * soundness_.fault());
 		}
-		if (!soundness_.frozen()) { // a repeated value is no news of the hand
-			h.absorb(curve_, t_s, x, trust);
-		}
+	}
+	if (!soundness_.frozen()) { // a repeated value is no news of the hand
+		bank_.absorb(curve_, t_s, x, trust);
 	}
 }
 

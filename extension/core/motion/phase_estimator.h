@@ -69,8 +69,9 @@ private:
 	void displace();
 	void choose_rest();
 	void seed(double t_s, double x);
-	void start(std::size_t duration, Regime regime, double onset_s, double onset_deviation_s,
-			double log_probability);
+	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,
+			double onset_deviation_s, double log_probability);
+	void add(GestureHypothesis hypothesis, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
 	[[nodiscard]] double probability(Regime regime) const;

@@ -1,6 +1,7 @@
 #include "motion/regime.h"
 
-#include <Eigen/Core>
+// As in lanes.h: what passes vectors is inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace steadyhand {
 namespace {
@@ -19,30 +20,32 @@ const RegimeNumbers &regime_numbers(Regime regime) {
 	return NUMBERS[static_cast<std::size_t>(regime)];
 }
 
-Damping::Damping(double rate_per_s, double dt_s, double fading) {
-	const double a = rate_per_s;
-	xx = fading * (1.0 + a * dt_s);
-	xv = fading * dt_s;
-	vx = -fading * a * a * dt_s;
-	vv = fading * (1.0 - a * dt_s);
-	noise_x = 1.0 - (xx * xx + xv * xv * a * a);
-	noise_xv = -(xx * vx + xv * vv * a * a);
-	noise_v = a * a - (vx * vx + vv * vv * a * a);
+namespace {
+
+STEADYHAND_INLINE Dampings dampings(const Lanes &rates_per_s, double dt_s) {
+	const LaneVector a = load(rates_per_s), fading = exponential(-a * dt_s);
+	const LaneVector xx = fading * (1.0 + a * dt_s), xv = fading * dt_s;
+	const LaneVector vx = -fading * a * a * dt_s, vv = fading * (1.0 - a * dt_s);
+	Dampings by;
+	store(by.xx, xx);
+	store(by.xv, xv);
+	store(by.vx, vx);
+	store(by.vv, vv);
+	store(by.noise_x, 1.0 - (xx * xx + xv * xv * a * a));
+	store(by.noise_xv, -(xx * vx + xv * vv * a * a));
+	store(by.noise_v, a * a - (vx * vx + vv * vv * a * a));
+	return by;
 }
 
-Passages passages(double dt_s) {
-	Eigen::Array<double, 2 * REGIMES, 1> fading;
+} // namespace
+
+STEADYHAND_WIDE Passages passages(double dt_s) {
+	Lanes hand, error;
 	for (std::size_t i = 0; i < REGIMES; ++i) {
-		fading[2 * i] = -dt_s * NUMBERS[i].hand.rate_per_s;
-		fading[2 * i + 1] = -dt_s * NUMBERS[i].error.rate_per_s;
+		hand[i] = NUMBERS[i].hand.rate_per_s;
+		error[i] = NUMBERS[i].error.rate_per_s;
 	}
-	fading = fading.exp();
-	Passages all;
-	for (std::size_t i = 0; i < REGIMES; ++i) {
-		all[i] = { { NUMBERS[i].hand.rate_per_s, dt_s, fading[2 * i] },
-			{ NUMBERS[i].error.rate_per_s, dt_s, fading[2 * i + 1] } };
-	}
-	return all;
+	return { dampings(hand, dt_s), dampings(error, dt_s) };
 }
 
 } // namespace steadyhand

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "signal/lanes.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -32,23 +34,20 @@ struct RegimeNumbers {
 };
 [[nodiscard]] const RegimeNumbers &regime_numbers(Regime regime);
 
-/// Critically damped motion x'' = -2 a x' - a^2 x over a time: [x, x'] is multiplied by this.
-struct Damping {
-	double xx = 1.0, xv = 0.0, vx = 0.0, vv = 1.0;
+/// Critically damped motion x'' = -2 a x' - a^2 x over a time, a regime each: [x, x'] is multiplied by [xx
+/// xv; vx vv].
+struct Dampings {
+	static_assert(REGIMES == LANES);
+	Lanes xx, xv, vx, vv;
 	/// As much noise as keeps the stationary variances, s of x and a^2 s of x': covariance that it adds, by
 	/// s.
-	double noise_x = 0.0, noise_xv = 0.0, noise_v = 0.0;
-
-	Damping() = default;
-	/// fading: exp(-rate_per_s * dt_s)
-	Damping(double rate_per_s, double dt_s, double fading);
+	Lanes noise_x, noise_xv, noise_v;
 };
 
-/// What a time does to the deviations of a regime: the same for all hypotheses in it.
-struct Passage {
-	Damping hand, error;
+/// What a time does to the deviations: the same for all hypotheses in a regime.
+struct Passages {
+	Dampings hand, error;
 };
-using Passages = std::array<Passage, REGIMES>; ///< one of each
 [[nodiscard]] Passages passages(double dt_s);
 
 } // namespace steadyhand
