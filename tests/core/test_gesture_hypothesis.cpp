@@ -29,7 +29,7 @@ PhaseEstimate hand(const GestureHypothesis &hypothesis, double t_s, double filte
 	HypothesisBank bank;
 	bank.start(hypothesis);
 	MotionOutlook outlook;
-	outlook.look(bank, drag_curve(), filtered_s, filtered_s);
+	outlook.look(bank, drag_curve(), filtered_s, 0.0, filtered_s);
 	return outlook.at(drag_curve(), t_s);
 }
 
@@ -243,8 +243,8 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 	}
 	bank.prune(0.0, 0.0);
 	for (const double ahead_s : { 0.0, 0.01 }) {
-		MotionOutlook outlook(ahead_s);
-		outlook.look(bank, drag_curve(), FILTERED_S, FILTERED_S);
+		MotionOutlook outlook;
+		outlook.look(bank, drag_curve(), FILTERED_S, ahead_s, FILTERED_S);
 		for (int i = 0; i < 50; ++i) {
 			const double t_s = FILTERED_S + ahead_s + 0.0007 * i;
 			double mean = 0.0, total = 0.0;

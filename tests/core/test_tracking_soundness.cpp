@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace steadyhand;
@@ -124,4 +125,43 @@ TEST_CASE("white noise of a moving sensor is told by its deviation, and jumps ar
 		}
 		CHECK(sum / counted == doctest::Approx(deviation).epsilon(0.15));
 	}
+}
+
+TEST_CASE("two frames of one instant that differ are no jump for ever") {
+	TrackingSoundness soundness;
+	const double t_s = move(soundness, 0.0, 0.0, 0.1, 20);
+	soundness.push(t_s - PERIOD_S, 0.03); // where it was 0.017
+	int jumps = 0;
+	for (int i = 0; i < 20; ++i) {
+		soundness.push(t_s + i * PERIOD_S, 0.03 + 0.1 * i * PERIOD_S);
+		jumps += soundness.jumped() ? 1 : 0;
+	}
+	CHECK(jumps <= 2);
+}
+
+TEST_CASE("a jump beside the way is a fault and is remembered, a hand that sweeps round is none") {
+	const auto show = [](TrackingSoundness &r_soundness, int from, int frames, double beside) {
+		for (int i = from; i < from + frames; ++i) {
+			const double t_s = i * PERIOD_S;
+			r_soundness.push(t_s, t_s, FeaturePlace(t_s, beside, 0.0, 0.0));
+		}
+	};
+	TrackingSoundness jumping;
+	show(jumping, 0, 50, 0.0);
+	CHECK(jumping.lasting_unsoundness() == 0.0);
+	show(jumping, 50, 1, 0.2);
+	CHECK(jumping.fault() > 0.0);
+	CHECK_FALSE(jumping.jumped()); // not along the way
+	CHECK(jumping.lasting_unsoundness() > 0.6);
+	show(jumping, 51, 222, 0.2); // 2 s
+	CHECK(jumping.fault() == 0.0);
+	CHECK(jumping.lasting_unsoundness() > 2.0 * jumping.unsoundness());
+
+	TrackingSoundness sweeping;
+	for (int i = 0; i < 100; ++i) { // half an amplitude round, twice a second
+		const double angle = 4.0 * std::numbers::pi * i * PERIOD_S;
+		sweeping.push(i * PERIOD_S, 0.5 * std::sin(angle),
+				0.5 * FeaturePlace(std::sin(angle), std::cos(angle), 0.0, 0.0));
+	}
+	CHECK(sweeping.lasting_unsoundness() == 0.0);
 }

@@ -59,6 +59,8 @@ bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) 
 		clock_started_ = true;
 	}
 	double x_m = 0.0;
+	const std::optional<FeaturePlace> place =
+			feature_->place != nullptr ? feature_->place(frame) : std::nullopt;
 	if (start_is_known_) {
 		if (stage_ == Stage::RESTING) {
 			element_.restart();
@@ -68,9 +70,8 @@ bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) 
 			return false;
 		}
 		x_m = *measured_m;
+		place_ = place && place->allFinite() ? *place : place_;
 	} else {
-		const std::optional<FeaturePlace> place =
-				feature_->place != nullptr ? feature_->place(frame) : std::nullopt;
 		if (!place || !place->allFinite()) {
 			return false;
 		}
@@ -80,7 +81,7 @@ bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) 
 	}
 	window_.push(frame.t_s, x_m);
 	if (mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING)) {
-		phase_.push(frame.t_s, x_m / task_.amplitude_m);
+		phase_.push(frame.t_s, x_m / task_.amplitude_m, place_ / task_.amplitude_m);
 	}
 	if (start_is_known_) {
 		judge_by_task(strokes);

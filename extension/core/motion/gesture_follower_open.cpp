@@ -122,7 +122,7 @@ void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeF
 			const double x_m = (place - start_).dot(way_);
 			window_.push(frame_s, x_m);
 			if (mode_ == MotionMode::PHASE) {
-				phase_.push(frame_s, x_m / task_.amplitude_m);
+				phase_.push(frame_s, x_m / task_.amplitude_m, place / task_.amplitude_m);
 			}
 		}
 	});

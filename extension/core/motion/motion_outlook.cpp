@@ -24,9 +24,6 @@ STEADYHAND_INLINE LaneVector hand_rates_per_s() {
 
 } // namespace
 
-MotionOutlook::MotionOutlook(double ahead_s) :
-		ahead_s_(ahead_s), fading_from_(fading(ahead_s)), fading_to_(fading(ahead_s + PIECE_S)) {}
-
 Lanes MotionOutlook::fading(double dt_s) {
 	Lanes all;
 	store(all, exponential(-hand_rates_per_s() * dt_s));
@@ -76,9 +73,14 @@ PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s)
 	return mean(curve, dt_s, fading(dt_s)).estimate;
 }
 
-void MotionOutlook::look(
-		const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double seen_s) {
+void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s,
+		double ahead_s, double seen_s) {
 	filtered_s_ = filtered_s;
+	if (ahead_s != ahead_s_) {
+		ahead_s_ = ahead_s;
+		fading_from_ = fading(ahead_s);
+		fading_to_ = fading(ahead_s + PIECE_S);
+	}
 	count_ = 0;
 	hand_ = {};
 	moving_ = 0.0;

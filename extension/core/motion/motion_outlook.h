@@ -5,6 +5,7 @@
 #include "signal/quintic_piece.h"
 
 #include <array>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -25,12 +26,11 @@ struct PhaseEstimate {
 /// something else, wait: nothing moves on a mere chance.
 class MotionOutlook {
 public:
-	/// Of how long after the frames' time it is asked for first.
-	explicit MotionOutlook(double ahead_s = 0.0);
-
-	/// filtered_s: the time that the hypotheses were predicted to; seen_s: when a frame last told where the
-	/// hand is. To be called after HypothesisBank::prune.
-	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double seen_s);
+	/// filtered_s: the time that the hypotheses were predicted to; ahead_s: how long after that the mean is
+	/// asked for first; seen_s: when a frame last told where the hand is. To be called after
+	/// HypothesisBank::prune.
+	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double ahead_s,
+			double seen_s);
 
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {
@@ -64,7 +64,7 @@ private:
 	Wandering hand_;        ///< a regime each
 	double moving_ = 0.0;
 	double filtered_s_ = 0.0;
-	double ahead_s_;
+	double ahead_s_ = NAN; ///< fading_from_ and fading_to_ are of it
 	QuinticPiece piece_;
 	double piece_from_s_ = 0.0;
 	std::array<double, 3> phase_{}; ///< along the piece: coefficients

@@ -47,13 +47,16 @@ constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
 
+/// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
+constexpr double ERRING_LATENCY_S = 0.032;
+constexpr double ERRING_SETTLING_S = 0.15;
+
 constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
 
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :
-		model_(&model), effort_(effort), curve_(model), latency_s_(latency_s), bank_(effort),
-		outlook_(latency_s) {
+		model_(&model), effort_(effort), curve_(model), latency_s_(latency_s), bank_(effort) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
@@ -75,7 +78,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = t_s;
 	filtered_s_ = t_s;
-	outlook_.look(bank_, curve_, t_s, seen_s_);
+	outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_);
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -246,16 +249,18 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	}
 }
 
-void PhaseEstimator::push(double t_s, double x) {
+void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
 		begin(t_s, x);
 	}
 	const PhaseEstimate before = at(t_s);
 	branch_until(t_s);
-	soundness_.push(t_s, x);
+	soundness_.push(t_s, x, place);
+	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *
+			-std::expm1((filtered_s_ - t_s) / ERRING_SETTLING_S);
 	absorb(t_s, x);
 	prune();
-	outlook_.look(bank_, curve_, t_s, seen_s_);
+	outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_);
 	blend_from(before, t_s);
 }
 
@@ -263,7 +268,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 	if (bank_.empty()) {
 		return {};
 	}
-	PhaseEstimate estimate = outlook_.at(curve_, t_s + latency_s_);
+	PhaseEstimate estimate = expected(t_s);
 	const CriticallyDamped missing = blend_.at(t_s);
 	estimate.value += missing.value;
 	estimate.velocity += missing.velocity;
@@ -271,8 +276,12 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 	return estimate;
 }
 
+PhaseEstimate PhaseEstimator::expected(double t_s) const {
+	return outlook_.at(curve_, t_s + ahead_s());
+}
+
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {
-	const PhaseEstimate now = outlook_.at(curve_, t_s + latency_s_);
+	const PhaseEstimate now = expected(t_s);
 	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
 }
 

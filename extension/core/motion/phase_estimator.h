@@ -31,8 +31,9 @@ public:
 	explicit PhaseEstimator(
 			const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0);
 
-	/// A frame in which the motion element was seen, x in amplitudes; t_s must not decrease.
-	void push(double t_s, double x);
+	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
+	/// takes it. In amplitudes.
+	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
 	/// The gesture is over: what comes next may be another one.
 	void restart();
 	/// As made: nothing of what was seen connects with what comes next.
@@ -50,6 +51,7 @@ private:
 	PhaseEffort effort_;
 	ElementCurve curve_;
 	double latency_s_;
+	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	std::array<double, MOST_DURATIONS> log_durations_{};
 	std::array<double, MOST_DURATIONS> log_prior_{};
 	double log_duration_deviation_ = 0.0; ///< of each
@@ -74,6 +76,10 @@ private:
 	void add(GestureHypothesis hypothesis, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
+	/// What a frame shows is so old.
+	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
+	/// The estimate at t_s without what is blended in.
+	[[nodiscard]] PhaseEstimate expected(double t_s) const;
 	[[nodiscard]] double probability(Regime regime) const;
 	/// Keeps the output where `before` had it.
 	void blend_from(const PhaseEstimate &before, double t_s);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "gesture/feature.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -8,26 +10,30 @@
 namespace steadyhand {
 
 /// How far a tracker is to be believed, judged by the motion alone, because it says little about its own
-/// errors: gaps between stamps, values that repeat to the last bit, steps that no hand makes. Evidence fades
-/// over seconds.
+/// errors: gaps between stamps, values that repeat to the last bit, steps that no hand makes, in whichever
+/// direction. Evidence fades over seconds.
 class TrackingSoundness {
 public:
-	/// x: the motion element in amplitudes.
-	void push(double t_s, double x) {
+	/// x: the motion element; place: where the hand is, from any origin that stays, always zero where the
+	/// feature has no place. Both in amplitudes.
+	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero()) {
 		fault_ = 0.0;
-		jumped_ = returned_ = false;
+		jumped_ = returned_ = strayed_ = false;
 		if (frames_ > 0) {
-			weigh(std::max(t_s - t_s_, SHORTEST_S), t_s, x);
+			weigh(std::max(t_s - t_s_, SHORTEST_S), t_s, x, place);
 		} else {
 			news_s_ = t_s;
 		}
 		t_s_ = t_s;
 		x_ = x;
+		place_ = place;
 		frames_ = std::min(frames_ + 1, 2);
 	}
 
 	/// 0: nothing wrong has been seen .. 1.
 	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_); }
+	/// The same, remembered for longer: what is known of this tracker, not of this moment.
+	[[nodiscard]] double lasting_unsoundness() const { return 1.0 - std::exp(-lasting_evidence_); }
 	/// Evidence that the newest frame adds, 1: as bad as a jump.
 	[[nodiscard]] double fault() const { return fault_; }
 	/// The tracker repeats itself: the value stands still to the last bit although the hand was on its way,
@@ -49,6 +55,7 @@ public:
 
 private:
 	static constexpr double MEMORY_S = 1.0;
+	static constexpr double LASTING_MEMORY_S = 5.0;
 	static constexpr double SHORTEST_S = 1e-4;
 	/// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
 	static constexpr double GAP_PERIODS = 4.0;
@@ -59,6 +66,9 @@ private:
 	/// And speeds up by at most 5.77 / 0.15^2 (Flash & Hogan 1985).
 	static constexpr double SHARPEST_PER_S2 = 250.0;
 	static constexpr double SMALLEST_BEND = 0.02;
+	static constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not held to the way
+	/// A tracker that strays beside the way has erred; along the way it may be right.
+	static constexpr double STRAY_FAULT = 0.3;
 	static constexpr int FROZEN_REPEATS = 2;
 	static constexpr double BLIND_S = 0.05;
 	static constexpr double BLIND_STEP = 0.04;
@@ -75,14 +85,28 @@ private:
 	static constexpr double PERIOD_SHARE = 0.1;
 	static constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
+	/// The velocity that a hand would go on with.
+	template <typename Velocity> struct Way {
+		Velocity before_leap; ///< a leap says nothing of the hand's velocity,
+		Velocity latest;      ///< but two in a row that agree do
+
+		void go(const Velocity &velocity, bool leapt) {
+			latest = velocity;
+			before_leap = leapt ? before_leap : velocity;
+		}
+	};
+
 	double t_s_ = 0.0;
 	double x_ = 0.0;
+	FeaturePlace place_ = FeaturePlace::Zero();
 	double news_s_ = 0.0;
 	double period_s_ = 0.01;
 	double evidence_ = 0.0;
+	double lasting_evidence_ = 0.0;
 	double fault_ = 0.0;
-	double speed_ = 0.0;    ///< of steps that are news, smoothed
-	double velocity_ = 0.0; ///< of the last step that was no leap
+	double speed_ = 0.0; ///< of steps that are news, smoothed
+	Way<double> step_way_{ 0.0, 0.0 };
+	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	double step_ = 0.0;
 	double jitter_ = 0.0;
 	std::uint16_t turns_ = 0;
@@ -90,18 +114,31 @@ private:
 	int frames_ = 0;
 	bool jumped_ = false;
 	bool returned_ = false;
+	bool strayed_ = false; ///< as jumped_, in any direction
 
-	void weigh(double dt_s, double t_s, double x) {
+	static double size(double step) { return std::abs(step); }
+	static double size(const FeaturePlace &step) { return step.norm(); }
+	/// By how much a step differs from going on.
+	template <typename Step> double bend_of(const Way<Step> &way, const Step &step, double dt_s) const {
+		return frames_ < 2
+				? 0.0
+				: std::min(size(Step(step - way.before_leap * dt_s)), size(Step(step - way.latest * dt_s)));
+	}
+
+	void weigh(double dt_s, double t_s, double x, const FeaturePlace &place) {
 		const double step = x - x_;
-		const double bend = frames_ > 1 ? std::abs(step - velocity_ * dt_s) : 0.0;
-		jumped_ = bend > SHARPEST_PER_S2 * dt_s * dt_s + SMALLEST_BEND;
+		const FeaturePlace place_step = place - place_;
+		const double bend = bend_of(step_way_, step, dt_s);
+		const double stray = bend_of(place_way_, place_step, dt_s);
+		const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
+		jumped_ = bend > sharpest + SMALLEST_BEND;
+		strayed_ = stray > sharpest + SMALLEST_STRAY;
 		returned_ = t_s - news_s_ > BLIND_S && std::abs(step) > BLIND_STEP;
 		if (frames_ > 1 && step != 0.0) {
 			jitter_ += JITTER_SHARE * (JITTER_PER_BEND * std::min(bend, LARGEST_SHAKE) - jitter_);
 		}
-		if (!jumped_ && !returned_) { // a leap says nothing of the hand's speed
-			velocity_ = step / dt_s;
-		}
+		step_way_.go(step / dt_s, jumped_ || returned_);
+		place_way_.go(place_step / dt_s, strayed_ || returned_);
 
 		if (frames_ == 1) {
 			period_s_ = std::clamp(dt_s, FIRST_PERIOD_S, LAST_PERIOD_S);
@@ -111,6 +148,8 @@ private:
 		}
 		if (std::abs(step) > FASTEST_PER_S * dt_s + SMALLEST_JUMP) {
 			fault_ += 1.0;
+		} else if (strayed_) {
+			fault_ += STRAY_FAULT;
 		}
 		if (step == 0.0) {
 			repeats_ = std::min(repeats_ + 1, FROZEN_REPEATS);
@@ -127,6 +166,8 @@ private:
 			fault_ += FROZEN_FRAME;
 		}
 		evidence_ = evidence_ * std::exp(-dt_s / MEMORY_S) + fault_;
+		lasting_evidence_ = lasting_evidence_ * std::exp(-dt_s / LASTING_MEMORY_S) +
+				(strayed_ ? std::max(fault_, 1.0) : fault_);
 		period_s_ = dt_s > period_s_ ? std::min(period_s_ * PERIOD_GROWTH, dt_s)
 									 : period_s_ + PERIOD_SHARE * (dt_s - period_s_);
 	}
