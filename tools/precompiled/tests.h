@@ -1,0 +1,6 @@
+#include "core.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <sstream>
