@@ -1,29 +1,63 @@
 #!/usr/bin/env python3
-"""Runs the test suites named, or all, and closes with `N passed, N failed`; the exit status tells if any failed."""
+"""Runs the test suites named, or all, and closes with `N passed, N failed`; the exit status tells if any failed.
+
+The linters, which most of the time goes to, run beside the rest and yield to it; all else is one after the other.
+"""
 
 import sys
 import time
+import traceback
+from collections.abc import Iterator
+from queue import SimpleQueue
+from threading import Thread
 
 from suites import command, lint, oracles, scenes, unit
+from suites.outcome import Outcome
 
 SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "command": command, "lint": lint}
+BESIDE = ["lint"]
 
 
 def main(names: list[str]) -> int:
     passed = failed = skipped = 0
-    for name in names or SUITES:
-        print(f"== {name}", flush=True)
-        before = time.monotonic()
-        for outcome in SUITES[name].outcomes():
-            now = time.monotonic()
-            verdict = "FAIL" if outcome.failed else "pass" if outcome.passed else "skip"
-            print(f"{verdict}  {outcome.name}  ({now - before:.1f} s)", flush=True)
-            if outcome.failed and outcome.output.strip():
-                print("      " + outcome.output.strip().replace("\n", "\n      "), flush=True)
-            passed, failed, skipped = passed + outcome.passed, failed + outcome.failed, skipped + outcome.skipped
-            before = now
+    taken: dict[str, float] = {}
+    for suite, outcome, taken_s in run_all(names or list(SUITES)):
+        verdict = "FAIL" if outcome.failed else "pass" if outcome.passed else "skip"
+        print(f"{verdict}  {outcome.name}  ({taken_s:.1f} s)", flush=True)
+        if outcome.failed and outcome.output.strip():
+            print("      " + outcome.output.strip().replace("\n", "\n      "), flush=True)
+        passed, failed, skipped = passed + outcome.passed, failed + outcome.failed, skipped + outcome.skipped
+        taken[suite] = taken.get(suite, 0.0) + taken_s
+    print(", ".join(f"{suite} {seconds:.0f} s" for suite, seconds in taken.items()))
     print(f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else ""))
     return 1 if failed or not passed else 0
+
+
+def run_all(names: list[str]) -> Iterator[tuple[str, Outcome, float]]:
+    """Each outcome as it comes, with its suite and the time, s, since the one before it in the same lane."""
+    lanes = [[name for name in names if name not in BESIDE], [name for name in names if name in BESIDE]]
+    come: SimpleQueue[tuple[str, Outcome, float] | None] = SimpleQueue()
+
+    def run(lane: list[str]) -> None:
+        before = time.monotonic()
+        for name in lane:
+            try:
+                for outcome in SUITES[name].outcomes():
+                    now = time.monotonic()
+                    come.put((name, outcome, now - before))
+                    before = now
+            except Exception:  # a fault of the suite's own: the others go on
+                come.put((name, Outcome.of(f"{name} ends", False, traceback.format_exc()), 0.0))
+        come.put(None)
+
+    for lane in lanes:
+        Thread(target=run, args=[lane], daemon=True).start()
+    running = len(lanes)
+    while running:
+        if (one := come.get()) is None:
+            running -= 1
+        else:
+            yield one
 
 
 if __name__ == "__main__":

@@ -138,7 +138,8 @@ TEST_CASE("a gesture goes both ways where a recording runs against the first one
 }
 
 TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step of it") {
-	const std::vector<TrainingRecording> drags = test::drag_recordings();
+	std::vector<TrainingRecording> drags = test::drag_recordings();
+	drags.erase(drags.begin() + 4, drags.end()); // it is trained anew for each step
 	TrainingOptions options;
 	std::vector<double> steps;
 	options.progress = [&](double done) {

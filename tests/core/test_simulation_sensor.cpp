@@ -225,7 +225,7 @@ TEST_SUITE("simulated sensor") {
 	}
 
 	TEST_CASE("freezes, dropouts and jumps come as often and last as long as the profile says") {
-		const double span_s = 3000.0;
+		const double span_s = 1500.0;
 		const SensorProfile profile = without_drift(profile_named("leap_unstable"));
 		for (const double severity : { 0.0, 1.0 }) {
 			const double growth = 1.0 + profile.fault_growth * severity;
