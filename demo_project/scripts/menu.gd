@@ -1,6 +1,7 @@
 extends Control
 ## Chooses a task.
 
+const Participant := preload("participant.gd")
 const Tasks := preload("tasks.gd")
 
 
@@ -12,3 +13,9 @@ func _ready() -> void:
 		button.pressed.connect(get_tree().change_scene_to_file.bind(Tasks.SCENES[gesture]))
 		%Buttons.add_child(button)
 	(%Buttons.get_child(0) as Button).grab_focus()
+	(%Participant as LineEdit).text = Participant.chosen
+	(%Participant as LineEdit).text_changed.connect(_choose)
+
+
+func _choose(name: String) -> void:
+	Participant.chosen = name.strip_edges()

@@ -6,6 +6,9 @@ const Conditions := preload("conditions.gd")
 const DRIVING := Color(1.0, 0.83, 0.3)
 const OTHER := Color(0.85, 0.88, 0.9)
 
+## Takes the place of the status; empty: the status.
+var notice := ""
+
 var _values: Array[Label] = []
 var _titles: Array[Label] = []
 
@@ -28,7 +31,8 @@ func show_live(motion: GestureHMM) -> void:
 		_values[row].modulate = colour
 		_values[row].text = "%.1f mm" % (1000.0 * motion.get_motion_value(Conditions.MOTIONS[row]))
 	var gesture := String(motion.gesture) if motion.gesture else "at rest"
-	_status.text = "%s   state %d   %3.0f %%" % [gesture, motion.state, 100.0 * motion.progress]
+	var status := "%s   state %d   %3.0f %%" % [gesture, motion.state, 100.0 * motion.progress]
+	_status.text = notice if notice else status
 
 
 func _add_label(text: String) -> Label:

@@ -1,13 +1,17 @@
 extends Node3D
-## A task of the study: plays trials on the HandTracker one after another, or follows the mouse;
-## lets the GestureHMM's motion move what the stage shows, and logs. A task differs from another by
-## its GestureTask and its stage, not by this script.
+## A task of the study: plays trials on the HandTracker one after another, or follows a live hand or
+## the mouse; lets the GestureHMM's motion move what the stage shows, and logs. A task differs from
+## another by its GestureTask and its stage, not by this script.
 
 signal trial_started(trial: String)
 signal trial_ended(trial: String)
+## `found`: what the participant's positions are now, or why they are as they were.
+signal practice_ended(found: String)
 
 const Conditions := preload("conditions.gd")
 const MouseHand := preload("mouse_hand.gd")
+const Participant := preload("participant.gd")
+const Practice := preload("practice.gd")
 const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
 const Tasks := preload("tasks.gd")
@@ -19,6 +23,8 @@ const TrialTask := preload("trial_task.gd")
 const ARRIVED := 0.95
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
+## Of a live hand at one position, before the other's turn comes: the paper's.
+const TRIALS_PER_BLOCK := 5
 const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 	HandTracker.POSITION_STABLE, HandTracker.POSITION_UNSTABLE
 ]
@@ -39,7 +45,11 @@ var session_folder := ""
 var _trials: TrialList = null
 var _log: TrialLog = null
 var _trial_name := ""
-var _mouse_trials := 0
+var _position_name := ""
+var _is_live := false
+var _live_trials := 0
+var _participant := Participant.new()
+var _practice: Practice = null
 
 @onready var tracker: HandTracker = $HandTracker
 @onready var task: GestureTask = $GestureTask
@@ -55,6 +65,8 @@ func _ready() -> void:
 	session_folder = log_folder.path_join(stamp)
 	tracker.finished.connect(_on_tracker_finished)
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
+	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
+	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
 	_stage.place(task, "")
 	if autoplay:
@@ -63,6 +75,8 @@ func _ready() -> void:
 
 func _process(_delta: float) -> void:
 	_readout.show_live(gesture_hmm)
+	if _practice != null:
+		_readout.notice = _practice.get_instruction()
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
@@ -74,7 +88,9 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		gesture_hmm.motion = Conditions.MOTIONS[condition]
 	elif key.keycode == KEY_M:
 		follow_mouse(not _mouse.active)
-	elif key.keycode == KEY_N and not _mouse.active:
+	elif key.keycode == KEY_P:
+		practise()
+	elif key.keycode == KEY_N and not _is_live:
 		play_next()
 	elif key.keycode == KEY_ESCAPE and get_tree().current_scene == self:
 		get_tree().change_scene_to_file(Tasks.MENU)
@@ -110,14 +126,36 @@ func play_next() -> void:
 ## The mouse in place of the hand, or the played trials again.
 func follow_mouse(on: bool) -> void:
 	_mouse.active = on
-	if not on:
+	if on:
+		follow_live()
+	else:
+		_is_live = false
+		_practice = null
+		_readout.notice = ""
 		play_next()
-		return
+
+
+## A hand whose frames are pushed to the tracker, in place of the played trials.
+func follow_live() -> void:
 	_end_trial()
+	_is_live = true
 	tracker.stop()
 	tracker.source = HandTracker.SOURCE_SCRIPT
 	tracker.start()
-	_begin_mouse_trial()
+	_begin_live_trial()
+
+
+## Begins a practice run with the live hand, or the mouse where there is none; or ends the one that
+## is under way.
+func practise() -> void:
+	if _practice != null:
+		_practice.end()
+		return
+	if not _is_live:
+		follow_mouse(true)
+	_end_trial()
+	_practice = Practice.new(tracker, _stage.joints[0] as HandTracker.Joint)
+	_practice.ended.connect(_on_practice_ended)
 
 
 ## Name of the condition that drives what is shown.
@@ -142,16 +180,27 @@ func _play_synthetic() -> void:
 
 func _begin_trial(trial_name: String, position_name: String) -> void:
 	_trial_name = trial_name
+	_position_name = position_name
 	start_s = NAN
 	end_s = NAN
 	_stage.place(task, position_name)
-	_log = TrialLog.new(session_folder, trial_name, task.gesture)
+	_log = TrialLog.new(session_folder, trial_name, task.gesture, position_name)
 	trial_started.emit(trial_name)
 
 
-func _begin_mouse_trial() -> void:
-	_mouse_trials += 1
-	_begin_trial("mouse_%03d" % _mouse_trials, "")
+## At the participant's positions, in turns, where a practice run has found them.
+func _begin_live_trial() -> void:
+	var position_name := _live_position(_live_trials)
+	if not position_name.is_empty():
+		TrialTask.place_middle(task, _participant.get_position(task.gesture, position_name))
+	_live_trials += 1
+	_begin_trial("%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials], position_name)
+
+
+func _live_position(trial_index: int) -> String:
+	if not _participant.has_positions(task.gesture):
+		return ""
+	return Participant.POSITIONS[trial_index / TRIALS_PER_BLOCK % Participant.POSITIONS.size()]
 
 
 func _end_trial() -> void:
@@ -169,16 +218,49 @@ func _on_tracker_finished() -> void:
 
 
 func _on_gesture_started(_gesture: StringName) -> void:
-	# A played trial ends with its track; with the mouse each gesture is one, or each task that takes
+	if _practice != null:
+		return
+	_readout.notice = ""
+	# A played trial ends with its track; with a live hand each gesture is one, or each task that takes
 	# several.
-	var is_done := not is_nan(end_s if _stage.strokes_add_up else start_s)
-	if _mouse.active and is_done:
+	if _is_live and _is_live_trial_done():
 		_end_trial()
-		_begin_mouse_trial()
+		_begin_live_trial()
 	if is_nan(start_s):
 		start_s = gesture_hmm.time
 		_stage.mark_started()
 	_stage.begin_stroke()
+
+
+## The hand has to see its next place before it goes there.
+func _on_gesture_ended(_gesture: StringName, _time_s: float) -> void:
+	if _is_live and _practice == null and _is_live_trial_done():
+		if _live_position(_live_trials) != _live_position(_live_trials - 1):
+			_end_trial()
+			_begin_live_trial.call_deferred()
+
+
+## A live hand that turned back has its trial yet to make.
+func _on_gesture_aborted(_gesture: StringName) -> void:
+	if _is_live and _log != null and not _stage.strokes_add_up:
+		start_s = NAN
+		end_s = NAN
+		_stage.place(task, _position_name)
+
+
+func _is_live_trial_done() -> bool:
+	return not is_nan(end_s if _stage.strokes_add_up else start_s)
+
+
+func _on_practice_ended(proposal: Dictionary) -> void:
+	_practice = null
+	if proposal.get("distinct", false):
+		_participant.keep(task.gesture, proposal)
+	_readout.notice = Practice.describe(proposal)
+	# The first block is at the stable position.
+	_live_trials = ceili(float(_live_trials) / (2 * TRIALS_PER_BLOCK)) * 2 * TRIALS_PER_BLOCK
+	follow_live()
+	practice_ended.emit(_readout.notice)
 
 
 func _on_motion_updated(time_s: float) -> void:

@@ -4,20 +4,23 @@ extends RefCounted
 
 const Conditions := preload("conditions.gd")
 
-const TRIALS_HEADER := "trial,gesture,condition,start_s,end_s,duration_s"
+const TRIALS_HEADER := "trial,gesture,position,condition,start_s,end_s,duration_s"
 const FLUSH_INTERVAL_S := 1.0
 
 var _folder := ""
 var _trial := ""
 var _gesture := ""
+var _position := ""
 var _samples: FileAccess = null
 var _flushed_s := -INF
 
 
-func _init(folder: String, trial: String, gesture: String) -> void:
+## `position`: "stable", "unstable" or empty.
+func _init(folder: String, trial: String, gesture: String, position: String) -> void:
 	_folder = folder
 	_trial = trial
 	_gesture = gesture
+	_position = position
 	DirAccess.make_dir_recursive_absolute(folder)
 	var path := folder.path_join("%s.log.csv" % trial)
 	_samples = FileAccess.open(path, FileAccess.WRITE)
@@ -27,6 +30,7 @@ func _init(folder: String, trial: String, gesture: String) -> void:
 		return
 	_samples.store_line("# trial: %s" % trial)
 	_samples.store_line("# gesture: %s" % gesture)
+	_samples.store_line("# position: %s" % position)
 	_samples.store_line(
 		"t,condition,value,%s,progress,state,vibration" % ",".join(Conditions.NAMES)
 	)
@@ -56,7 +60,7 @@ func close(condition: String, start_s: float, end_s: float) -> void:
 	trials.seek_end()
 	if is_new:
 		trials.store_line(TRIALS_HEADER)
-	var cells := [_trial, _gesture, condition]
+	var cells := [_trial, _gesture, _position, condition]
 	cells.append_array([_seconds(start_s), _seconds(end_s), _seconds(end_s - start_s)])
 	trials.store_csv_line(PackedStringArray(cells))
 

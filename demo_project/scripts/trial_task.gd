@@ -14,3 +14,9 @@ static func apply(trial: Dictionary, task: GestureTask) -> void:
 	if not is_radius:
 		task.global_position = start
 		task.direction = task.global_basis.inverse() * axis
+
+
+## Puts the task where its middle, or that of its radius, is at `middle` (m).
+static func place_middle(task: GestureTask, middle: Vector3) -> void:
+	var is_radius := task.start_radius > 0.0
+	task.global_position = middle if is_radius else middle - 0.5 * task.amplitude * task.get_axis()

@@ -11,6 +11,7 @@
 #include "haptic_stream.h"
 #include "haptic_synth.h"
 #include "motion_metrics.h"
+#include "tracking_survey.h"
 #include "trial_set.h"
 
 #include <godot_cpp/classes/resource_loader.hpp>
@@ -58,6 +59,7 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(TrialSet);
 		GDREGISTER_CLASS(GestureTrainer);
 		GDREGISTER_CLASS(MotionMetrics);
+		GDREGISTER_CLASS(TrackingSurvey);
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);

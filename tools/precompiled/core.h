@@ -1,5 +1,5 @@
-// What most of the core's headers bring in, compiled once a variant. Sources include what they need all the same:
-// clang-tidy reads them without this file.
+// What most of the core's headers bring in, compiled once a variant. Sources include what they need all the
+// same: clang-tidy reads them without this file.
 #include <Eigen/Core>
 
 #include <algorithm>

@@ -32,4 +32,4 @@ def run(command: list, kill_s: float = 600, **environment: str) -> tuple[int, st
 
 
 def scons(*arguments: str) -> tuple[int, str]:
-    return run(["scons", "-s", *arguments])
+    return run(["scons", "-s", *arguments], kill_s=1800)

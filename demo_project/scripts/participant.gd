@@ -1,0 +1,92 @@
+extends RefCounted
+## A participant's stable and unstable position for each task, as practice runs found them, in a
+## file of the participant's own: user://participants/NAME.json.
+
+## In the order of their blocks of trials.
+const POSITIONS: Array[String] = ["stable", "unstable"]
+const FIGURES: Array[String] = ["seconds", "faults_per_s", "jitter"]
+
+## Who takes part in this session; empty: what is found is kept as long as the scene.
+static var chosen := ""
+
+## What is wrong with the file; empty when all is well.
+var error := ""
+
+var _path := ""
+var _tasks: Dictionary = {}
+
+
+func _init(name: String = chosen, folder: String = "user://participants") -> void:
+	if name.is_empty():
+		return
+	_path = folder.path_join("%s.json" % name.validate_filename())
+	if not FileAccess.file_exists(_path):
+		return
+	var json := JSON.new()
+	if json.parse(FileAccess.get_file_as_string(_path)) != OK:
+		error = "%s:%d: %s" % [_path, json.get_error_line() + 1, json.get_error_message()]
+	elif not json.data is Dictionary:
+		error = "%s: this is no object of tasks" % _path
+	else:
+		_tasks = json.data
+		for gesture: String in _tasks:
+			for position in POSITIONS:
+				if error.is_empty() and not _is_place(_tasks[gesture], position):
+					error = (
+						"%s: %s: '%s' has no position of three numbers" % [_path, gesture, position]
+					)
+	if not error.is_empty():
+		_tasks = {}
+		push_error("%s (it is left as it is: without positions until a practice run)" % error)
+
+
+func has_positions(gesture: String) -> bool:
+	return _tasks.has(gesture)
+
+
+## Where the middle of the task is to be, m. `position`: of POSITIONS; only where has_positions().
+func get_position(gesture: String, position: String) -> Vector3:
+	var place: Array = _tasks[gesture][position]["position"]
+	return Vector3(place[0], place[1], place[2])
+
+
+## Keeps a proposal of TrackingSurvey.propose(), and writes it if there is a file.
+func keep(gesture: String, proposal: Dictionary) -> Error:
+	var task := {contrast = proposal["contrast"], date = Time.get_datetime_string_from_system()}
+	for position in POSITIONS:
+		var place: Vector3 = proposal[position]["position"]
+		task[position] = {position = [place.x, place.y, place.z]}
+		for figure in FIGURES:
+			task[position][figure] = proposal[position][figure]
+	_tasks[gesture] = task
+	return OK if _path.is_empty() else _write()
+
+
+## A whole file beside the old one takes its place; an unreadable one is kept under another name.
+func _write() -> Error:
+	DirAccess.make_dir_recursive_absolute(_path.get_base_dir())
+	var part := _path + ".part"
+	var file := FileAccess.open(part, FileAccess.WRITE)
+	var result := FileAccess.get_open_error()
+	if file != null:
+		file.store_string(JSON.stringify(_tasks, "\t") + "\n")
+		file.close()
+		result = file.get_error()
+	if result == OK and not error.is_empty():
+		result = DirAccess.rename_absolute(_path, "%s.%d.bad" % [_path, Time.get_ticks_usec()])
+	if result == OK:
+		result = DirAccess.rename_absolute(part, _path)
+	if result == OK:
+		error = ""
+	else:
+		push_error("%s: positions are not kept: %s" % [_path, error_string(result)])
+	return result
+
+
+static func _is_place(task: Variant, position: String) -> bool:
+	if not (task is Dictionary and task.get(position) is Dictionary):
+		return false
+	var place: Variant = task[position].get("position")
+	if not (place is Array and place.size() == 3):
+		return false
+	return place.all(func(number: Variant) -> bool: return number is float and is_finite(number))

@@ -1,0 +1,53 @@
+extends RefCounted
+## A practice run: the participant moves the hand through all the space within reach, and how the
+## tracker fares there says where the task's two positions are to be.
+
+## `proposal`: of TrackingSurvey.propose().
+signal ended(proposal: Dictionary)
+
+const DURATION_S := 120.0
+
+var _tracker: HandTracker = null
+var _joint := HandTracker.JOINT_INDEX
+var _survey := TrackingSurvey.new()
+
+
+func _init(tracker: HandTracker, joint: HandTracker.Joint) -> void:
+	_tracker = tracker
+	_joint = joint
+	_tracker.frame_received.connect(_on_frame_received)
+
+
+## Ends by itself after DURATION_S; earlier by this.
+func end() -> void:
+	if _tracker.frame_received.is_connected(_on_frame_received):
+		_tracker.frame_received.disconnect(_on_frame_received)
+		ended.emit(_survey.propose())
+
+
+## For the participant, while it runs.
+func get_instruction() -> String:
+	var left_s := maxf(DURATION_S - _survey.get_duration(), 0.0)
+	return "practice: move your hand through all the space within reach, %.0f s" % left_s
+
+
+## What was found, for whoever runs the study.
+static func describe(proposal: Dictionary) -> String:
+	var error: String = proposal["error"]
+	if not error.is_empty():
+		return error
+	if not proposal["distinct"]:
+		return "tracking is alike everywhere: the positions stay as they are"
+	var parts := PackedStringArray()
+	for position: String in ["stable", "unstable"]:
+		var found: Dictionary = proposal[position]
+		var figures := [position, found["position"], found["faults_per_s"], 1e3 * found["jitter"]]
+		parts.append("%s at %.2v m: %.2f faults a second, %.1f mm of jitter" % figures)
+	return "; ".join(parts)
+
+
+func _on_frame_received(time_s: float) -> void:
+	if _tracker.is_joint_tracked(_joint):
+		_survey.push(time_s, _tracker.get_joint_position(_joint))
+	if _survey.get_duration() >= DURATION_S:
+		end()

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "motion/tracking_survey.h"
+
+#include <godot_cpp/classes/ref_counted.hpp>
+#include <godot_cpp/variant/dictionary.hpp>
+#include <godot_cpp/variant/vector3.hpp>
+
+namespace godot {
+
+/// The core's TrackingSurvey for scripts.
+class TrackingSurvey : public RefCounted {
+	GDCLASS(TrackingSurvey, RefCounted)
+
+	steadyhand::TrackingSurvey survey_;
+
+protected:
+	static void _bind_methods();
+
+public:
+	/// ERR_INVALID_PARAMETER, and no more, for what is not finite or comes before the last frame.
+	Error push(double p_time_s, const Vector3 &p_position);
+	double get_duration() const { return survey_.duration_s(); }
+	Dictionary propose() const;
+};
+
+} // namespace godot

@@ -1,0 +1,148 @@
+#include "motion/tracking_survey.h"
+#include "simulation/sensor.h"
+#include "simulation/sensor_profile.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+using namespace steadyhand;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double TWO_PI = 2.0 * std::numbers::pi;
+
+/// The index tip sweeps 50 x 40 x 40 cm in front of the sensor, at up to 0.5 m/s.
+Vector3d swept(double t_s) {
+	return { 0.25 * std::sin(TWO_PI * 0.23 * t_s), 0.2 * std::sin(TWO_PI * 0.171 * t_s + 1.0),
+		-0.4 + 0.2 * std::sin(TWO_PI * 0.083 * t_s + 2.0) };
+}
+
+/// Tracking worsens from 0.3 m to 0.5 m away from the sensor.
+double far_away(const Vector3d &place_m) {
+	return std::clamp((-place_m.z() - 0.3) / 0.2, 0.0, 1.0);
+}
+
+double same_everywhere(const Vector3d & /*place_m*/) {
+	return 0.3;
+}
+
+using Severity = double (*)(const Vector3d &place_m);
+
+TrackingSurvey surveyed(Severity severity, double span_s, std::uint64_t seed) {
+	TrueMotion motion;
+	motion.span_s = span_s;
+	motion.hand = [](double t_s) {
+		HandFrame frame;
+		frame.t_s = t_s;
+		frame.set(Joint::INDEX, swept(t_s));
+		return frame;
+	};
+	motion.severity = [severity](double t_s) { return severity(swept(t_s)); };
+	// Some faults a minute where it is easy, one or two a second where it is not, as leap_unstable has them.
+	SensorProfile profile = *find_sensor_profile("leap_unstable");
+	for (double *per_s : { &profile.freeze_per_s, &profile.dropout_per_s, &profile.jump_per_s }) {
+		*per_s /= 5.0;
+	}
+	profile.fault_growth = 14.0;
+	TrackingSurvey survey;
+	for (const HandFrame &frame : record_track(motion, profile, seed).frames) {
+		if (frame.has(Joint::INDEX)) {
+			survey.push(frame.t_s, frame.position(Joint::INDEX));
+		}
+	}
+	return survey;
+}
+
+} // namespace
+
+TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not") {
+	constexpr int RUNS = 20;
+	int distinct = 0;
+	double stable_severity = 0.0;
+	double unstable_severity = 0.0;
+	for (std::uint64_t seed = 1; seed <= RUNS; ++seed) {
+		CAPTURE(seed);
+		const Result<TrackingSurvey::Proposal> proposal = surveyed(far_away, 120.0, seed).propose();
+		REQUIRE(proposal.ok());
+		const TrackingSurvey::Place &stable = proposal.value().stable;
+		const TrackingSurvey::Place &unstable = proposal.value().unstable;
+		CHECK(far_away(stable.position_m) < 0.25);
+		CHECK(far_away(unstable.position_m) > 0.5);
+		CHECK((stable.position_m - unstable.position_m).norm() >= TrackingSurvey::APART_M);
+		// Within the reach: no further than the sweep and the sensor's own error.
+		for (const TrackingSurvey::Place *place : { &stable, &unstable }) {
+			CHECK((place->position_m - Vector3d(0, 0, -0.4)).cwiseAbs().maxCoeff() < 0.28);
+		}
+		distinct += proposal.value().distinct() ? 1 : 0;
+		stable_severity += far_away(stable.position_m) / RUNS;
+		unstable_severity += far_away(unstable.position_m) / RUNS;
+	}
+	CHECK(stable_severity < 0.1);
+	CHECK(unstable_severity > 0.9);
+	CHECK(distinct >= 17);
+}
+
+TEST_CASE("a sensor that is alike everywhere has no two positions") {
+	int distinct = 0;
+	for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+		const Result<TrackingSurvey::Proposal> proposal = surveyed(same_everywhere, 120.0, seed).propose();
+		REQUIRE(proposal.ok());
+		distinct += proposal.value().distinct() ? 1 : 0;
+	}
+	CHECK(distinct <= 2);
+}
+
+TEST_CASE("faults are counted at the place where they begin, jitter where it is") {
+	TrackingSurvey survey;
+	// Half a minute at each of two places; at the right one every second brings a gap of 0.2 s and 1 mm of
+	// noise.
+	Random random(3);
+	double t_s = 0.0;
+	for (int i = 0; i < 6000; ++i) {
+		const bool right = i >= 3000;
+		const double noise_m = right ? 1e-3 : 1e-4;
+		const Vector3d noise(random.normal(), random.normal(), random.normal());
+		survey.push(t_s, Vector3d(right ? 0.35 : -0.35, 0.05, -0.35) + noise_m * noise);
+		t_s += right && i % 100 == 50 ? 0.2 : 0.01;
+	}
+	const TrackingSurvey::Proposal proposal = survey.propose().value();
+	CHECK((proposal.stable.position_m - Vector3d(-0.35, 0.05, -0.35)).norm() < 1e-3);
+	CHECK((proposal.unstable.position_m - Vector3d(0.35, 0.05, -0.35)).norm() < 1e-3);
+	CHECK(proposal.stable.faults_per_s < 0.05); // the leap from the one to the other
+	CHECK(proposal.unstable.faults_per_s == doctest::Approx(30.0 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
+	CHECK(proposal.stable.jitter_m < 0.3e-3);
+	CHECK(proposal.unstable.jitter_m == doctest::Approx(1e-3).epsilon(0.3));
+}
+
+TEST_CASE("a run too short, or in one place, says what is missing") {
+	CHECK(surveyed(far_away, 10.0, 1).propose().error().find("too short") != std::string::npos);
+	TrackingSurvey still;
+	for (int i = 0; i < 5000; ++i) {
+		still.push(0.01 * i, { 1e-4 * (i % 3), 0.0, -0.3 });
+	}
+	CHECK(still.propose().error().find("one place") != std::string::npos);
+	CHECK(TrackingSurvey().propose().error().find("too short") != std::string::npos);
+}
+
+TEST_CASE("places beyond the grid and stamps that stand still do no harm") {
+	TrackingSurvey survey;
+	for (int i = 0; i < 5000; ++i) {
+		const double far_m = i % 7 == 0 ? 1e9 : std::numeric_limits<double>::max();
+		survey.push(0.01 * (i - i % 2), { i % 3 == 0 ? far_m : 0.1, 0.0, -0.3 });
+	}
+	CHECK(survey.duration_s() == doctest::Approx(0.01 * 4998));
+	for (int i = 0; i < 5000; ++i) {
+		survey.push(50.0 + 0.01 * i, { i < 2500 ? -0.5 : 0.6, 1e-4 * (i % 3), -0.3 });
+	}
+	const TrackingSurvey::Proposal proposal = survey.propose().value();
+	CHECK(proposal.stable.position_m.allFinite());
+	CHECK(proposal.unstable.position_m.allFinite());
+	CHECK(std::isfinite(proposal.contrast));
+	CHECK(std::isfinite(proposal.unstable.jitter_m));
+}
