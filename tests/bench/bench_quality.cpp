@@ -47,10 +47,10 @@ bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
 
 std::vector<Setting> settings() {
 	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
-	constexpr std::array<std::array<std::size_t, 3>, 8> KEPT{ { { 20, 16, 4 }, { 14, 11, 3 }, { 10, 8, 2 },
-			{ 7, 5, 2 }, { 5, 4, 1 }, { 4, 3, 1 }, { 2, 2, 1 }, { 1, 1, 1 } } };
+	constexpr std::array<std::array<std::size_t, 3>, 5> KEPT{ { { 20, 16, 4 }, { 10, 8, 2 }, { 5, 4, 1 },
+			{ 2, 2, 1 }, { 1, 1, 1 } } };
 	for (const auto &[usual, erring, wandering] : KEPT) {
-		for (const std::size_t durations : { 7, 5, 3 }) {
+		for (const std::size_t durations : { 7, 3 }) {
 			for (const double branch_period_s : { 0.03, 0.06 }) {
 				all.push_back(
 						{ "", MotionMode::PHASE, { usual, erring, wandering, durations, branch_period_s } });

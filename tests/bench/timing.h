@@ -1,7 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace steadyhand::bench {
@@ -11,12 +11,17 @@ template <class Value> void keep(const Value &value) {
 	asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// What calling f once takes.
+/// What calling f once takes of this thread's processor time: what others take of the machine meanwhile
+/// does not count.
 template <class Function> double ns_of(Function f) {
-	const auto begin = std::chrono::steady_clock::now();
+	const auto now_ns = [] {
+		timespec now{};
+		clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+		return 1e9 * static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec);
+	};
+	const double begin_ns = now_ns();
 	f();
-	const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - begin;
-	return spent.count();
+	return now_ns() - begin_ns;
 }
 
 inline double least(const std::vector<double> &values) {

@@ -22,9 +22,9 @@ enum class Quality : std::uint8_t { FAST, BALANCED, ACCURATE };
 [[nodiscard]] constexpr PhaseEffort phase_effort(Quality quality) {
 	switch (quality) {
 		case Quality::FAST:
-			return { 2, 2, 1, 5, 0.06 };
+			return { 1, 1, 1, 3, 0.06 };
 		case Quality::BALANCED:
-			return { 10, 8, 2, 5, 0.03 };
+			return { 2, 2, 1, 3, 0.045 };
 		case Quality::ACCURATE:
 			break;
 	}
