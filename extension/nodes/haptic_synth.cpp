@@ -240,7 +240,9 @@ void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
 		update_player();
 		update_pulses();
+		listen_to_joypads(true);
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		listen_to_joypads(false);
 		drop_pulses();
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);

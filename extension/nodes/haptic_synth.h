@@ -124,6 +124,8 @@ private:
 	void update_pulses();
 	void drop_pulses();
 	void pause_pulses(bool p_paused);
+	void listen_to_joypads(bool p_listen);
+	void on_joypad_changed(int64_t p_joypad, bool p_is_connected);
 	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();
 	void on_effects_changed() { effects_are_set_ = false; }

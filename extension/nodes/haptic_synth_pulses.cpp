@@ -68,6 +68,25 @@ void HapticSynth::update_pulses() {
 	}
 }
 
+void HapticSynth::listen_to_joypads(bool p_listen) {
+	const Callable callable = callable_mp(this, &HapticSynth::on_joypad_changed);
+	if (p_listen) {
+		Input::get_singleton()->connect("joy_connection_changed", callable);
+	} else {
+		Input::get_singleton()->disconnect("joy_connection_changed", callable);
+	}
+}
+
+void HapticSynth::on_joypad_changed(int64_t p_joypad, bool p_is_connected) {
+	if (p_joypad != joypad_) {
+		return;
+	}
+	update_configuration_warnings();
+	if (!p_is_connected && !Engine::get_singleton()->is_editor_hint()) {
+		WARN_PRINT(String("HapticSynth: joypad ") + itos(joypad_) + String(" is gone"));
+	}
+}
+
 void HapticSynth::add_sink_warnings(PackedStringArray &r_warnings) const {
 	const XRNode3D *const controller = get_controller();
 	if (controller != nullptr) {

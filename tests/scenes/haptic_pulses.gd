@@ -104,6 +104,28 @@ func test_a_joypad_shakes_and_stops_at_pause_and_exit() -> void:
 	check_equal(Input.get_joy_vibration_strength(JOYPAD), Vector2.ZERO, "at rest in the end")
 
 
+func test_the_warning_of_a_missing_joypad_follows_joypads_that_come_and_go() -> void:
+	var synth := HapticSynth.new()
+	synth.joypad = JOYPAD
+	root.add_child(synth)
+	edited_scene_root = synth
+	var refreshed: Array[Node] = []
+	var note := func(node: Node) -> void: refreshed.append(node)
+	node_configuration_warning_changed.connect(note)
+	Input.joy_connection_changed.emit(JOYPAD, true)
+	check_equal(refreshed.size(), 1, "one has come")
+	Input.joy_connection_changed.emit(JOYPAD + 1, true)
+	check_equal(refreshed.size(), 1, "another's coming is no matter")
+	Input.joy_connection_changed.emit(JOYPAD, false)
+	check_equal(refreshed.size(), 2, "it is gone")
+	edited_scene_root = null
+	root.remove_child(synth)
+	Input.joy_connection_changed.emit(JOYPAD, true)
+	check_equal(refreshed.size(), 2, "out of the tree nothing is heard")
+	node_configuration_warning_changed.disconnect(note)
+	synth.free()
+
+
 func test_low_frequencies_are_the_heavy_motor_s() -> void:
 	var heaviest := [0.0]
 	var each := func(_synth: HapticSynth, _value: float) -> void:
