@@ -109,6 +109,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 		snapshot.knots[i].moving =
 				arrivals_.is_moving() && (snapshot.expected.number == 0 || time_s < snapshot.expected.time_s);
 	}
+	snapshot.fit();
 	// The motion is told of once a frame, and is half a frame old when it is heard of on average.
 	const double age_s = is_inside_tree() ? 0.5 * get_process_delta_time() : 0.0;
 	const double device_s = device_.is_valid() ? device_->get_latency() : 0.0;

@@ -64,6 +64,7 @@ MotionSnapshot stroke_at(double now_s) {
 		snapshot.knots[i] = { point.value, (forward ? 1.0 : -1.0) * rate * point.first,
 			rate * rate * point.second, forward };
 	}
+	snapshot.fit();
 	const double strokes = std::floor(now_s / STROKE_S + 0.5);
 	if (strokes > 0.0) {
 		snapshot.arrival = { static_cast<std::uint32_t>(strokes), (strokes - 0.5) * STROKE_S, 0.5 };

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -29,6 +30,79 @@ TEST_CASE("a snapshot is the quintic that it was taken of, derivatives and all")
 			REQUIRE(std::abs(made.jerk - jerk) < 0.05); // of up to 1400
 		}
 	}
+}
+
+TEST_CASE("a snapshot whose quintics are made before is the same to the last bit") {
+	MotionSnapshot fitted = Movement{ 0.35 }.snapshot(0.05);
+	MotionCurve before, now;
+	now.set(fitted);
+	fitted.fit();
+	before.set(fitted);
+	for (int i = 0; i < 300; ++i) {
+		const double t_s = 0.04 + 0.0004 * i;
+		REQUIRE(before.at(t_s).position == now.at(t_s).position);
+		REQUIRE(before.at(t_s).jerk == now.at(t_s).jerk);
+	}
+}
+
+TEST_CASE("what a cubic over a stretch is off by is bounded, and not by much too much") {
+	// With knots that no polynomial leads through: another jerk in each piece.
+	std::uint64_t random = 1;
+	int crossing = 0;
+	double bounds = 0.0, offs = 0.0;
+	for (int round = 0; round < 3000; ++round) {
+		random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+		const auto part = [&](unsigned shift) {
+			return static_cast<double>((random >> shift) & 0xFFFU) / 4096.0;
+		};
+		MotionSnapshot snapshot = Movement{ 0.2 + part(0) }.snapshot(0.0);
+		for (std::size_t i = 0; i < snapshot.count; ++i) {
+			snapshot.knots[i].moving = true;
+			snapshot.knots[i].acceleration += round % 2 == 0 ? 0.0 : part(12) * static_cast<double>(i % 3);
+		}
+		MotionCurve curve;
+		curve.set(snapshot);
+		const double from_s = 0.08 * part(24), to_s = from_s + 0.001 + 0.012 * part(36);
+		const MotionPoint from = curve.at(from_s), to = curve.at(to_s);
+		const double bound = curve.from_cubic(from_s, from, to_s, to);
+		const double length_s = to_s - from_s;
+		double off = 0.0, velocity_off = 0.0;
+		for (int i = 1; i < 100; ++i) {
+			const double u = 0.01 * i, v = 1.0 - u;
+			const auto cubic = [&](double at_0, double slope_0, double at_1, double slope_1) {
+				return v * v * (1.0 + 2.0 * u) * at_0 + u * u * (3.0 - 2.0 * u) * at_1 +
+						u * v * length_s * (v * slope_0 - u * slope_1);
+			};
+			const MotionPoint truth = snapshot.at(from_s + u * length_s);
+			off = std::max(off,
+					std::abs(cubic(from.position, from.velocity, to.position, to.velocity) - truth.position));
+			velocity_off = std::max(velocity_off,
+					std::abs(cubic(from.velocity, from.acceleration, to.velocity, to.acceleration) -
+							truth.velocity));
+		}
+		const auto piece = [](double t_s) { return std::floor(100.0 * t_s); };
+		REQUIRE(off <= bound + 1e-13);
+		REQUIRE(velocity_off <= curve.velocity_from_cubic(from_s, to_s) + 1e-12);
+		if (piece(from_s) == piece(to_s)) {
+			bounds += bound;
+			offs += off;
+		} else if (piece(to_s) == piece(from_s) + 1.0) {
+			REQUIRE(std::isfinite(bound));
+			REQUIRE(curve.velocity_from_cubic(from_s, to_s) == HUGE_VAL);
+			++crossing;
+		} else {
+			REQUIRE(bound == HUGE_VAL);
+		}
+	}
+	CHECK(crossing > 500);
+	CHECK(bounds < 4.0 * offs);
+	MotionSnapshot ending = Movement{ 0.5 }.snapshot(0.0);
+	ending.knots[2].moving = false;
+	MotionCurve curve;
+	curve.set(ending);
+	CHECK(curve.from_cubic(0.012, curve.at(0.012), 0.018, curve.at(0.018)) < 1e-6);
+	CHECK(curve.from_cubic(0.015, curve.at(0.015), 0.025, curve.at(0.025)) == HUGE_VAL);
+	CHECK(curve.from_cubic(0.095, curve.at(0.095), 0.105, curve.at(0.105)) == HUGE_VAL);
 }
 
 TEST_CASE("outside its knots a snapshot goes on as it began and coasts to a stop, without a step") {

@@ -16,24 +16,21 @@ using steadyhand::test::TURN;
 namespace {
 
 /// One at a time, where the compiler sees no row of them.
-[[gnu::noinline]] float one_sample(const Level &level, const Carrier &carrier, std::size_t i) {
-	return level.at(static_cast<float>(i)) *
-			carrier.at(
-					static_cast<float>(carrier.start().sine), static_cast<float>(carrier.start().cosine), i);
+[[gnu::noinline]] float one_sample(
+		const Level &level, const Carrier &carrier, std::size_t i, std::size_t run = 0) {
+	return level.at(static_cast<float>(run * RUN + i)) * carrier.at(carrier.start(run), i);
 }
 
 [[gnu::noinline]] float one_windowed(
 		const Level &level, const Window &window, const Carrier &carrier, std::size_t i, std::int32_t at) {
 	const auto number = static_cast<float>(at + static_cast<std::int32_t>(i));
-	return level.at(static_cast<float>(i)) * window.at(number) *
-			carrier.at(
-					static_cast<float>(carrier.start().sine), static_cast<float>(carrier.start().cosine), i);
+	return level.at(static_cast<float>(i)) * window.at(number) * carrier.at(carrier.start(0), i);
 }
 
 [[gnu::noinline]] float one_decaying(const Carrier &carrier, double scale, float decay, std::size_t i) {
-	return decay *
-			carrier.at(static_cast<float>(scale * carrier.start().sine),
-					static_cast<float>(scale * carrier.start().cosine), i);
+	const auto factor = static_cast<float>(scale);
+	const Carrier::Start full = carrier.start(0);
+	return decay * carrier.at({ factor * full.sine, factor * full.cosine }, i);
 }
 
 } // namespace
@@ -102,13 +99,11 @@ TEST_CASE("vector code makes the samples that are made one at a time, to the las
 		add_decaying_sine(decaying, carrier, 0.3, decay, round % 64);
 		add(twice, plain);
 		add_sine(twice, carrier, level);
-		// From anywhere in the run, any number of samples.
 		const auto from = static_cast<std::size_t>(round % 64);
-		const std::size_t count = RUN - from;
 		Run held{};
 		std::array<float, 2 * RUN> pairs{};
-		write_held(held.data(), twice, from, count);
-		write_held(pairs.data(), twice, plain, from, count);
+		write_held(held.data(), twice);
+		write_held(pairs.data(), twice, plain);
 		for (std::size_t n = 0; n < RUN; ++n) {
 			const float one = one_sample(level, carrier, n);
 			REQUIRE(plain.samples[n] == one);
@@ -116,15 +111,35 @@ TEST_CASE("vector code makes the samples that are made one at a time, to the las
 			REQUIRE(decaying.samples[n] == (n < from ? 0.0F : one_decaying(carrier, 0.3, 0.7F, n)));
 			REQUIRE(twice.samples[n] == one + one);
 		}
-		for (std::size_t n = 0; n < count; ++n) {
-			REQUIRE(held[n] == std::clamp(twice.samples[from + n], -1.0F, 1.0F));
+		for (std::size_t n = 0; n < RUN; ++n) {
+			REQUIRE(held[n] == std::clamp(twice.samples[n], -1.0F, 1.0F));
 			REQUIRE(pairs[2 * n] == held[n]);
-			REQUIRE(pairs[2 * n + 1] == std::clamp(plain.samples[from + n], -1.0F, 1.0F));
-		}
-		for (std::size_t n = count; n < RUN; ++n) {
-			REQUIRE(held[n] == 0.0F);
+			REQUIRE(pairs[2 * n + 1] == std::clamp(plain.samples[n], -1.0F, 1.0F));
 		}
 	}
+}
+
+TEST_CASE("a stretch is the samples that are made one at a time, to the last bit, in whatever parts it is "
+		  "made") {
+	Carrier carrier;
+	carrier.set_step(phase_step(180.0, 48000.0));
+	carrier.set_phase(0x123456789ABCDEF0U);
+	const Level level = Level::hermite(0.9, 2.0, 0.2, -3.0, MOST_RUNS);
+	for (std::size_t first = 0; first < MOST_RUNS; ++first) {
+		for (std::size_t runs = 1; first + runs <= MOST_RUNS; ++runs) {
+			std::array<float, MOST_RUNS * RUN> mono{};
+			std::array<float, 2 * MOST_RUNS * RUN> stereo{};
+			write_sine(mono.data(), 1, carrier, level, first, runs);
+			write_sine(stereo.data(), 2, carrier, level, first, runs);
+			for (std::size_t n = 0; n < runs * RUN; ++n) {
+				const float one = one_sample(level, carrier, n % RUN, first + n / RUN);
+				REQUIRE(mono[n] == std::clamp(one, -1.0F, 1.0F));
+				REQUIRE(stereo[2 * n] == mono[n]);
+				REQUIRE(stereo[2 * n + 1] == mono[n]);
+			}
+		}
+	}
+	CHECK(level.at(MOST_RUNS * RUN) == doctest::Approx(0.2).epsilon(1e-5));
 }
 
 TEST_CASE("a window is nothing outside, everything within, and has no corner at its ends") {

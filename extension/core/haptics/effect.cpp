@@ -89,6 +89,27 @@ LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double ampl
 	return held({ effect.gain * drive.value, effect.gain * drive.slope }, effect.most);
 }
 
+bool is_smooth(const Effect &effect, const MotionPoint &from, const MotionPoint &to, double from_value,
+		double to_value) {
+	const auto rests = [](const MotionPoint &motion) {
+		return motion.velocity == 0.0 && motion.acceleration == 0.0 && motion.jerk == 0.0;
+	};
+	const bool is_cue = effect.shape == Shape::INERTIAL_VISCOUS;
+	if ((effect.drive == Drive::CONSTANT && !is_cue) || (rests(from) && rests(to))) {
+		return true;
+	}
+	const double most = is_cue ? effect.most : std::min(effect.most, effect.gain);
+	const auto is_free = [most](double value) { return value > 0.0 && value < most; };
+	if (!is_free(from_value) || !is_free(to_value)) {
+		return false;
+	}
+	if (effect.follows_acceleration()) {
+		return (from.acceleration < 0.0) == (to.acceleration < 0.0);
+	}
+	return (effect.shape == Shape::SINE || effect.shape == Shape::DECAYING_SINE) &&
+			(effect.drive == Drive::POSITION || (from.velocity < 0.0) == (to.velocity < 0.0));
+}
+
 double peak_of(const Effect &effect, const Arrival &arrival, const MotionPoint &motion, double amplitude_m) {
 	if (effect.drive == Drive::VELOCITY && effect.shape != Shape::INERTIAL_VISCOUS) {
 		return held({ effect.gain * std::min(arrival.speed_m_s / effect.full_scale, 1.0), 0.0 }, effect.most)

@@ -60,6 +60,9 @@ struct Effect {
 	[[nodiscard]] bool follows_motion() const {
 		return trigger != Trigger::ARRIVAL || shape == Shape::INERTIAL_VISCOUS;
 	}
+	[[nodiscard]] bool follows_acceleration() const {
+		return shape == Shape::INERTIAL_VISCOUS || drive == Drive::ACCELERATION;
+	}
 };
 
 /// The effects of a synth, small enough to be handed over as a whole.
@@ -85,6 +88,11 @@ struct LevelPoint {
 /// The amplitude that the motion gives a sustained effect, or an inertial-viscous cue while it lasts. 0 where
 /// the motion is no number.
 [[nodiscard]] LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double amplitude_m);
+/// Whether that amplitude has no corner between two motions that one polynomial joins, given its values there
+/// and that a cubic by them stays within 0..most: it has where it is held to a limit, where what it follows
+/// changes its sign, and along a curve.
+[[nodiscard]] bool is_smooth(const Effect &effect, const MotionPoint &from, const MotionPoint &to,
+		double from_value, double to_value);
 /// M of an effect that begins with an arrival.
 [[nodiscard]] double peak_of(
 		const Effect &effect, const Arrival &arrival, const MotionPoint &motion, double amplitude_m);

@@ -31,15 +31,16 @@ public:
 		}
 	}
 
+	/// Its time goes on by this for each second of samples, until it is told of again or advanced.
+	[[nodiscard]] double pace() const {
+		return off_s_ == 0.0 ? 1.0 : 1.0 + std::clamp(PULL_PER_S * off_s_, -MOST_PULL, MOST_PULL);
+	}
+
 	/// dt_s of samples have been made.
 	void advance(double dt_s) {
-		now_s_ += dt_s;
-		if (off_s_ == 0.0) {
-			return;
-		}
-		const double drawn_s = std::clamp(PULL_PER_S * off_s_, -MOST_PULL, MOST_PULL) * dt_s;
-		off_s_ -= drawn_s;
-		now_s_ += drawn_s;
+		const double pace_now = pace();
+		now_s_ += pace_now * dt_s;
+		off_s_ -= (pace_now - 1.0) * dt_s;
 	}
 
 	[[nodiscard]] double now_s() const { return now_s_; }

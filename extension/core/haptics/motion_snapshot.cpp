@@ -10,6 +10,7 @@ namespace {
 constexpr double COASTING_PER_S = 50.0;
 constexpr double LONGEST_LEAD_IN_S = 0.03;
 constexpr int BISECTIONS = 40;
+constexpr double NEVER_S = std::numeric_limits<double>::infinity();
 
 QuinticPiece quintic(const MotionSnapshot::Knot &from, const MotionSnapshot::Knot &to, double period_s) {
 	return QuinticPiece::between({ from.position, from.velocity, from.acceleration },
@@ -33,6 +34,14 @@ MotionPoint coasting(const MotionSnapshot::Knot &last, double dt_s) {
 
 } // namespace
 
+void MotionSnapshot::fit() {
+	for (std::size_t i = 0; i + 1 < count; ++i) {
+		const QuinticPiece piece = quintic(knots[i], knots[i + 1], period_s);
+		knots[i].higher = { piece.c[3], piece.c[4], piece.c[5] };
+	}
+	is_fitted = true;
+}
+
 MotionPoint MotionSnapshot::at(double t_s) const {
 	if (count == 0) {
 		return {};
@@ -50,17 +59,81 @@ MotionPoint MotionSnapshot::at(double t_s) const {
 			.at(t_s - time_s - period_s * static_cast<double>(knot));
 }
 
-bool MotionCurve::find(double t_s) {
-	const double x = (t_s - snapshot_.time_s) / snapshot_.period_s;
-	if (!(x >= 0.0) || !(x < static_cast<double>(snapshot_.count) - 1.0)) {
-		return false;
+void MotionCurve::set(const MotionSnapshot &snapshot) {
+	snapshot_.time_s = snapshot.time_s;
+	snapshot_.period_s = snapshot.period_s;
+	snapshot_.count = snapshot.count;
+	snapshot_.amplitude_m = snapshot.amplitude_m;
+	snapshot_.arrival = snapshot.arrival;
+	snapshot_.expected = snapshot.expected;
+	snapshot_.is_fitted = snapshot.is_fitted;
+	std::copy_n(snapshot.knots.begin(), snapshot.count, snapshot_.knots.begin());
+	knots_per_s_ = 1.0 / snapshot.period_s;
+	pieces_[0].length_s = pieces_[1].length_s = 0.0;
+}
+
+const MotionCurve::Piece *MotionCurve::find(double t_s) {
+	const double x = (t_s - snapshot_.time_s) * knots_per_s_;
+	if (!(x >= -GRAIN_S * knots_per_s_) || !(x < static_cast<double>(snapshot_.count) - 1.0)) {
+		return nullptr;
 	}
-	const auto knot = static_cast<std::size_t>(x);
-	piece_ = quintic(snapshot_.knots[knot], snapshot_.knots[knot + 1], snapshot_.period_s);
-	began_s_ = snapshot_.time_s + snapshot_.period_s * static_cast<double>(knot);
-	length_s_ = snapshot_.period_s;
-	is_moving_ = snapshot_.knots[knot].moving;
-	return true;
+	const auto knot = static_cast<std::size_t>(std::max(x, 0.0));
+	latest_ = 1 - latest_;
+	Piece &piece = pieces_[latest_];
+	const MotionSnapshot::Knot &from = snapshot_.knots[knot];
+	piece.quintic = snapshot_.is_fitted
+			? QuinticPiece{ { from.position, from.velocity, 0.5 * from.acceleration, from.higher[0],
+					  from.higher[1], from.higher[2] } }
+			: quintic(from, snapshot_.knots[knot + 1], snapshot_.period_s);
+	piece.began_s = snapshot_.time_s + snapshot_.period_s * static_cast<double>(knot);
+	piece.length_s = snapshot_.period_s;
+	piece.knot = knot;
+	piece.is_moving = snapshot_.knots[knot].moving;
+	return &piece;
+}
+
+double MotionCurve::smooth_s(double t_s) {
+	const Piece *const piece = piece_at(t_s);
+	if (piece == nullptr) {
+		return snapshot_.count == 0 ? NEVER_S : 0.0;
+	}
+	return piece->length_s - (t_s - piece->began_s);
+}
+
+double MotionCurve::from_cubic(double from_s, const MotionPoint &from, double to_s, const MotionPoint &to) {
+	const Piece *const first = piece_at(from_s), *const last = piece_at(to_s);
+	if (first == nullptr || last == nullptr) {
+		return snapshot_.count == 0 ? 0.0 : NEVER_S;
+	}
+	// A cubic by both ends of a piece is off by the length to the fourth power x the fourth derivative / 384.
+	const double length_s = to_s - from_s, square_s2 = length_s * length_s;
+	const double within =
+			square_s2 * square_s2 / 384.0 * std::max(first->greatest_fourth(), last->greatest_fourth());
+	if (first == last) {
+		return within;
+	}
+	if (last->knot != first->knot + 1 || last->is_moving != first->is_moving) {
+		return NEVER_S;
+	}
+	// What it is off by at the knot between both, in value and slope, is a cubic in each.
+	const double per_s = 1.0 / length_s;
+	const double share = per_s * (last->began_s - from_s), rest = 1.0 - share;
+	const double way = to.position - from.position;
+	const double value = from.position + share * share * (3.0 - 2.0 * share) * way +
+			share * rest * length_s * (rest * from.velocity - share * to.velocity);
+	const double slope = per_s * 6.0 * share * rest * way + rest * (1.0 - 3.0 * share) * from.velocity -
+			share * (2.0 - 3.0 * share) * to.velocity;
+	return within + std::abs(value - last->quintic.c[0]) +
+			4.0 / 27.0 * length_s * std::abs(slope - last->quintic.c[1]);
+}
+
+double MotionCurve::velocity_from_cubic(double from_s, double to_s) {
+	const Piece *const piece = piece_at(from_s);
+	if (piece == nullptr || piece != piece_at(to_s)) {
+		return snapshot_.count == 0 ? 0.0 : NEVER_S;
+	}
+	const double square_s2 = (to_s - from_s) * (to_s - from_s);
+	return square_s2 * square_s2 / 384.0 * std::abs(120.0 * piece->quintic.c[5]);
 }
 
 bool MotionSnapshot::is_moving(double t_s) const {

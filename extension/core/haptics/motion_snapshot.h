@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,6 +25,8 @@ struct MotionSnapshot {
 		double velocity = 0.0;
 		double acceleration = 0.0;
 		bool moving = false; ///< a gesture is under way and has not arrived, from here to the next knot
+		/// Of the quintic to the next knot: its coefficients of s^3 to s^5, where fit() has made them.
+		std::array<double, 3> higher{};
 	};
 	static constexpr std::size_t MOST_KNOTS = 32;
 
@@ -33,7 +36,12 @@ struct MotionSnapshot {
 	double amplitude_m = 0.0; ///< of the task
 	Arrival arrival;          ///< the last one
 	Arrival expected; ///< the next one, if all goes on as it does; with a later snapshot it may be gone
+	bool is_fitted = false;
 	std::array<Knot, MOST_KNOTS> knots{};
+
+	/// Makes the quintics once and for all, so that the audio thread need not; the knots are to stay as they
+	/// are.
+	void fit();
 
 	[[nodiscard]] double end_s() const { return time_s + period_s * static_cast<double>(count - 1); }
 
@@ -47,44 +55,70 @@ struct MotionSnapshot {
 	[[nodiscard]] double reaches_s(double level, double from_s) const;
 };
 
-/// A snapshot that is asked for one instant after the other: its quintic of the present instant is kept.
+/// A snapshot that is asked for one instant after the other: the quintics of the last two pieces are kept.
 class MotionCurve {
 public:
 	/// Of its knots those that count are copied.
-	void set(const MotionSnapshot &snapshot) {
-		snapshot_.time_s = snapshot.time_s;
-		snapshot_.period_s = snapshot.period_s;
-		snapshot_.count = snapshot.count;
-		snapshot_.amplitude_m = snapshot.amplitude_m;
-		snapshot_.arrival = snapshot.arrival;
-		snapshot_.expected = snapshot.expected;
-		std::copy_n(snapshot.knots.begin(), snapshot.count, snapshot_.knots.begin());
-		length_s_ = 0.0;
-	}
+	void set(const MotionSnapshot &snapshot);
 	[[nodiscard]] const MotionSnapshot &snapshot() const { return snapshot_; }
 
 	/// snapshot().at(t_s), up to rounding
 	[[nodiscard]] MotionPoint at(double t_s) {
-		const double s = t_s - began_s_;
-		if (!(s >= 0.0 && s < length_s_) && !find(t_s)) {
-			return snapshot_.at(t_s);
-		}
-		return piece_.at(t_s - began_s_);
+		const Piece *const piece = piece_at(t_s);
+		return piece != nullptr ? piece->quintic.at(t_s - piece->began_s) : snapshot_.at(t_s);
 	}
 
 	/// snapshot().is_moving(t_s)
-	[[nodiscard]] bool is_moving(double t_s) const {
-		const double s = t_s - began_s_;
-		return s >= 0.0 && s < length_s_ ? is_moving_ : snapshot_.is_moving(t_s);
+	[[nodiscard]] bool is_moving(double t_s) {
+		const Piece *const piece = piece_at(t_s);
+		return piece != nullptr ? piece->is_moving : snapshot_.is_moving(t_s);
 	}
 
-private:
-	MotionSnapshot snapshot_;
-	QuinticPiece piece_;
-	double began_s_ = 0.0, length_s_ = 0.0; ///< of the piece
-	bool is_moving_ = false;                ///< in it
+	/// How far from t_s on it is one and the same polynomial, s; 0 where it is none.
+	[[nodiscard]] double smooth_s(double t_s);
+	/// At least the greatest difference of the position between two instants from the cubic that has these
+	/// values and velocities there; infinite over more than two pieces, or where it does not go on moving.
+	[[nodiscard]] double from_cubic(
+			double from_s, const MotionPoint &from, double to_s, const MotionPoint &to);
+	/// The same of the velocity, of one piece.
+	[[nodiscard]] double velocity_from_cubic(double from_s, double to_s);
 
-	bool find(double t_s);
+private:
+	/// What rounding may take a time before the first knot by does not count.
+	static constexpr double GRAIN_S = 1e-6;
+
+	struct Piece {
+		QuinticPiece quintic;
+		double began_s = 0.0, length_s = 0.0;
+		std::size_t knot = 0;
+		bool is_moving = false;
+
+		[[nodiscard]] bool has(double t_s) const {
+			return t_s - began_s >= -GRAIN_S && t_s - began_s < length_s;
+		}
+		[[nodiscard]] double greatest_fourth() const {
+			const double at_start = 24.0 * quintic.c[4];
+			return std::max(std::abs(at_start), std::abs(at_start + 120.0 * length_s * quintic.c[5]));
+		}
+	};
+
+	MotionSnapshot snapshot_;
+	double knots_per_s_ = 0.0;
+	std::array<Piece, 2> pieces_;
+	std::size_t latest_ = 0; ///< asked for, of the two
+
+	/// Null outside the knots. Stays until the next but one is found.
+	[[nodiscard]] const Piece *piece_at(double t_s) {
+		if (pieces_[latest_].has(t_s)) {
+			return &pieces_[latest_];
+		}
+		if (!pieces_[1 - latest_].has(t_s)) {
+			return find(t_s);
+		}
+		latest_ = 1 - latest_;
+		return &pieces_[latest_];
+	}
+	[[nodiscard]] const Piece *find(double t_s);
 };
 
 } // namespace steadyhand

@@ -10,6 +10,7 @@ Vibration::Vibration(double sample_rate_hz, int channels) : channels_(channels >
 }
 
 void Vibration::set_sample_rate(double sample_rate_hz) {
+	end_stretch();
 	sample_rate_hz_ = std::isnan(sample_rate_hz)
 			? 48000.0
 			: std::clamp(sample_rate_hz, LOWEST_RATE_HZ, HIGHEST_RATE_HZ);
@@ -18,29 +19,51 @@ void Vibration::set_sample_rate(double sample_rate_hz) {
 }
 
 void Vibration::set_effects(const EffectSet &effects) {
+	end_stretch();
 	in_use_ = std::max(in_use_, effects.count);
 	effects_ = effects;
-	effects_follow_ = std::any_of(effects.effects.begin(), effects.effects.begin() + effects.count,
-			[](const Effect &effect) { return effect.follows_motion(); });
+	effects_follow_ = acceleration_follows_ = false;
+	by_position_ = by_velocity_s_m_ = 0.0;
+	for (std::size_t i = 0; i < effects.count; ++i) {
+		const Effect &effect = effects.effects[i];
+		effects_follow_ = effects_follow_ || effect.follows_motion();
+		if (effect.trigger == Trigger::ARRIVAL) {
+			continue;
+		}
+		if (effect.follows_acceleration()) {
+			acceleration_follows_ = true;
+		} else if (effect.drive == Drive::POSITION) {
+			by_position_ = std::max(by_position_, effect.gain / effect.full_scale);
+		} else if (effect.drive == Drive::VELOCITY) {
+			by_velocity_s_m_ = std::max(by_velocity_s_m_, effect.gain / effect.full_scale);
+		}
+	}
 	is_connected_ = false;
 }
 
 void Vibration::set_motion(const MotionSnapshot &motion) {
+	end_stretch();
 	const bool is_sound = std::isfinite(motion.time_s) && motion.period_s > 0.0 && motion.count > 0 &&
 			motion.count <= MotionSnapshot::MOST_KNOTS;
 	static constexpr MotionSnapshot NONE{};
 	motion_.set(is_sound ? motion : NONE);
 	is_connected_ = false;
-	unheard_s_ = 0.0;
+	if (unheard_s_ > 0.0) {
+		patience_s_ = std::clamp(1.5 * std::min(unheard_s_, last_gap_s_), PATIENCE_S, MOST_PATIENCE_S);
+		last_gap_s_ = unheard_s_;
+		unheard_s_ = 0.0;
+	}
 }
 
 void Vibration::seek(double time_s) {
+	end_stretch();
 	clock_.seek(std::isfinite(time_s) ? time_s : 0.0);
 	is_connected_ = false;
 	is_live_ = false;
 }
 
 void Vibration::follow(double time_s) {
+	end_stretch();
 	clock_.follow(time_s);
 	is_connected_ = false;
 	is_live_ = true;
@@ -49,20 +72,24 @@ void Vibration::follow(double time_s) {
 void Vibration::render(std::span<float> frames) {
 	const std::size_t total = frames.size() / channels_;
 	for (std::size_t done = 0; done < total;) {
-		if (handed_out_ == RUN) {
-			make_run();
+		if (handed_out_ < RUN) {
+			const std::size_t count = std::min(RUN - handed_out_, total - done);
+			std::copy_n(&rest_[channels_ * handed_out_], channels_ * count, &frames[channels_ * done]);
+			handed_out_ += count;
+			done += count;
+			continue;
+		}
+		if (made_ == stretch_.runs) {
+			begin_stretch();
+		}
+		const std::size_t runs = std::min((total - done) / RUN, stretch_.runs - made_);
+		if (runs > 0) {
+			make(&frames[channels_ * done], runs);
+			done += runs * RUN;
+		} else {
+			make(rest_.data(), 1);
 			handed_out_ = 0;
 		}
-		const std::size_t count = std::min(RUN - handed_out_, total - done);
-		if (channels_ == 1) {
-			write_held(&frames[done], both_, handed_out_, count);
-		} else {
-			const bool has_sides = !left_.is_silent || !right_.is_silent;
-			write_held(&frames[2 * done], has_sides ? left_ : both_, has_sides ? right_ : both_, handed_out_,
-					count);
-		}
-		handed_out_ += count;
-		done += count;
 	}
 }
 
@@ -73,84 +100,183 @@ Mix &Vibration::mix_of(std::uint8_t channels) {
 	return channels == Effect::LEFT ? left_ : right_;
 }
 
-void Vibration::make_run() {
-	const double from_s = clock_.now_s();
-	clock_.advance(run_s_);
-	const double to_s = clock_.now_s();
-	const bool is_heard = !is_live_ || unheard_s_ <= PATIENCE_S;
-	unheard_s_ += run_s_;
-	follows_ = effects_follow_ || (follows_ && active_ > 0);
-	RunContext context{ sample_rate_hz_, run_s_, run_++, {}, {}, is_connected_,
-		motion_.snapshot().amplitude_m };
-	if (follows_) {
-		context.from = is_connected_ ? end_ : motion_.at(from_s);
-		context.to = end_ = motion_.at(to_s);
+void Vibration::end_stretch() {
+	if (stretch_.runs == 0) {
+		return;
 	}
-	is_connected_ = follows_;
-	for (Mix *const mix : { &both_, &left_, &right_ }) {
-		if (!mix->is_silent) {
-			clear(*mix);
+	const double made_s = run_s_ * static_cast<double>(made_);
+	clock_.advance(made_s);
+	unheard_s_ += made_s;
+	if (made_ < stretch_.runs) {
+		const double share = static_cast<double>(made_) / static_cast<double>(stretch_.runs);
+		for (std::size_t i = 0; i < in_use_; ++i) {
+			sustained_[i].cut(share);
 		}
-	}
-	if (is_heard) {
-		begin_arrivals(context, from_s, to_s);
-	}
-	add_sustained(context, from_s, is_heard);
-	if (active_ > 0) {
-		for (ArrivalVoice &voice : arrivals_) {
-			if (voice.is_active()) {
-				voice.add_run(context, mix_of(voice.channels()));
-				active_ -= voice.is_active() ? 0 : 1;
+		if (active_ > 0) {
+			for (ArrivalVoice &voice : arrivals_) {
+				voice.cut(share);
 			}
 		}
 	}
-	if (!left_.is_silent || !right_.is_silent) {
-		add(left_, both_);
-		add(right_, both_);
+	stretch_.first_run += made_;
+	stretch_.runs = made_ = 0;
+}
+
+void Vibration::begin_stretch() {
+	end_stretch();
+	const double from_s = clock_.now_s();
+	const bool is_heard = !is_live_ || unheard_s_ <= patience_s_;
+	follows_ = effects_follow_ || (follows_ && active_ > 0);
+	stretch_.sample_rate_hz = sample_rate_hz_;
+	stretch_.pace = clock_.pace();
+	stretch_.is_connected = is_connected_;
+	stretch_.amplitude_m = motion_.snapshot().amplitude_m;
+	if (follows_) {
+		stretch_.from = is_connected_ ? stretch_.to : motion_.at(from_s);
+	}
+	is_connected_ = follows_;
+	const bool is_moving = motion_.is_moving(from_s);
+	set_length(longest_stretch(from_s), from_s);
+	while (stretch_.runs > 1 && follows_ && !is_cubic(from_s)) {
+		set_length(shorter_stretch(from_s), from_s);
+	}
+	if (is_heard) {
+		begin_arrivals(from_s);
+	}
+	if (!look_at_voices(is_heard, is_moving)) {
+		rough_until_ = stretch_.first_run + MOST_RUNS;
+		set_length(1, from_s);
+		static_cast<void>(look_at_voices(is_heard, is_moving));
+	}
+	begin_voices();
+}
+
+/// The runs up to what begins or ends next.
+std::size_t Vibration::longest_stretch(double from_s) const {
+	if (stretch_.first_run < rough_until_) {
+		return 1;
+	}
+	if (is_live_ && unheard_s_ + MOST_RUNS * run_s_ > patience_s_) {
+		return 1;
+	}
+	const double run_s = stretch_.pace * run_s_;
+	std::size_t runs = MOST_RUNS;
+	for (const Arrival *const arrival : { &motion_.snapshot().arrival, &motion_.snapshot().expected }) {
+		const double left_s = arrival->time_s - from_s;
+		if (arrival->number > arrived_ && left_s < static_cast<double>(runs) * run_s) {
+			runs = left_s > run_s ? static_cast<std::size_t>(left_s / run_s) : 1;
+		}
+	}
+	return runs;
+}
+
+/// One that goes on over fewer knots of the motion, or half of it.
+std::size_t Vibration::shorter_stretch(double from_s) {
+	const double smooth_s = motion_.smooth_s(from_s);
+	for (const double reach_s : { smooth_s + motion_.snapshot().period_s, smooth_s }) {
+		const double runs = reach_s / (stretch_.pace * run_s_);
+		if (runs >= 1.0 && runs < static_cast<double>(stretch_.runs)) {
+			return static_cast<std::size_t>(runs);
+		}
+	}
+	return stretch_.runs / 2;
+}
+
+/// Whether the amplitudes that the motion makes over the stretch are cubics, nearer than a sample can tell.
+bool Vibration::is_cubic(double from_s) {
+	const double to_s = from_s + stretch_.pace * stretch_.length_s;
+	const double position = motion_.from_cubic(from_s, stretch_.from, to_s, stretch_.to);
+	double remainder = by_position_ * position;
+	if (by_velocity_s_m_ > 0.0) {
+		remainder += by_velocity_s_m_ * stretch_.amplitude_m * motion_.velocity_from_cubic(from_s, to_s);
+	}
+	// The acceleration of a quintic is a cubic.
+	const bool needs_one_piece = acceleration_follows_ || active_ > 0;
+	return std::isfinite(position) && remainder <= MOST_REMAINDER &&
+			(!needs_one_piece || motion_.smooth_s(from_s) >= to_s - from_s);
+}
+
+void Vibration::set_length(std::size_t runs, double from_s) {
+	stretch_.runs = runs;
+	stretch_.length_s = run_s_ * static_cast<double>(runs);
+	if (follows_) {
+		stretch_.to = motion_.at(from_s + stretch_.pace * stretch_.length_s);
 	}
 }
 
-void Vibration::add_sustained(const RunContext &context, double from_s, bool is_heard) {
+bool Vibration::look_at_voices(bool is_heard, bool is_moving) {
 	// An expected arrival that has begun comes before the snapshot that will tell of it.
 	const bool has_arrived =
 			motion_.snapshot().expected.number != 0 && arrived_ >= motion_.snapshot().expected.number;
+	bool is_smooth = true;
 	for (std::size_t i = 0; i < in_use_; ++i) {
 		SustainedVoice &voice = sustained_[i];
 		const Effect &effect = effects_.effects[i];
 		const bool is_due = effect.trigger == Trigger::ALWAYS ||
-				(effect.trigger == Trigger::MOVING && !has_arrived && motion_.is_moving(from_s));
+				(effect.trigger == Trigger::MOVING && !has_arrived && is_moving);
 		const bool wanted = is_heard && i < effects_.count && motion_.snapshot().count > 0 && is_due &&
 				voice.may_be(effect.channels);
 		if (wanted) {
 			voice.set_channels(effect.channels);
 		}
 		if (voice.sounds(wanted)) {
-			voice.add_run(effect, wanted, context, mix_of(voice.channels()));
+			is_smooth = voice.look_at(effect, wanted, stretch_) && is_smooth;
+		} else {
+			voice.rest();
 		}
 	}
-	while (in_use_ > effects_.count && !sustained_[in_use_ - 1].sounds(false)) {
+	if (active_ > 0) {
+		for (ArrivalVoice &voice : arrivals_) {
+			is_smooth = (!voice.is_active() || voice.look_at(stretch_)) && is_smooth;
+		}
+	}
+	return is_smooth;
+}
+
+void Vibration::begin_voices() {
+	std::size_t heard = 0;
+	for (std::size_t i = 0; i < in_use_; ++i) {
+		if (sustained_[i].is_on()) {
+			sustained_[i].begin(stretch_);
+			if (sustained_[i].is_heard()) {
+				++heard;
+				only_voice_ = i;
+			}
+		}
+	}
+	while (in_use_ > effects_.count && !sustained_[in_use_ - 1].is_on()) {
 		--in_use_;
 	}
+	if (active_ > 0) {
+		for (ArrivalVoice &voice : arrivals_) {
+			if (voice.is_active()) {
+				voice.begin(stretch_);
+			}
+		}
+	}
+	is_silent_ = active_ == 0 && heard == 0;
+	is_only_voice_ = active_ == 0 && heard == 1 && &mix_of(sustained_[only_voice_].channels()) == &both_;
 }
 
-void Vibration::begin_arrivals(const RunContext &context, double from_s, double to_s) {
+void Vibration::begin_arrivals(double from_s) {
+	const double length_s = stretch_.pace * stretch_.length_s;
 	for (const Arrival *const arrival : { &motion_.snapshot().arrival, &motion_.snapshot().expected }) {
-		if (arrival->number > arrived_ && arrival->time_s < to_s) {
-			arrive(*arrival, context, from_s, to_s);
+		if (arrival->number > arrived_ && arrival->time_s < from_s + length_s) {
+			arrive(*arrival, from_s, length_s);
 		}
 	}
 }
 
-void Vibration::arrive(const Arrival &arrival, const RunContext &context, double from_s, double to_s) {
+void Vibration::arrive(const Arrival &arrival, double from_s, double length_s) {
 	arrived_ = arrival.number;
 	if (from_s - arrival.time_s > LATEST_S) {
 		return;
 	}
-	const double share = std::max(arrival.time_s - from_s, 0.0) / (to_s - from_s);
+	const double share = std::max(arrival.time_s - from_s, 0.0) / length_s;
 	// The first sample at or after it; what rounding lost of a time on the samples' grid does not count.
 	constexpr double GRAIN = 1e-6;
-	const auto first =
-			static_cast<std::int32_t>(std::ceil(std::max(share * static_cast<double>(RUN) - GRAIN, 0.0)));
+	const auto first = static_cast<std::int32_t>(
+			std::ceil(std::max(share * static_cast<double>(stretch_.runs * RUN) - GRAIN, 0.0)));
 	const MotionPoint motion = motion_.at(std::max(arrival.time_s, from_s));
 	for (std::size_t i = 0; i < effects_.count; ++i) {
 		if (effects_.effects[i].trigger != Trigger::ARRIVAL) {
@@ -159,9 +285,56 @@ void Vibration::arrive(const Arrival &arrival, const RunContext &context, double
 		const auto free = std::find_if(arrivals_.begin(), arrivals_.end(),
 				[](const ArrivalVoice &voice) { return !voice.is_active(); });
 		if (free != arrivals_.end()) {
-			free->start(effects_.effects[i], effects_.generation, arrival, first, motion, context);
+			free->start(effects_.effects[i], effects_.generation, arrival, first, motion, stretch_);
 			active_ += free->is_active() ? 1 : 0;
 		}
+	}
+}
+
+void Vibration::make(float *frames, std::size_t runs) {
+	const std::size_t a_run = channels_ * RUN;
+	if (is_silent_) {
+		std::fill_n(frames, runs * a_run, 0.0F);
+		made_ += runs;
+	} else if (is_only_voice_) {
+		sustained_[only_voice_].write(frames, channels_, made_, runs);
+		made_ += runs;
+	} else {
+		for (std::size_t i = 0; i < runs; ++i) {
+			make_run(frames + i * a_run);
+			++made_;
+		}
+	}
+}
+
+void Vibration::make_run(float *frames) {
+	for (Mix *const mix : { &both_, &left_, &right_ }) {
+		if (!mix->is_silent) {
+			clear(*mix);
+		}
+	}
+	for (std::size_t i = 0; i < in_use_; ++i) {
+		if (sustained_[i].is_heard()) {
+			sustained_[i].add_run(made_, mix_of(sustained_[i].channels()));
+		}
+	}
+	if (active_ > 0) {
+		for (ArrivalVoice &voice : arrivals_) {
+			if (voice.is_active()) {
+				voice.add_run(stretch_, made_, mix_of(voice.channels()));
+				active_ -= voice.is_active() ? 0 : 1;
+			}
+		}
+	}
+	const bool has_sides = !left_.is_silent || !right_.is_silent;
+	if (has_sides) {
+		add(left_, both_);
+		add(right_, both_);
+	}
+	if (channels_ == 1) {
+		write_held(frames, both_);
+	} else {
+		write_held(frames, has_sides ? left_ : both_, has_sides ? right_ : both_);
 	}
 }
 

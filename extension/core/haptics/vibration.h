@@ -27,8 +27,13 @@ public:
 	/// An arrival that is noticed later than this is let pass: up to here hardly anyone feels that a cue is
 	/// late (Di Luca & Mahnan 2019, World Haptics Conference).
 	static constexpr double LATEST_S = 0.05;
-	/// Live motion that is not heard of for so long is over: it fades out.
-	static constexpr double PATIENCE_S = 0.1;
+	/// Live motion that is not heard of for so long, by the samples made, is over: it fades out. Where
+	/// samples are made for longer than that at a time, so that nothing can be heard of in between, for half
+	/// as long again as twice in a row, up to the limit, which holds until it has been heard of twice.
+	static constexpr double PATIENCE_S = 0.1, MOST_PATIENCE_S = 1.0;
+	/// An amplitude is made of cubics; they differ from it by no more than this, wherever a cubic over a
+	/// single run is as near.
+	static constexpr double MOST_REMAINDER = 2.5e-7;
 
 	/// Of one channel that has all effects, or of two. A rate beyond the limits is held to them, no number
 	/// taken for 48 kHz.
@@ -50,7 +55,9 @@ public:
 
 	[[nodiscard]] double sample_rate_hz() const { return sample_rate_hz_; }
 	/// Of the motion, at the next run.
-	[[nodiscard]] double time_s() const { return clock_.now_s(); }
+	[[nodiscard]] double time_s() const {
+		return clock_.now_s() + stretch_.pace * run_s_ * static_cast<double>(made_);
+	}
 	/// Samples made and not yet handed out.
 	[[nodiscard]] std::size_t ahead() const { return RUN - handed_out_; }
 	[[nodiscard]] std::uint64_t oldest_generation() const;
@@ -60,28 +67,48 @@ private:
 	double run_s_ = 0.0;
 	std::size_t channels_;
 	EffectSet effects_;
+	bool effects_follow_ = false;
+	bool acceleration_follows_ = false; ///< an effect that goes on does
+	/// The greatest amplitude of an effect by position and by velocity, for each unit and m/s.
+	double by_position_ = 0.0, by_velocity_s_m_ = 0.0;
 	MotionCurve motion_;
-	MotionClock clock_;
+	MotionClock clock_; ///< at the stretch's begin
 	bool is_live_ = false;
-	double unheard_s_ = 0.0;    ///< since the last live snapshot
+	double unheard_s_ = 0.0;              ///< from the last snapshot to the stretch's begin
+	double last_gap_s_ = MOST_PATIENCE_S; ///< so long was unheard of before the last one
+	double patience_s_ = MOST_PATIENCE_S;
 	std::uint32_t arrived_ = 0; ///< number of the last one that was felt, or let pass
-	std::uint64_t run_ = 0;     ///< number of the next one
 	std::size_t in_use_ = 0;    ///< of the sustained voices: those that may sound
 	std::size_t active_ = 0;    ///< of the arrivals' voices
 	std::array<SustainedVoice, EffectSet::MOST> sustained_;
 	std::array<ArrivalVoice, EffectSet::MOST> arrivals_;
+
+	Stretch stretch_;
+	std::size_t made_ = 0;          ///< runs of the stretch
+	std::uint64_t rough_until_ = 0; ///< run up to which a longer stretch is not tried again
+	bool is_silent_ = true;
+	bool is_only_voice_ = false; ///< nothing else is heard, and it alike on all channels
+	std::size_t only_voice_ = 0;
+	bool is_connected_ = false; ///< at the stretch's end effects and motion go on as they are
+	bool follows_ = false;      ///< a voice follows the motion, or may
+
 	/// The sides with all that is heard there, where one has sounds of its own; otherwise both_ alone.
 	Mix both_, left_, right_;
-	std::size_t handed_out_ = RUN; ///< of the run
-	bool effects_follow_ = false;
-	bool follows_ = false;      ///< a voice follows the motion, or may
-	bool is_connected_ = false; ///< end_ is the motion at the next run's start, and effects are the same
-	MotionPoint end_;
+	std::array<float, 2 * RUN> rest_{}; ///< a run that is handed out in parts
+	std::size_t handed_out_ = RUN;      ///< of it
 
-	void make_run();
-	void add_sustained(const RunContext &context, double from_s, bool is_heard);
-	void begin_arrivals(const RunContext &context, double from_s, double to_s);
-	void arrive(const Arrival &arrival, const RunContext &context, double from_s, double to_s);
+	void begin_stretch();
+	void end_stretch();
+	[[nodiscard]] std::size_t longest_stretch(double from_s) const;
+	[[nodiscard]] std::size_t shorter_stretch(double from_s);
+	[[nodiscard]] bool is_cubic(double from_s);
+	void set_length(std::size_t runs, double from_s);
+	[[nodiscard]] bool look_at_voices(bool is_heard, bool is_moving);
+	void begin_voices();
+	void begin_arrivals(double from_s);
+	void arrive(const Arrival &arrival, double from_s, double length_s);
+	void make(float *frames, std::size_t runs);
+	void make_run(float *frames);
 	Mix &mix_of(std::uint8_t channels);
 };
 

@@ -16,39 +16,67 @@ double rad_per_s(double frequency_hz, double sample_rate_hz) {
 	return TWO_PI * std::min(frequency_hz, 0.5 * sample_rate_hz);
 }
 
+/// The amplitude that the motion asks for, its slope by the samples' clock.
+LevelPoint wanted_of(const Effect &effect, const MotionPoint &motion, const Stretch &stretch) {
+	LevelPoint level = level_of(effect, motion, stretch.amplitude_m);
+	level.slope *= stretch.pace;
+	return level;
+}
+
 } // namespace
 
-void SustainedVoice::add_run(const Effect &effect, bool wanted, const RunContext &context, Mix &out) {
+bool SustainedVoice::look_at(const Effect &effect, bool wanted, const Stretch &stretch) {
 	// A voice that dies away keeps the frequency that it had.
-	if ((wanted && effect.frequency_hz != frequency_hz_) || context.sample_rate_hz != sample_rate_hz_) {
+	if ((wanted && effect.frequency_hz != frequency_hz_) || stretch.sample_rate_hz != sample_rate_hz_) {
+		turn_to(stretch.first_run);
 		frequency_hz_ = wanted || frequency_hz_ == 0.0 ? effect.frequency_hz : frequency_hz_;
-		sample_rate_hz_ = context.sample_rate_hz;
+		sample_rate_hz_ = stretch.sample_rate_hz;
 		carrier_.set_step(phase_step(frequency_hz_, sample_rate_hz_));
 	}
+	is_on_ = true;
 	LevelPoint from, to;
 	if (wanted) {
-		const bool goes_on = context.is_connected && next_run_ == context.number;
-		from = goes_on ? wanted_ : level_of(effect, context.from, context.amplitude_m);
-		to = level_of(effect, context.to, context.amplitude_m);
+		const bool goes_on = stretch.is_connected && followed_to_ == stretch.first_run;
+		from = goes_on ? followed_ : wanted_of(effect, stretch.from, stretch);
+		to = wanted_of(effect, stretch.to, stretch);
 	}
-	wanted_ = to;
-	const Level level = level_.follow(from, to, rad_per_s(frequency_hz_, sample_rate_hz_), context.run_s);
-	// In silence the phase goes on.
-	carrier_.advance(context.number - next_run_);
-	next_run_ = context.number;
-	if (!level.is_zero()) {
-		add_sine(out, carrier_, level);
+	from_ = from;
+	to_ = to;
+	return stretch.runs == 1 ||
+			((!wanted || is_smooth(effect, stretch.from, stretch.to, from.value, to.value)) &&
+					level_.can_follow_stretch(from, to, effect.most,
+							rad_per_s(frequency_hz_, sample_rate_hz_), stretch.length_s));
+}
+
+void SustainedVoice::begin(const Stretch &stretch) {
+	course_ = level_.follow(
+			from_, to_, rad_per_s(frequency_hz_, sample_rate_hz_), stretch.length_s, stretch.runs);
+	followed_ = to_;
+	followed_to_ = stretch.first_run + stretch.runs;
+	if (is_heard()) {
+		turn_to(stretch.first_run);
 	}
-	carrier_.advance(1);
-	++next_run_;
+}
+
+/// In silence the phase goes on.
+void SustainedVoice::turn_to(std::uint64_t run) {
+	carrier_.advance(run - carrier_run_);
+	carrier_run_ = run;
+}
+
+void SustainedVoice::cut(double share) {
+	if (is_on_) {
+		level_.cut(share);
+	}
 }
 
 void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const Arrival &arrival,
-		std::int32_t first, const MotionPoint &motion, const RunContext &context) {
+		std::int32_t first, const MotionPoint &motion, const Stretch &stretch) {
 	effect_ = effect;
 	generation_ = generation;
-	const double rate = context.sample_rate_hz;
-	peak_ = peak_of(effect, arrival, motion, context.amplitude_m);
+	const double rate = stretch.sample_rate_hz;
+	peak_ = peak_of(effect, arrival, motion, stretch.amplitude_m);
+	course_ = { static_cast<float>(peak_) };
 	is_active_ = peak_ > 0.0;
 	has_level_ = false;
 	next_ = -first;
@@ -59,6 +87,7 @@ void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const A
 	const std::uint64_t step = phase_step(effect.frequency_hz, rate);
 	carrier_.set_step(step);
 	carrier_.set_phase(step * static_cast<std::uint64_t>(next_));
+	carrier_run_ = stretch.first_run;
 	if (effect.shape == Shape::DECAYING_SINE) {
 		const double each = std::exp(-effect.decay_per_s / rate);
 		double decayed = 1.0;
@@ -71,58 +100,70 @@ void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const A
 	}
 }
 
-void ArrivalVoice::fill_from_table(const RunContext &context, Run &values) const {
+void ArrivalVoice::fill_from_table(const Stretch &stretch, std::size_t run, Run &values) const {
 	const bool is_curve = effect_.shape == Shape::CURVE;
 	const double cells = static_cast<double>(effect_.table.count) - 1.0;
 	const double each =
-			is_curve ? cells / static_cast<double>(length_) : effect_.table_rate_hz / context.sample_rate_hz;
-	const auto sine = static_cast<float>(carrier_.start().sine);
-	const auto cosine = static_cast<float>(carrier_.start().cosine);
+			is_curve ? cells / static_cast<double>(length_) : effect_.table_rate_hz / stretch.sample_rate_hz;
 	for (std::size_t i = 0; i < RUN; ++i) {
 		const double at = each * static_cast<double>(next_ + static_cast<std::int64_t>(i));
-		const float carrier = is_curve ? carrier_.at(sine, cosine, i) : 1.0F;
+		const float carrier = is_curve ? carrier_.at(carrier_.start(run), i) : 1.0F;
 		values[i] = static_cast<float>(peak_ * effect_.table.value(at)) * carrier;
 	}
 }
 
-void ArrivalVoice::add_level(Mix &out, const Level &level) const {
+void ArrivalVoice::add_level(Mix &out, std::size_t run) const {
 	if (window_.is_full(static_cast<float>(next_), static_cast<float>(next_ + LENGTH - 1))) {
-		add_sine(out, carrier_, level);
+		add_sine(out, carrier_, course_, run);
 	} else {
-		add_windowed_sine(out, carrier_, level, window_, static_cast<std::int32_t>(next_));
+		add_windowed_sine(out, carrier_, course_, window_, static_cast<std::int32_t>(next_), run);
 	}
 }
 
-void ArrivalVoice::add_run(const RunContext &context, Mix &out) {
+bool ArrivalVoice::look_at(const Stretch &stretch) {
+	if (!effect_.follows_motion()) {
+		return true;
+	}
+	from_ = wanted_of(effect_, stretch.from, stretch);
+	to_ = wanted_of(effect_, stretch.to, stretch);
+	if (!has_level_) {
+		level_.start(from_);
+		has_level_ = true;
+	}
+	return stretch.runs == 1 ||
+			(is_smooth(effect_, stretch.from, stretch.to, from_.value, to_.value) &&
+					level_.can_follow_stretch(from_, to_, effect_.most,
+							rad_per_s(effect_.frequency_hz, stretch.sample_rate_hz), stretch.length_s));
+}
+
+void ArrivalVoice::begin(const Stretch &stretch) {
+	carrier_.advance(stretch.first_run - carrier_run_);
+	carrier_run_ = stretch.first_run;
+	if (effect_.follows_motion()) {
+		course_ = level_.follow(from_, to_, rad_per_s(effect_.frequency_hz, stretch.sample_rate_hz),
+				stretch.length_s, stretch.runs);
+	}
+}
+
+void ArrivalVoice::add_run(const Stretch &stretch, std::size_t run, Mix &out) {
 	const auto at = static_cast<std::int32_t>(next_);
 	switch (effect_.shape) {
 		case Shape::DECAYING_SINE:
-			add_decaying_sine(out, carrier_, decayed_, decay_, std::max(-at, 0));
+			add_decaying_sine(out, carrier_, decayed_, decay_, std::max(-at, 0), run);
 			decayed_ *= decay_over_run_;
 			break;
 		case Shape::SINE:
-			add_level(out, Level::hermite(peak_, 0.0, peak_, 0.0));
+		case Shape::INERTIAL_VISCOUS:
+			add_level(out, run);
 			break;
-		case Shape::INERTIAL_VISCOUS: {
-			const LevelPoint from = level_of(effect_, context.from, context.amplitude_m);
-			const LevelPoint to = level_of(effect_, context.to, context.amplitude_m);
-			if (!has_level_) {
-				level_.start(from);
-				has_level_ = true;
-			}
-			const double w = rad_per_s(effect_.frequency_hz, context.sample_rate_hz);
-			add_level(out, level_.follow(from, to, w, context.run_s));
-			break;
-		}
 		case Shape::CURVE:
 		case Shape::SAMPLES: {
 			Run values;
-			fill_from_table(context, values);
+			fill_from_table(stretch, run, values);
 			add_windowed(out, values, window_, at);
 			break;
 		}
 	}
-	carrier_.advance(1);
 	next_ += LENGTH;
 	is_active_ = next_ < length_;
 }
