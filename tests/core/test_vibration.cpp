@@ -298,8 +298,10 @@ TEST_CASE("an effect that lasts while a gesture does ends with it, wherever in a
 		const auto out = render(vibration, 4800);
 		const auto peak = [&](double from_s, double to_s) {
 			float greatest = 0.0F;
-			for (double t_s = from_s; t_s < to_s; t_s += 1.0 / RATE_HZ) {
-				greatest = std::max(greatest, std::abs(out[static_cast<std::size_t>(t_s * RATE_HZ)]));
+			const auto first = static_cast<std::size_t>(from_s * RATE_HZ);
+			for (const float sample :
+					std::span(out).subspan(first, static_cast<std::size_t>(to_s * RATE_HZ) - first)) {
+				greatest = std::max(greatest, std::abs(sample));
 			}
 			return greatest;
 		};
