@@ -1,0 +1,52 @@
+#pragma once
+
+#include "gesture/feature.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+namespace steadyhand {
+
+/// Takes the steps that no hand makes out of a stream of places: a tracker that shows the hand beside where
+/// it is, for one frame or for good. What a step is can be told from the frames on either side of it: a hand
+/// that goes as far must be fast before or after. A frame off its course waits for the next one, therefore;
+/// others pass at once.
+class TrackerSteps {
+public:
+	struct Passed {
+		double t_s = 0.0;
+		FeaturePlace place_m = FeaturePlace::Zero(); ///< without all steps so far
+		FeaturePlace seen_m = FeaturePlace::Zero();  ///< as given
+	};
+
+	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase.
+	std::span<const Passed> push(double t_s, const FeaturePlace &place_m);
+	/// The next frame has nothing to do with the last one.
+	void restart();
+
+private:
+	struct Frame {
+		double t_s = 0.0;
+		FeaturePlace place_m = FeaturePlace::Zero();
+	};
+
+	Frame last_;
+	Frame waiting_;
+	FeaturePlace velocity_m_s_ = FeaturePlace::Zero(); ///< over the last interval
+	double interval_s_ = 0.0;                          ///< the last; 0 before the second frame
+	FeaturePlace step_m_ = FeaturePlace::Zero();       ///< sum of all that was taken out
+	double bend_m_ = 0.0;                              ///< mean, from frame to frame
+	int bends_ = 0;
+	bool has_last_ = false;
+	bool is_waiting_ = false;
+	std::array<Passed, 2> passed_;
+	std::size_t passed_count_ = 0;
+
+	[[nodiscard]] double floor_m() const;
+	void pass(const Frame &frame);
+	void resolve(const Frame &next);
+	void remember_bend(double bend_m);
+};
+
+} // namespace steadyhand

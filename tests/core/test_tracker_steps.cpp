@@ -1,0 +1,122 @@
+// Steps that a tracker makes and no hand.
+
+#include "minimum_jerk_drag.h"
+#include "motion/tracker_steps.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <random>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+using Way = std::function<double(double t_s)>;
+
+/// What passes of a way along x, seen at that rate; frames in lost_from_s .. lost_to_s are missing.
+std::vector<TrackerSteps::Passed> passed(
+		const Way &way, double rate_hz, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+	TrackerSteps steps;
+	std::vector<TrackerSteps::Passed> all;
+	for (int i = 0; i < static_cast<int>(length_s * rate_hz); ++i) {
+		const double t_s = i / rate_hz;
+		if (t_s < lost_from_s || t_s >= lost_to_s) {
+			for (const TrackerSteps::Passed &frame : steps.push(t_s, { way(t_s), 0.0, 0.0, 0.0 })) {
+				all.push_back(frame);
+			}
+		}
+	}
+	return all;
+}
+
+/// Largest distance of what passes from the hand's own way, m.
+double largest_error(const std::vector<TrackerSteps::Passed> &frames, const Way &way) {
+	double largest = 0.0;
+	for (const TrackerSteps::Passed &frame : frames) {
+		largest = std::max(largest, std::abs(frame.place_m.x() - way(frame.t_s)));
+	}
+	return largest;
+}
+
+/// The quickest stroke that is studied: through a surface 15 cm away after 0.15 s.
+const test::Drag QUICK{ .onset_s = 0.3, .duration_s = 0.2, .amplitude_m = 0.19 };
+const test::Drag USUAL{ .onset_s = 0.3, .duration_s = 1.0, .amplitude_m = 0.2 };
+
+} // namespace
+
+TEST_CASE("the quickest hand makes no step, at any rate, seen throughout or not") {
+	const Way quick = [](double t_s) { return QUICK.x_m(t_s); };
+	for (const double rate_hz : { 30.0, 60.0, 80.0, 110.0, 240.0, 1000.0 }) {
+		CAPTURE(rate_hz);
+		CHECK(largest_error(passed(quick, rate_hz, 1.0), quick) == 0.0);
+		for (const double lost_s : { 0.25, 0.32, 0.38, 0.44 }) {
+			CAPTURE(lost_s);
+			CHECK(largest_error(passed(quick, rate_hz, 1.0, lost_s, lost_s + 0.1), quick) == 0.0);
+		}
+	}
+}
+
+TEST_CASE("a hand shown beside where it is goes its own way all the same") {
+	const Way hand = [](double t_s) { return USUAL.x_m(t_s); };
+	for (const double step_m : { 0.01, 0.03, -0.06 }) {
+		for (const double from_s : { 0.1, 0.5, 0.8, 1.2 }) {
+			CAPTURE(step_m);
+			CAPTURE(from_s);
+			const auto shown = [&](double until_s) {
+				return [&, until_s](double t_s) {
+					return hand(t_s) + (t_s >= from_s && t_s < until_s ? step_m : 0.0);
+				};
+			};
+			for (const double length_s : { 0.005, 0.03, 0.09, 9.0 }) {
+				CHECK(largest_error(passed(shown(from_s + length_s), 110.0, 2.0), hand) < 0.0015);
+			}
+			// The step falls into a few missing frames.
+			const std::vector<TrackerSteps::Passed> gaps =
+					passed(shown(9.0), 110.0, 2.0, from_s - 0.02, from_s + 0.025);
+			if (std::abs(step_m) > 0.02) {
+				CHECK(largest_error(gaps, hand) < 0.004);
+			}
+		}
+	}
+}
+
+TEST_CASE("a second step right after the first is another one") {
+	const Way hand = [](double t_s) { return USUAL.x_m(t_s); };
+	const Way shown = [&](double t_s) {
+		const bool is_first = t_s > 0.6 && t_s < 0.6 + 1.0 / 110.0;
+		return hand(t_s) + (is_first ? 0.04 : t_s > 0.6 && t_s < 0.7 ? -0.05 : 0.0);
+	};
+	CHECK(largest_error(passed(shown, 110.0, 2.0), hand) < 0.0015);
+}
+
+TEST_CASE("a track that begins beside the hand loses no more than its first frames' place") {
+	const Way shown = [](double t_s) { return t_s < 0.08 ? 0.04 : USUAL.x_m(t_s); };
+	const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 2.0);
+	CHECK(frames.back().place_m.x() - frames.front().place_m.x() == doctest::Approx(0.2).epsilon(0.01));
+}
+
+TEST_CASE("a frozen tracker that catches up shows where the hand has gone") {
+	for (const double frozen_s : { 0.1, 0.2, 0.3 }) {
+		CAPTURE(frozen_s);
+		const Way hand = [](double t_s) { return USUAL.x_m(t_s); };
+		CHECK(largest_error(passed(hand, 110.0, 2.0, 0.7, 0.7 + frozen_s), hand) == 0.0);
+	}
+}
+
+TEST_CASE("a tracker that trembles makes no steps") {
+	std::mt19937_64 random(7);
+	std::normal_distribution<double> noise(0.0, 0.003);
+	TrackerSteps steps;
+	double first_m = 0.0, last_m = 0.0;
+	for (int i = 0; i < 3000; ++i) {
+		const FeaturePlace place(noise(random), noise(random), noise(random), 0.0);
+		for (const TrackerSteps::Passed &frame : steps.push(i / 100.0, place)) {
+			last_m = (frame.seen_m - frame.place_m).norm();
+			first_m = i == 100 ? last_m : first_m; // it has learned by then how much it trembles
+		}
+	}
+	CHECK(std::abs(last_m - first_m) < 0.01);
+}
