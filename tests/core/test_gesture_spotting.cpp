@@ -339,3 +339,53 @@ TEST_CASE("a way that winds is no gesture, wherever it ends") {
 	};
 	CHECK(none_ends(in_the_open(wave, 3.0)));
 }
+
+TEST_CASE("with nothing given a gesture is found at any pace that is studied") {
+	for (const double duration_s : { 0.15, 0.3, 2.5, 4.0 }) {
+		CAPTURE(duration_s);
+		const test::Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+		CHECK(in_the_open(along(X, { drag }), duration_s + 2.0).said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("a track that begins with a jump, or in full motion, leaves the gesture that follows") {
+	const Way jumped = [](double t_s) {
+		return Eigen::Vector3d(DRAG.x_m(t_s) + (t_s < 0.1 ? 0.04 : 0.0), t_s < 0.02 ? 0.03 : 0.0, 0.0);
+	};
+	CHECK(in_the_open(jumped, 2.5).said == times(1, "sideways"));
+	const Way arriving = [](double t_s) {
+		const test::Drag come{ .onset_s = -0.15, .duration_s = 0.3, .amplitude_m = 0.3 };
+		const test::Drag late{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
+		return Eigen::Vector3d(late.x_m(t_s), 0.0, come.x_m(t_s));
+	};
+	CHECK(in_the_open(arriving, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("a jump before the onset, there and back while frames are missing, is no unrest") {
+	for (const double back_s : { 0.3, 0.4, 0.5 }) {
+		CAPTURE(back_s);
+		const Way jumped = [&](double t_s) {
+			const bool is_beside = t_s >= back_s - 0.08 && t_s < back_s;
+			return Eigen::Vector3d(DRAG.x_m(t_s), is_beside ? 0.06 : 0.0, 0.0);
+		};
+		CHECK(in_the_open(jumped, 2.5, back_s - 0.02, back_s + 0.02).said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("jumps and a freeze on its way leave a gesture what it is") {
+	// Frozen for 0.2 s, catching up, and shown 5 cm beside itself for 60 ms, from a few missing frames on.
+	const Way spoiled = [](double t_s) {
+		const double seen_s = t_s > 1.15 && t_s < 1.35 ? 1.15 : t_s;
+		const bool is_beside = t_s > 0.96 && t_s < 1.02;
+		return Eigen::Vector3d(DRAG.x_m(seen_s) - (is_beside ? 0.05 : 0.0), is_beside ? 0.03 : 0.0, 0.0);
+	};
+	CHECK(in_the_open(spoiled, 2.5, 0.95, 0.99).said == times(1, "sideways"));
+}
+
+TEST_CASE("a tracker's error that goes on after the end does not undo the gesture") {
+	const Eigen::Vector3d oblique(std::cos(0.33), std::sin(0.33), 0.0);
+	const Way drifting = [&](double t_s) {
+		return Eigen::Vector3d(DRAG.x_m(t_s) * oblique + 0.12 * std::clamp(t_s - 1.3, 0.0, 0.35) * Y);
+	};
+	CHECK(in_the_open(drifting, 3.0).said == times(1, "sideways"));
+}

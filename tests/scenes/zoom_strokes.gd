@@ -57,7 +57,12 @@ func test_fingers_that_open_too_far_and_come_back_are_one_zoom() -> void:
 func test_a_hand_that_moves_without_opening_zooms_nothing() -> void:
 	for in_task: bool in [true, false]:
 		var seen := _play([], 4.0, in_task, Vector3(0.03, 0.02, 0.01))
-		check_equal(seen["events"], [] as Array[String], "%s: no zoom" % _context(in_task))
+		# It sways 37 degrees off a drag's axis: one may be thought to begin, and is given up.
+		var zooms_or_ends := (seen["events"] as Array[String]).filter(
+			func(event: String) -> bool:
+				return event.ends_with("zoom") or event.begins_with("ended")
+		)
+		check_equal(zooms_or_ends, [] as Array[String], "%s: no zoom" % _context(in_task))
 
 
 func _context(in_task: bool) -> String:

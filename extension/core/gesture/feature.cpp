@@ -65,10 +65,7 @@ std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
 	const double mean_z = (frame.position(Joint::THUMB).z() + frame.position(Joint::INDEX).z() +
 								  frame.position(Joint::MIDDLE).z()) /
 			3.0;
-	// A hand that opens may move by several times the radius' growth.
-	constexpr double SIDEWAYS = 0.2;
-	return FeaturePlace(
-			SIDEWAYS * circle->centre.x(), SIDEWAYS * circle->centre.y(), SIDEWAYS * mean_z, circle->radius);
+	return FeaturePlace(circle->centre.x(), circle->centre.y(), mean_z, circle->radius);
 }
 
 FeaturePlace along_size(const Task & /*task*/) {
@@ -97,9 +94,13 @@ double circumference(const Task &task) {
 	return task.amplitude_m;
 }
 
+/// A hand that opens may move by several times the radius' growth.
+constexpr double WHILE_IT_OPENS = 0.2;
+
 constexpr std::array FEATURES{
 	Feature{ "index_along_axis", index_along_axis, index_start_here, index_place, along_axis },
-	Feature{ "tips_circumradius", tips_circumradius, tips_start_here, tips_place, along_size, nullptr, true },
+	Feature{ "tips_circumradius", tips_circumradius, tips_start_here, tips_place, along_size, nullptr, true,
+			WHILE_IT_OPENS },
 	Feature{ "index_along_circle", index_along_circle, index_start_here, nullptr, nullptr, circumference },
 };
 

@@ -21,7 +21,7 @@ struct Feature {
 	/// nothing.
 	void (*start_here)(const HandFrame &frame, Task &r_task);
 	/// Nothing where measure gives nothing. Differences of places along `direction` are differences of the
-	/// motion element; across it they speak against the gesture, metre for metre. Null, as `direction` is
+	/// motion element; across it they speak against the gesture. Null, as `direction` is
 	/// then, where the way is not straight.
 	std::optional<FeaturePlace> (*place)(const HandFrame &frame);
 	/// Unit vector; the motion element's growth.
@@ -30,6 +30,8 @@ struct Feature {
 	/// either side of 0, and MotionElement counts the rounds. Null where there is no such way.
 	double (*period_m)(const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, and no place
+	/// What a metre of x, y, z counts in strokes, beside a metre of the size.
+	double place_share = 1.0;
 };
 
 /// Every feature there is. A new one is a row of the table in feature.cpp.

@@ -213,15 +213,16 @@ void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
 			: FeaturePlace(task_.start_m.x(), task_.start_m.y(), task_.start_m.z(), 0.0);
 	log_odds_ = NO_STROKE;
 	has_moved_ = false;
-	for (const std::optional<Stroke> *const stroke : { &strokes.stroke(), &strokes.joined() }) {
-		if (*stroke) {
-			log_odds_ = std::max(
-					log_odds_, LOG_PRIOR_TASK + task_evidence(**stroke, start, way_, task_.amplitude_m));
-			const FeaturePlace chord = (*stroke)->to - (*stroke)->from;
-			has_moved_ = has_moved_ || chord.dot(way_) > SMALLEST_MOVE * task_.amplitude_m;
-			if (chord.norm() > LONG_ENOUGH * task_.amplitude_m) {
-				likeliest_ = std::max(likeliest_, log_odds_);
-			}
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.is_lost) {
+			continue;
+		}
+		log_odds_ =
+				std::max(log_odds_, LOG_PRIOR_TASK + task_evidence(stroke, start, way_, task_.amplitude_m));
+		const FeaturePlace chord = stroke.to - stroke.from;
+		has_moved_ = has_moved_ || chord.dot(way_) > SMALLEST_MOVE * task_.amplitude_m;
+		if (chord.norm() > LONG_ENOUGH * task_.amplitude_m) {
+			likeliest_ = std::max(likeliest_, log_odds_);
 		}
 	}
 }

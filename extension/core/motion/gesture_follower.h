@@ -86,8 +86,10 @@ private:
 	bool has_moved_ = false;          ///< along the way, in the stroke under way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
-	double end_speed_share_ = 0.0;    ///< of the peak speed: what a hand still has where the gesture ends
-	double likeliest_ = 0.0;          ///< log odds, the best since the gesture began
+	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
+	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
+	double end_speed_share_ = 0.0; ///< of the peak speed: what a hand still has where the gesture ends
+	double likeliest_ = 0.0;       ///< log odds, the best since the gesture began
 	double at_end_since_s_ = 0.0;
 	double furthest_ = 0.0; ///< since it arrived, in amplitudes
 	OnlineViterbi decoder_;

@@ -20,7 +20,11 @@ constexpr double AIM_SEEN = 0.03;
 constexpr double HOPELESS = -8.0;
 constexpr double WELL_UNDER_WAY = 0.3;
 /// log odds from which on an end is taken before the hand has come to it.
-constexpr double SURE = 2.0;
+constexpr double SURE = 1.5;
+/// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
+/// than this, amplitudes: what follows is the tracker's error.
+constexpr double SLOWED = 0.5;
+constexpr double TAIL = 0.25;
 /// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
 /// start.
 constexpr double HOLD_S = 1.0;
@@ -68,8 +72,7 @@ double GestureFollower::amplitudes(const Stroke &stroke) const {
 
 /// stroke: one of the finder's. What was lost near the end was over too.
 bool GestureFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
-	const bool is_lost = strokes.lost() && &stroke == &*strokes.lost();
-	return is_lost ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
+	return stroke.is_lost ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
 }
 
 void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
@@ -89,23 +92,23 @@ void GestureFollower::watch(double t_s, const StrokeFinder &strokes) {
 }
 
 void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
-	start_ = strokes.stroke() ? strokes.stroke()->seen_from : place_;
+	const bool has_stroke = !strokes.strokes().empty();
+	start_ = has_stroke ? strokes.strokes().front().seen_from : place_;
 	way_ = feature_->direction(task_);
-	for (const std::optional<Stroke> *const seen :
-			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
-		if (!*seen || (*seen)->onset_s < not_before_s_ || amplitudes(**seen) < SHORTEST) {
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
 		}
-		const FeaturePlace way = way_of(**seen);
-		const StrokeEvidence evidence = evidence_of(**seen, way);
-		const double rest = is_over(**seen, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
+		const FeaturePlace way = way_of(stroke);
+		const StrokeEvidence evidence = evidence_of(stroke, way);
+		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
 		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
 			log_odds_ = LOG_PRIOR_OPEN + evidence.so_far();
-			start_ = (*seen)->seen_from;
-			from_ = (*seen)->from;
+			start_ = stroke.seen_from;
+			from_ = stroke.from;
 			way_ = axis_ = way;
-			aim((*seen)->to);
-			start_from(t_s, **seen, strokes);
+			aim(stroke.to);
+			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
 			return;
 		}
@@ -128,32 +131,38 @@ void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeF
 	});
 	begin(t_s, (place_ - start_).dot(way_) / task_.amplitude_m);
 	likely_s_ = t_s;
+	slowed_odds_ = -std::numeric_limits<double>::infinity();
 	const Motion after = synthesised(t_s);
 	blend_.start(t_s, before.value_m - after.value_m, before.velocity_m_s - after.velocity_m_s,
 			STARTING_RATE_PER_S);
 }
 
 void GestureFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
-	double size = -std::numeric_limits<double>::infinity();
+	double size = -std::numeric_limits<double>::infinity(), under_way = size;
 	bool is_hopeless = false;
-	for (const std::optional<Stroke> *const seen :
-			{ &strokes.stroke(), &strokes.joined(), &strokes.lost() }) {
-		const std::optional<Stroke> &stroke = *seen;
-		if (!stroke || amplitudes(*stroke) < SHORTEST) {
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
 		}
-		const StrokeEvidence evidence = evidence_of(*stroke, axis_);
+		const StrokeEvidence evidence = evidence_of(stroke, axis_);
 		const double path = LOG_PRIOR_OPEN + evidence.so_far();
-		aim(stroke->to);
+		aim(stroke.to);
 		if (path + evidence.outlook > 0.0) {
 			likely_s_ = t_s;
-			log_odds_ = path;
-		} else if (path + evidence.outlook < HOPELESS && amplitudes(*stroke) > WELL_UNDER_WAY) {
+			log_odds_ = under_way = std::max(under_way, path);
+		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
 			is_hopeless = true;
 		}
-		const bool is_sure = LOG_PRIOR_OPEN + evidence.sum() > SURE;
-		if (is_over(*stroke, strokes) || (is_sure && is_arriving(t_s, *stroke))) {
-			size = std::max(size, LOG_PRIOR_OPEN + evidence.sum());
+		const double ended = LOG_PRIOR_OPEN + evidence.sum();
+		if (ended > slowed_odds_ && strokes.speed_m_s() < SLOWED * stroke.peak_m_s) {
+			slowed_odds_ = ended;
+			slowed_at_ = stroke.to;
+		}
+		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task_.amplitude_m;
+		if (is_over(stroke, strokes)) {
+			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
+		} else if (ended > SURE && is_arriving(t_s, stroke)) {
+			size = std::max(size, ended);
 		}
 	}
 	if (size > 0.0) {
@@ -174,11 +183,12 @@ bool GestureFollower::is_arriving(double t_s, const Stroke &stroke) const {
 void GestureFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const double along = (place_ - start_).dot(way_) / task_.amplitude_m;
 	furthest_ = std::max(furthest_, along);
-	const bool is_on_its_way = strokes.stroke() && amplitudes(*strokes.stroke()) > SHORTEST;
+	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
 		likely_s_ = t_s;
 		log_odds_of_return_ = LOG_PRIOR_TASK +
-				stroke_evidence(*strokes.stroke(), -axis_, task_.amplitude_m, model_->duration_mean_s).path;
+				stroke_evidence(strokes.strokes().front(), -axis_, task_.amplitude_m, model_->duration_mean_s)
+						.path;
 	}
 	if (along < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
 		not_before_s_ = returned_s_ = t_s; // the way back is no gesture

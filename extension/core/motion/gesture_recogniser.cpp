@@ -11,6 +11,8 @@ namespace {
 constexpr double LARGEST_TIME_S = 1e12;
 /// The gesture shown changes for one that is likelier by this factor, in nats.
 constexpr double SWITCH_MARGIN = 1.0;
+/// Of the smallest amplitude: what is shorter is no stroke of its own.
+constexpr double SMALLEST_STROKE = 0.06;
 
 } // namespace
 
@@ -23,11 +25,15 @@ GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureMo
 		followers_.emplace_back(
 				*model, task.value_or(model->typical_task), task.has_value(), mode, effort, latency_s);
 		const Feature *const feature = find_feature(model->feature);
+		const double smallest_m = SMALLEST_STROKE * followers_.back().task().amplitude_m;
 		const auto known = std::find_if(watched_.begin(), watched_.end(),
 				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
 		if (known == watched_.end()) {
-			watched_.push_back({ feature, {} });
+			const double share = feature->place_share;
+			watched_.push_back({ feature, StrokeFinder({ share, share, share, 1.0 }, smallest_m) });
+		} else {
+			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
 		}
 	}
 }

@@ -38,7 +38,11 @@ constexpr double LOG_LONGER = 0.5;   ///< a hand that reaches further than it wa
 constexpr double LOG_LENGTHS = 3.7;  ///< the null model's: 5 % to twice the amplitude
 constexpr double LOG_DURATION = 0.55;
 constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
-constexpr double START = 0.12;        ///< amplitudes: how far from a task's start a hand begins
+/// Of gestures, those that are done at any pace.
+constexpr double OWN_PACE = 0.15;
+/// Nats against a gesture of several strokes: few are.
+constexpr double HESITATED = 0.5;
+constexpr double START = 0.12; ///< amplitudes: how far from a task's start a hand begins
 /// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
 /// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
 constexpr double LOG_STARTS = 6.25;
@@ -87,8 +91,9 @@ double rest_evidence(const Stroke &stroke, double amplitude_m) {
 }
 
 double size_evidence(double log_length, double log_time) {
+	const double usual = std::exp(log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION)) * LOG_DURATIONS;
 	return log_two_piece_normal(log_length, LOG_SHORTER, LOG_LONGER) + std::log(LOG_LENGTHS) +
-			log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION) + std::log(LOG_DURATIONS);
+			std::log((1.0 - OWN_PACE) * usual + OWN_PACE);
 }
 
 bool leads_somewhere(double length_m) {
@@ -110,7 +115,8 @@ StrokeEvidence stroke_evidence(
 	const double best_off = std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
 	StrokeEvidence evidence;
 	evidence.path = direction + straightness(stroke, length_m);
-	evidence.detour = detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), length_m);
+	evidence.detour = detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), length_m) -
+			(stroke.is_joined ? HESITATED : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
 	evidence.outlook = direction_in_the_open(best_off) - direction + size_evidence(0.0, 0.0);

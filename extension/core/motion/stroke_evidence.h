@@ -32,7 +32,7 @@ struct StrokeEvidence {
 
 /// Of strokes, those that are a gesture while all kinds of motion may come: nats. Posterior odds of a gesture
 /// are exp(evidence + this).
-inline constexpr double LOG_PRIOR_OPEN = -4.8;
+inline constexpr double LOG_PRIOR_OPEN = -5.0;
 /// The same while a task waits for this gesture at a known place.
 inline constexpr double LOG_PRIOR_TASK = 1.0;
 

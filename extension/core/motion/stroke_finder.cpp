@@ -15,28 +15,26 @@ constexpr double SPEED_RATIO = 1.1;
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
-/// A hand turns at 40 m/s^2 at most; what a frame is further off than this from where it was bound is a step
-/// of the tracker's.
-constexpr double LARGEST_ACCELERATION_M_S2 = 40.0;
-constexpr double SMALLEST_STEP_M = 0.008;
-/// Between two halves of one gesture the hand rests no longer than this, and does not turn by more than 37
-/// degrees.
+/// Between two halves of one gesture the hand rests no longer than this.
 constexpr double HESITATION_S = 0.6;
-constexpr double HESITATION_COSINE = 0.8;
 
 } // namespace
 
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	first_ = count_ = rest_count_ = 0;
-	frames_[0] = { .t_s = t_s, .place_m = place_m, .seen_m = place_m };
+	frames_[0] = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
 	count_ = 1;
-	knots_[0] = frames_[0];
+	piece_ = knots_[0] = frames_[0];
 	knot_count_ = 1;
+	last_s_ = t_s;
 	last_m_ = place_m;
-	step_m_ = velocity_m_s_ = FeaturePlace::Zero();
+	velocity_m_s_ = FeaturePlace::Zero();
+	steps_.restart();
+	steps_.push(t_s, place_m);
 	speed_m_s_ = 0.0;
+	onset_.reset();
 	begin_anew(frames_[0]);
-	earlier_onset_.reset();
+	earlier_count_ = 0;
 }
 
 void StrokeFinder::remember_frame(double t_s, const FeaturePlace &place_m) {
@@ -105,18 +103,28 @@ const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) con
 	return nullptr;
 }
 
-Stroke StrokeFinder::since(const Sample &onset, const Sample &now) const {
-	Stroke stroke{ onset.t_s, now.t_s, onset.place_m, now.place_m, now.place_m, peak_m_s_, onset.seen_m,
-		std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()), onset.unrest_m,
-		onset.watched_s };
+Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak_m_s) {
+	Stroke stroke{ .onset_s = onset.t_s,
+		.now_s = now.t_s,
+		.from = onset.place_m,
+		.to = now.place_m,
+		.middle = now.place_m,
+		.peak_m_s = peak_m_s,
+		.seen_from = onset.seen_m,
+		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
+		.unrest_m = onset.unrest_m,
+		.watched_s = onset.watched_s };
 	if (now.t_s > onset.t_s) {
 		stroke.middle = (now.sum - onset.sum) / (now.t_s - onset.t_s);
 	}
 	return stroke;
 }
 
-void StrokeFinder::push(double t_s, FeaturePlace place_m) {
-	lost_.reset();
+void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
+	if (lost_) {
+		lost_.reset();
+		--stroke_count_;
+	}
 	if (!place_m.allFinite()) {
 		return;
 	}
@@ -131,26 +139,32 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 	if (ended_) {
 		begin_anew(frame(count_ - 1));
 	}
-	if (place_m == last_m_) {
+	if (place_m == last_m_ || t_s <= last_s_) {
 		return;
 	}
-	const Sample last = frame(count_ - 1);
-	const double dt_s = t_s - last.t_s;
-	const FeaturePlace way_m = place_m - last_m_, expected_m = velocity_m_s_ * dt_s;
-	const double largest_m = SMALLEST_STEP_M + LARGEST_ACCELERATION_M_S2 * dt_s * dt_s;
-	// Both, because the velocity is wrong itself where a frozen tracker has just caught up.
-	if (count_ > 2 && way_m.norm() > largest_m && (way_m - expected_m).norm() > largest_m) {
-		step_m_ += way_m - expected_m;
-	}
+	last_s_ = t_s;
 	last_m_ = place_m;
-	place_m -= step_m_;
-	Sample now{ .t_s = t_s,
-		.place_m = place_m,
-		.sum = last.sum + 0.5 * dt_s * (last.place_m + place_m),
-		.seen_m = last_m_ };
+	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m);
+	for (const TrackerSteps::Passed &frame : passed) {
+		follow(frame, &frame == &passed.back());
+	}
+	if (stroke_count_ == 0) {
+		lost_.reset();
+	} else if (lost_) {
+		strokes_[stroke_count_++] = *lost_;
+	}
+}
+
+/// may_end: false where another frame follows at once.
+void StrokeFinder::follow(const TrackerSteps::Passed &passed, bool may_end) {
+	const Sample last = frame(count_ - 1);
+	const double dt_s = passed.t_s - last.t_s;
+	Sample now{ .t_s = passed.t_s, .place_m = scale_.cwiseProduct(passed.place_m), .seen_m = passed.seen_m };
+	now.sum = last.sum + 0.5 * dt_s * (last.place_m + now.place_m);
 	measure_way(now);
-	if (dt_s > LOSS_S) {
-		lost_ = stroke_;
+	if (dt_s > LOSS_S && stroke_count_ > 0) {
+		lost_ = strokes_[0];
+		lost_->is_lost = true;
 	}
 	keep(now);
 	measure_velocity();
@@ -158,29 +172,42 @@ void StrokeFinder::push(double t_s, FeaturePlace place_m) {
 
 	if (now.speed_m_s > peak_m_s_) {
 		peak_m_s_ = now.speed_m_s;
-		const Sample *rest = last_slower_than(ONSET_SHARE * peak_m_s_);
-		onset_ = rest != nullptr ? std::optional(*rest) : std::nullopt;
+		find_onset();
 	}
 	remember_rest(now);
 	if (!onset_) {
+		stroke_count_ = 0;
+		if (now.speed_m_s < END_SHARE * peak_m_s_) {
+			begin_anew(now);
+		}
 		return;
 	}
-	stroke_ = since(*onset_, now);
-	joined_.reset();
-	if (earlier_onset_ && onset_->t_s - earlier_end_s_ < HESITATION_S) {
-		const FeaturePlace before = onset_->place_m - earlier_onset_->place_m,
-						   after = now.place_m - onset_->place_m;
-		if (before.dot(after) > HESITATION_COSINE * before.norm() * after.norm()) {
-			joined_ = since(*earlier_onset_, now);
+	const Sample onset = *onset_;
+	list_strokes(onset, now);
+	ended_ = may_end &&
+			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s_.dot(now.place_m - onset.place_m) < 0.0);
+}
+
+void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
+	strokes_[0] = between(onset, now, peak_m_s_);
+	stroke_count_ = 1;
+	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
+	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
+		for (std::size_t i = earlier_count_; i > 0; --i) {
+			const Earlier &earlier = earlier_[i - 1];
+			strokes_[stroke_count_] = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
+			strokes_[stroke_count_++].is_joined = goes_on || i < earlier_count_;
 		}
 	}
-	ended_ = now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s_.dot(now.place_m - onset_->place_m) < 0.0;
 }
 
 /// For the next stroke's onset too, should it be here.
 void StrokeFinder::measure_way(Sample &r_sample) {
-	const Sample &knot = knots_[(knot_count_ - 1) % KNOTS];
-	r_sample.way_m = knot.way_m + (r_sample.place_m - knot.place_m).norm();
+	const double piece_m = (r_sample.place_m - piece_.place_m).norm();
+	r_sample.way_m = piece_.way_m + piece_m;
+	if (r_sample.t_s - piece_.t_s >= PIECE_S && piece_m >= smallest_m_) {
+		piece_ = r_sample;
+	}
 	// The speed by which an onset is found is that of half a window ago.
 	const double then_s = r_sample.t_s - 0.5 * WINDOW_S;
 	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
@@ -195,21 +222,52 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 			r_sample.unrest_m = std::max(r_sample.unrest_m, (still->place_m - before.place_m).norm());
 		}
 	}
-	if (r_sample.t_s - knot.t_s >= PIECE_S) {
+	if (r_sample.t_s - knots_[(knot_count_ - 1) % KNOTS].t_s >= PIECE_S) {
 		knots_[knot_count_++ % KNOTS] = r_sample;
 	}
 }
 
-/// What comes is another stroke. Places of rest are kept: one deeper than this end was may be where the next
-/// stroke, or all of them, began.
+/// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
+void StrokeFinder::find_onset() {
+	const Sample *const rest = last_slower_than(ONSET_SHARE * peak_m_s_);
+	if (rest == nullptr) {
+		onset_.reset();
+	} else if (!onset_ || rest->t_s > onset_->t_s) {
+		const Sample onset = *rest;
+		if (onset_ && (onset.place_m - onset_->place_m).norm() > smallest_m_) {
+			remember_stroke(*onset_, onset);
+		}
+		onset_ = onset;
+	}
+}
+
+/// What comes is another stroke.
 void StrokeFinder::begin_anew(const Sample &end) {
-	earlier_onset_ = onset_;
-	earlier_end_s_ = end.t_s;
+	if (onset_ && (end.place_m - onset_->place_m).norm() > smallest_m_) {
+		remember_stroke(*onset_, end);
+		rest_count_ = 0;
+		remember_rest(end);
+	}
 	onset_.reset();
-	stroke_.reset();
-	joined_.reset();
+	stroke_count_ = 0;
 	ended_ = false;
 	peak_m_s_ = 0.0;
+}
+
+/// The next one begins after it. Where the hand only trembled, it may have begun before.
+void StrokeFinder::remember_stroke(const Sample &onset, const Sample &end) {
+	if (onset.t_s - earlier_end_s_ >= HESITATION_S) {
+		earlier_count_ = 0;
+	}
+	if (earlier_count_ == EARLIER) {
+		std::rotate(earlier_.begin(), earlier_.begin() + 1, earlier_.end());
+		--earlier_count_;
+	}
+	earlier_[earlier_count_++] = { onset, 0.0 };
+	for (std::size_t i = 0; i < earlier_count_; ++i) {
+		earlier_[i].peak_m_s = std::max(earlier_[i].peak_m_s, peak_m_s_);
+	}
+	earlier_end_s_ = end.t_s;
 }
 
 } // namespace steadyhand

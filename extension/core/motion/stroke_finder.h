@@ -1,10 +1,11 @@
 #pragma once
 
-#include "gesture/feature.h"
+#include "motion/tracker_steps.h"
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
 namespace steadyhand {
 
@@ -22,26 +23,33 @@ struct Stroke {
 	double unrest_m = 0.0; ///< how far from `from` the hand was before the onset, at most
 	double watched_s =
 			0.0; ///< for how long before the onset: no more than REST_S, less where it was not seen
+	bool is_joined = false; ///< of several, between which the hand hesitated
+	bool is_lost = false;   ///< it was under way before a gap that the newest frame has ended
 
 	static constexpr double REST_S = 0.5;
 };
 
 /// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
-/// so that neither the gesture's size nor its pace matters, nor how much a tracker trembles. All that is kept
-/// of the past is a bounded stack; after construction nothing is allocated.
+/// so that neither the gesture's size nor its pace matters, nor how much a tracker trembles. What is kept of
+/// the past is bounded; after construction nothing is allocated.
 class StrokeFinder {
 public:
+	/// scale: what a metre of each coordinate counts. smallest_m: what is shorter, so counted, is no stroke
+	/// of its own: the hand only trembled.
+	explicit StrokeFinder(const FeaturePlace &scale = FeaturePlace::Ones(), double smallest_m = 0.0) :
+			scale_(scale), smallest_m_(smallest_m) {}
+	void set_smallest(double smallest_m) { smallest_m_ = smallest_m; }
+	[[nodiscard]] double smallest_m() const { return smallest_m_; }
+
 	/// t_s must not decrease; a place that is not finite, or repeats the last one to the last bit (a tracker
 	/// that is frozen), is no news of the hand.
-	void push(double t_s, FeaturePlace place_m);
+	void push(double t_s, const FeaturePlace &place_m);
 
-	/// The one under way, or the one that has just ended; nothing while the hand has not been still yet.
-	[[nodiscard]] const std::optional<Stroke> &stroke() const { return stroke_; }
-	/// The last two, where the hand hesitated between them: as one.
-	[[nodiscard]] const std::optional<Stroke> &joined() const { return joined_; }
-	/// The one that was under way before a gap that this frame has ended.
-	[[nodiscard]] const std::optional<Stroke> &lost() const { return lost_; }
-	/// The last frame ended stroke() and joined().
+	/// The one under way, or the one that has just ended, first; that one and those before it as one, where
+	/// the hand only hesitated between them, newest first; at last one that was lost. None while nothing is
+	/// known of the hand.
+	[[nodiscard]] std::span<const Stroke> strokes() const { return { strokes_.data(), stroke_count_ }; }
+	/// The last frame ended the first, and with it those that it is part of.
 	[[nodiscard]] bool ended() const { return ended_; }
 	/// f(t_s, place) for the frames since then, as they were given; as many as are kept.
 	template <class Function> void frames_since(double t_s, const Function &f) const {
@@ -59,6 +67,7 @@ private:
 	static constexpr std::size_t PAST = 256;
 	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
 	static constexpr std::size_t KNOTS = 16;  ///< more than REST_S of them
+	static constexpr std::size_t EARLIER = 3;
 
 	struct Sample {
 		double t_s = 0.0;
@@ -70,19 +79,27 @@ private:
 		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke
 	};
 
+	struct Earlier {
+		Sample onset;
+		double peak_m_s = 0.0; ///< since then, until the end of the newest of them
+	};
+
 	struct Frame {
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero();
 	};
 
+	FeaturePlace scale_;
+	double smallest_m_;
+	TrackerSteps steps_;
 	std::array<Frame, PAST> past_{};
 	std::size_t past_first_ = 0;
 	std::size_t past_count_ = 0;
 	std::array<Sample, FRAMES> frames_{};
 	std::size_t first_ = 0;
 	std::size_t count_ = 0;
-	/// The way in straight pieces, so that no trembling lengthens it; the newest is at (knot_count_ - 1) %
-	/// KNOTS.
+	Sample piece_; ///< where the newest straight piece of the way begins; no trembling lengthens the way
+	/// Places some time apart, the newest at (knot_count_ - 1) % KNOTS.
 	std::array<Sample, KNOTS> knots_{};
 	std::size_t knot_count_ = 0;
 	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
@@ -90,27 +107,34 @@ private:
 	std::size_t rest_count_ = 0;
 
 	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
+	double last_s_ = 0.0;                        ///< when a place was last news
 	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
-	FeaturePlace step_m_ = FeaturePlace::Zero(); ///< sum of the steps that no hand makes
 	FeaturePlace velocity_m_s_ = FeaturePlace::Zero();
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
 	std::optional<Sample> onset_;
-	std::optional<Sample> earlier_onset_;
+	std::array<Earlier, EARLIER> earlier_{}; ///< strokes that the hand went on from, oldest first
+	std::size_t earlier_count_ = 0;
 	double earlier_end_s_ = 0.0;
 	bool ended_ = false;
-	std::optional<Stroke> stroke_, joined_, lost_;
+	std::array<Stroke, 2 + EARLIER> strokes_{};
+	std::size_t stroke_count_ = 0;
+	std::optional<Stroke> lost_; ///< the last of them, where it is
 
 	[[nodiscard]] Sample &frame(std::size_t i) { return frames_[(first_ + i) % FRAMES]; }
 	void remember_frame(double t_s, const FeaturePlace &place_m);
 	void restart(double t_s, const FeaturePlace &place_m);
+	void follow(const TrackerSteps::Passed &passed, bool may_end);
 	void keep(const Sample &sample);
+	void find_onset();
 	void begin_anew(const Sample &end);
+	void remember_stroke(const Sample &onset, const Sample &end);
+	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
 	void measure_velocity();
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
-	[[nodiscard]] Stroke since(const Sample &onset, const Sample &now) const;
+	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);
 };
 
 } // namespace steadyhand
