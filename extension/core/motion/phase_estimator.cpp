@@ -10,14 +10,14 @@ namespace {
 
 // Values in amplitudes. Set on synthetic subjects of the tuning population and on other recordings than those
 // that are evaluated (docs/method.md).
-constexpr double ONSETS_PER_S = 3.0;  ///< how soon a hand at rest begins
+constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
 constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
 constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 /// Durations are log-normal about the model's mean, never narrower than this: people differ from recordings.
-constexpr double SMALLEST_SPREAD = 0.34;
+constexpr double SMALLEST_SPREAD = 0.5;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
 constexpr double UNSOUND_PRIOR = 0.16;     ///< of the regime UNSOUND where nothing wrong has been seen
