@@ -105,7 +105,7 @@ private:
 	ObjectID task_id_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
-	Quality quality_ = QUALITY_BALANCED;
+	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
 	double sensor_latency_s_ = 0.01;

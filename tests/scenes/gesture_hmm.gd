@@ -107,7 +107,7 @@ func test_only_the_tasks_model_is_active() -> void:
 
 func test_quality() -> void:
 	var gesture_hmm := GestureHMM.new()
-	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_BALANCED, "balanced unless told otherwise")
+	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate unless told otherwise")
 	gesture_hmm.free()
 
 	var curves: Array[PackedFloat64Array] = []

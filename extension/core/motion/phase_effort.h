@@ -24,7 +24,7 @@ enum class Quality : std::uint8_t { FAST, BALANCED, ACCURATE };
 		case Quality::FAST:
 			return { 1, 1, 1, 3, 0.06 };
 		case Quality::BALANCED:
-			return { 2, 2, 1, 3, 0.045 };
+			return { 5, 4, 1, 7, 0.03 };
 		case Quality::ACCURATE:
 			break;
 	}
