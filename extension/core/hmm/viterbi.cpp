@@ -1,9 +1,17 @@
 #include "hmm/viterbi.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 
 namespace steadyhand {
 namespace {
+
+constexpr double NEVER = -std::numeric_limits<double>::infinity();
+constexpr Eigen::Index WIDTH = 4;
+using States = Eigen::Array<double, WIDTH, 1>;
+/// As Eigen allocates, and whole vectors further.
+using ConstStates = Eigen::Map<const States, Eigen::Aligned16>;
 
 /// max_i delta(i) + log a_ij for every j, and the i that reached it (the lowest, where several do).
 void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eigen::VectorXd &r_best,
@@ -15,21 +23,35 @@ void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eig
 	}
 }
 
-/// Plain loops: for a handful of states they cost half of what Eigen's reductions do.
-double best_arrival(const Eigen::VectorXd &delta, const double *log_a_to) {
-	double best = delta(0) + log_a_to[0];
-	for (Eigen::Index i = 1; i < delta.size(); ++i) {
-		best = std::max(best, delta(i) + log_a_to[i]);
+/// Of the most probable; the lowest, where several are. Needs states.
+template <class Count> int best_state(const double *delta, Count states) {
+	double best = delta[0];
+	int state = 0;
+	for (int i = 1; i < states; ++i) {
+		state = delta[i] > best ? i : state;
+		best = std::max(best, delta[i]);
 	}
-	return best;
+	return state;
 }
 
-int best_state(const Eigen::VectorXd &delta) {
-	Eigen::Index state = 0;
-	for (Eigen::Index i = 1; i < delta.size(); ++i) {
-		state = delta(i) > delta(state) ? i : state;
+/// delta_j becomes max_i (delta_i + log a_ij) + log b_j, in OnlineViterbi's layout. Returns the best state.
+/// r_next may be delta where WIDTH states are all there are.
+template <class Count>
+int step(Count states, const double *delta, const double *log_a, const double *log_b, double *r_next) {
+	for (Eigen::Index to = 0; to < states; to += WIDTH) {
+		const auto best_from = [&](Eigen::Index i) -> States {
+			const auto from = [&](Eigen::Index k) {
+				return delta[i + k] + ConstStates(log_a + (i + k) * states + to);
+			};
+			return from(0).max(from(1)).max(from(2).max(from(3)));
+		};
+		States best = best_from(0);
+		for (Eigen::Index i = WIDTH; i < states; i += WIDTH) {
+			best = best.max(best_from(i));
+		}
+		Eigen::Map<States, Eigen::Aligned16>(r_next + to) = best + ConstStates(log_b + to);
 	}
-	return static_cast<int>(state);
+	return best_state(r_next, states);
 }
 
 } // namespace
@@ -52,7 +74,7 @@ ViterbiPath viterbi(const DiscreteHmm &hmm, std::span<const Symbol> symbols) {
 	}
 
 	path.states.resize(symbols.size());
-	int state = best_state(delta);
+	int state = best_state(delta.data(), delta.size());
 	path.log_probability = delta(state);
 	for (Eigen::Index t = length - 1; t > 0; --t) {
 		path.states[static_cast<std::size_t>(t)] = state;
@@ -62,29 +84,38 @@ ViterbiPath viterbi(const DiscreteHmm &hmm, std::span<const Symbol> symbols) {
 	return path;
 }
 
-OnlineViterbi::OnlineViterbi(const DiscreteHmm &hmm) :
-		hmm_(&hmm), delta_(hmm.states()), next_(hmm.states()), log_b_(hmm.states()) {
+OnlineViterbi::OnlineViterbi(const DiscreteHmm &hmm) {
+	const Eigen::Index n = hmm.states(), symbols = hmm.symbols(), padded = (n + WIDTH - 1) / WIDTH * WIDTH;
+	log_a_.setConstant(padded, padded, NEVER);
+	log_a_.topLeftCorner(n, n) = hmm.log_a.transpose();
+	log_b_.setZero(padded, symbols + 1);
+	log_b_.topLeftCorner(n, symbols) = hmm.log_b;
+	log_pi_.setConstant(padded, NEVER);
+	log_pi_.head(n) = hmm.log_pi;
+	next_.resize(padded);
 	reset();
 }
 
 void OnlineViterbi::reset() {
 	started_ = false;
-	delta_ = hmm_->log_pi;
-	state_ = best_state(delta_);
+	delta_ = log_pi_;
+	state_ = best_state(delta_.data(), delta_.size());
 }
 
 void OnlineViterbi::push(Symbol symbol) {
-	hmm_->emission(symbol, log_b_);
-	if (started_) {
-		for (Eigen::Index j = 0; j < hmm_->states(); ++j) {
-			next_(j) = best_arrival(delta_, hmm_->log_a.col(j).data()) + log_b_(j);
-		}
-		delta_.swap(next_);
-	} else {
-		delta_ = hmm_->log_pi + log_b_;
+	const Eigen::Index unseen = log_b_.cols() - 1;
+	const double *const log_b = log_b_.col(symbol >= 0 && symbol < unseen ? symbol : unseen).data();
+	if (!started_) {
+		delta_ += Eigen::Map<const Eigen::VectorXd>(log_b, delta_.size());
+		state_ = best_state(delta_.data(), delta_.size());
 		started_ = true;
+	} else if (delta_.size() == WIDTH) {
+		constexpr std::integral_constant<Eigen::Index, WIDTH> ONE_VECTOR;
+		state_ = step(ONE_VECTOR, delta_.data(), log_a_.data(), log_b, delta_.data());
+	} else {
+		state_ = step(delta_.size(), delta_.data(), log_a_.data(), log_b, next_.data());
+		delta_.swap(next_);
 	}
-	state_ = best_state(delta_);
 }
 
 } // namespace steadyhand

@@ -27,10 +27,12 @@ public:
 	[[nodiscard]] double log_probability() const { return delta_(state_); }
 
 private:
-	const DiscreteHmm *hmm_;
+	/// Padded with impossible states to whole vectors of them.
+	Eigen::MatrixXd log_a_; ///< to, from
+	Eigen::MatrixXd log_b_; ///< N x (M + 1): the last column, all 0, is of UNSEEN
+	Eigen::VectorXd log_pi_;
 	Eigen::VectorXd delta_;
 	Eigen::VectorXd next_;
-	Eigen::VectorXd log_b_;
 	int state_ = 0;
 	bool started_ = false;
 };
