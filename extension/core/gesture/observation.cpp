@@ -21,7 +21,6 @@ void ObservationWindow::push(double t_s, double x_m) {
 		--count_;
 	}
 	position_m_ = x_m;
-	velocity_m_s_ = slope();
 }
 
 double ObservationWindow::slope() const {

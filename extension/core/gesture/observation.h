@@ -23,9 +23,9 @@ public:
 
 	[[nodiscard]] double position_m() const { return position_m_; }
 	/// m/s; 0 until two instants have been seen.
-	[[nodiscard]] double velocity_m_s() const { return velocity_m_s_; }
+	[[nodiscard]] double velocity_m_s() const { return count_ > 0 ? slope() : 0.0; }
 	[[nodiscard]] Observation normalised(double amplitude_m, double duration_s) const {
-		return { position_m_ / amplitude_m, velocity_m_s_ * duration_s / amplitude_m };
+		return { position_m_ / amplitude_m, velocity_m_s() * duration_s / amplitude_m };
 	}
 
 private:
@@ -40,7 +40,6 @@ private:
 	std::size_t first_ = 0;
 	std::size_t count_ = 0;
 	double position_m_ = 0.0;
-	double velocity_m_s_ = 0.0;
 
 	[[nodiscard]] const Sample &sample(std::size_t i) const { return samples_[(first_ + i) % CAPACITY]; }
 	[[nodiscard]] double slope() const;

@@ -50,17 +50,13 @@ GestureFollower::GestureFollower(const GestureModel &model, const Task &task, bo
 		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model),
 		phase_(model, effort, latency_s) {}
 
-bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) {
-	if (clock_started_) {
-		// A symbol due before this frame must not see it.
-		advance(std::nextafter(frame.t_s, -INFINITY));
-	} else {
+bool GestureFollower::push(
+		const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes) {
+	if (!clock_started_) {
 		clock_.start(frame.t_s);
 		clock_started_ = true;
 	}
 	double x_m = 0.0;
-	const std::optional<FeaturePlace> place =
-			feature_->place != nullptr ? feature_->place(frame) : std::nullopt;
 	if (start_is_known_) {
 		if (stage_ == Stage::RESTING) {
 			element_.restart();
@@ -70,9 +66,9 @@ bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) 
 			return false;
 		}
 		x_m = *measured_m;
-		place_ = place && place->allFinite() ? *place : place_;
+		place_ = place.value_or(place_);
 	} else {
-		if (!place || !place->allFinite()) {
+		if (!place) {
 			return false;
 		}
 		place_ = *place;
@@ -84,46 +80,49 @@ bool GestureFollower::push(const HandFrame &frame, const StrokeFinder &strokes) 
 		phase_.push(frame.t_s, x_m / task_.amplitude_m, place_ / task_.amplitude_m);
 	}
 	if (start_is_known_) {
-		judge_by_task(strokes);
+		look_for_move(strokes);
+		if (stage_ != Stage::RESTING) {
+			judge_by_task(strokes);
+		}
 	}
 	fresh_ = true;
 	return true;
 }
 
-void GestureFollower::advance(double t_s) {
+void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		step(clock_.next_s());
+		step(clock_.next_s(), strokes);
 		clock_.advance();
 	}
 }
 
-void GestureFollower::step(double t_s) {
-	const Observation observation = window_.normalised(task_.amplitude_m, model_->duration_mean_s);
+void GestureFollower::step(double t_s, const StrokeFinder &strokes) {
 	if (stage_ == Stage::MOVING) {
-		decode(t_s, observation);
+		decode(t_s);
 	}
 	if (start_is_known_) {
-		step_in_task(t_s, observation);
+		step_in_task(t_s, strokes);
 	}
 	fresh_ = false;
 }
 
-void GestureFollower::step_in_task(double t_s, const Observation &observation) {
+void GestureFollower::step_in_task(double t_s, const StrokeFinder &strokes) {
 	switch (stage_) {
 		case Stage::RESTING:
-			if (is_rejected_ && is_back(t_s, observation)) {
+			if (is_rejected_ && is_back(t_s)) {
 				is_rejected_ = false;
 				phase_.restart();
-			} else if (!is_rejected_ && has_begun(t_s, observation)) {
-				begin(t_s, observation.x());
-				decode(t_s, observation);
+			} else if (!is_rejected_ && has_begun(t_s)) {
+				judge_by_task(strokes);
+				begin(t_s, value());
+				decode(t_s);
 			}
 			break;
 		case Stage::MOVING:
-			if (was_nothing(t_s, observation)) {
+			if (was_nothing(t_s)) {
 				enter(Stage::RESTING, t_s);
 			} else if (has_arrived(t_s)) {
 				arrive(t_s);
@@ -132,7 +131,7 @@ void GestureFollower::step_in_task(double t_s, const Observation &observation) {
 			}
 			break;
 		case Stage::ARRIVED:
-			if (is_back(t_s, observation)) {
+			if (is_back(t_s)) {
 				enter(Stage::RESTING, t_s);
 			}
 			break;
@@ -159,8 +158,8 @@ void GestureFollower::begin(double t_s, double value) {
 	enter(Stage::MOVING, t_s);
 }
 
-void GestureFollower::decode(double t_s, const Observation &observation) {
-	decoder_.push(fresh_ ? model_->quantiser.symbol(observation) : UNSEEN);
+void GestureFollower::decode(double t_s) {
+	decoder_.push(fresh_ ? model_->quantiser.symbol(observation()) : UNSEEN);
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
 		if (mode_ == MotionMode::PAPER) {
@@ -169,9 +168,9 @@ void GestureFollower::decode(double t_s, const Observation &observation) {
 	}
 }
 
-bool GestureFollower::has_begun(double t_s, const Observation &observation) const {
+bool GestureFollower::has_begun(double t_s) const {
 	if (mode_ == MotionMode::PAPER) {
-		return observation.x() > ONSET_VALUE && observation.y() > ONSET_VELOCITY;
+		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
 	}
 	if (!has_moved_) {
 		return false;
@@ -180,9 +179,9 @@ bool GestureFollower::has_begun(double t_s, const Observation &observation) cons
 	return estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
 }
 
-bool GestureFollower::was_nothing(double t_s, const Observation &observation) const {
+bool GestureFollower::was_nothing(double t_s) const {
 	if (mode_ == MotionMode::PAPER) {
-		return state_played_ == 0 && observation.x() < BACK_VALUE &&
+		return state_played_ == 0 && value() < BACK_VALUE &&
 				t_s - stage_began_s_ > ABORT_AFTER * model_->elements.front().duration_mean_s;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
@@ -197,31 +196,37 @@ bool GestureFollower::has_arrived(double t_s) const {
 	return estimate.phase > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE;
 }
 
-bool GestureFollower::is_back(double t_s, const Observation &observation) const {
-	const double value = mode_ == MotionMode::PAPER ? observation.x() : phase_.at(t_s).value;
-	return value < BACK_VALUE || (element_.is_periodic() && value > 1.0 + BACK_VALUE);
+bool GestureFollower::is_back(double t_s) const {
+	const double shown = mode_ == MotionMode::PAPER ? value() : phase_.at(t_s).value;
+	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
 }
 
+void GestureFollower::look_for_move(const StrokeFinder &strokes) {
+	has_moved_ = feature_->place == nullptr; // its way is no stroke
+	for (const Stroke &stroke : strokes.strokes()) {
+		has_moved_ = has_moved_ ||
+				(!stroke.is_lost &&
+						(stroke.to - stroke.from).dot(way_) > SMALLEST_MOVE * task_.amplitude_m);
+	}
+}
+
+/// While the gesture is not under way nobody asks.
 void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
 	if (feature_->place == nullptr) {
-		likeliest_ = log_odds_ = 0.0; // its way is no stroke
-		has_moved_ = true;
+		likeliest_ = log_odds_ = 0.0;
 		return;
 	}
 	const FeaturePlace start = feature_->is_radius
 			? FeaturePlace(0.0, 0.0, 0.0, task_.start_m.x())
 			: FeaturePlace(task_.start_m.x(), task_.start_m.y(), task_.start_m.z(), 0.0);
 	log_odds_ = NO_STROKE;
-	has_moved_ = false;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.is_lost) {
 			continue;
 		}
 		log_odds_ =
 				std::max(log_odds_, LOG_PRIOR_TASK + task_evidence(stroke, start, way_, task_.amplitude_m));
-		const FeaturePlace chord = stroke.to - stroke.from;
-		has_moved_ = has_moved_ || chord.dot(way_) > SMALLEST_MOVE * task_.amplitude_m;
-		if (chord.norm() > LONG_ENOUGH * task_.amplitude_m) {
+		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * task_.amplitude_m) {
 			likeliest_ = std::max(likeliest_, log_odds_);
 		}
 	}

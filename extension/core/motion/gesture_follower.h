@@ -32,11 +32,12 @@ public:
 	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode,
 			const PhaseEffort &effort = {}, double latency_s = 0.0);
 
-	/// A new frame; t_s not before the last one's, nor before a time advanced to. False where it does not
-	/// hold what the feature needs. strokes: of the feature, with this frame in it.
-	bool push(const HandFrame &frame, const StrokeFinder &strokes);
-	/// All that is due by t_s.
-	void advance(double t_s);
+	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
+	/// must have been done. False where it does not hold what the feature needs. place: the feature's, finite;
+	/// strokes: of the feature, with this frame in it.
+	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes);
+	/// All that is due by t_s; strokes: as of the last frame.
+	void advance(double t_s, const StrokeFinder &strokes);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
@@ -97,9 +98,14 @@ private:
 	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
 	PhaseEstimator phase_;
 
-	void step(double t_s);
-	void step_in_task(double t_s, const Observation &observation);
-	void decode(double t_s, const Observation &observation);
+	void step(double t_s, const StrokeFinder &strokes);
+	void step_in_task(double t_s, const StrokeFinder &strokes);
+	void decode(double t_s);
+	/// What is measured, in amplitudes.
+	[[nodiscard]] double value() const { return window_.position_m() / task_.amplitude_m; }
+	[[nodiscard]] Observation observation() const {
+		return window_.normalised(task_.amplitude_m, model_->duration_mean_s);
+	}
 	void begin(double t_s, double value);
 	void enter(Stage stage, double t_s);
 	[[nodiscard]] Motion synthesised(double t_s) const;
@@ -107,11 +113,12 @@ private:
 	[[nodiscard]] bool has_arrived(double t_s) const;
 
 	// With a task.
-	[[nodiscard]] bool has_begun(double t_s, const Observation &observation) const;
-	[[nodiscard]] bool was_nothing(double t_s, const Observation &observation) const;
+	[[nodiscard]] bool has_begun(double t_s) const;
+	[[nodiscard]] bool was_nothing(double t_s) const;
 	void arrive(double t_s);
-	[[nodiscard]] bool is_back(double t_s, const Observation &observation) const;
+	[[nodiscard]] bool is_back(double t_s) const;
 	void judge_by_task(const StrokeFinder &strokes);
+	void look_for_move(const StrokeFinder &strokes);
 
 	// Without one.
 	void watch(double t_s, const StrokeFinder &strokes);

@@ -119,7 +119,9 @@ void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeF
 	const Motion before = motion(t_s);
 	const double onset_s = stroke.onset_s;
 	window_.reset();
-	phase_.reset();
+	if (mode_ == MotionMode::PHASE) {
+		phase_.reset();
+	}
 	strokes.frames_since(onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
 		if (frame_s < t_s) {
 			const double x_m = (place - start_).dot(way_);

@@ -31,7 +31,7 @@ GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureMo
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
 		if (known == watched_.end()) {
 			const double share = feature->place_share;
-			watched_.push_back({ feature, StrokeFinder({ share, share, share, 1.0 }, smallest_m) });
+			watched_.push_back({ feature, StrokeFinder({ share, share, share, 1.0 }, smallest_m), {} });
 		} else {
 			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
 		}
@@ -43,18 +43,18 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	// What is due before this frame must not see the stroke that it makes.
-	for (GestureFollower &follower : followers_) {
-		follower.advance(std::nextafter(frame.t_s, -INFINITY));
-	}
+	advance_followers(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
-		const std::optional<FeaturePlace> place =
-				watched.feature->place != nullptr ? watched.feature->place(frame) : std::nullopt;
-		if (place) {
-			watched.strokes.push(frame.t_s, *place);
+		watched.place = watched.feature->place != nullptr ? watched.feature->place(frame) : std::nullopt;
+		if (watched.place && !watched.place->allFinite()) {
+			watched.place.reset();
+		}
+		if (watched.place) {
+			watched.strokes.push(frame.t_s, *watched.place);
 		}
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i].push(frame, watched_[watched_by_[i]].strokes)) {
+		if (followers_[i].push(frame, watched(i).place, watched(i).strokes)) {
 			filtered_[i].push(frame.t_s, followers_[i].measured_m());
 		}
 	}
@@ -68,11 +68,15 @@ void GestureRecogniser::advance(double t_s) {
 	if (!(t_s > time_s_) || t_s > LARGEST_TIME_S) {
 		return;
 	}
-	for (GestureFollower &follower : followers_) {
-		follower.advance(t_s);
-	}
+	advance_followers(t_s);
 	time_s_ = t_s;
 	choose_leader();
+}
+
+void GestureRecogniser::advance_followers(double t_s) {
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		followers_[i].advance(t_s, watched(i).strokes);
+	}
 }
 
 double GestureRecogniser::posterior(const GestureFollower &follower) const {

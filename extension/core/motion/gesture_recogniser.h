@@ -46,6 +46,7 @@ private:
 	struct WatchedFeature {
 		const Feature *feature;
 		StrokeFinder strokes;
+		std::optional<FeaturePlace> place; ///< in the newest frame
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many models use it
@@ -55,6 +56,10 @@ private:
 	int leader_ = -1;
 	double time_s_;
 
+	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
+		return watched_[watched_by_[follower]];
+	}
+	void advance_followers(double t_s);
 	[[nodiscard]] double posterior(const GestureFollower &follower) const;
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;

@@ -23,6 +23,7 @@ public:
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
 			most_kept_{ effort.usual, effort.erring, effort.wandering } {}
 
+	void clear() { count_ = 0; }
 	/// Only the one at rest.
 	void start(const GestureHypothesis &at_rest);
 	void add(const GestureHypothesis &hypothesis) { set(count_++, hypothesis); }

@@ -37,7 +37,12 @@ public:
 	/// The gesture is over: what comes next may be another one.
 	void restart();
 	/// As made: nothing of what was seen connects with what comes next.
-	void reset() { *this = PhaseEstimator(*model_, effort_, latency_s_); }
+	void reset() {
+		bank_.clear();
+		soundness_ = {};
+		falling_behind_s_ = 0.0;
+		blend_ = {};
+	}
 
 	/// At t_s, not before the last push.
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
