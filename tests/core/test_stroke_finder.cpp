@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 using namespace steadyhand;
 
@@ -125,6 +126,27 @@ TEST_CASE("no pace speaks against a gesture by more than the share of people who
 		CHECK(other.size <= usual.size);
 		CHECK(other.size > usual.size - 3.0);
 	}
+}
+
+TEST_CASE("no stroke speaks more for a gesture than at most it may; the best one nearly does") {
+	std::mt19937_64 random(1);
+	std::uniform_real_distribution<double> uniform(0.0, 1.0);
+	for (int i = 0; i < 20000; ++i) {
+		Stroke stroke = straight(0.5 * std::pow(uniform(random), 3.0));
+		const double turned = 2.0 * std::pow(uniform(random), 2.0);
+		stroke.to = stroke.to.x() * FeaturePlace(std::cos(turned), std::sin(turned), 0.0, 0.0);
+		stroke.middle = 0.5 * stroke.to + FeaturePlace(0.0, 0.0, 0.02 * uniform(random), 0.0);
+		stroke.way_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
+		stroke.now_s = 0.1 + 3.0 * uniform(random);
+		stroke.unrest_m = 0.2 * std::pow(uniform(random), 3.0);
+		stroke.watched_s = Stroke::REST_S * uniform(random);
+		const StrokeEvidence come = evidence(stroke);
+		const double most = most_evidence(stroke, FeaturePlace::UnitX(), 0.2);
+		REQUIRE(come.so_far() + come.outlook <= most + 1e-12);
+		REQUIRE(come.sum() <= most + 1e-12);
+	}
+	CHECK(evidence(straight(0.2)).sum() > most_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
+	CHECK(most_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
 }
 
 TEST_CASE("a stroke that a faster one follows is still part of what both are") {

@@ -205,8 +205,7 @@ void GestureFollower::look_for_move(const StrokeFinder &strokes) {
 	has_moved_ = feature_->place == nullptr; // its way is no stroke
 	for (const Stroke &stroke : strokes.strokes()) {
 		has_moved_ = has_moved_ ||
-				(!stroke.is_lost &&
-						(stroke.to - stroke.from).dot(way_) > SMALLEST_MOVE * task_.amplitude_m);
+				(!stroke.is_lost && (stroke.to - stroke.from).dot(way_) > SMALLEST_MOVE * task_.amplitude_m);
 	}
 }
 

@@ -33,8 +33,8 @@ public:
 			const PhaseEffort &effort = {}, double latency_s = 0.0);
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
-	/// must have been done. False where it does not hold what the feature needs. place: the feature's, finite;
-	/// strokes: of the feature, with this frame in it.
+	/// must have been done. False where it does not hold what the feature needs. place: the feature's,
+	/// finite; strokes: of the feature, with this frame in it.
 	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes);
 	/// All that is due by t_s; strokes: as of the last frame.
 	void advance(double t_s, const StrokeFinder &strokes);

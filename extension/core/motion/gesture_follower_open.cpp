@@ -100,6 +100,9 @@ void GestureFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			continue;
 		}
 		const FeaturePlace way = way_of(stroke);
+		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task_.amplitude_m) < 0.0) {
+			continue;
+		}
 		const StrokeEvidence evidence = evidence_of(stroke, way);
 		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
 		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {

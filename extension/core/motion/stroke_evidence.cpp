@@ -96,6 +96,12 @@ double size_evidence(double log_length, double log_time) {
 			std::log((1.0 - OWN_PACE) * usual + OWN_PACE);
 }
 
+/// By which a stroke may go off the way at its end, as it has gone so far.
+double best_off(double off, double length_m, double amplitude_m) {
+	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
+	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
+}
+
 bool leads_somewhere(double length_m) {
 	return length_m > 0.0 && std::isfinite(length_m);
 }
@@ -111,16 +117,33 @@ StrokeEvidence stroke_evidence(
 	}
 	const double off = (chord / length_m - way).norm();
 	const double direction = direction_in_the_open(off);
-	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
-	const double best_off = std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
 	StrokeEvidence evidence;
 	evidence.path = direction + straightness(stroke, length_m);
 	evidence.detour = detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), length_m) -
 			(stroke.is_joined ? HESITATED : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
-	evidence.outlook = direction_in_the_open(best_off) - direction + size_evidence(0.0, 0.0);
+	evidence.outlook =
+			direction_in_the_open(best_off(off, length_m, amplitude_m)) - direction + size_evidence(0.0, 0.0);
 	return evidence;
+}
+
+double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {
+	static const double at_most = std::log(2.0) + log_two_piece_normal(0.0, BOW, BOW) +
+			std::log(LARGEST_BOW) + std::log((1.0 - ASTRAY + ASTRAY / ASTRAY_TIMES) / DETOUR * OTHER_DETOUR) +
+			std::log((1.0 - ON_THE_GO) * std::hypot(1.0, OTHER_UNREST_PER_S * Stroke::REST_S / UNREST) +
+					ON_THE_GO) +
+			size_evidence(0.0, 0.0);
+	const FeaturePlace chord = stroke.to - stroke.from;
+	const double length_m = chord.norm();
+	if (!leads_somewhere(length_m)) {
+		return IMPOSSIBLE;
+	}
+	const double off = (chord / length_m - way).norm();
+	// Of a detour that is long beside the tracker's error the null model's density may be the smaller one.
+	const double rise = 1.0 / OTHER_DETOUR - 1.0 / (ASTRAY_TIMES * (DETOUR + DETOUR_M / length_m));
+	return direction_in_the_open(best_off(off, length_m, amplitude_m)) +
+			std::max(rise, 0.0) * std::max(stroke.way_m / length_m - 1.0, 0.0) + at_most;
 }
 
 double task_evidence(

@@ -25,6 +25,10 @@ struct StrokeEvidence {
 [[nodiscard]] StrokeEvidence stroke_evidence(
 		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
 
+/// What so_far() and the rest of the way, or size, come to at most, nats: quickly told of strokes that go
+/// elsewhere.
+[[nodiscard]] double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m);
+
 /// The same for a task that says where the stroke should begin, and exactly which way it should go, instead
 /// of how long it should be: of direction, straightness and start, nats.
 [[nodiscard]] double task_evidence(
