@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -164,4 +165,99 @@ TEST_CASE("a jump beside the way is a fault and is remembered, a hand that sweep
 				0.5 * FeaturePlace(std::sin(angle), std::cos(angle), 0.0, 0.0));
 	}
 	CHECK(sweeping.lasting_unsoundness() == 0.0);
+}
+
+TEST_CASE("a camera that is read more often than it looks is sound, and only its own frames tell something") {
+	for (const int reads : { 2, 3, 4, 8 }) {
+		CAPTURE(reads);
+		std::mt19937_64 random(3);
+		std::normal_distribution<double> noise(0.0, 2e-4);
+		TrackingSoundness soundness;
+		double shown = 0.0;
+		double learnt = 0.0;
+		for (int i = 0; i < 360; ++i) {
+			const double t_s = i / 120.0;
+			const bool looks = i % reads == 0;
+			shown = looks ? std::clamp(t_s - 2.0, 0.0, 1.0) + noise(random) : shown;
+			soundness.push(t_s, shown);
+			if (t_s < 1.0) { // how often it looks is learnt on the way
+				learnt = soundness.unsoundness();
+				continue;
+			}
+			CHECK(soundness.told() == looks);
+			CHECK(soundness.fault() == 0.0);
+		}
+		CHECK(learnt < 0.05);
+	}
+}
+
+TEST_CASE("a tracker that rounds is not frozen while it moves, and not silent while the hand trembles") {
+	for (const double resolution : { 0.0005, 0.001, 0.005 }) {
+		for (const double trembling : { 0.1, 0.3, 0.4, 1.0 }) {
+			CAPTURE(resolution);
+			CAPTURE(trembling);
+			std::mt19937_64 random(4);
+			std::normal_distribution<double> noise(0.0, trembling * resolution);
+			TrackingSoundness soundness;
+			int frozen = 0;
+			for (int i = 0; i < 1000; ++i) {
+				const double t_s = i * PERIOD_S;
+				const double s = std::clamp(t_s - 4.0, 0.0, 1.0);
+				const double x = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) + noise(random);
+				soundness.push(t_s, std::round(x / resolution) * resolution);
+				frozen += soundness.frozen() ? 1 : 0;
+			}
+			CHECK(frozen < 5); // of 1000
+		}
+	}
+}
+
+TEST_CASE("a tracker that trembled while the hand was at rest is frozen on a smooth way too") {
+	TrackingSoundness soundness;
+	for (int i = 0; i < 60; ++i) {
+		soundness.push(i * PERIOD_S, 1e-4 * std::sin(2.0 * i));
+	}
+	const double t_s = move(soundness, 60 * PERIOD_S, 0.0, 0.15, 30); // slowly
+	move(soundness, t_s, 0.15 * 29 * PERIOD_S, 0.0, 6);
+	CHECK(soundness.frozen());
+	CHECK_FALSE(soundness.told());
+}
+
+TEST_CASE("white noise of any size is no fault, and jumps stand out of it") {
+	for (const double deviation : { 0.005, 0.025, 0.05 }) { // 1, 5 and 10 mm of 20 cm
+		CAPTURE(deviation);
+		std::mt19937_64 random(5);
+		std::normal_distribution<double> noise(0.0, deviation);
+		TrackingSoundness soundness;
+		int jumps = 0;
+		for (int i = 0; i < 1000; ++i) {
+			const double t_s = i * PERIOD_S;
+			const double x = std::clamp(t_s - 4.0, 0.0, 1.0) + noise(random);
+			soundness.push(t_s, x, FeaturePlace(x, noise(random), noise(random), 0.0));
+			jumps += soundness.jumped() || soundness.fault() > 0.0 ? 1 : 0;
+		}
+		CHECK(jumps < 10); // of 1000
+		CHECK(soundness.jitter() == doctest::Approx(deviation).epsilon(0.3));
+		soundness.push(1000 * PERIOD_S, 1.0 + 20.0 * deviation + 0.2);
+		CHECK(soundness.jumped());
+	}
+}
+
+TEST_CASE("a single frame elsewhere is taken back by the next, a step is not") {
+	for (const int elsewhere : { 1, 2 }) {
+		CAPTURE(elsewhere);
+		TrackingSoundness soundness;
+		for (int i = 0; i < 100; ++i) {
+			const bool is_off = i >= 60 && i < 60 + elsewhere;
+			soundness.push(i * PERIOD_S, 0.5 * i * PERIOD_S + (is_off ? 0.3 : 0.0));
+			if (i == 60) {
+				CHECK(soundness.fault() == 1.0);
+			}
+			if (i == 61) {
+				CHECK(soundness.fault() == (elsewhere == 1 ? -1.0 : 0.0));
+				CHECK(soundness.jumped() == false);
+			}
+		}
+		CHECK((soundness.lasting_unsoundness() < 0.01) == (elsewhere == 1));
+	}
 }

@@ -37,8 +37,6 @@ constexpr double LIKELY = 0.001;      ///< weight, from which on both are looked
 /// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
 constexpr double ALIKE_S = 0.013;
-/// The tracker's shaking counts so many times: it is no white noise.
-constexpr double JITTER_COUNTS = 0.77;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
 constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
@@ -225,7 +223,7 @@ void PhaseEstimator::prune() {
 
 void PhaseEstimator::absorb(double t_s, double x) {
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
-	const HypothesisGroup::Trust trust{ OUTLIERS, JITTER_COUNTS * soundness_.jitter(),
+	const HypothesisGroup::Trust trust{ OUTLIERS, soundness_.jitter(),
 		dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
@@ -244,7 +242,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 					bank_.regime(i) == Regime::UNSOUND ? -no_fault : -FAULT_LOG_RATIO * soundness_.fault());
 		}
 	}
-	if (!soundness_.frozen()) { // a repeated value is no news of the hand
+	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, trust);
 	}
 }

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "gesture/feature.h"
+#include "motion/tracker_noise.h"
+#include "motion/tracker_silence.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace steadyhand {
 
@@ -17,32 +17,31 @@ public:
 	/// x: the motion element; place: where the hand is, from any origin that stays, always zero where the
 	/// feature has no place. Both in amplitudes.
 	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero()) {
-		fault_ = 0.0;
+		fault_ = {};
 		jumped_ = returned_ = strayed_ = false;
-		if (frames_ > 0) {
-			weigh(std::max(t_s - t_s_, SHORTEST_S), t_s, x, place);
-		} else {
-			news_s_ = t_s;
-		}
+		const double frame_s = std::max(t_s - t_s_, SHORTEST_S);
 		t_s_ = t_s;
+		if (frames_ > 0) {
+			weigh(frame_s, x, place);
+		} else {
+			silence_.start(t_s);
+			news_s_ = way_s_ = t_s;
+		}
 		x_ = x;
 		place_ = place;
 		frames_ = std::min(frames_ + 1, 2);
 	}
 
 	/// 0: nothing wrong has been seen .. 1.
-	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_); }
+	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_.now); }
 	/// The same, remembered for longer: what is known of this tracker, not of this moment.
-	[[nodiscard]] double lasting_unsoundness() const { return 1.0 - std::exp(-lasting_evidence_); }
-	/// Evidence that the newest frame adds, 1: as bad as a jump.
-	[[nodiscard]] double fault() const { return fault_; }
-	/// The tracker repeats itself: the value stands still to the last bit although the hand was on its way,
-	/// or although it had been trembling as every hand and sensor does. Exact stillness of a track that never
-	/// trembled is rest.
-	[[nodiscard]] bool frozen() const {
-		return repeats_ >= FROZEN_REPEATS &&
-				(std::abs(speed_) > RESTING_PER_S || std::popcount(turns_) >= TREMBLING_TURNS);
-	}
+	[[nodiscard]] double lasting_unsoundness() const { return 1.0 - std::exp(-evidence_.lasting); }
+	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
+	/// which was a single frame elsewhere.
+	[[nodiscard]] double fault() const { return fault_.now; }
+	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
+	/// The newest frame shows where the hand is.
+	[[nodiscard]] bool told() const { return silence_.told(); }
 	/// The newest value is off the way that the ones before it were on, further than a hand can bend it.
 	[[nodiscard]] bool jumped() const { return jumped_; }
 	/// The newest frame is the first in a while that tells where the hand is: what it did since news_s() is
@@ -67,22 +66,22 @@ private:
 	static constexpr double SHARPEST_PER_S2 = 250.0;
 	static constexpr double SMALLEST_BEND = 0.02;
 	static constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not held to the way
+	/// What shakes further is judged by its own noise, in standard deviations: that of a bend is 2.4, of a
+	/// stray, in three directions, 4.2, of a step 1.4.
+	static constexpr double SHAKEN_BEND = 8.0;
+	static constexpr double SHAKEN_STRAY = 14.0;
+	static constexpr double SHAKEN_STEP = 6.0;
 	/// A tracker that strays beside the way has erred; along the way it may be right.
 	static constexpr double STRAY_FAULT = 0.3;
-	static constexpr int FROZEN_REPEATS = 2;
+	/// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
+	static constexpr double NEARER = 0.5;
 	static constexpr double BLIND_S = 0.05;
 	static constexpr double BLIND_STEP = 0.04;
-	static constexpr double RESTING_PER_S = 0.25;
-	static constexpr int TREMBLING_TURNS = 3;  ///< of the last 16 steps, those against the one before
-	static constexpr double SPEED_SHARE = 0.4; ///< a frame's share in the recent speed
 	static constexpr double FROZEN_FRAME = 0.5;
 	/// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
 	static constexpr double JITTER_PER_BEND = 0.5117;
-	static constexpr double JITTER_SHARE = 0.05;  ///< a frame's
-	static constexpr double LARGEST_SHAKE = 0.02; ///< a bend beyond is a jump's
-	/// The period follows a sensor that slows down within some frames, and a burst of frames slowly.
-	static constexpr double PERIOD_GROWTH = 1.2;
-	static constexpr double PERIOD_SHARE = 0.1;
+	static constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
+	static constexpr double LARGEST_SHAKE = 0.02;                        ///< a bend beyond is a jump's
 	static constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
 	/// The velocity that a hand would go on with.
@@ -95,22 +94,34 @@ private:
 			before_leap = leapt ? before_leap : velocity;
 		}
 	};
+	/// Of a fault, or of all so far.
+	struct Evidence {
+		double now = 0.0;
+		double lasting = 0.0;
+	};
+	/// A frame from which one leapt away.
+	struct Leap {
+		double t_s = 0.0;
+		double x = 0.0;
+		FeaturePlace place = FeaturePlace::Zero();
+		Evidence fault;
+	};
 
 	double t_s_ = 0.0;
 	double x_ = 0.0;
 	FeaturePlace place_ = FeaturePlace::Zero();
+	TrackerSilence silence_;
+	TrackerNoise noise_;
 	double news_s_ = 0.0;
-	double period_s_ = 0.01;
-	double evidence_ = 0.0;
-	double lasting_evidence_ = 0.0;
-	double fault_ = 0.0;
-	double speed_ = 0.0; ///< of steps that are news, smoothed
+	double period_s_ = 0.01; ///< between frames
+	Evidence evidence_;
+	Evidence fault_;
+	double way_s_ = 0.0; ///< of the newest frame that the ways took in
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
-	double step_ = 0.0;
+	Leap leap_;
+	bool leapt_ = false; ///< the newest frame that told something did
 	double jitter_ = 0.0;
-	std::uint16_t turns_ = 0;
-	int repeats_ = 0;
 	int frames_ = 0;
 	bool jumped_ = false;
 	bool returned_ = false;
@@ -125,51 +136,104 @@ private:
 				: std::min(size(Step(step - way.before_leap * dt_s)), size(Step(step - way.latest * dt_s)));
 	}
 
-	void weigh(double dt_s, double t_s, double x, const FeaturePlace &place) {
+	void weigh(double frame_s, double x, const FeaturePlace &place) {
+		if (frames_ == 1) {
+			period_s_ = std::clamp(frame_s, FIRST_PERIOD_S, LAST_PERIOD_S);
+			silence_.expect(period_s_);
+		}
+		if (frame_s > GAP_PERIODS * period_s_) {
+			fault_.now = std::min(1.0, (frame_s - 2.0 * period_s_) / FULL_GAP_S);
+		}
+		Evidence taken_back;
+		if (x != x_ || place != place_) {
+			if (leapt_ && was_outlier(x, place)) {
+				taken_back = leap_.fault;
+				forget_outlier();
+			}
+			follow(x, place);
+		} else {
+			silence_.repeat(t_s_);
+			if (silence_.is_silent()) {
+				stand();
+			}
+		}
+		if (silence_.is_frozen()) {
+			fault_.now += FROZEN_FRAME;
+		}
+		fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
+		leap_.fault = fault_;
+		fault_.now -= taken_back.now;
+		fault_.lasting -= taken_back.lasting;
+		evidence_.now = std::max(evidence_.now * std::exp(-frame_s / MEMORY_S) + fault_.now, 0.0);
+		evidence_.lasting =
+				std::max(evidence_.lasting * std::exp(-frame_s / LASTING_MEMORY_S) + fault_.lasting, 0.0);
+		period_s_ = TrackerSilence::followed(period_s_, frame_s);
+	}
+
+	/// A repeated value that stands for a hand, or a tracker, that does not move.
+	void stand() {
+		step_way_.go(0.0, false);
+		place_way_.go(FeaturePlace::Zero(), false);
+		way_s_ = t_s_;
+		leapt_ = false;
+	}
+
+	/// The frame before was the only one off the way.
+	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const {
+		const double dt_s = t_s_ - leap_.t_s;
+		const FeaturePlace place_off = place - leap_.place - place_way_.before_leap * dt_s;
+		const double off = std::hypot(x - leap_.x - step_way_.before_leap * dt_s, place_off.norm());
+		return off < NEARER * std::hypot(x - x_, (place - place_).norm());
+	}
+	/// It is as if it had not been.
+	void forget_outlier() {
+		x_ = leap_.x;
+		place_ = leap_.place;
+		way_s_ = leap_.t_s;
+		step_way_.latest = step_way_.before_leap;
+		place_way_.latest = place_way_.before_leap;
+	}
+
+	void follow(double x, const FeaturePlace &place) {
+		const double dt_s = std::max(t_s_ - way_s_, SHORTEST_S);
 		const double step = x - x_;
 		const FeaturePlace place_step = place - place_;
-		const double bend = bend_of(step_way_, step, dt_s);
-		const double stray = bend_of(place_way_, place_step, dt_s);
-		const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
-		jumped_ = bend > sharpest + SMALLEST_BEND;
-		strayed_ = stray > sharpest + SMALLEST_STRAY;
-		returned_ = t_s - news_s_ > BLIND_S && std::abs(step) > BLIND_STEP;
-		if (frames_ > 1 && step != 0.0) {
-			jitter_ += JITTER_SHARE * (JITTER_PER_BEND * std::min(bend, LARGEST_SHAKE) - jitter_);
-		}
+		judge(dt_s, step, place_step);
+		leapt_ = jumped_ || strayed_;
+		leap_.t_s = way_s_;
+		leap_.x = x_;
+		leap_.place = place_;
 		step_way_.go(step / dt_s, jumped_ || returned_);
 		place_way_.go(place_step / dt_s, strayed_ || returned_);
+		way_s_ = t_s_;
+		if (!jumped_) {
+			news_s_ = returned_ ? news_s_ : t_s_;
+		}
+		silence_.change(t_s_, step / dt_s, step, place_step);
+	}
 
-		if (frames_ == 1) {
-			period_s_ = std::clamp(dt_s, FIRST_PERIOD_S, LAST_PERIOD_S);
+	/// Steps: in dt_s.
+	void judge(double dt_s, double step, const FeaturePlace &place_step) {
+		const double bend = bend_of(step_way_, step, dt_s);
+		const double stray = bend_of(place_way_, place_step, dt_s);
+		if (frames_ > 1) {
+			noise_.push(step - step_way_.latest * dt_s);
 		}
-		if (dt_s > GAP_PERIODS * period_s_) {
-			fault_ += std::min(1.0, (dt_s - 2.0 * period_s_) / FULL_GAP_S);
+		const bool may_shake = bend > SMALLEST_BEND || stray > SMALLEST_STRAY;
+		const double noise = may_shake ? noise_.deviation() : 0.0;
+		const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
+		jumped_ = bend > sharpest + std::max(SMALLEST_BEND, SHAKEN_BEND * noise);
+		strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * noise);
+		returned_ = t_s_ - news_s_ > BLIND_S && std::abs(step) > std::max(BLIND_STEP, SHAKEN_STEP * noise);
+		if (frames_ > 1) {
+			const double shake = std::min(bend, std::max(LARGEST_SHAKE, SHAKEN_STEP * noise));
+			jitter_ += JITTER_SHARE * (JITTER_PER_BEND * shake - jitter_);
 		}
-		if (std::abs(step) > FASTEST_PER_S * dt_s + SMALLEST_JUMP) {
-			fault_ += 1.0;
+		if (std::abs(step) > FASTEST_PER_S * dt_s + std::max(SMALLEST_JUMP, SHAKEN_STEP * noise)) {
+			fault_.now += 1.0;
 		} else if (strayed_) {
-			fault_ += STRAY_FAULT;
+			fault_.now += STRAY_FAULT;
 		}
-		if (step == 0.0) {
-			repeats_ = std::min(repeats_ + 1, FROZEN_REPEATS);
-		} else {
-			repeats_ = 0;
-			if (!jumped_) {
-				news_s_ = returned_ ? news_s_ : t_s;
-			}
-			speed_ += SPEED_SHARE * (step / dt_s - speed_);
-			turns_ = static_cast<std::uint16_t>((turns_ << 1U) | (step * step_ < 0.0 ? 1U : 0U));
-			step_ = step;
-		}
-		if (frozen()) {
-			fault_ += FROZEN_FRAME;
-		}
-		evidence_ = evidence_ * std::exp(-dt_s / MEMORY_S) + fault_;
-		lasting_evidence_ = lasting_evidence_ * std::exp(-dt_s / LASTING_MEMORY_S) +
-				(strayed_ ? std::max(fault_, 1.0) : fault_);
-		period_s_ = dt_s > period_s_ ? std::min(period_s_ * PERIOD_GROWTH, dt_s)
-									 : period_s_ + PERIOD_SHARE * (dt_s - period_s_);
 	}
 };
 

@@ -1,0 +1,88 @@
+#include "metrics/curve_comparison.h"
+#include "minimum_jerk_drag.h"
+#include "motion/phase_estimator.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace steadyhand;
+
+// `phase` mode before sensors of other makes, values in amplitudes: what they show must not get worse by it.
+
+namespace {
+
+struct Sensor {
+	const char *name;
+	double rate_hz = 113.0;
+	double white = 2e-4;
+	double resolution = 0.0; ///< what it rounds to
+	int reads = 1;           ///< of each of its frames
+	double outliers = 0.0;   ///< share of its frames that are elsewhere
+};
+
+struct Figures {
+	double shown = 0.0, estimated = 0.0; ///< R2 at no lag
+};
+
+/// Mean over drags of 0.7 to 1.2 s.
+Figures figures(const Sensor &sensor) {
+	static const GestureModel model = test::trained_drag_model();
+	constexpr int DRAGS = 20;
+	constexpr int MS = 2600;
+	Figures sum;
+	for (int drag_number = 0; drag_number < DRAGS; ++drag_number) {
+		const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.7 + 0.025 * drag_number, .amplitude_m = 1.0 };
+		std::mt19937_64 random(static_cast<unsigned>(drag_number));
+		std::normal_distribution<double> normal;
+		std::uniform_real_distribution<double> uniform;
+		PhaseEstimator estimator(model);
+		std::vector<double> reference, shown, estimated;
+		double seen = 0.0;
+		int frames = 0;
+		for (int ms = 0; ms < MS; ++ms) {
+			const double t_s = ms / 1000.0;
+			for (; frames / sensor.rate_hz <= t_s; ++frames) {
+				if (frames % sensor.reads == 0) {
+					seen = drag.x_m(frames / sensor.rate_hz) + sensor.white * normal(random) +
+							(uniform(random) < sensor.outliers ? 0.1 * normal(random) : 0.0);
+					seen = sensor.resolution > 0.0 ? std::round(seen / sensor.resolution) * sensor.resolution
+												   : seen;
+				}
+				estimator.push(frames / sensor.rate_hz, seen);
+			}
+			reference.push_back(drag.x_m(t_s));
+			shown.push_back(seen);
+			estimated.push_back(estimator.at(t_s).value);
+		}
+		const UniformGrid grid{ 0.0, 1000.0 };
+		const GestureSpan span{ drag.onset_s, drag.onset_s + drag.duration_s };
+		sum.shown += compare_curves(reference, shown, grid, span).r2_zero / DRAGS;
+		sum.estimated += compare_curves(reference, estimated, grid, span).r2_zero / DRAGS;
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST_CASE("phase mode keeps to what sensors of all makes show") {
+	for (const Sensor &sensor : {
+				 Sensor{ .name = "white noise of 2 mm in 20 cm", .white = 0.01 },
+				 Sensor{ .name = "of 5 mm", .white = 0.025 },
+				 Sensor{ .name = "of 10 mm", .white = 0.05 },
+				 Sensor{ .name = "rounded to 0.1 mm", .resolution = 0.0005 },
+				 Sensor{ .name = "rounded to 1 mm", .resolution = 0.005 },
+				 Sensor{ .name = "60 Hz, read twice", .rate_hz = 120.0, .reads = 2 },
+				 Sensor{ .name = "30 Hz, read four times", .rate_hz = 120.0, .reads = 4 },
+				 Sensor{ .name = "one frame in fifty elsewhere", .outliers = 0.02 },
+				 Sensor{ .name = "15 Hz", .rate_hz = 15.0 },
+				 Sensor{ .name = "1 kHz", .rate_hz = 1000.0 },
+		 }) {
+		CAPTURE(sensor.name);
+		const Figures mean = figures(sensor);
+		CAPTURE(mean.shown);
+		CHECK(mean.estimated > mean.shown - 0.0005);
+	}
+}
