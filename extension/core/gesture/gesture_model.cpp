@@ -27,17 +27,11 @@ CurvePoint evaluate_onwards(const GestureModel &model, double phase) {
 		return {};
 	}
 	const CurvePoint point = evaluate(model, phase);
-	return phase > 1.0 ? run_out(point, phase) : point;
-}
-
-CurvePoint run_out(CurvePoint end, double phase) {
-	/// Phase in which the speed at the end falls to 1/e.
-	constexpr double RUN_OUT = 0.06;
-	const double fading = std::exp((1.0 - phase) / RUN_OUT);
-	end.value += end.slope * RUN_OUT * (1.0 - fading);
-	end.slope *= fading;
-	end.curvature = -end.slope / RUN_OUT;
-	return end;
+	if (phase <= 1.0) {
+		return point;
+	}
+	const double fading = std::exp((1.0 - phase) / RUN_OUT), slope = point.slope * fading;
+	return { point.value + point.slope * RUN_OUT * (1.0 - fading), slope, -slope / RUN_OUT };
 }
 
 double phase_of_value(const GestureModel &model, double value) {

@@ -63,8 +63,8 @@ CurvePoint evaluate(const GestureModel &model, double phase);
 /// further on. Value and slope are continuous for every phase; 0 before the start.
 CurvePoint evaluate_onwards(const GestureModel &model, double phase);
 
-/// What evaluate_onwards() is from the end on, from what evaluate() is there; phase >= 1.
-CurvePoint run_out(CurvePoint end, double phase);
+/// Phase in which the speed at the end falls to 1/e.
+inline constexpr double RUN_OUT = 0.06;
 
 /// The smallest phase at which the reference reaches the value; 0 below its start, 1 beyond its end.
 double phase_of_value(const GestureModel &model, double value);

@@ -66,28 +66,36 @@ struct HypothesisGroup::Filter {
 		return group.covariance_[Hypothesis::entry(i, j)];
 	}
 	/// f(phase) in 0..1
-	[[nodiscard]] double way(std::size_t lane, double phase) const {
-		const double elements = curve.at(phase).value;
-		const double shape = group.mean_[Hypothesis::SHAPE][lane];
-		return std::clamp(elements + shape * (minimum_jerk(phase).value - elements), 0.0, 1.0);
+	[[nodiscard]] STEADYHAND_INLINE LaneVector way(const LaneVector &phase) const {
+		const LaneVector elements = curve.at(phase).value;
+		const LaneVector shape = load(group.mean_[Hypothesis::SHAPE]);
+		return within_one(elements + shape * (LaneMinimumJerk(within_one(phase)).value - elements));
 	}
-	[[nodiscard]] double phase(std::size_t lane) const {
-		return (t_s - group.mean_[Hypothesis::ONSET][lane]) * group.rate_per_s_[lane];
+	[[nodiscard]] STEADYHAND_INLINE LaneVector phase() const {
+		return (t_s - load(group.mean_[Hypothesis::ONSET])) * load(group.rate_per_s_);
+	}
+	/// 1 of those on their way, 0 of the others.
+	[[nodiscard]] STEADYHAND_INLINE LaneVector on_its_way() const {
+		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return group.on_its_way_[l] ? 1.0 : 0.0; });
 	}
 
 	/// F differs from unity in two pairs of states alone: a deviation and its rate, of the hand and of the
 	/// tracker.
 	STEADYHAND_INLINE void predict(const Passages &passages) const {
-		Lanes hand_deviation, error_deviation;
-		for (std::size_t l = 0; l < LANES; ++l) {
-			const RegimeNumbers &numbers = regime_numbers(group.regime_[l]);
-			hand_deviation[l] = numbers.hand.amplitudes;
-			error_deviation[l] = numbers.error.amplitudes;
-			if (group.on_its_way_[l] && numbers.error_on_way > 0.0) {
-				error_deviation[l] += numbers.error_on_way * way(l, phase(l));
-			}
+		const auto of_each = [&](const auto &number) STEADYHAND_INLINE_LAMBDA {
+			return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
+				return number(regime_numbers(group.regime_[l]));
+			});
+		};
+		const LaneVector hands =
+				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.hand.amplitudes; });
+		LaneVector errors =
+				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.error.amplitudes; });
+		const LaneVector on_way = on_its_way() *
+				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.error_on_way; });
+		if (any(on_way > 0.0)) {
+			errors += on_way * way(phase());
 		}
-		const LaneVector hands = load(hand_deviation), errors = load(error_deviation);
 		const LaneDamping hand(passages.hand, group.regime_, hands * hands),
 				error(passages.error, group.regime_, errors * errors);
 		using H = Hypothesis;
@@ -112,27 +120,15 @@ struct HypothesisGroup::Filter {
 		using H = Hypothesis;
 		constexpr std::size_t FIRST = H::ONSET, SLOPES = H::STATES - FIRST;
 		// What the tracker should show, and by how much that changes with each state.
-		Lanes phase_at{}, element_at{}, element_slope_at{}, gone_at{};
-		for (std::size_t l = 0; l < LANES; ++l) {
-			if (!group.on_its_way_[l]) {
-				continue;
-			}
-			const double lag = group.mean_[H::LAG][l];
-			const double now = phase(l), way_now = lag > 0.0 ? way(l, now) : 0.0;
-			const double seen = now - lag * way_now * group.rate_per_s_[l];
-			if (seen > 0.0) {
-				const CurvePoint point = curve.at(seen);
-				phase_at[l] = seen;
-				element_at[l] = point.value;
-				element_slope_at[l] = point.slope;
-				gone_at[l] = way_now;
-			}
-		}
-		const LaneVector phases = load(phase_at), elements = load(element_at),
-						 element_slopes = load(element_slope_at), gone = load(gone_at);
 		const LaneVector rate = load(group.rate_per_s_), shape = load(group.mean_[H::SHAPE]);
-		const LaneVector s = phases < 1.0 ? phases : all(1.0);
-		const LaneMinimumJerk smooth(s);
+		const LaneVector is_under_way = on_its_way(), now = is_under_way > 0.0 ? phase() : LaneVector{};
+		const LaneVector lags = is_under_way > 0.0 ? load(group.mean_[H::LAG]) : LaneVector{};
+		const LaneVector way_now = any(lags > 0.0) ? (lags > 0.0 ? way(now) : LaneVector{}) : LaneVector{};
+		const LaneVector then = now - lags * way_now * rate, phases = then > 0.0 ? then : LaneVector{};
+		const LaneVector gone = then > 0.0 ? way_now : LaneVector{};
+		const LaneCurvePoint element = curve.at(phases);
+		const LaneVector elements = element.value, element_slopes = element.slope;
+		const LaneMinimumJerk smooth(within_one(phases));
 		const LaneVector gain = 1.0 + load(group.mean_[H::GAIN]);
 		const LaneVector value = elements + shape * (smooth.value - elements);
 		const LaneVector slope = gain * (element_slopes + shape * (smooth.first - element_slopes));

@@ -43,24 +43,19 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 		LaneVector rate = load(courses.rate_per_s);
 		LaneVector phase = (filtered_s_ + dt_s - load(courses.onset_s)) * rate;
 		const LaneVector waits_from = load(courses.waits_from), over = phase - waits_from;
-		const LaneVector slowed = exponential(over > 0.0 ? over / -WAITING_LENGTH : LaneVector{});
-		phase = over > 0.0 ? waits_from + WAITING_LENGTH * (1.0 - slowed) : phase;
-		rate *= slowed;
-		Lanes phases, values, slopes, curvatures;
-		store(phases, phase);
-		for (std::size_t l = 0; l < LANES; ++l) {
-			const CurvePoint point = curve.at(phases[l]);
-			values[l] = point.value;
-			slopes[l] = point.slope;
-			curvatures[l] = point.curvature;
+		if (any(over > 0.0)) {
+			const LaneVector slowed = exponential(over > 0.0 ? over / -WAITING_LENGTH : LaneVector{});
+			phase = over > 0.0 ? waits_from + WAITING_LENGTH * (1.0 - slowed) : phase;
+			rate *= slowed;
 		}
-		const LaneVector begun = phase > 0.0 ? phase : LaneVector{}, s = begun < 1.0 ? begun : all(1.0);
+		const LaneCurvePoint point = curve.at(phase);
+		const LaneVector s = within_one(phase);
 		const LaneMinimumJerk jerk(s);
 		const LaneVector elements = load(courses.elements), smooth = load(courses.smooth);
 		const LaneVector weight = load(courses.weight);
-		value += elements * load(values) + smooth * jerk.value;
-		velocity += rate * (elements * load(slopes) + smooth * jerk.first);
-		acceleration += rate * rate * (elements * load(curvatures) + smooth * jerk.second);
+		value += elements * point.value + smooth * jerk.value;
+		velocity += rate * (elements * point.slope + smooth * jerk.first);
+		acceleration += rate * rate * (elements * point.curvature + smooth * jerk.second);
 		expected_phase += weight * s;
 		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
 	}

@@ -6,22 +6,6 @@
 namespace steadyhand {
 namespace {
 
-constexpr Deviation SMALL_ERROR{ 0.0056, 2.7 };
-constexpr std::array<RegimeNumbers, REGIMES> NUMBERS{
-	RegimeNumbers{ { 0.025, 9.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	RegimeNumbers{ { 0.05, 4.6 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.041 },
-	RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.025 },
-	RegimeNumbers{ { 0.55, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-};
-
-} // namespace
-
-const RegimeNumbers &regime_numbers(Regime regime) {
-	return NUMBERS[static_cast<std::size_t>(regime)];
-}
-
-namespace {
-
 STEADYHAND_INLINE Dampings dampings(const Lanes &rates_per_s, double dt_s) {
 	const LaneVector a = load(rates_per_s), fading = exponential(-a * dt_s);
 	const LaneVector xx = fading * (1.0 + a * dt_s), xv = fading * dt_s;
@@ -42,8 +26,8 @@ STEADYHAND_INLINE Dampings dampings(const Lanes &rates_per_s, double dt_s) {
 STEADYHAND_WIDE Passages passages(double dt_s) {
 	Lanes hand, error;
 	for (std::size_t i = 0; i < REGIMES; ++i) {
-		hand[i] = NUMBERS[i].hand.rate_per_s;
-		error[i] = NUMBERS[i].error.rate_per_s;
+		hand[i] = REGIME_NUMBERS[i].hand.rate_per_s;
+		error[i] = REGIME_NUMBERS[i].error.rate_per_s;
 	}
 	return { dampings(hand, dt_s), dampings(error, dt_s) };
 }

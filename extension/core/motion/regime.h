@@ -32,7 +32,18 @@ struct RegimeNumbers {
 	double lag_deviation_s;
 	double gain_deviation; ///< g: how much further or less far than the task asks
 };
-[[nodiscard]] const RegimeNumbers &regime_numbers(Regime regime);
+inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS = [] {
+	constexpr Deviation SMALL_ERROR{ 0.0056, 2.7 };
+	return std::array{
+		RegimeNumbers{ { 0.025, 9.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+		RegimeNumbers{ { 0.05, 4.6 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.041 },
+		RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.025 },
+		RegimeNumbers{ { 0.55, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
+	};
+}();
+[[nodiscard]] constexpr const RegimeNumbers &regime_numbers(Regime regime) {
+	return REGIME_NUMBERS[static_cast<std::size_t>(regime)];
+}
 
 /// Critically damped motion x'' = -2 a x' - a^2 x over a time, a regime each: [x, x'] is multiplied by [xx
 /// xv; vx vv].

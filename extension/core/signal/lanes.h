@@ -28,6 +28,7 @@ using Lanes = std::array<double, LANES>;
 
 /// The same in registers, with the operators of numbers.
 using LaneVector = double __attribute__((vector_size(sizeof(Lanes))));
+using LaneMask = decltype(LaneVector{} > LaneVector{}); ///< of all bits, or none
 using LaneBits = std::uint64_t __attribute__((vector_size(sizeof(Lanes))));
 
 STEADYHAND_INLINE LaneVector load(const Lanes &lanes) {
@@ -51,6 +52,15 @@ template <std::size_t N, class Function> STEADYHAND_INLINE void unrolled(const F
 		(f(std::integral_constant<std::size_t, I>{}), ...);
 	}
 	(std::make_index_sequence<N>{});
+}
+
+STEADYHAND_INLINE bool any(const LaneMask &mask) {
+	return ((mask[0] | mask[1]) | (mask[2] | mask[3])) != 0;
+}
+/// 0 .. 1; 0 for what is no number
+STEADYHAND_INLINE LaneVector within_one(const LaneVector &x) {
+	const LaneVector positive = x > 0.0 ? x : LaneVector{};
+	return positive < 1.0 ? positive : all(1.0);
 }
 
 /// minimum_jerk(s), 0 <= s <= 1
