@@ -241,7 +241,7 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 			began(onset_s, duration_s);
 		}
 	}
-	bank.prune(0.0, 0.0);
+	bank.prune(0.0, 0.0, 0.0);
 	for (const double ahead_s : { 0.0, 0.01 }) {
 		MotionOutlook outlook;
 		outlook.look(bank, drag_curve(), FILTERED_S, ahead_s, FILTERED_S);
@@ -291,7 +291,7 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	began(Regime::SOUND, -14.0);
 	began(Regime::UNSOUND, -20.0);
 	began(Regime::FREE, -25.0);
-	bank.prune(0.02, 0.002);
+	bank.prune(0.0, 0.02, 0.002);
 
 	double usual = 0.0, unsound = 0.0, free = 0.0, greatest = -1.0, least_sound = 0.0;
 	for (std::size_t i = 1; i < bank.size(); ++i) {
@@ -323,13 +323,64 @@ TEST_CASE("a bank keeps no more than its effort says") {
 			bank.add(h);
 		}
 	}
-	bank.prune(0.0, 0.0);
+	bank.prune(0.0, 0.0, 0.0);
 	std::array<int, REGIMES> kept{};
 	for (std::size_t i = 0; i < bank.size(); ++i) {
 		++kept[static_cast<std::size_t>(bank.regime(i))];
 		CHECK(bank.log_weight(i) > -0.25);
 	}
 	CHECK(kept == std::array{ 1, 3, 2, 1 });
+}
+
+TEST_CASE("of gestures that are over a bank keeps few") {
+	constexpr double NOW_S = 2.0;
+	for (const double onset_s : { 1.5, 0.5 }) {
+		CAPTURE(onset_s);
+		HypothesisBank bank;
+		const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+		bank.start(rest);
+		for (int i = 0; i < 20; ++i) {
+			for (const Regime regime : { Regime::SOUND, Regime::UNSOUND, Regime::FREE }) {
+				GestureHypothesis h = rest.begun(regime, onset_s, 0.01, 0.0, 0.1);
+				h.log_weight = -0.01 * i;
+				bank.add(h);
+			}
+		}
+		bank.prune(NOW_S, 0.0, 0.0);
+		std::array<int, REGIMES> kept{};
+		for (std::size_t i = 0; i < bank.size(); ++i) {
+			++kept[static_cast<std::size_t>(bank.regime(i))];
+			CHECK(bank.log_weight(i) > -0.195);
+		}
+		CHECK(kept == (onset_s < 1.0 ? std::array{ 1, 4, 3, 2 } : std::array{ 1, 20, 16, 4 }));
+	}
+}
+
+TEST_CASE("what a bank calls hopeless, the next prune drops, and nothing else") {
+	for (const double log_weight : { -0.5, -1.1, -1.95, -2.05, -3.0 }) {
+		CAPTURE(log_weight);
+		HypothesisBank bank({ .usual = 3, .erring = 2, .wandering = 1 });
+		const GestureHypothesis rest = GestureHypothesis::resting(0.0);
+		bank.start(rest);
+		const auto add = [&](double duration, double its_log_weight) {
+			GestureHypothesis h = rest.begun(Regime::SOUND, 0.0, 0.01, duration, 0.1);
+			h.log_weight = its_log_weight;
+			bank.add(h);
+		};
+		for (int i = 0; i < 5; ++i) {
+			add(0.0, -0.5 * i);
+		}
+		bank.prune(0.0, 0.0, 0.0); // 0, -0.5 and -1 stay
+		const bool is_hopeless = bank.is_hopeless(Regime::SOUND, log_weight);
+		CHECK_FALSE(bank.is_hopeless(Regime::UNSOUND, log_weight));
+		add(0.7, log_weight);
+		bank.prune(0.0, 0.0, 0.0);
+		bool is_kept = false;
+		for (std::size_t i = 1; i < bank.size(); ++i) {
+			is_kept = is_kept || bank.course(i).rate_per_s < 0.9;
+		}
+		CHECK(is_kept != is_hopeless);
+	}
 }
 
 TEST_CASE(

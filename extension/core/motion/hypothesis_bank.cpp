@@ -14,6 +14,9 @@ namespace {
 /// Log weights against the best of the same kind, and of all.
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
+/// Those that are over, by this phase, hold the same of what is to come.
+constexpr double SPENT_PHASE = 1.3;
+constexpr std::array<std::size_t, 3> MOST_SPENT{ 4, 3, 2 };
 
 } // namespace
 
@@ -86,7 +89,7 @@ STEADYHAND_WIDE void HypothesisBank::scale() {
 	}
 }
 
-void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
+void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_least) {
 	scale();
 	std::array<std::array<Place, CAPACITY>, KINDS> places;
 	std::array<std::size_t, KINDS> counts{};
@@ -100,7 +103,14 @@ void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
 	std::size_t kept_count = 0;
 	for (const Kind k : { USUAL, ERRING, WANDERING }) {
 		const std::span of_kind(places[k].data(), counts[k]);
-		const auto likely = of_kind.first(keep_likely(of_kind, k, share[k] * usual));
+		const auto likely = of_kind.first(keep_likely(of_kind, k, t_s));
+		raise(likely, share[k] * usual);
+		if (likely.size() == most_kept_[k]) { // one more drops the unlikeliest
+			least_[k] = INFINITY;
+			for (const Place i : likely) {
+				least_[k] = std::min(least_[k], log_weight(i));
+			}
+		}
 		usual = k == USUAL ? total(likely) : usual;
 		std::copy(likely.begin(), likely.end(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
 		kept_count += likely.size();
@@ -108,8 +118,30 @@ void HypothesisBank::prune(double unsound_at_least, double free_at_least) {
 	keep_only({ kept.data(), kept_count });
 }
 
+/// Brings them to the front; returns how many there are, at most as many as are asked for.
+std::size_t HypothesisBank::likeliest(std::span<Place> r_places, std::size_t most) const {
+	if (r_places.size() > most) {
+		std::nth_element(r_places.begin(), r_places.begin() + static_cast<std::ptrdiff_t>(most),
+				r_places.end(), [this](Place a, Place b) { return log_weight(a) > log_weight(b); });
+	}
+	return std::min(r_places.size(), most);
+}
+
+/// Brings the others, and the likeliest of those that are over, to the front; returns how many they are.
+std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, double t_s, std::size_t most) const {
+	if (r_places.size() <= most) {
+		return r_places.size();
+	}
+	const auto spent = std::partition(r_places.begin(), r_places.end(), [&](Place i) {
+		const HypothesisGroup::Course way = course(i);
+		return !on_its_way(i) || (t_s - way.onset_s) * way.rate_per_s < SPENT_PHASE;
+	});
+	const auto others = static_cast<std::size_t>(spent - r_places.begin());
+	return others + likeliest(r_places.subspan(others), most);
+}
+
 /// Brings those that stay to the front; returns how many they are.
-std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, double at_least) {
+std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, double t_s) {
 	double greatest = -std::numeric_limits<double>::infinity();
 	for (const Place i : r_places) {
 		greatest = std::max(greatest, log_weight(i));
@@ -118,21 +150,20 @@ std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, do
 	least_[kind] = bound;
 	const auto likely_end = std::partition(
 			r_places.begin(), r_places.end(), [this, bound](Place i) { return log_weight(i) > bound; });
-	auto count = static_cast<std::size_t>(likely_end - r_places.begin());
-	if (count > most_kept_[kind]) {
-		count = most_kept_[kind];
-		std::nth_element(r_places.begin(), r_places.begin() + static_cast<std::ptrdiff_t>(count), likely_end,
-				[this](Place a, Place b) { return log_weight(a) > log_weight(b); });
-	}
-	const double sum = total(r_places.first(count));
+	const auto likely = r_places.first(static_cast<std::size_t>(likely_end - r_places.begin()));
+	return likeliest(likely.first(drop_spent(likely, t_s, MOST_SPENT[kind])), most_kept_[kind]);
+}
+
+/// To that weight together, where there are any and they have less.
+void HypothesisBank::raise(std::span<const Place> places, double at_least) {
+	const double sum = total(places);
 	if (sum > 0.0 && sum < at_least) {
 		const double factor = at_least / sum, log_factor = std::log(factor);
-		for (const Place i : r_places.first(count)) {
+		for (const Place i : places) {
 			log_weights_[i / LANES][i % LANES] += log_factor;
 			weights_[i / LANES][i % LANES] *= factor;
 		}
 	}
-	return count;
 }
 
 /// And the one at rest; the last ones move to where others were dropped.

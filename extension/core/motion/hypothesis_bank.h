@@ -37,8 +37,9 @@ public:
 
 	/// Drops the unlikely, and scales weights so that the greatest is 1. unsound_at_least, free_at_least:
 	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
-	/// there are any: a tracker may begin to err, a hand to do something else, at any time.
-	void prune(double unsound_at_least, double free_at_least);
+	/// there are any: a tracker may begin to err, a hand to do something else, at any time. t_s: of the
+	/// hypotheses.
+	void prune(double t_s, double unsound_at_least, double free_at_least);
 	/// One that the hand began or turned to, of this log weight, would be dropped by the next prune, if it
 	/// were now.
 	[[nodiscard]] bool is_hopeless(Regime regime, double log_weight) const {
@@ -77,14 +78,17 @@ private:
 	std::array<HypothesisGroup, GROUPS> groups_{};
 	std::array<Lanes, GROUPS> log_weights_{}, weights_{};
 	std::size_t count_ = 0;
-	std::array<double, KINDS> least_{}; ///< log weight below which the last prune dropped
+	std::array<double, KINDS> least_{}; ///< log weight that the next prune will drop
 
 	[[nodiscard]] const HypothesisGroup &group(std::size_t place) const { return groups_[place / LANES]; }
 	[[nodiscard]] std::size_t groups_in_use() const { return (count_ + LANES - 1) / LANES; }
 	[[nodiscard]] Kind kind(std::size_t place) const;
 	void scale();
 	[[nodiscard]] double total(std::span<const Place> places) const;
-	std::size_t keep_likely(std::span<Place> r_places, Kind kind, double at_least);
+	[[nodiscard]] std::size_t likeliest(std::span<Place> r_places, std::size_t most) const;
+	std::size_t drop_spent(std::span<Place> r_places, double t_s, std::size_t most) const;
+	std::size_t keep_likely(std::span<Place> r_places, Kind kind, double t_s);
+	void raise(std::span<const Place> places, double at_least);
 	void keep_only(std::span<const Place> places);
 };
 

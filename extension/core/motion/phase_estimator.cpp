@@ -218,7 +218,7 @@ void PhaseEstimator::choose_rest() {
 
 void PhaseEstimator::prune() {
 	const double sound = 1.0 - soundness_.unsoundness();
-	bank_.prune(UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
+	bank_.prune(filtered_s_, UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
