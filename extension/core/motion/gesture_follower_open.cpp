@@ -130,10 +130,11 @@ void GestureFollower::start_from(double t_s, const Stroke &stroke, const StrokeF
 			const double x_m = (place - start_).dot(way_);
 			window_.push(frame_s, x_m);
 			if (mode_ == MotionMode::PHASE) {
-				phase_.push(frame_s, x_m / task_.amplitude_m, place / task_.amplitude_m);
+				phase_.recall(frame_s, x_m / task_.amplitude_m, place / task_.amplitude_m);
 			}
 		}
 	});
+	phase_.catch_up();
 	begin(t_s, (place_ - start_).dot(way_) / task_.amplitude_m);
 	likely_s_ = t_s;
 	slowed_odds_ = -std::numeric_limits<double>::infinity();

@@ -76,7 +76,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = t_s;
 	filtered_s_ = t_s;
-	outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_);
+	look(t_s);
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -223,8 +223,7 @@ void PhaseEstimator::prune() {
 
 void PhaseEstimator::absorb(double t_s, double x) {
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
-	const HypothesisGroup::Trust trust{ OUTLIERS, soundness_.jitter(),
-		dt_s / (dt_s + ALIKE_S) };
+	const HypothesisGroup::Trust trust{ OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
 	bank_.predict(curve_, t_s, passages(step_s));
@@ -252,14 +251,21 @@ void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 		begin(t_s, x);
 	}
 	const PhaseEstimate before = at(t_s);
+	recall(t_s, x, place);
+	look(t_s);
+	blend_from(before, t_s);
+}
+
+void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
+	if (bank_.empty()) {
+		begin(t_s, x);
+	}
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *
 			-std::expm1((filtered_s_ - t_s) / ERRING_SETTLING_S);
 	absorb(t_s, x);
 	prune();
-	outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_);
-	blend_from(before, t_s);
 }
 
 PhaseEstimate PhaseEstimator::at(double t_s) const {

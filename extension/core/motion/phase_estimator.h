@@ -34,6 +34,10 @@ public:
 	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
 	/// takes it. In amplitudes.
 	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
+	/// The same of frames of the past, for half of the cost: until catch_up() at() does not know of them, and
+	/// changes without a transition then.
+	void recall(double t_s, double x, const FeaturePlace &place);
+	void catch_up() { look(filtered_s_); }
 	/// The gesture is over: what comes next may be another one.
 	void restart();
 	/// As made: nothing of what was seen connects with what comes next.
@@ -69,6 +73,7 @@ private:
 	OutputBlend blend_; ///< of what the last change of the estimate would step by
 
 	void begin(double t_s, double d);
+	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }
 	void branch_until(double t_s);
 	void branch(double t_s);
 	void come_to_rest();
