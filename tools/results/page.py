@@ -6,6 +6,7 @@ from textwrap import fill
 
 import numpy as np
 from results.other_hands import OtherHands
+from results.sensors import Sensors
 from results.speed import Speed
 from results.study import CONDITIONS, MODES, Study
 from results.targets import Target, percent, targets
@@ -56,6 +57,14 @@ active, nothing given; the rest with the task given.
 {table}
 """
 
+SENSORS = """## Other sensors
+
+The same people at their own pace, before the same simulated sensor, but for what is said of its frames; all gestures
+together. Noise and rounding are per axis. Recognised: all models active, nothing given; the rest with the task given.
+
+{table}
+"""
+
 OTHERS = """### Real hands that do something else
 
 Nothing given, `phase` mode. Every gesture that ends counts as a false alarm, though some of what these hands do is one
@@ -70,6 +79,7 @@ def write_page(
     path: Path,
     studies: list[Study],
     speed: Speed,
+    sensors: Sensors,
     others: list[OtherHands],
     pictures: dict[str, str],
     origin: str,
@@ -99,6 +109,7 @@ def write_page(
     if others:
         parts.append(OTHERS.format(table=table(others_table(others))))
     parts.append(SPEED.format(table=table(speed_table(speed))))
+    parts.append(SENSORS.format(table=table(sensors_table(sensors))))
     parts.append("## The models\n")
     parts += [pictures[name] + "\n" for name in pictures if name.startswith("model")]
     path.write_text("\n".join(parts).rstrip() + "\n")
@@ -185,6 +196,38 @@ def speed_table(speed: Speed) -> Iterator[list[str]]:
                     f"{np.mean(values['sparc']):.2f}",
                     percent(speed.recognised(duration, position, condition)) if condition in MODES else "",
                 ]
+
+
+def sensors_table(sensors: Sensors) -> Iterator[list[str]]:
+    yield [
+        "sensor",
+        "position",
+        "measured: R2",
+        "at no lag",
+        "`phase`: R2",
+        "worst 5 %",
+        "at no lag",
+        "T_diff",
+        "missed",
+        "recognised",
+    ]
+    for sensor in sensors.task_given:
+        for position in POSITIONS:
+            measured = [np.mean(sensors.values(sensor, position, figure, "measured")) for figure in ("r2", "r2_zero")]
+            r2 = sensors.values(sensor, position, "r2", "synthesised")
+            ours = [
+                np.mean(r2),
+                np.percentile(r2, 5),
+                np.mean(sensors.values(sensor, position, "r2_zero", "synthesised")),
+            ]
+            yield [
+                sensor if position == POSITIONS[0] else "",
+                position,
+                *(f"{value:.3f}" for value in (*measured, *ours)),
+                ms(np.median(sensors.values(sensor, position, "t_diff", "synthesised"))),
+                str(sensors.missed(sensor, position)),
+                percent(sensors.recognised(sensor, position)),
+            ]
 
 
 def others_table(others: list[OtherHands]) -> Iterator[list[str]]:

@@ -115,6 +115,17 @@ def results(folder: Path) -> Iterator[Outcome]:
         "command/results: mean R2 at no lag of gestures of 4 s", found == f"{mean:.3f}", f"{mean}, {found}"
     )
 
+    with (folder / "work/sensors/trials_3_scene/results.csv").open(newline="") as file:
+        own = [row for row in csv.DictReader(file) if row["position"] == "stable"]
+    means = [
+        f"{statistics.fmean(float(row[f'r2_zero_{name}']) for row in own):.3f}" for name in ("measured", "synthesised")
+    ]
+    cells = [
+        cell.strip() for line in page.splitlines() if line.startswith("| rounded to 1 mm |") for cell in line.split("|")
+    ]
+    found = [cells[4], cells[7]] if cells else []
+    yield Outcome.of("command/results: mean R2 at no lag of a sensor that rounds", found == means, f"{means}, {found}")
+
     row = f"|  | horizontal drag | plain | 1 | {60 / 3.001:.2f} |"
     found = [line for line in page.splitlines() if "horizontal drag | plain" in line]
     yield Outcome.of("command/results: a drag of other hands is a false alarm", found == [row], f"{found}")

@@ -1,0 +1,113 @@
+"""Other sensors: the same people's trials as trackers of other makes would have shown them."""
+
+import csv
+import shutil
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from results.evaluation import Evaluation
+
+SEED = 1
+LESS_OFTEN = 4  # every so manieth frame
+OUTLIERS = 0.02
+OUTLIER_M = 0.02  # standard deviation per axis
+
+# Of the coordinates (frames, columns) that a tracker showed, nan where it saw nothing.
+Change = Callable[[np.ndarray, np.random.Generator], np.ndarray]
+
+
+def noise(deviation_m: float) -> Change:
+    return lambda shown, rng: shown + rng.normal(0.0, deviation_m, shown.shape)
+
+
+def held(shown: np.ndarray, _: np.random.Generator) -> np.ndarray:
+    return shown[np.arange(len(shown)) // LESS_OFTEN * LESS_OFTEN]
+
+
+def rounded(shown: np.ndarray, _: np.random.Generator) -> np.ndarray:
+    return np.round(shown, 3)
+
+
+def outliers(shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """The whole hand is elsewhere, frame by frame."""
+    where = rng.normal(0.0, OUTLIER_M, (len(shown), 3)) * (rng.random((len(shown), 1)) < OUTLIERS)
+    return shown + np.tile(where, shown.shape[1] // 3)
+
+
+SENSORS: dict[str, Change] = {
+    "as it is": lambda shown, _: shown,
+    "white noise of 2 mm": noise(0.002),
+    "white noise of 5 mm": noise(0.005),
+    "rounded to 1 mm": rounded,
+    f"a frame in {1 / OUTLIERS:.0f} some 3 cm elsewhere": outliers,
+    "every 4th frame": lambda shown, _: shown,
+    "the same, read 4 times": held,
+}
+
+
+@dataclass
+class Sensors:
+    """All gestures together, in `phase` mode."""
+
+    task_given: dict[str, Evaluation]  # by the sensor's name
+    nothing_given: dict[str, Evaluation]
+
+    @classmethod
+    def of(cls, trials: Path, out: Path) -> "Sensors":
+        """The sets are made beside one another in `out`."""
+        folders = {}
+        for number, (name, change) in enumerate(SENSORS.items()):
+            folders[name] = out / f"trials_{number}"
+            write_trials(trials, folders[name], change, LESS_OFTEN if name == "every 4th frame" else 1)
+        return cls(
+            *(
+                {
+                    name: Evaluation(folder, "phase", context, out / f"{folder.name}_{context}", False)
+                    for name, folder in folders.items()
+                }
+                for context in ("scene", "open")
+            )
+        )
+
+    def evaluations(self) -> list[Evaluation]:
+        return [*self.task_given.values(), *self.nothing_given.values()]
+
+    def values(self, sensor: str, position: str, figure: str, condition: str) -> np.ndarray:
+        """Of each trial: r2, r2_zero or t_diff, the task given."""
+        column = f"{figure}_{condition}"
+        return np.array([row[column] for row in self.task_given[sensor].rows if row["position"] == position])
+
+    def missed(self, sensor: str, position: str) -> int:
+        groups = [group for group in self.task_given[sensor].groups() if group["position"] == position]
+        return sum(group["conditions"]["synthesised"]["missed"] for group in groups)
+
+    def recognised(self, sensor: str, position: str) -> float:
+        """Share of the trials, all models active and nothing given."""
+        groups = [group for group in self.nothing_given[sensor].groups() if group["position"] == position]
+        return sum(group["recognised"] for group in groups) / sum(group["trials"] for group in groups)
+
+
+def write_trials(source: Path, out: Path, change: Change, every: int) -> None:
+    """The set with each measured track changed, of which every so manieth frame stays."""
+    out.mkdir(parents=True)
+    shutil.copy(source / "trials.csv", out)
+    rng = np.random.default_rng(SEED)
+    for reference in sorted(source.glob("*.reference.csv")):
+        shutil.copy(reference, out)
+        name = reference.name.replace(".reference.", ".measured.")
+        with (source / name).open(newline="") as file:
+            comments = []
+            while (line := file.readline()).startswith("#"):
+                comments.append(line)
+            header = line.strip().split(",")
+            rows = list(csv.reader(file))[::every]
+        places = [k for k, column in enumerate(header) if column[-2:] in ("_x", "_y", "_z")]
+        shown = np.array([[float(row[k] or "nan") for k in places] for row in rows])
+        for row, values in zip(rows, change(shown, rng), strict=True):
+            for k, value in zip(places, values, strict=True):
+                row[k] = "" if np.isnan(value) else str(float(value))
+        with (out / name).open("w", newline="") as file:
+            file.writelines(comments)
+            csv.writer(file, lineterminator="\n").writerows([header, *rows])
