@@ -67,9 +67,10 @@ private:
 	static constexpr double SMALLEST_BEND = 0.02;
 	static constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not held to the way
 	/// What shakes further is judged by its own noise, in standard deviations: that of a bend is 2.4, of a
-	/// stray, in three directions, 4.2, of a step 1.4.
+	/// step 1.4. A stray counts for long: not even the tails of a circle's radius, whose noise is the
+	/// posture's, are to be one.
 	static constexpr double SHAKEN_BEND = 8.0;
-	static constexpr double SHAKEN_STRAY = 14.0;
+	static constexpr double SHAKEN_STRAY = 40.0;
 	static constexpr double SHAKEN_STEP = 6.0;
 	/// A tracker that strays beside the way has erred; along the way it may be right.
 	static constexpr double STRAY_FAULT = 0.3;
