@@ -43,21 +43,20 @@ struct Events {
 
 using Way = std::function<Eigen::Vector3d(double t_s)>;
 
-/// The hand's way as a 110 Hz tracker with 0.1 mm of noise sees it; nothing between lost_from_s and
-/// lost_to_s.
+/// The hand's way as a tracker sees it; nothing between lost_from_s and lost_to_s.
 Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
-		double lost_to_s = 1e9) {
+		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
 	Events events;
 	std::mt19937_64 random(5);
-	std::normal_distribution<double> noise(0.0, 1e-4);
+	std::normal_distribution<double> noise(0.0, noise_m);
 	std::string shown;
 	bool had_arrived = false;
 	double last_value_m = 0.0;
 	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
 		const double t_s = ms / 1000.0;
-		for (; frames / 110.0 <= t_s; ++frames) {
-			const double frame_s = frames / 110.0;
+		for (; frames / rate_hz <= t_s; ++frames) {
+			const double frame_s = frames / rate_hz;
 			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
 				continue;
 			}
@@ -388,4 +387,19 @@ TEST_CASE("a tracker's error that goes on after the end does not undo the gestur
 		return Eigen::Vector3d(DRAG.x_m(t_s) * oblique + 0.12 * std::clamp(t_s - 1.3, 0.0, 0.35) * Y);
 	};
 	CHECK(in_the_open(drifting, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("with nothing given a gesture is found by a tracker that trembles, and none where the hand rests") {
+	for (const double rate_hz : { 30.0, 80.0, 240.0 }) {
+		for (const double noise_m : { 1e-3, 3e-3, 5e-3 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(noise_m);
+			GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+			const Events drag = watch(recogniser, along(X, { DRAG }), 2.5, 1e9, 1e9, rate_hz, noise_m);
+			CHECK(std::ranges::count(drag.said, "ended sideways") == 1);
+			CHECK(drag.said.back() == "ended sideways");
+			GestureRecogniser at_rest(models(), std::nullopt, MotionMode::PHASE);
+			CHECK(none_ends(watch(at_rest, along(X, {}), 20.0, 1e9, 1e9, rate_hz, noise_m)));
+		}
+	}
 }

@@ -12,6 +12,8 @@ constexpr double ONSET_SHARE = 0.25; ///< of the peak speed
 constexpr double END_SHARE = 0.25;
 constexpr double SLOWEST_M_S = 1e-3;
 constexpr double SPEED_RATIO = 1.1;
+/// Slopes that trembling may make, smallest strokes a second.
+constexpr double STILL_PER_S = 6.5;
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
@@ -31,6 +33,8 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	velocity_m_s_ = FeaturePlace::Zero();
 	steps_.restart();
 	steps_.push(t_s, place_m);
+	trembles_.restart();
+	trembles_.push({ t_s, frames_[0].place_m, place_m }, WINDOW_S, 0.0);
 	speed_m_s_ = 0.0;
 	onset_.reset();
 	begin_anew(frames_[0]);
@@ -146,7 +150,9 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	last_m_ = place_m;
 	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m);
 	for (const TrackerSteps::Passed &frame : passed) {
-		follow(frame, &frame == &passed.back());
+		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
+					   STILL_PER_S * smallest_m_),
+				&frame == &passed.back());
 	}
 	if (stroke_count_ == 0) {
 		lost_.reset();
@@ -156,10 +162,10 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 }
 
 /// may_end: false where another frame follows at once.
-void StrokeFinder::follow(const TrackerSteps::Passed &passed, bool may_end) {
+void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	const Sample last = frame(count_ - 1);
-	const double dt_s = passed.t_s - last.t_s;
-	Sample now{ .t_s = passed.t_s, .place_m = scale_.cwiseProduct(passed.place_m), .seen_m = passed.seen_m };
+	const double dt_s = place.t_s - last.t_s;
+	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
 	now.sum = last.sum + 0.5 * dt_s * (last.place_m + now.place_m);
 	measure_way(now);
 	if (dt_s > LOSS_S && stroke_count_ > 0) {

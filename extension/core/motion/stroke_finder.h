@@ -1,6 +1,7 @@
 #pragma once
 
 #include "motion/tracker_steps.h"
+#include "motion/tremble_filter.h"
 
 #include <array>
 #include <cstddef>
@@ -92,6 +93,7 @@ private:
 	FeaturePlace scale_;
 	double smallest_m_;
 	TrackerSteps steps_;
+	TrembleFilter trembles_;
 	std::array<Frame, PAST> past_{};
 	std::size_t past_first_ = 0;
 	std::size_t past_count_ = 0;
@@ -124,7 +126,7 @@ private:
 	[[nodiscard]] Sample &frame(std::size_t i) { return frames_[(first_ + i) % FRAMES]; }
 	void remember_frame(double t_s, const FeaturePlace &place_m);
 	void restart(double t_s, const FeaturePlace &place_m);
-	void follow(const TrackerSteps::Passed &passed, bool may_end);
+	void follow(const TrembleFilter::Place &place, bool may_end);
 	void keep(const Sample &sample);
 	void find_onset();
 	void begin_anew(const Sample &end);

@@ -10,7 +10,9 @@ namespace {
 constexpr double SMALLEST_M = 0.002;
 constexpr double TREMBLES = 4.0;
 constexpr double TREMBLE_SHARE = 0.02;
-constexpr double LARGEST_TREMBLE_M = 0.01;
+/// A single bend counts as no more than so many times the mean and this: jumps are no trembling.
+constexpr double LARGEST_TREMBLES = 3.0;
+constexpr double LARGEST_TREMBLE_M = 0.002;
 /// The quickest strokes that are studied, 19 cm in 0.2 s, speed up by 27 m/s^2 (Flash & Hogan 1985), for less
 /// than a frame's time on either side of their steepest.
 constexpr double ACCELERATION_M_S2 = 20.0;
@@ -31,7 +33,7 @@ double TrackerSteps::floor_m() const {
 
 void TrackerSteps::remember_bend(double bend_m) {
 	bends_ = std::min(bends_ + 1, static_cast<int>(1.0 / TREMBLE_SHARE));
-	bend_m_ += (std::min(bend_m, LARGEST_TREMBLE_M) - bend_m_) / bends_;
+	bend_m_ += (std::min(bend_m, LARGEST_TREMBLES * bend_m_ + LARGEST_TREMBLE_M) - bend_m_) / bends_;
 }
 
 void TrackerSteps::pass(const Frame &frame) {
