@@ -149,6 +149,14 @@ TEST_CASE("no stroke speaks more for a gesture than at most it may; the best one
 	CHECK(most_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
 }
 
+TEST_CASE("the longer a stroke takes, the less a winding way speaks against it: a tracker's error goes on") {
+	Stroke quick = straight(0.2), slow = quick;
+	quick.way_m = slow.way_m = 0.3;
+	quick.now_s = 0.5;
+	slow.now_s = 4.0;
+	CHECK(evidence(slow).detour > evidence(quick).detour + 0.5);
+}
+
 TEST_CASE("a stroke that a faster one follows is still part of what both are") {
 	// 5 cm slowly, and on at once four times as fast: the slow part is as good as rest to the fast one.
 	const auto twofold = [](double t_s) {

@@ -18,10 +18,12 @@ constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
 constexpr double ANGLE = 0.14;
 constexpr double BOW = 0.05; ///< mean distance from the chord, in its lengths; half-normal
 constexpr double LARGEST_BOW = 0.5;
-// Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m. Of gestures,
-// a share goes astray by so many times that, because the tracker does.
+// Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m, and m for
+// each second that it takes. Of gestures, a share goes astray by so many times that, because the tracker
+// does.
 constexpr double DETOUR = 0.03;
 constexpr double DETOUR_M = 0.01;
+constexpr double DETOUR_M_S = 0.003;
 constexpr double ASTRAY = 0.1;
 constexpr double ASTRAY_TIMES = 3.0;
 constexpr double OTHER_DETOUR = 0.85;
@@ -39,7 +41,7 @@ constexpr double LOG_LENGTHS = 3.7;  ///< the null model's: 5 % to twice the amp
 constexpr double LOG_DURATION = 0.55;
 constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
 /// Of gestures, those that are done at any pace.
-constexpr double OWN_PACE = 0.15;
+constexpr double OWN_PACE = 0.25;
 /// Nats against a gesture of several strokes: few are.
 constexpr double HESITATED = 0.5;
 constexpr double START = 0.12; ///< amplitudes: how far from a task's start a hand begins
@@ -74,8 +76,13 @@ double straightness(const Stroke &stroke, double length_m) {
 	return std::log(2.0) + log_two_piece_normal(bow, BOW, BOW) + std::log(LARGEST_BOW);
 }
 
-double detour_evidence(double detour, double length_m) {
-	const double mean = DETOUR + DETOUR_M / length_m, astray = ASTRAY_TIMES * mean;
+/// stroke: of length_m > 0.
+double usual_detour(const Stroke &stroke, double length_m) {
+	return DETOUR + (DETOUR_M + DETOUR_M_S * (stroke.now_s - stroke.onset_s)) / length_m;
+}
+
+double detour_evidence(double detour, double mean) {
+	const double astray = ASTRAY_TIMES * mean;
 	// The slower of the two exponentials is taken out, so that no detour is too long for a logarithm.
 	const double plain = (1.0 - ASTRAY) / mean * std::exp(-detour * (1.0 / mean - 1.0 / astray));
 	return std::log(plain + ASTRAY / astray) - detour / astray + detour / OTHER_DETOUR +
@@ -119,7 +126,8 @@ StrokeEvidence stroke_evidence(
 	const double direction = direction_in_the_open(off);
 	StrokeEvidence evidence;
 	evidence.path = direction + straightness(stroke, length_m);
-	evidence.detour = detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), length_m) -
+	evidence.detour =
+			detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), usual_detour(stroke, length_m)) -
 			(stroke.is_joined ? HESITATED : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
@@ -141,7 +149,7 @@ double most_evidence(const Stroke &stroke, const FeaturePlace &way, double ampli
 	}
 	const double off = (chord / length_m - way).norm();
 	// Of a detour that is long beside the tracker's error the null model's density may be the smaller one.
-	const double rise = 1.0 / OTHER_DETOUR - 1.0 / (ASTRAY_TIMES * (DETOUR + DETOUR_M / length_m));
+	const double rise = 1.0 / OTHER_DETOUR - 1.0 / (ASTRAY_TIMES * usual_detour(stroke, length_m));
 	return direction_in_the_open(best_off(off, length_m, amplitude_m)) +
 			std::max(rise, 0.0) * std::max(stroke.way_m / length_m - 1.0, 0.0) + at_most;
 }

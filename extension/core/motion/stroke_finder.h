@@ -68,7 +68,7 @@ private:
 	static constexpr std::size_t PAST = 256;
 	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
 	static constexpr std::size_t KNOTS = 16;  ///< more than REST_S of them
-	static constexpr std::size_t EARLIER = 3;
+	static constexpr std::size_t EARLIER = 5;
 
 	struct Sample {
 		double t_s = 0.0;
