@@ -37,9 +37,9 @@ constexpr std::array<float, MOST_RUNS * RUN> counted() {
 /// Of a stretch's samples. A load of these is cheaper than a conversion of each.
 alignas(64) constexpr std::array<float, MOST_RUNS *RUN> NUMBERS = counted();
 
-float held(float sample) {
-	const float low = sample > -1.0F ? sample : -1.0F;
-	return low < 1.0F ? low : 1.0F;
+float held(float sample, float most = 1.0F) {
+	const float low = sample > -most ? sample : -most;
+	return low < most ? low : most;
 }
 
 } // namespace
@@ -174,19 +174,19 @@ STEADYHAND_VECTOR void add(Mix &out, const Mix &other) {
 	}
 }
 
-STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &mono) {
+STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &mono, float most) {
 	const float *const samples = mono.samples.data();
 	for (std::size_t i = 0; i < RUN; ++i) {
-		frames[i] = held(samples[i]);
+		frames[i] = held(samples[i], most);
 	}
 }
 
-STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &left, const Mix &right) {
+STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &left, const Mix &right, float most) {
 	const float *const lefts = left.samples.data();
 	const float *const rights = right.samples.data();
 	for (std::size_t i = 0; i < RUN; ++i) {
-		frames[2 * i] = held(lefts[i]);
-		frames[2 * i + 1] = held(rights[i]);
+		frames[2 * i] = held(lefts[i], most);
+		frames[2 * i + 1] = held(rights[i], most);
 	}
 }
 

@@ -135,8 +135,9 @@ void add_windowed(Mix &out, const Run &values, const Window &window, std::int32_
 void clear(Mix &mix);
 void add(Mix &out, const Mix &other);
 
-/// Writes the run, held to -1..1: of one channel, or of two in turn. A NaN may become any number or stay one.
-void write_held(float *frames, const Mix &mono);
-void write_held(float *frames, const Mix &left, const Mix &right);
+/// Writes the run, held to -most..most: of one channel, or of two in turn. A NaN may become any number or
+/// stay one.
+void write_held(float *frames, const Mix &mono, float most);
+void write_held(float *frames, const Mix &left, const Mix &right, float most);
 
 } // namespace steadyhand

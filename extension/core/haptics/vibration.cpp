@@ -4,6 +4,17 @@
 #include <cmath>
 
 namespace steadyhand {
+namespace {
+
+float most_of(const EffectSet &effects) {
+	double most = effects.count > 0 ? 0.0 : 1.0;
+	for (std::size_t i = 0; i < effects.count; ++i) {
+		most = std::max(most, effects.effects[i].most);
+	}
+	return static_cast<float>(most);
+}
+
+} // namespace
 
 Vibration::Vibration(double sample_rate_hz, int channels) : channels_(channels > 1 ? 2 : 1) {
 	set_sample_rate(sample_rate_hz);
@@ -22,6 +33,7 @@ void Vibration::set_effects(const EffectSet &effects) {
 	end_stretch();
 	in_use_ = std::max(in_use_, effects.count);
 	effects_ = effects;
+	most_ = is_silent_ ? most_of(effects) : std::max(most_, most_of(effects));
 	effects_follow_ = acceleration_follows_ = false;
 	by_position_ = by_velocity_s_m_ = 0.0;
 	for (std::size_t i = 0; i < effects.count; ++i) {
@@ -294,6 +306,7 @@ void Vibration::arrive(const Arrival &arrival, double from_s, double length_s) {
 void Vibration::make(float *frames, std::size_t runs) {
 	const std::size_t a_run = channels_ * RUN;
 	if (is_silent_) {
+		most_ = most_of(effects_);
 		std::fill_n(frames, runs * a_run, 0.0F);
 		made_ += runs;
 	} else if (is_only_voice_) {
@@ -332,9 +345,9 @@ void Vibration::make_run(float *frames) {
 		add(right_, both_);
 	}
 	if (channels_ == 1) {
-		write_held(frames, both_);
+		write_held(frames, both_, most_);
 	} else {
-		write_held(frames, has_sides ? left_ : both_, has_sides ? right_ : both_);
+		write_held(frames, has_sides ? left_ : both_, has_sides ? right_ : both_, most_);
 	}
 }
 

@@ -92,6 +92,10 @@ private:
 	bool is_connected_ = false; ///< at the stretch's end effects and motion go on as they are
 	bool follows_ = false;      ///< a voice follows the motion, or may
 
+	/// What effects together are held to: the greatest amplitude that one of them may have; until silence
+	/// also of those before them, which may still fade.
+	float most_ = 1.0F;
+
 	/// The sides with all that is heard there, where one has sounds of its own; otherwise both_ alone.
 	Mix both_, left_, right_;
 	std::array<float, 2 * RUN> rest_{}; ///< a run that is handed out in parts
