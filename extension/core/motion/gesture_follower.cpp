@@ -185,7 +185,7 @@ bool GestureFollower::was_nothing(double t_s) const {
 				t_s - stage_began_s_ > ABORT_AFTER * model_->elements.front().duration_mean_s;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	return estimate.moving < 0.5 || (estimate.phase > ARRIVED_PHASE && estimate.value < BACK_VALUE);
+	return estimate.value < BACK_VALUE && (estimate.moving < 0.5 || estimate.phase > ARRIVED_PHASE);
 }
 
 bool GestureFollower::has_arrived(double t_s) const {
@@ -193,7 +193,8 @@ bool GestureFollower::has_arrived(double t_s) const {
 		return paper_.phase(t_s) >= 1.0;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	return estimate.phase > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE;
+	// A hand that does something else is where it is.
+	return estimate.phase + 1.0 - estimate.moving > ARRIVED_PHASE && estimate.value > ARRIVED_VALUE;
 }
 
 bool GestureFollower::is_back(double t_s) const {
@@ -234,7 +235,9 @@ void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
 void GestureFollower::enter(Stage stage, double t_s) {
 	const Motion before = motion(t_s);
 	// Where the task is known the estimator follows the hand at rest too, and blends by itself.
-	const bool restarts = stage == Stage::RESTING && mode_ == MotionMode::PHASE && !is_rejected_;
+	// A hand that is elsewhere does not begin there.
+	const bool restarts = stage == Stage::RESTING && mode_ == MotionMode::PHASE &&
+			(!start_is_known_ || (!is_rejected_ && is_back(t_s)));
 	stage_ = stage;
 	stage_began_s_ = t_s;
 	if (restarts) {

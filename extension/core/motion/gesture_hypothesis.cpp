@@ -55,6 +55,19 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	return h;
 }
 
+GestureHypothesis GestureHypothesis::free_for(double unseen_s) const {
+	constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
+	GestureHypothesis h = in(Regime::FREE);
+	const Dampings by = passages(unseen_s).hand;
+	const double deviation = regime_numbers(Regime::FREE).hand.amplitudes;
+	const double variance = deviation * deviation;
+	h.covariance_[entry(HAND, HAND)] += variance * by.noise_x[FREE];
+	h.covariance_[entry(HAND_RATE, HAND)] += variance * by.noise_xv[FREE];
+	h.covariance_[entry(HAND_RATE, HAND_RATE)] += variance * by.noise_v[FREE];
+	h.forget_error();
+	return h;
+}
+
 GestureHypothesis GestureHypothesis::displaced(double deviation) const {
 	GestureHypothesis h = *this;
 	h.covariance_[entry(ERROR, ERROR)] += deviation * deviation;

@@ -36,6 +36,9 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in another regime.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
+	/// The same, but that the hand, which was not seen for so long, did something else since, and the tracker
+	/// has found it.
+	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;
 
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;

@@ -14,8 +14,7 @@ namespace {
 /// Log weights against the best of the same kind, and of all.
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
-/// Those that are over, by this phase, hold the same of what is to come.
-constexpr double SPENT_PHASE = 1.3;
+/// Those that are over hold the same of what is to come.
 constexpr std::array<std::size_t, 3> MOST_SPENT{ 4, 3, 2 };
 
 } // namespace
@@ -132,10 +131,8 @@ std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, double t_s, st
 	if (r_places.size() <= most) {
 		return r_places.size();
 	}
-	const auto spent = std::partition(r_places.begin(), r_places.end(), [&](Place i) {
-		const HypothesisGroup::Course way = course(i);
-		return !on_its_way(i) || (t_s - way.onset_s) * way.rate_per_s < SPENT_PHASE;
-	});
+	const auto spent =
+			std::partition(r_places.begin(), r_places.end(), [&](Place i) { return !is_over(i, t_s); });
 	const auto others = static_cast<std::size_t>(spent - r_places.begin());
 	return others + likeliest(r_places.subspan(others), most);
 }

@@ -58,6 +58,10 @@ public:
 	[[nodiscard]] double weight(std::size_t place) const { return weights_[place / LANES][place % LANES]; }
 	[[nodiscard]] Regime regime(std::size_t place) const { return group(place).regime(place % LANES); }
 	[[nodiscard]] bool on_its_way(std::size_t place) const { return group(place).on_its_way(place % LANES); }
+	/// The gesture has come to its end a while ago.
+	[[nodiscard]] bool is_over(std::size_t place, double t_s) const {
+		return on_its_way(place) && (t_s - course(place).onset_s) * course(place).rate_per_s > SPENT_PHASE;
+	}
 	[[nodiscard]] HypothesisGroup::Course course(std::size_t place) const {
 		return group(place).course(place % LANES);
 	}
@@ -72,6 +76,7 @@ private:
 	enum Kind : std::size_t { USUAL, ERRING, WANDERING, KINDS };
 	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
+	static constexpr double SPENT_PHASE = 1.3;
 	using Place = std::uint8_t;
 
 	std::array<std::size_t, KINDS> most_kept_;

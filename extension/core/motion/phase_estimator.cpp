@@ -12,6 +12,7 @@ namespace {
 // that are evaluated (docs/method.md).
 constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
+constexpr double LEAVES_PER_S = 0.5;  ///< how soon one that has made the gesture leaves its end
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
 constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
@@ -107,7 +108,7 @@ double PhaseEstimator::probability(Regime regime) const {
 void PhaseEstimator::branch(double t_s) {
 	come_to_rest();
 	choose_rest();
-	set_free();
+	set_free(t_s);
 	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
 	const double starts = ONSETS_PER_S * effort_.branch_period_s;
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
@@ -144,12 +145,8 @@ void PhaseEstimator::come_to_rest() {
 	}
 }
 
-/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where
-/// the tracker errs that is less likely to be what is seen.
-void PhaseEstimator::set_free() {
-	const double sound = 1.0 - soundness_.unsoundness();
-	const double log_probability = std::log(
-			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
+/// AT_REST if there is none that is not free.
+std::size_t PhaseEstimator::likeliest_on_its_way() const {
 	std::size_t likeliest = HypothesisBank::AT_REST;
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
 		if (bank_.on_its_way(i) && bank_.regime(i) != Regime::FREE &&
@@ -157,11 +154,32 @@ void PhaseEstimator::set_free() {
 			likeliest = i;
 		}
 	}
+	return likeliest;
+}
+
+/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where
+/// the tracker errs that is less likely to be what is seen, but of a hand that has made the gesture.
+void PhaseEstimator::set_free(double t_s) {
+	const double sound = 1.0 - soundness_.unsoundness();
+	const double log_probability = std::log(
+			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
+	const std::size_t likeliest = likeliest_on_its_way();
 	if (likeliest != HypothesisBank::AT_REST) {
-		add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
+		add(bank_.hypothesis(likeliest).in(Regime::FREE),
+				bank_.is_over(likeliest, t_s) ? std::log(LEAVES_PER_S * effort_.branch_period_s)
+											  : log_probability);
 	}
 	if (!bank_.is_hopeless(Regime::FREE, bank_.log_weight(HypothesisBank::AT_REST) + log_probability)) {
 		add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
+	}
+}
+
+/// A hand that had made the gesture may have left since it was last seen.
+void PhaseEstimator::set_free_unseen(double t_s) {
+	const std::size_t likeliest = likeliest_on_its_way();
+	const double unseen_s = std::min(t_s - soundness_.news_s(), LONGEST_S);
+	if (bank_.is_over(likeliest, t_s) && unseen_s > 0.0) {
+		add(bank_.hypothesis(likeliest).free_for(unseen_s), std::log(LEAVES_PER_S * unseen_s));
 	}
 }
 
@@ -227,6 +245,9 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	const double step_s = std::max(t_s - filtered_s_, 0.0);
 	filtered_s_ = t_s;
 	bank_.predict(curve_, t_s, passages(step_s));
+	if (soundness_.returned()) {
+		set_free_unseen(t_s);
+	}
 	if (soundness_.jumped()) {
 		displace();
 	}
@@ -236,9 +257,10 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		seed(t_s, x);
 	}
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (bank_.on_its_way(i)) {
-			bank_.weigh(i,
-					bank_.regime(i) == Regime::UNSOUND ? -no_fault : -FAULT_LOG_RATIO * soundness_.fault());
+		if (bank_.regime(i) == Regime::UNSOUND) {
+			bank_.weigh(i, -no_fault);
+		} else if (bank_.on_its_way(i) && !(bank_.regime(i) == Regime::FREE && bank_.is_over(i, t_s))) {
+			bank_.weigh(i, -FAULT_LOG_RATIO * soundness_.fault());
 		}
 	}
 	if (soundness_.told()) {

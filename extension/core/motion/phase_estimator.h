@@ -53,8 +53,8 @@ public:
 
 private:
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
-	static_assert(HypothesisBank::MOST_AFTER_PRUNE + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED,
-			"a jump doubles each, and seeds; a branching adds fewer");
+	static_assert(HypothesisBank::MOST_AFTER_PRUNE + 1 + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED,
+			"a jump doubles each, may set one free, and seeds; a branching adds fewer");
 
 	const GestureModel *model_;
 	PhaseEffort effort_;
@@ -77,7 +77,9 @@ private:
 	void branch_until(double t_s);
 	void branch(double t_s);
 	void come_to_rest();
-	void set_free();
+	void set_free(double t_s);
+	void set_free_unseen(double t_s);
+	[[nodiscard]] std::size_t likeliest_on_its_way() const;
 	void displace();
 	void choose_rest();
 	void seed(double t_s, double x);
