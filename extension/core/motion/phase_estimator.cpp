@@ -47,7 +47,7 @@ constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
-constexpr double ERRING_LATENCY_S = 0.032;
+constexpr double ERRING_LATENCY_S = 0.037;
 constexpr double ERRING_SETTLING_S = 0.15;
 
 constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
