@@ -28,6 +28,13 @@ GestureHypothesis GestureHypothesis::resting(double d) {
 	return h;
 }
 
+GestureHypothesis GestureHypothesis::leaving(double d, double d_rate) {
+	GestureHypothesis h = resting(d).in(Regime::FREE);
+	const Deviation &hand = regime_numbers(Regime::FREE).hand;
+	h.begin_at(HAND_RATE, d_rate, hand.amplitudes * hand.rate_per_s);
+	return h;
+}
+
 void GestureHypothesis::begin_error() {
 	const Deviation &error = regime_numbers(regime_).error;
 	begin_at(ERROR, 0.0, error.amplitudes);

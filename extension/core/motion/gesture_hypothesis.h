@@ -31,6 +31,8 @@ public:
 
 	/// At rest, d from where it should be.
 	static GestureHypothesis resting(double d);
+	/// No longer in a gesture, and not yet at rest; d' is about that.
+	static GestureHypothesis leaving(double d, double d_rate);
 	/// The same hand and tracker, on its way since onset_s; deviations: standard.
 	[[nodiscard]] GestureHypothesis begun(Regime regime, double onset_s, double onset_deviation_s,
 			double log_duration, double log_duration_deviation) const;

@@ -86,7 +86,11 @@ void PhaseEstimator::restart() {
 		return;
 	}
 	const PhaseEstimate before = at(filtered_s_);
+	const double d_rate = expected(filtered_s_).velocity;
 	begin(filtered_s_, before.value);
+	bank_.add(GestureHypothesis::leaving(before.value, d_rate));
+	prune();
+	look(filtered_s_);
 	blend_from(before, filtered_s_);
 }
 
