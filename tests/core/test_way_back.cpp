@@ -21,7 +21,64 @@ const std::shared_ptr<const GestureModel> &drag_model() {
 	return model;
 }
 
+/// There and back again, six times; rests of half a second.
+struct Round {
+	static constexpr int DRAGS = 6;
+	static constexpr double THERE_S = 0.8, BACK_S = 0.7, REST_S = 0.5;
+	static constexpr double LENGTH_S = THERE_S + BACK_S + 2.0 * REST_S;
+	static constexpr double ALL_S = DRAGS * LENGTH_S + REST_S;
+
+	static double x(double t_s) {
+		const double in_round_s = std::fmod(t_s, LENGTH_S);
+		const test::Drag there{ .onset_s = REST_S, .duration_s = THERE_S, .amplitude_m = 1.0 };
+		const test::Drag back{ .onset_s = 2.0 * REST_S + THERE_S, .duration_s = BACK_S, .amplitude_m = 1.0 };
+		return there.x_m(in_round_s) - back.x_m(in_round_s);
+	}
+};
+
 } // namespace
+
+TEST_CASE("drags in a row before a tracker that errs are all found, and nearer to the hand than it shows") {
+	constexpr double LATE_S = 0.04;
+	const Task task;
+	for (unsigned seed = 0; seed < 4; ++seed) {
+		CAPTURE(seed);
+		GestureRecogniser hmm({ drag_model() }, task, MotionMode::PHASE);
+		std::mt19937_64 random(seed);
+		std::uniform_real_distribution<double> uniform;
+		std::normal_distribution<double> noise(0.0, 1e-3);
+		double lost_until_s = 0.0, shown = 0.0, missing = 0.0, missing_shown = 0.0;
+		bool freezes = false;
+		int arrivals = 0;
+		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+		for (double t_s = 0.0; t_s < Round::ALL_S; t_s += PERIOD_S) {
+			if (t_s > lost_until_s && uniform(random) < 0.6 * PERIOD_S) {
+				lost_until_s = t_s + 0.1 + 0.3 * uniform(random);
+				freezes = !freezes;
+			}
+			const bool lost = t_s < lost_until_s;
+			shown = lost ? shown : Round::x(std::max(t_s - LATE_S, 0.0)) + noise(random);
+			if (!lost || freezes) {
+				HandFrame frame;
+				frame.t_s = t_s;
+				frame.set(Joint::INDEX, { task.amplitude_m * shown, 0.0, 0.0 });
+				hmm.push(frame);
+			}
+			hmm.advance(t_s);
+			const double hand = Round::x(t_s);
+			const double value = hmm.motion(MotionSource::SYNTHESISED).value_m / task.amplitude_m;
+			missing += (value - hand) * (value - hand);
+			missing_shown += (shown - hand) * (shown - hand);
+			arrivals += hmm.follower() != nullptr && hmm.follower()->stage() != stage &&
+							hmm.follower()->stage() == GestureFollower::Stage::ARRIVED
+					? 1
+					: 0;
+			stage = hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
+		}
+		CHECK(arrivals == Round::DRAGS);
+		CHECK(missing < missing_shown);
+	}
+}
 
 TEST_CASE("a hand that comes back unseen is where the tracker finds it") {
 	const test::Drag there{ .onset_s = 0.5, .duration_s = 0.5, .amplitude_m = 1.0 };

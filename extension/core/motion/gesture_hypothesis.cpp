@@ -62,6 +62,21 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	return h;
 }
 
+GestureHypothesis GestureHypothesis::leaving_end() const {
+	GestureHypothesis h = in(Regime::FREE);
+	h.on_its_way_ = false;
+	h.rate_per_s_ = 1.0;
+	// d becomes 1 + g + d; of the gesture nothing is left.
+	h.mean_[HAND] += 1.0 + mean_[GAIN];
+	h.covariance_[entry(HAND, HAND)] += 2.0 * covariance_[entry(GAIN, HAND)] + covariance_[entry(GAIN, GAIN)];
+	for (const std::size_t i : { HAND_RATE, ERROR, ERROR_RATE }) {
+		h.covariance_[entry(i, HAND)] += covariance_[entry(GAIN, i)];
+	}
+	std::fill(h.mean_.begin() + ONSET, h.mean_.end(), 0.0);
+	std::fill(h.covariance_.begin() + entry(ONSET, 0), h.covariance_.end(), 0.0);
+	return h;
+}
+
 GestureHypothesis GestureHypothesis::free_for(double unseen_s) const {
 	constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
 	GestureHypothesis h = in(Regime::FREE);

@@ -38,8 +38,10 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in another regime.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
-	/// The same, but that the hand, which was not seen for so long, did something else since, and the tracker
-	/// has found it.
+	/// Of one whose gesture is over: the same hand from now on free, and drawn to the start.
+	[[nodiscard]] GestureHypothesis leaving_end() const;
+	/// The same, but that the hand, which was not seen, has been free for so long, and the tracker has found
+	/// it.
 	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;
 
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.

@@ -168,10 +168,10 @@ void PhaseEstimator::set_free(double t_s) {
 	const double log_probability = std::log(
 			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
 	const std::size_t likeliest = likeliest_on_its_way();
-	if (likeliest != HypothesisBank::AT_REST) {
-		add(bank_.hypothesis(likeliest).in(Regime::FREE),
-				bank_.is_over(likeliest, t_s) ? std::log(LEAVES_PER_S * effort_.branch_period_s)
-											  : log_probability);
+	if (bank_.is_over(likeliest, t_s)) {
+		add(bank_.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * effort_.branch_period_s));
+	} else if (likeliest != HypothesisBank::AT_REST) {
+		add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
 	}
 	if (!bank_.is_hopeless(Regime::FREE, bank_.log_weight(HypothesisBank::AT_REST) + log_probability)) {
 		add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
@@ -183,7 +183,7 @@ void PhaseEstimator::set_free_unseen(double t_s) {
 	const std::size_t likeliest = likeliest_on_its_way();
 	const double unseen_s = std::min(t_s - soundness_.news_s(), LONGEST_S);
 	if (bank_.is_over(likeliest, t_s) && unseen_s > 0.0) {
-		add(bank_.hypothesis(likeliest).free_for(unseen_s), std::log(LEAVES_PER_S * unseen_s));
+		add(bank_.hypothesis(likeliest).leaving_end().free_for(unseen_s), std::log(LEAVES_PER_S * unseen_s));
 	}
 }
 
