@@ -85,10 +85,9 @@ void PhaseEstimator::restart() {
 	if (bank_.empty()) {
 		return;
 	}
-	const PhaseEstimate before = at(filtered_s_);
-	const double d_rate = expected(filtered_s_).velocity;
-	begin(filtered_s_, before.value);
-	bank_.add(GestureHypothesis::leaving(before.value, d_rate));
+	const PhaseEstimate before = at(filtered_s_), hand = outlook_.at(curve_, filtered_s_);
+	begin(filtered_s_, hand.value);
+	bank_.add(GestureHypothesis::leaving(hand.value, hand.velocity));
 	prune();
 	look(filtered_s_);
 	blend_from(before, filtered_s_);
