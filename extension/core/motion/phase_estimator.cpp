@@ -12,7 +12,7 @@ namespace {
 // that are evaluated (docs/method.md).
 constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
-constexpr double LEAVES_PER_S = 0.5;  ///< how soon one that has made the gesture leaves its end
+constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
 constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
