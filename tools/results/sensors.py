@@ -10,7 +10,7 @@ import numpy as np
 from results.evaluation import Evaluation
 
 SEED = 1
-LESS_OFTEN = 4  # every so manieth frame
+LESS_OFTEN = 4
 OUTLIERS = 0.02
 OUTLIER_M = 0.02  # standard deviation per axis
 
@@ -36,14 +36,20 @@ def outliers(shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     return shown + np.tile(where, shown.shape[1] // 3)
 
 
-SENSORS: dict[str, Change] = {
-    "as it is": lambda shown, _: shown,
-    "white noise of 2 mm": noise(0.002),
-    "white noise of 5 mm": noise(0.005),
-    "rounded to 1 mm": rounded,
-    f"a frame in {1 / OUTLIERS:.0f} some 3 cm elsewhere": outliers,
-    "every 4th frame": lambda shown, _: shown,
-    "the same, read 4 times": held,
+@dataclass(frozen=True)
+class Sensor:
+    change: Change
+    every: int = 1  # so manieth frame is all that it has
+
+
+SENSORS = {
+    "as it is": Sensor(lambda shown, _: shown),
+    "white noise of 2 mm": Sensor(noise(0.002)),
+    "white noise of 5 mm": Sensor(noise(0.005)),
+    "rounded to 1 mm": Sensor(rounded),
+    f"a frame in {1 / OUTLIERS:.0f} some 3 cm elsewhere": Sensor(outliers),
+    f"every {LESS_OFTEN}th frame": Sensor(lambda shown, _: shown, LESS_OFTEN),
+    f"the same, read {LESS_OFTEN} times": Sensor(held),
 }
 
 
@@ -58,9 +64,9 @@ class Sensors:
     def of(cls, trials: Path, out: Path) -> "Sensors":
         """The sets are made beside one another in `out`."""
         folders = {}
-        for number, (name, change) in enumerate(SENSORS.items()):
+        for number, (name, sensor) in enumerate(SENSORS.items()):
             folders[name] = out / f"trials_{number}"
-            write_trials(trials, folders[name], change, LESS_OFTEN if name == "every 4th frame" else 1)
+            write_trials(trials, folders[name], sensor)
         return cls(
             *(
                 {
@@ -89,8 +95,8 @@ class Sensors:
         return sum(group["recognised"] for group in groups) / sum(group["trials"] for group in groups)
 
 
-def write_trials(source: Path, out: Path, change: Change, every: int) -> None:
-    """The set with each measured track changed, of which every so manieth frame stays."""
+def write_trials(source: Path, out: Path, sensor: Sensor) -> None:
+    """The set as the sensor would have measured it."""
     out.mkdir(parents=True)
     shutil.copy(source / "trials.csv", out)
     rng = np.random.default_rng(SEED)
@@ -102,10 +108,10 @@ def write_trials(source: Path, out: Path, change: Change, every: int) -> None:
             while (line := file.readline()).startswith("#"):
                 comments.append(line)
             header = line.strip().split(",")
-            rows = list(csv.reader(file))[::every]
+            rows = list(csv.reader(file))[:: sensor.every]
         places = [k for k, column in enumerate(header) if column[-2:] in ("_x", "_y", "_z")]
         shown = np.array([[float(row[k] or "nan") for k in places] for row in rows])
-        for row, values in zip(rows, change(shown, rng), strict=True):
+        for row, values in zip(rows, sensor.change(shown, rng), strict=True):
             for k, value in zip(places, values, strict=True):
                 row[k] = "" if np.isnan(value) else str(float(value))
         with (out / name).open("w", newline="") as file:

@@ -64,7 +64,7 @@ private:
 	static constexpr double SMALLEST_JUMP = 0.03;
 	/// And speeds up by at most 5.77 / 0.15^2 (Flash & Hogan 1985).
 	static constexpr double SHARPEST_PER_S2 = 250.0;
-	static constexpr double SMALLEST_BEND = 0.02;
+	static constexpr double SMALLEST_BEND = 0.02;  ///< of a jump; less is the tracker's shaking
 	static constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not held to the way
 	/// What shakes further is judged by its own noise, in standard deviations: that of a bend is 2.4, of a
 	/// step 1.4. A stray counts for long: not even the tails of a circle's radius, whose noise is the
@@ -82,7 +82,6 @@ private:
 	/// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
 	static constexpr double JITTER_PER_BEND = 0.5117;
 	static constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
-	static constexpr double LARGEST_SHAKE = 0.02;                        ///< a bend beyond is a jump's
 	static constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
 	/// The velocity that a hand would go on with.
@@ -227,7 +226,7 @@ private:
 		strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * noise);
 		returned_ = t_s_ - news_s_ > BLIND_S && std::abs(step) > std::max(BLIND_STEP, SHAKEN_STEP * noise);
 		if (frames_ > 1) {
-			const double shake = std::min(bend, std::max(LARGEST_SHAKE, SHAKEN_STEP * noise));
+			const double shake = std::min(bend, std::max(SMALLEST_BEND, SHAKEN_STEP * noise));
 			jitter_ += JITTER_SHARE * (JITTER_PER_BEND * shake - jitter_);
 		}
 		if (std::abs(step) > FASTEST_PER_S * dt_s + std::max(SMALLEST_JUMP, SHAKEN_STEP * noise)) {
