@@ -221,6 +221,19 @@ TEST_CASE("the way back is no gesture, unless the hand has rested at the end") {
 	CHECK(in_the_open(along(X, { DRAG, late }), 6.0).said == times(2, "sideways"));
 }
 
+TEST_CASE("the motion of every gesture begins and ends without a step") {
+	// Released at 50 /s from 0.2 m it comes to 0.2 * 50 / e m a second.
+	constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
+	const test::Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
+	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
+		CAPTURE(axis);
+		const Events events = in_the_open(along(axis, { DRAG, back }), 4.0);
+		CHECK(events.said.size() == 2);
+		CHECK(events.largest_step < 1.5 * FASTEST_M_MS);
+		CHECK(events.last_value_m == doctest::Approx(0.0).epsilon(1e-6));
+	}
+}
+
 TEST_CASE("a hand that hesitates half-way makes one gesture") {
 	const test::Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
 	const test::Drag second{ .onset_s = 1.4, .duration_s = 0.6, .amplitude_m = 0.1 };

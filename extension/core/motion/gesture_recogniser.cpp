@@ -13,6 +13,8 @@ constexpr double LARGEST_TIME_S = 1e12;
 constexpr double SWITCH_MARGIN = 1.0;
 /// Of the smallest amplitude: what is shorter is no stroke of its own.
 constexpr double SMALLEST_STROKE = 0.06;
+constexpr double LEAD_RATE_PER_S =
+		50.0; ///< from one gesture's motion to another's within a tenth of a second
 
 } // namespace
 
@@ -121,7 +123,7 @@ void GestureRecogniser::decide_claims() {
 			followers_[i].give_way(time_s_);
 		}
 	}
-	leader_ = best;
+	lead(best);
 }
 
 /// A hand on its way back after a gesture may look like another one's: fingers that close after a zoom, like
@@ -143,7 +145,7 @@ void GestureRecogniser::choose_leader() {
 		return follower.stage() == GestureFollower::Stage::MOVING;
 	});
 	if (over) {
-		leader_ = best;
+		lead(best);
 		return;
 	}
 	// What has arrived keeps its end until the hand does something else.
@@ -152,21 +154,35 @@ void GestureRecogniser::choose_leader() {
 					followers_[static_cast<std::size_t>(best)].log_odds() >
 							follower()->log_odds() + SWITCH_MARGIN);
 	if (yields) {
-		leader_ = best;
+		lead(best);
 	}
+}
+
+void GestureRecogniser::lead(int follower) {
+	if (follower == leader_) {
+		return;
+	}
+	const Motion before = motion(MotionSource::SYNTHESISED);
+	leader_ = follower;
+	const Motion now = followers_[shown()].motion(time_s_);
+	blend_.start(
+			time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, LEAD_RATE_PER_S);
 }
 
 Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
 	if (followers_.empty()) {
 		return {};
 	}
-	// While all rest, the first model's motion element is the one that is shown.
-	const auto shown = static_cast<std::size_t>(std::max(leader_, 0));
-	const GestureFollower &follower = followers_[shown];
+	const GestureFollower &follower = followers_[shown()];
 	if (source == MotionSource::SYNTHESISED) {
-		return follower.motion(t_s);
+		Motion motion = follower.motion(t_s);
+		const CriticallyDamped missing = blend_.at(t_s);
+		motion.value_m += missing.value;
+		motion.velocity_m_s += missing.velocity;
+		motion.acceleration_m_s2 += missing.acceleration;
+		return motion;
 	}
-	const double value_m = filtered_[shown].value_m(source);
+	const double value_m = filtered_[shown()].value_m(source);
 	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };
 }
 

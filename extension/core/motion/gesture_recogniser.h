@@ -2,8 +2,10 @@
 
 #include "motion/filtered_motion.h"
 #include "motion/gesture_follower.h"
+#include "motion/output_blend.h"
 #include "motion/stroke_finder.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -54,6 +56,7 @@ private:
 	std::vector<GestureFollower> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	int leader_ = -1;
+	OutputBlend blend_; ///< of what would step when another one takes the lead, m
 	double time_s_;
 
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
@@ -66,6 +69,9 @@ private:
 	void decide_claims();
 	void let_return();
 	void choose_leader();
+	void lead(int follower);
+	/// While all rest, the first one's motion is what is shown.
+	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
 };
 
 } // namespace steadyhand
