@@ -4,6 +4,7 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/make_trials.gd -- --out DIR
 ##     --gestures NAME,NAME,... [--population train|tune|evaluate] [--subjects N]
 ##     [--trials-per-subject N] [--paces X,X,...] [--duration SECONDS]
+##     [--earlier-rounds N]
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -15,6 +16,7 @@ func work(arguments: PackedStringArray) -> void:
 		"trials-per-subject": "5",
 		"paces": "1",
 		"duration": "0",
+		"earlier-rounds": "0",
 	}
 	var options := CommandLine.new(arguments, defaults)
 	var out := options.path("out")
@@ -25,6 +27,7 @@ func work(arguments: PackedStringArray) -> void:
 		trials_per_subject = options.text("trials-per-subject").to_int(),
 		paces = options.text("paces").split_floats(","),
 		duration = options.text("duration").to_float(),
+		earlier_rounds = options.text("earlier-rounds").to_int(),
 	}
 	if not options.error.is_empty():
 		fail(options.error, EXIT_BAD_INPUT)

@@ -42,6 +42,11 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 		*count = static_cast<std::uint32_t>(asked);
 	}
 	options.duration_s = p_options.get("duration", 0.0);
+	const int64_t earlier_rounds = p_options.get("earlier_rounds", 0);
+	if (earlier_rounds < 0 || earlier_rounds > 100) {
+		return steadyhand::Error{ "earlier_rounds: " + std::to_string(earlier_rounds) + " is not in 0..100" };
+	}
+	options.earlier_rounds = static_cast<std::uint32_t>(earlier_rounds);
 	const PackedFloat64Array paces = p_options.get("paces", PackedFloat64Array());
 	if (!paces.is_empty()) {
 		options.paces.assign(paces.ptr(), paces.ptr() + paces.size());

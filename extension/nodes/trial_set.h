@@ -35,7 +35,8 @@ public:
 
 	/// Null and one error in the log where trials.csv is missing or bad.
 	static Ref<TrialSet> load_folder(const String &p_path);
-	/// Options, all optional: population, subjects, trials_per_subject, gestures, paces, duration.
+	/// Options, all optional: population, subjects, trials_per_subject, gestures, paces, duration,
+	/// earlier_rounds.
 	static Error write_synthetic(const String &p_path, const Dictionary &p_options);
 };
 

@@ -181,6 +181,41 @@ TEST_SUITE("synthetic trial") {
 		CHECK(duration_s(paced[1]) == doctest::Approx(0.5 * duration_s(natural[1])).epsilon(0.05));
 	}
 
+	TEST_CASE("after earlier rounds the hand does the same, and has come back each time, without a step") {
+		constexpr std::uint32_t ROUNDS = 3;
+		for (const char *gesture : { "horizontal_drag", "tap", "zoom" }) {
+			CAPTURE(gesture);
+			SyntheticTrialRequest request = request_of(gesture, 4);
+			const SyntheticTrial once = made(request);
+			request.earlier_rounds = ROUNDS;
+			const SyntheticTrial last = made(request);
+			const double earlier_s = last.trial.start_s - once.trial.start_s;
+			CHECK(last.trial.end_s - once.trial.end_s == doctest::Approx(earlier_s));
+			// A round: half a second at either end, there and back.
+			const double gesture_s = once.trial.end_s - once.trial.start_s;
+			CHECK(earlier_s ==
+					doctest::Approx(ROUNDS * (1.0 + gesture_s + std::max(gesture_s, 0.4))).epsilon(0.02));
+			const auto at = [](const SyntheticTrial &trial, double t_s) {
+				const auto &frames = trial.reference.frames;
+				return std::min_element(frames.begin(), frames.end(), [t_s](const auto &a, const auto &b) {
+					return std::abs(a.t_s - t_s) < std::abs(b.t_s - t_s);
+				})->position(Joint::INDEX);
+			};
+			const double middle_s = 0.5 * (once.trial.start_s + once.trial.end_s);
+			for (std::uint32_t round = 0; round <= ROUNDS; ++round) {
+				const double shift_s = earlier_s * round / ROUNDS;
+				for (const double t_s : { once.trial.start_s, middle_s, once.trial.end_s }) {
+					CHECK((at(last, t_s + shift_s) - at(once, t_s)).norm() < 0.006);
+				}
+			}
+			for (std::size_t i = 1; i < last.reference.frames.size(); ++i) {
+				const HandFrame &before = last.reference.frames[i - 1], &frame = last.reference.frames[i];
+				const double step_m = (frame.position(Joint::INDEX) - before.position(Joint::INDEX)).norm();
+				REQUIRE(step_m < 5.0 * (frame.t_s - before.t_s));
+			}
+		}
+	}
+
 	TEST_CASE("the sensor does not change what the hand did") {
 		SyntheticTrialRequest request = request_of("horizontal_drag", 4);
 		const SyntheticTrial leap = made(request);

@@ -15,6 +15,7 @@ from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all, run_tool
 from results.other_hands import OtherHands
 from results.page import write_page
+from results.rounds import ROUNDS_BEFORE, Rounds
 from results.sensors import Sensors
 from results.speed import DURATIONS_S, Speed
 from results.study import Study
@@ -54,10 +55,14 @@ def main() -> None:
         make_timed_trials(folder, gestures, given.subjects, duration)
     unhurried = given.work / "trials_unhurried"
     make_timed_trials(unhurried, gestures, given.subjects)
+    rounds_before = {count: given.work / f"trials_after_{count}" for count in ROUNDS_BEFORE}
+    for count, folder in rounds_before.items():
+        make_timed_trials(folder, gestures, given.subjects, earlier_rounds=count)
     studies = [Study.of("synthetic", synthetic, given.work)]
     if given.real.is_dir():
         studies.append(Study.of("real", given.real, given.work))
     speed = Speed.of(timed, given.work / "speed")
+    rounds = Rounds.of(rounds_before, given.work / "rounds")
     sensors = Sensors.of(unhurried, given.work / "sensors")
     others = [
         OtherHands.of(folder, what, given.work / "other_hands")
@@ -65,7 +70,8 @@ def main() -> None:
         if (folder := given.real.parent / name).is_dir()
     ]
     evaluations = [evaluation for study in studies for evaluation in study.evaluations()]
-    run_all([*evaluations, *speed.evaluations(), *sensors.evaluations(), *(other.evaluation for other in others)])
+    apart = [*speed.evaluations(), *rounds.evaluations(), *sensors.evaluations()]
+    run_all([*evaluations, *apart, *(other.evaluation for other in others)])
 
     images = given.out / "images"
     images.mkdir(parents=True, exist_ok=True)
@@ -76,7 +82,7 @@ def main() -> None:
     for model in models:
         picture = os.path.relpath(model.with_suffix(".png"), given.out)
         pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
-    write_page(given.out / "results.md", studies, speed, sensors, others, pictures, origin(studies[0]), sets)
+    write_page(given.out / "results.md", studies, speed, rounds, sensors, others, pictures, origin(studies[0]), sets)
     for evaluation in evaluations:
         evaluation.drop_curves()
     print(f"wrote {given.out / 'results.md'}")
@@ -93,10 +99,12 @@ def make_trials(folder: Path, gestures: list[str], subjects: int) -> None:
     (folder / "trials.csv").write_text(gesture_rows + other_rows.partition("\n")[2])
 
 
-def make_timed_trials(folder: Path, gestures: list[str], subjects: int, duration_s: float | None = None) -> None:
+def make_timed_trials(
+    folder: Path, gestures: list[str], subjects: int, duration_s: float | None = None, earlier_rounds: int = 0
+) -> None:
     """A trial of each person, gesture and position; at their own pace, unless the duration is given."""
     timed = {} if duration_s is None else {"duration": duration_s}
-    common = {"subjects": subjects, "trials-per-subject": 1, **timed}
+    common = {"subjects": subjects, "trials-per-subject": 1, "earlier-rounds": earlier_rounds, **timed}
     run_tool("make_trials", {"out": folder, "gestures": ",".join(gestures), **common})
 
 

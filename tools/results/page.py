@@ -6,6 +6,7 @@ from textwrap import fill
 
 import numpy as np
 from results.other_hands import OtherHands
+from results.rounds import Rounds
 from results.sensors import Sensors
 from results.speed import Speed
 from results.study import CONDITIONS, MODES, Study
@@ -57,6 +58,15 @@ active, nothing given; the rest with the task given.
 {table}
 """
 
+ROUNDS = """## One after another
+
+The same people at their own pace: a gesture that is the hand's first, beside the same execution after others of its
+kind. In between the hand comes back, with half a second of rest at either end. Recognised: all models active, nothing
+given; the rest with the task given.
+
+{table}
+"""
+
 SENSORS = """## Other sensors
 
 The same people at their own pace, before the same simulated sensor, but for what is said of its frames; all gestures
@@ -79,6 +89,7 @@ def write_page(
     path: Path,
     studies: list[Study],
     speed: Speed,
+    rounds: Rounds,
     sensors: Sensors,
     others: list[OtherHands],
     pictures: dict[str, str],
@@ -109,6 +120,7 @@ def write_page(
     if others:
         parts.append(OTHERS.format(table=table(others_table(others))))
     parts.append(SPEED.format(table=table(speed_table(speed))))
+    parts.append(ROUNDS.format(table=table(rounds_table(rounds))))
     parts.append(SENSORS.format(table=table(sensors_table(sensors))))
     parts.append("## The models\n")
     parts += [pictures[name] + "\n" for name in pictures if name.startswith("model")]
@@ -196,6 +208,23 @@ def speed_table(speed: Speed) -> Iterator[list[str]]:
                     f"{np.mean(values['sparc']):.2f}",
                     percent(speed.recognised(duration, position, condition)) if condition in MODES else "",
                 ]
+
+
+def rounds_table(rounds: Rounds) -> Iterator[list[str]]:
+    figures = ["measured: R2 at no lag", "`phase`: R2", "at no lag", "T_diff", "missed", "recognised"]
+    yield ["gestures", "before", *figures]
+    for gesture, position in rounds.groups():
+        for count in rounds.task_given:
+            of = rounds.figures(count, gesture, position)
+            ours = of["synthesised"]
+            yield [
+                f"{gesture.replace('_', ' ')}, {position}: {ours['n']}" if count == 0 else "",
+                str(count) if count else "none",
+                *(f"{part['mean']:.3f}" for part in (of["measured"]["r2_zero"], ours["r2"], ours["r2_zero"])),
+                ms(ours["t_diff"]["median"]),
+                str(ours["missed"]),
+                percent(rounds.recognised(count, gesture, position)),
+            ]
 
 
 def sensors_table(sensors: Sensors) -> Iterator[list[str]]:

@@ -115,6 +115,15 @@ def results(folder: Path) -> Iterator[Outcome]:
         "command/results: mean R2 at no lag of gestures of 4 s", found == f"{mean:.3f}", f"{mean}, {found}"
     )
 
+    with (folder / "work/rounds/4_scene/results.csv").open(newline="") as file:
+        own = [row for row in csv.DictReader(file) if (row["gesture"], row["position"]) == ("tap", "unstable")]
+    mean = statistics.fmean(float(row["r2_zero_synthesised"]) for row in own)
+    at = page.find(f"| tap, unstable: {len(own)} | none |")
+    cells = page[at:].splitlines()[1].split("|") if at >= 0 else []
+    found = [cell.strip() for cell in (cells[2], cells[5])] if cells else []
+    good = found == ["4", f"{mean:.3f}"]
+    yield Outcome.of("command/results: mean R2 at no lag of taps after four others", good, f"{mean}, {found}")
+
     with (folder / "work/sensors/trials_3_scene/results.csv").open(newline="") as file:
         own = [row for row in csv.DictReader(file) if row["position"] == "stable"]
     means = [

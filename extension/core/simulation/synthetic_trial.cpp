@@ -1,6 +1,7 @@
 #include "simulation/synthetic_trial.h"
 
 #include "base/random.h"
+#include "simulation/earlier_rounds.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/other_motion.h"
 #include "simulation/sensor.h"
@@ -66,8 +67,9 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 			return unknown_name("gesture", request.gesture, simulated_gestures());
 		}
 		const GestureTask task = draw_task(*gesture, request.position, random);
-		motion = make_gesture_motion(
-				*gesture, task, request.position, request.subject, request.duration_s, random);
+		motion = after_earlier_rounds(make_gesture_motion(*gesture, task, request.position, request.subject,
+											  request.duration_s, random),
+				request.earlier_rounds);
 		made.trial.start_m = task.axis.isZero(0.0) ? Eigen::Vector3d(task.radius_m, 0.0, 0.0) : task.start_m;
 		made.trial.axis = task.axis;
 		made.trial.amplitude_m = task.amplitude_m;
@@ -113,6 +115,7 @@ std::vector<SyntheticTrialRequest> plan_synthetic_set(const SyntheticSetOptions 
 					request.subject.pace = options.paces[repetition % options.paces.size()];
 					request.seed = text_bits(request.name);
 					request.duration_s = options.duration_s;
+					request.earlier_rounds = options.earlier_rounds;
 					requests.push_back(std::move(request));
 				}
 			}

@@ -27,7 +27,8 @@ struct SyntheticTrialRequest {
 	std::uint64_t seed = 0;
 	double duration_s = 0.0; ///< onset to end, for none the whole track; 0: as the person does it
 	std::string sensor = {}; ///< one of sensor_profiles(); empty: Leap, stable or unstable as the position is
-	std::string kind = {};   ///< for none, one of other_motions(); empty: any
+	std::uint32_t earlier_rounds = 0; ///< the hand makes the gesture so many times before, and comes back
+	std::string kind = {};            ///< for none, one of other_motions(); empty: any
 };
 
 /// The hand rests for at least 0.5 s before start_s and 0.8 s after the motion's end, so that late curves are
@@ -40,7 +41,8 @@ struct SyntheticSetOptions {
 	std::uint32_t repetitions = 5;          ///< of each gesture at each position by each subject
 	std::vector<std::string> gestures = {}; ///< empty: all but the worked example, and none
 	std::vector<HandPosition> positions = { HandPosition::STABLE, HandPosition::UNSTABLE };
-	double duration_s = 0.0; ///< as in SyntheticTrialRequest
+	double duration_s = 0.0;          ///< as in SyntheticTrialRequest
+	std::uint32_t earlier_rounds = 0; ///< the same
 	/// Subject::pace of the repetitions, in turn: { 1, 0.5 } asks for every other one in half the time.
 	std::vector<double> paces = { 1.0 };
 };
