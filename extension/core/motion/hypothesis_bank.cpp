@@ -103,7 +103,9 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 	for (const Kind k : { USUAL, ERRING, WANDERING }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, t_s));
-		raise(likely, share[k] * usual);
+		const auto over =
+				std::partition(likely.begin(), likely.end(), [&](Place i) { return !is_over(i, t_s); });
+		raise({ likely.begin(), over }, share[k] * usual);
 		if (likely.size() == most_kept_[k]) { // one more drops the unlikeliest
 			least_[k] = INFINITY;
 			for (const Place i : likely) {

@@ -37,8 +37,8 @@ public:
 
 	/// Drops the unlikely, and scales weights so that the greatest is 1. unsound_at_least, free_at_least:
 	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
-	/// there are any: a tracker may begin to err, a hand to do something else, at any time. t_s: of the
-	/// hypotheses.
+	/// there are any that are not over: a tracker may begin to err, a hand to do something else, at any time.
+	/// t_s: of the hypotheses.
 	void prune(double t_s, double unsound_at_least, double free_at_least);
 	/// One that the hand began or turned to, of this log weight, would be dropped by the next prune, if it
 	/// were now.

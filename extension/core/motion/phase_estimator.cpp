@@ -260,10 +260,10 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		seed(t_s, x);
 	}
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (bank_.regime(i) == Regime::UNSOUND) {
-			bank_.weigh(i, -no_fault);
-		} else if (bank_.on_its_way(i) && !(bank_.regime(i) == Regime::FREE && bank_.is_over(i, t_s))) {
-			bank_.weigh(i, -FAULT_LOG_RATIO * soundness_.fault());
+		const Regime regime = bank_.regime(i);
+		const bool is_done = regime == Regime::FREE && bank_.is_over(i, t_s);
+		if (bank_.on_its_way(i) && !is_done) {
+			bank_.weigh(i, regime == Regime::UNSOUND ? -no_fault : -FAULT_LOG_RATIO * soundness_.fault());
 		}
 	}
 	if (soundness_.told()) {
