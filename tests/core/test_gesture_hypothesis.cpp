@@ -149,6 +149,11 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 		const double rate = std::exp(-m[LOG_DURATION]), now = (t_s - m[ONSET]) * rate;
 		return (1.0 + m[GAIN]) * f(now - m[LAG] * f(now, m[SHAPE]) * rate, m[SHAPE]) + m[D] + m[B];
 	};
+	// x'' = -c x'
+	const auto slowing = [](double t_s) {
+		const double left = std::exp(-FREE_SLOWING_PER_S * t_s);
+		return Eigen::Matrix2d{ { 1.0, (1.0 - left) / FREE_SLOWING_PER_S }, { 0.0, left } };
+	};
 	const std::array regimes{ Regime::SOUND, Regime::UNSOUND, Regime::FREE, Regime::UNSOUND, Regime::SOUND,
 		Regime::FREE };
 	HypothesisBank bank;
@@ -188,6 +193,18 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 						s * s * Eigen::Vector2d(1.0, a * a).asDiagonal().toDenseMatrix();
 				transition.block<2, 2>(at, at) = step;
 				noise.block<2, 2>(at, at) = resting - step * resting * step.transpose();
+			}
+			if (regimes[k] == Regime::FREE) {
+				const double speed = n.hand.amplitudes * n.hand.rate_per_s;
+				transition.block<2, 2>(D, D) = slowing(STEP_S);
+				noise.block<2, 2>(D, D).setZero();
+				// White noise as it comes in, a part of the step at a time.
+				constexpr int PARTS = 1000;
+				for (int part = 0; part < PARTS; ++part) {
+					const Eigen::Vector2d left = slowing(STEP_S * (part + 0.5) / PARTS).col(1);
+					noise.block<2, 2>(D, D) += 2.0 * FREE_SLOWING_PER_S * speed * speed * (STEP_S / PARTS) *
+							left * left.transpose();
+				}
 			}
 			m = transition * m;
 			p = transition * p * transition.transpose() + noise;
@@ -241,6 +258,9 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 			began(onset_s, duration_s);
 		}
 	}
+	GestureHypothesis free = GestureHypothesis::leaving(0.4, 1.5);
+	free.log_weight = -1.0;
+	bank.add(free);
 	bank.prune(0.0, 0.0, 0.0);
 	for (const double ahead_s : { 0.0, 0.01 }) {
 		MotionOutlook outlook;
@@ -250,7 +270,11 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 			double mean = 0.0, total = 0.0;
 			for (std::size_t k = 0; k < bank.size(); ++k) {
 				total += bank.weight(k);
-				if (bank.on_its_way(k)) {
+				if (bank.regime(k) == Regime::FREE) {
+					const double slowed_s =
+							-std::expm1(-FREE_SLOWING_PER_S * (t_s - FILTERED_S)) / FREE_SLOWING_PER_S;
+					mean += bank.weight(k) * (0.4 + 1.5 * slowed_s);
+				} else if (bank.on_its_way(k)) {
 					const auto [onset_s, rate_per_s, gain, shape] = bank.course(k);
 					const double phase = (t_s - onset_s) * rate_per_s;
 					const double elements = evaluate_onwards(drag_model(), phase).value;

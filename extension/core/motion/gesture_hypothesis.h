@@ -38,7 +38,7 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in another regime.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
-	/// Of one whose gesture is over: the same hand from now on free, and drawn to the start.
+	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
 	/// The same, but that the hand, which was not seen, has been free for so long, and the tracker has found
 	/// it.

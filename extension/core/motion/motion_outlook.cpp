@@ -16,6 +16,8 @@ constexpr double VISIBLE_PHASE = 0.06;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
 constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
+constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
+
 STEADYHAND_INLINE LaneVector hand_rates_per_s() {
 	return each([](std::size_t i) STEADYHAND_INLINE_LAMBDA {
 		return regime_numbers(static_cast<Regime>(i)).hand.rate_per_s;
@@ -27,6 +29,7 @@ STEADYHAND_INLINE LaneVector hand_rates_per_s() {
 Lanes MotionOutlook::fading(double dt_s) {
 	Lanes all;
 	store(all, exponential(-hand_rates_per_s() * dt_s));
+	all[FREE] = std::exp(-FREE_SLOWING_PER_S * dt_s);
 	return all;
 }
 
@@ -37,6 +40,10 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 	const LaneVector c = load(hand_.v) + rates * load(hand_.x), left = load(hand_.x) + c * dt_s;
 	LaneVector value = left * fades, velocity = (c - rates * left) * fades;
 	LaneVector acceleration = rates * (rates * left - 2.0 * c) * fades;
+	const double free_velocity = hand_.v[FREE] * fading[FREE];
+	value[FREE] = hand_.x[FREE] + (hand_.v[FREE] - free_velocity) / FREE_SLOWING_PER_S;
+	velocity[FREE] = free_velocity;
+	acceleration[FREE] = -FREE_SLOWING_PER_S * free_velocity;
 	LaneVector expected_phase{}, phase_rate{};
 	for (std::size_t g = 0; g * LANES < count_; ++g) {
 		const Courses &courses = courses_[g];

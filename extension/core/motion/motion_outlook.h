@@ -73,7 +73,8 @@ private:
 		PhaseEstimate estimate;
 		double phase_rate_per_s = 0.0;
 	};
-	/// What a time after the hypotheses' leaves of deviations, a regime each: exp(-rate dt_s).
+	/// What a time after the hypotheses' leaves of deviations, a regime each: exp(-rate dt_s); of FREE, of
+	/// its velocity.
 	[[nodiscard]] static Lanes fading(double dt_s);
 	[[nodiscard]] PhaseEstimate beside_piece(const ElementCurve &curve, double t_s) const;
 	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s, const Lanes &fading) const;

@@ -1,5 +1,7 @@
 #include "motion/regime.h"
 
+#include <cmath>
+
 // As in lanes.h: what passes vectors is inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -21,6 +23,20 @@ STEADYHAND_INLINE Dampings dampings(const Lanes &rates_per_s, double dt_s) {
 	return by;
 }
 
+void slow_down(Dampings &r_by, double rate_per_s, double dt_s) {
+	constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
+	constexpr double C = FREE_SLOWING_PER_S;
+	const double fading = std::exp(-C * dt_s), gone_s = (1.0 - fading) / C;
+	const double speed = rate_per_s * rate_per_s;
+	r_by.xx[FREE] = 1.0;
+	r_by.xv[FREE] = gone_s;
+	r_by.vx[FREE] = 0.0;
+	r_by.vv[FREE] = fading;
+	r_by.noise_x[FREE] = speed * (2.0 * (dt_s - gone_s) / C - gone_s * gone_s);
+	r_by.noise_xv[FREE] = speed * C * gone_s * gone_s;
+	r_by.noise_v[FREE] = speed * (1.0 - fading * fading);
+}
+
 } // namespace
 
 STEADYHAND_WIDE Passages passages(double dt_s) {
@@ -29,7 +45,9 @@ STEADYHAND_WIDE Passages passages(double dt_s) {
 		hand[i] = REGIME_NUMBERS[i].hand.rate_per_s;
 		error[i] = REGIME_NUMBERS[i].error.rate_per_s;
 	}
-	return { dampings(hand, dt_s), dampings(error, dt_s) };
+	Passages all{ dampings(hand, dt_s), dampings(error, dt_s) };
+	slow_down(all.hand, regime_numbers(Regime::FREE).hand.rate_per_s, dt_s);
+	return all;
 }
 
 } // namespace steadyhand

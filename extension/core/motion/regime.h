@@ -17,7 +17,8 @@ enum class Regime : std::uint8_t {
 };
 inline constexpr std::size_t REGIMES = 4;
 
-/// How far a deviation goes and how it comes back: critically damped noise.
+/// How far a deviation goes and how it comes back: critically damped noise. That of a FREE hand has the same
+/// velocity, and comes back nowhere: see FREE_SLOWING_PER_S.
 struct Deviation {
 	double amplitudes; ///< standard deviation
 	double rate_per_s;
@@ -45,13 +46,16 @@ inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS = [] {
 	return REGIME_NUMBERS[static_cast<std::size_t>(regime)];
 }
 
-/// Critically damped motion x'' = -2 a x' - a^2 x over a time, a regime each: [x, x'] is multiplied by [xx
-/// xv; vx vv].
+/// A free hand comes to rest wherever it is, x'' = -c x' + white (an integrated Ornstein-Uhlenbeck process).
+inline constexpr double FREE_SLOWING_PER_S = 6.0;
+
+/// Critically damped motion x'' = -2 a x' - a^2 x over a time, a regime each but FREE, which slows down: [x,
+/// x'] is multiplied by [xx xv; vx vv].
 struct Dampings {
 	static_assert(REGIMES == LANES);
 	Lanes xx, xv, vx, vv;
-	/// As much noise as keeps the stationary variances, s of x and a^2 s of x': covariance that it adds, by
-	/// s.
+	/// As much noise as keeps the stationary variances, s of x and a^2 s of x' (of a free hand the latter):
+	/// covariance that it adds, by s.
 	Lanes noise_x, noise_xv, noise_v;
 };
 
