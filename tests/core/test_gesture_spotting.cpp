@@ -241,6 +241,12 @@ TEST_CASE("a hand that hesitates half-way makes one gesture") {
 	CHECK(in_a_task(along(X, { first, second }), 3.0).said == times(1, "sideways"));
 }
 
+TEST_CASE("with the task known a hand that draws back first makes one gesture") {
+	const test::Drag back{ .onset_s = 0.5, .duration_s = 0.35, .amplitude_m = -0.04 };
+	const test::Drag forth{ .onset_s = 0.8, .duration_s = 0.5, .amplitude_m = 0.24 };
+	CHECK(in_a_task(along(X, { back, forth }), 3.0).said == times(1, "sideways"));
+}
+
 TEST_CASE("a hand that stops half-way ends nothing: it is given up, or held where the task is known") {
 	const test::Drag half{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.1 };
 	const Events open = in_the_open(along(X, { half }), 4.0);

@@ -176,7 +176,8 @@ bool GestureFollower::has_begun(double t_s) const {
 		return false;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	return estimate.moving > 0.5 && estimate.value > ONSET_VALUE;
+	// A hand that has come half-way has begun, whatever it did before.
+	return estimate.value > (estimate.moving > 0.5 ? ONSET_VALUE : 0.5);
 }
 
 bool GestureFollower::was_nothing(double t_s) const {
