@@ -108,7 +108,7 @@ private:
 	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
-	double sensor_latency_s_ = 0.005;
+	double sensor_latency_s_ = 0.007;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;
