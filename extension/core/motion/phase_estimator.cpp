@@ -213,12 +213,14 @@ void PhaseEstimator::seed(double t_s, double x) {
 	}
 }
 
-/// A jump is the tracker's: it leads away from where the hand is, or back to it.
+/// A jump is the tracker's: it leads away from where the hand is, or back to it; back to a free hand that is
+/// on no way, which could be anywhere and move against any error.
 void PhaseEstimator::displace() {
 	const std::size_t count = bank_.size();
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureHypothesis back = bank_.hypothesis(i);
-		if (bank_.weight(i) > LIKELY) {
+		const bool is_anywhere = bank_.regime(i) == Regime::FREE && !bank_.on_its_way(i);
+		if (bank_.weight(i) > LIKELY && !is_anywhere) {
 			add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
 		back.forget_error();
