@@ -266,12 +266,7 @@ Motion GestureFollower::synthesised(double t_s) const {
 }
 
 Motion GestureFollower::motion(double t_s) const {
-	Motion motion = synthesised(t_s);
-	const CriticallyDamped missing = blend_.at(t_s);
-	motion.value_m += missing.value;
-	motion.velocity_m_s += missing.velocity;
-	motion.acceleration_m_s2 += missing.acceleration;
-	return motion;
+	return blend_.completed(synthesised(t_s), t_s);
 }
 
 } // namespace steadyhand

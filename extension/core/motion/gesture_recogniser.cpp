@@ -175,12 +175,7 @@ Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
 	}
 	const GestureFollower &follower = followers_[shown()];
 	if (source == MotionSource::SYNTHESISED) {
-		Motion motion = follower.motion(t_s);
-		const CriticallyDamped missing = blend_.at(t_s);
-		motion.value_m += missing.value;
-		motion.velocity_m_s += missing.velocity;
-		motion.acceleration_m_s2 += missing.acceleration;
-		return motion;
+		return blend_.completed(follower.motion(t_s), t_s);
 	}
 	const double value_m = filtered_[shown()].value_m(source);
 	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/motion.h"
 #include "signal/critically_damped.h"
 
 #include <algorithm>
@@ -20,6 +21,15 @@ public:
 	/// What is to be added at t_s.
 	[[nodiscard]] CriticallyDamped at(double t_s) const {
 		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));
+	}
+
+	/// At t_s; values in metres.
+	[[nodiscard]] Motion completed(Motion motion, double t_s) const {
+		const CriticallyDamped missing = at(t_s);
+		motion.value_m += missing.value;
+		motion.velocity_m_s += missing.velocity;
+		motion.acceleration_m_s2 += missing.acceleration;
+		return motion;
 	}
 
 private:
