@@ -15,7 +15,7 @@ from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all, run_tool
 from results.other_hands import OtherHands
 from results.page import write_page
-from results.rounds import ROUNDS_BEFORE, Rounds
+from results.rounds import EARLIER_ROUNDS, Rounds
 from results.sensors import Sensors
 from results.speed import DURATIONS_S, Speed
 from results.study import Study
@@ -55,14 +55,13 @@ def main() -> None:
         make_timed_trials(folder, gestures, given.subjects, duration)
     unhurried = given.work / "trials_unhurried"
     make_timed_trials(unhurried, gestures, given.subjects)
-    rounds_before = {count: given.work / f"trials_after_{count}" for count in ROUNDS_BEFORE}
-    for count, folder in rounds_before.items():
-        make_timed_trials(folder, gestures, given.subjects, earlier_rounds=count)
+    after_others = given.work / "trials_after_others"
+    make_timed_trials(after_others, gestures, given.subjects, earlier_rounds=EARLIER_ROUNDS)
     studies = [Study.of("synthetic", synthetic, given.work)]
     if given.real.is_dir():
         studies.append(Study.of("real", given.real, given.work))
     speed = Speed.of(timed, given.work / "speed")
-    rounds = Rounds.of(rounds_before, given.work / "rounds")
+    rounds = Rounds.of({0: unhurried, EARLIER_ROUNDS: after_others}, given.work / "rounds")
     sensors = Sensors.of(unhurried, given.work / "sensors")
     others = [
         OtherHands.of(folder, what, given.work / "other_hands")

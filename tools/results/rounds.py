@@ -5,7 +5,7 @@ from pathlib import Path
 
 from results.evaluation import Evaluation
 
-ROUNDS_BEFORE = [0, 4]
+EARLIER_ROUNDS = 4
 
 
 @dataclass
