@@ -44,6 +44,20 @@ private:
 	std::normal_distribution<double> normal_;
 };
 
+/// What is believed of a hand at until_s that a tracker saw, later and later, up to seen_s.
+PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double until_s) {
+	constexpr double LAG_S = 0.12; // at the end of the way
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
+	PhaseEstimator estimator(drag_model());
+	for (double t_s = 0.0; t_s < seen_s; t_s += PERIOD_S) {
+		estimator.push(t_s, drag.x_m(t_s - LAG_S * drag.x_m(t_s)));
+	}
+	for (double t_s = seen_s; knows_of_gap && t_s < until_s; t_s += 0.01) {
+		estimator.wait(t_s);
+	}
+	return estimator.at(until_s);
+}
+
 } // namespace
 
 TEST_CASE("a tracker that is always late is made up for where its latency is known") {
@@ -102,4 +116,37 @@ TEST_CASE("nothing begins while nothing is seen, but what may have begun just be
 		}
 		CHECK(std::abs(hand.estimator.at(hand.t_s).value) < 0.01);
 	}
+}
+
+TEST_CASE("a tracker that stops telling is taken for one that errs, before it tells again") {
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
+	for (const double seen_s : { 0.8, 0.85, 0.9 }) {
+		CAPTURE(seen_s);
+		const double until_s = seen_s + 0.15, truth = drag.x_m(until_s);
+		const double error = truth - believed_of_late_tracker(true, seen_s, until_s).value;
+		const double error_unaware = truth - believed_of_late_tracker(false, seen_s, until_s).value;
+		CHECK(error_unaware > 0.05); // late, as the tracker is
+		CHECK(std::abs(error) < 0.6 * error_unaware);
+	}
+}
+
+TEST_CASE("a gap says nothing of whether the hand has begun") {
+	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
+	int undecided = 0;
+	for (double seen_s = 0.5; seen_s < 0.7; seen_s += 0.01) {
+		CAPTURE(seen_s);
+		PhaseEstimator estimator(drag_model());
+		double last_s = 0.0;
+		for (double t_s = 0.0; t_s < seen_s; t_s += PERIOD_S) {
+			estimator.push(t_s, drag.x_m(t_s));
+			last_s = t_s;
+		}
+		const double begun = estimator.at(last_s).moving;
+		undecided += begun > 0.1 && begun < 0.9 ? 1 : 0;
+		for (double t_s = last_s; t_s < last_s + 0.2; t_s += 0.01) {
+			estimator.wait(t_s);
+		}
+		CHECK(estimator.at(last_s + 0.2).moving == doctest::Approx(begun).epsilon(0.02));
+	}
+	CHECK(undecided > 3);
 }

@@ -76,7 +76,7 @@ bool GestureFollower::push(
 		x_m = (place_ - start_).dot(way_);
 	}
 	window_.push(frame.t_s, x_m);
-	if (mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING)) {
+	if (follows_phase()) {
 		phase_.push(frame.t_s, x_m / task_.amplitude_m, place_ / task_.amplitude_m);
 	}
 	if (start_is_known_) {
@@ -100,6 +100,9 @@ void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
 }
 
 void GestureFollower::step(double t_s, const StrokeFinder &strokes) {
+	if (!fresh_ && follows_phase()) {
+		phase_.wait(t_s);
+	}
 	if (stage_ == Stage::MOVING) {
 		decode(t_s);
 	}

@@ -111,6 +111,10 @@ private:
 	[[nodiscard]] Motion synthesised(double t_s) const;
 
 	[[nodiscard]] bool has_arrived(double t_s) const;
+	/// Frames go to the estimator: without a task only while something is under way.
+	[[nodiscard]] bool follows_phase() const {
+		return mode_ == MotionMode::PHASE && (start_is_known_ || stage_ != Stage::RESTING);
+	}
 
 	// With a task.
 	[[nodiscard]] bool has_begun(double t_s) const;

@@ -244,6 +244,42 @@ void PhaseEstimator::prune() {
 	bank_.prune(filtered_s_, UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
 }
 
+/// A fault speaks against a tracker that is right, and says nothing of whether the hand has begun, or of one
+/// that has left the gesture's end: those keep their share.
+void PhaseEstimator::count_fault(double fault) {
+	if (fault == 0.0) {
+		return;
+	}
+	const auto is_judged = [&](std::size_t i) {
+		return bank_.on_its_way(i) && !(bank_.regime(i) == Regime::FREE && bank_.is_over(i, filtered_s_));
+	};
+	double before = 0.0, after = 0.0;
+	for (std::size_t i = 0; i < bank_.size(); ++i) {
+		if (is_judged(i)) {
+			before += std::exp(bank_.log_weight(i));
+			bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? 0.0 : -FAULT_LOG_RATIO * fault);
+			after += std::exp(bank_.log_weight(i));
+		}
+	}
+	const double kept = after > 0.0 ? std::log(after / before) : 0.0;
+	for (std::size_t i = 0; i < bank_.size(); ++i) {
+		bank_.weigh(i, is_judged(i) ? 0.0 : kept);
+	}
+}
+
+void PhaseEstimator::wait(double t_s) {
+	const double missing = soundness_.missing(t_s);
+	if (bank_.empty() || missing <= missing_) {
+		return;
+	}
+	const PhaseEstimate before = at(t_s);
+	count_fault(missing - missing_);
+	missing_ = missing;
+	prune();
+	look(filtered_s_);
+	blend_from(before, t_s);
+}
+
 void PhaseEstimator::absorb(double t_s, double x) {
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
 	const HypothesisGroup::Trust trust{ OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) };
@@ -261,12 +297,10 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
 	}
+	count_fault(soundness_.fault() - missing_);
+	missing_ = 0.0;
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		const Regime regime = bank_.regime(i);
-		const bool is_done = regime == Regime::FREE && bank_.is_over(i, t_s);
-		if (bank_.on_its_way(i) && !is_done) {
-			bank_.weigh(i, regime == Regime::UNSOUND ? -no_fault : -FAULT_LOG_RATIO * soundness_.fault());
-		}
+		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -no_fault : 0.0);
 	}
 	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, trust);

@@ -38,13 +38,15 @@ public:
 	/// changes without a transition then.
 	void recall(double t_s, double x, const FeaturePlace &place);
 	void catch_up() { look(filtered_s_); }
+	/// No frame came until t_s: one that should have is a fault already while it is missing.
+	void wait(double t_s);
 	/// The gesture is over: what comes next may be another one.
 	void restart();
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() {
 		bank_.clear();
 		soundness_ = {};
-		falling_behind_s_ = 0.0;
+		falling_behind_s_ = missing_ = 0.0;
 		blend_ = {};
 	}
 
@@ -70,7 +72,8 @@ private:
 	double filtered_s_ = 0.0; ///< the filters are at this time
 	double seen_s_ = 0.0;     ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
-	OutputBlend blend_; ///< of what the last change of the estimate would step by
+	double missing_ = 0.0; ///< fault of the gap since then that has been counted
+	OutputBlend blend_;    ///< of what the last change of the estimate would step by
 
 	void begin(double t_s, double d);
 	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }
@@ -88,6 +91,7 @@ private:
 	void add(GestureHypothesis hypothesis, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
+	void count_fault(double fault);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
 	/// The estimate at t_s without what is blended in.

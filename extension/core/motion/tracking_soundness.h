@@ -49,6 +49,8 @@ public:
 	[[nodiscard]] bool returned() const { return returned_; }
 	/// How much the values shake from frame to frame: standard deviation of the white noise that would do so.
 	[[nodiscard]] double jitter() const { return jitter_; }
+	/// Evidence of the gap since the newest frame, if none came until t_s: what fault() would then say of it.
+	[[nodiscard]] double missing(double t_s) const { return frames_ > 0 ? gap_fault(t_s - t_s_) : 0.0; }
 	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
 	[[nodiscard]] double news_s() const { return news_s_; }
 
@@ -127,6 +129,10 @@ private:
 	bool returned_ = false;
 	bool strayed_ = false; ///< as jumped_, in any direction
 
+	[[nodiscard]] double gap_fault(double frame_s) const {
+		return frame_s > GAP_PERIODS * period_s_ ? std::min(1.0, (frame_s - 2.0 * period_s_) / FULL_GAP_S)
+												 : 0.0;
+	}
 	static double size(double step) { return std::abs(step); }
 	static double size(const FeaturePlace &step) { return step.norm(); }
 	/// By how much a step differs from going on.
@@ -141,9 +147,7 @@ private:
 			period_s_ = std::clamp(frame_s, FIRST_PERIOD_S, LAST_PERIOD_S);
 			silence_.expect(period_s_);
 		}
-		if (frame_s > GAP_PERIODS * period_s_) {
-			fault_.now = std::min(1.0, (frame_s - 2.0 * period_s_) / FULL_GAP_S);
-		}
+		fault_.now = gap_fault(frame_s);
 		Evidence taken_back;
 		if (x != x_ || place != place_) {
 			if (leapt_ && was_outlier(x, place)) {
