@@ -12,6 +12,7 @@ constexpr double ARRIVED_VALUE = 0.9;
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
+constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever it did before
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
@@ -179,8 +180,7 @@ bool GestureFollower::has_begun(double t_s) const {
 		return false;
 	}
 	const PhaseEstimate estimate = phase_.at(t_s);
-	// A hand that has come half-way has begun, whatever it did before.
-	return estimate.value > (estimate.moving > 0.5 ? ONSET_VALUE : 0.5);
+	return estimate.value > (estimate.moving > 0.5 ? ONSET_VALUE : HALF_WAY);
 }
 
 bool GestureFollower::was_nothing(double t_s) const {

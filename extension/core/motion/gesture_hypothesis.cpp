@@ -78,8 +78,8 @@ GestureHypothesis GestureHypothesis::leaving_end() const {
 }
 
 GestureHypothesis GestureHypothesis::free_for(double unseen_s) const {
-	constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
-	GestureHypothesis h = in(Regime::FREE);
+	constexpr std::size_t FREE = index_of(Regime::FREE);
+	GestureHypothesis h = *this;
 	const Dampings by = passages(unseen_s).hand;
 	const double deviation = regime_numbers(Regime::FREE).hand.amplitudes;
 	const double variance = deviation * deviation;

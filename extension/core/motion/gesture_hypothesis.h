@@ -40,8 +40,8 @@ public:
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
-	/// The same, but that the hand, which was not seen, has been free for so long, and the tracker has found
-	/// it.
+	/// Of one that is free: the same, but that the hand, which was not seen, has been so for so long, and the
+	/// tracker has found it.
 	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;
 
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.

@@ -35,7 +35,7 @@ struct LaneDamping {
 			noise_v(variance * of(by.noise_v, regimes)) {}
 	STEADYHAND_INLINE static LaneVector of(const Lanes &by_regime, const std::array<Regime, LANES> &regimes) {
 		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-			return by_regime[static_cast<std::size_t>(regimes[l])];
+			return by_regime[index_of(regimes[l])];
 		});
 	}
 	/// [x, v] becomes F [x, v].

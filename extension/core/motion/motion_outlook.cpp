@@ -16,7 +16,7 @@ constexpr double VISIBLE_PHASE = 0.06;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
 constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 
-constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
+constexpr std::size_t FREE = index_of(Regime::FREE);
 
 STEADYHAND_INLINE LaneVector hand_rates_per_s() {
 	return each([](std::size_t i) STEADYHAND_INLINE_LAMBDA {
@@ -96,8 +96,8 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 		}
 		const double weight = bank.weight(i) / total;
 		const Regime regime = bank.regime(i);
-		hand_.x[static_cast<std::size_t>(regime)] += weight * bank.hand_deviation(i);
-		hand_.v[static_cast<std::size_t>(regime)] += weight * bank.hand_deviation_rate(i);
+		hand_.x[index_of(regime)] += weight * bank.hand_deviation(i);
+		hand_.v[index_of(regime)] += weight * bank.hand_deviation_rate(i);
 		if (bank.on_its_way(i)) {
 			const HypothesisGroup::Course course = bank.course(i);
 			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;

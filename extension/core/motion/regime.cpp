@@ -24,7 +24,7 @@ STEADYHAND_INLINE Dampings dampings(const Lanes &rates_per_s, double dt_s) {
 }
 
 void slow_down(Dampings &r_by, double rate_per_s, double dt_s) {
-	constexpr auto FREE = static_cast<std::size_t>(Regime::FREE);
+	constexpr std::size_t FREE = index_of(Regime::FREE);
 	constexpr double C = FREE_SLOWING_PER_S;
 	const double fading = std::exp(-C * dt_s), gone_s = (1.0 - fading) / C;
 	const double speed = rate_per_s * rate_per_s;

@@ -16,6 +16,10 @@ enum class Regime : std::uint8_t {
 	FREE,    ///< the hand does something else, the tracker is right
 };
 inline constexpr std::size_t REGIMES = 4;
+/// Its place, and its lane where each regime has one.
+[[nodiscard]] constexpr std::size_t index_of(Regime regime) {
+	return static_cast<std::size_t>(regime);
+}
 
 /// How far a deviation goes and how it comes back: critically damped noise. That of a FREE hand has the same
 /// velocity, and comes back nowhere: see FREE_SLOWING_PER_S.
@@ -43,7 +47,7 @@ inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS = [] {
 	};
 }();
 [[nodiscard]] constexpr const RegimeNumbers &regime_numbers(Regime regime) {
-	return REGIME_NUMBERS[static_cast<std::size_t>(regime)];
+	return REGIME_NUMBERS[index_of(regime)];
 }
 
 /// A free hand comes to rest wherever it is, x'' = -c x' + white (an integrated Ornstein-Uhlenbeck process).

@@ -52,19 +52,22 @@ TrueMotion after_earlier_rounds(const TrueMotion &motion, std::uint32_t rounds) 
 	all.end_s += earlier_s;
 	all.span_s += earlier_s;
 	// Rounds begin where the execution is at from_s: the first one's rest before that is kept.
-	all.hand = [round, earlier_s](double t_s) {
+	const auto at = [round, earlier_s](double t_s, const auto &of_execution, const auto &of_round) {
 		const double since_s = t_s - round.from_s;
-		HandFrame frame = since_s < 0.0 || since_s >= earlier_s
-				? round.motion.hand(since_s < 0.0 ? t_s : t_s - earlier_s)
-				: round.hand(std::fmod(since_s, round.length_s()));
+		if (since_s < 0.0) {
+			return of_execution(t_s);
+		}
+		return since_s < earlier_s ? of_round(std::fmod(since_s, round.length_s()))
+								   : of_execution(t_s - earlier_s);
+	};
+	all.hand = [round, at](double t_s) {
+		HandFrame frame =
+				at(t_s, round.motion.hand, [&](double in_round_s) { return round.hand(in_round_s); });
 		frame.t_s = t_s;
 		return frame;
 	};
-	all.severity = [round, earlier_s](double t_s) {
-		const double since_s = t_s - round.from_s;
-		return since_s < 0.0 || since_s >= earlier_s
-				? round.motion.severity(since_s < 0.0 ? t_s : t_s - earlier_s)
-				: round.severity(std::fmod(since_s, round.length_s()));
+	all.severity = [round, at](double t_s) {
+		return at(t_s, round.motion.severity, [&](double in_round_s) { return round.severity(in_round_s); });
 	};
 	return all;
 }

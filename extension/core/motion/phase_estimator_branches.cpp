@@ -1,0 +1,179 @@
+#include "motion/phase_estimator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+// Which hypotheses branch off, and from which.
+
+namespace steadyhand {
+namespace {
+
+// As in phase_estimator.cpp.
+constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
+constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
+constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
+constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
+constexpr double AT_START = 0.15;     ///< where it started
+constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
+constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
+constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double DISPLACED = 0.4; ///< probability that a jump leads away from the hand, and not back to it
+constexpr double DISPLACED_BY = 0.15; ///< standard deviation
+constexpr double LIKELY = 0.001;      ///< weight, from which on both are looked at
+constexpr double SEEDED_FROM = 0.08;  ///< nearer to the start than that, a hand at rest explains it as well
+constexpr double SEEDED_TO = 0.97;
+constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
+constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
+constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
+
+} // namespace
+
+/// All that is due by t_s. What branches off says nothing new of the hand before a frame comes.
+void PhaseEstimator::branch_until(double t_s) {
+	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
+	for (; next_branch_s_ <= t_s; next_branch_s_ += effort_.branch_period_s) {
+		if (next_branch_s_ - seen_s_ <= BLIND_S) {
+			branch(next_branch_s_);
+		}
+	}
+}
+
+double PhaseEstimator::probability(Regime regime) const {
+	const double unsound = UNSOUND_PRIOR + (1.0 - UNSOUND_PRIOR) * soundness_.unsoundness();
+	return regime == Regime::UNSOUND ? unsound : 1.0 - unsound;
+}
+
+void PhaseEstimator::branch(double t_s) {
+	come_to_rest();
+	choose_rest();
+	set_free(t_s);
+	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
+	const double starts = ONSETS_PER_S * effort_.branch_period_s;
+	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
+		const double log_probability = std::log(starts * probability(regime));
+		for (std::size_t k = 0; k < effort_.durations; ++k) {
+			if (!bank_.is_hopeless(regime, at_rest.log_weight + log_probability + log_prior_[k])) {
+				start(at_rest, k, regime, t_s - 0.5 * effort_.branch_period_s, 0.6 * effort_.branch_period_s,
+						log_probability);
+			}
+		}
+	}
+	bank_.weigh(HypothesisBank::AT_REST, std::log1p(-starts));
+	prune();
+}
+
+void PhaseEstimator::start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime,
+		double onset_s, double onset_deviation_s, double log_probability) {
+	const GestureHypothesis started = at_rest.begun(
+			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
+	add(started, log_probability + log_prior_[duration]);
+}
+
+/// A hand that wandered off and came back is at rest again.
+void PhaseEstimator::come_to_rest() {
+	const double log_probability = std::log(AT_REST_PER_S * effort_.branch_period_s);
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		const double log_weight = bank_.log_weight(i) + log_probability;
+		if (!bank_.on_its_way(i) && std::abs(bank_.hand_deviation(i)) < AT_START &&
+				log_weight > bank_.log_weight(HypothesisBank::AT_REST)) {
+			GestureHypothesis rested = bank_.hypothesis(i).in(Regime::REST);
+			rested.log_weight = log_weight;
+			bank_.set(HypothesisBank::AT_REST, rested);
+		}
+	}
+}
+
+/// AT_REST if there is none that is not free.
+std::size_t PhaseEstimator::likeliest_on_its_way() const {
+	std::size_t likeliest = HypothesisBank::AT_REST;
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (bank_.on_its_way(i) && bank_.regime(i) != Regime::FREE &&
+				(likeliest == HypothesisBank::AT_REST || bank_.log_weight(i) > bank_.log_weight(likeliest))) {
+			likeliest = i;
+		}
+	}
+	return likeliest;
+}
+
+/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where
+/// the tracker errs that is less likely to be what is seen, but of a hand that has made the gesture.
+void PhaseEstimator::set_free(double t_s) {
+	const double sound = 1.0 - soundness_.unsoundness();
+	const double log_probability = std::log(
+			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
+	const std::size_t likeliest = likeliest_on_its_way();
+	if (bank_.is_over(likeliest, t_s)) {
+		add(bank_.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * effort_.branch_period_s));
+	} else if (likeliest != HypothesisBank::AT_REST) {
+		add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
+	}
+	if (!bank_.is_hopeless(Regime::FREE, bank_.log_weight(HypothesisBank::AT_REST) + log_probability)) {
+		add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
+	}
+}
+
+/// A hand that had made the gesture may have left since it was last seen.
+void PhaseEstimator::set_free_unseen(double t_s) {
+	const std::size_t likeliest = likeliest_on_its_way();
+	const double unseen_s = std::min(t_s - soundness_.news_s(), LONGEST_S);
+	if (bank_.is_over(likeliest, t_s) && unseen_s > 0.0) {
+		add(bank_.hypothesis(likeliest).leaving_end().free_for(unseen_s), std::log(LEAVES_PER_S * unseen_s));
+	}
+}
+
+void PhaseEstimator::add(GestureHypothesis hypothesis, double log_probability) {
+	hypothesis.log_weight += log_probability;
+	bank_.add(hypothesis);
+}
+
+/// Hypotheses that began since the hand was last seen and have come as far as x.
+void PhaseEstimator::seed(double t_s, double x) {
+	if (x < SEEDED_FROM) {
+		return;
+	}
+	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
+	const double phase = phase_of_value(*model_, std::min(x, SEEDED_TO));
+	for (std::size_t k = 0; k < effort_.durations; ++k) {
+		const double duration_s = std::exp(log_durations_[k]);
+		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
+			const double onset_s = t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);
+			const double too_early =
+					std::max(soundness_.news_s() - onset_s - UNSEEN_PHASE * duration_s, 0.0) / SEEN_S;
+			const double deviation_s = SEED_SPREAD * duration_s;
+			// The mass of a Gaussian of this deviation is sqrt(2 pi) times its height.
+			const double starts = ONSETS_PER_S * std::sqrt(2.0 * std::numbers::pi) * deviation_s;
+			start(at_rest, k, regime, onset_s, deviation_s,
+					std::log(starts * probability(regime)) - 0.5 * too_early * too_early);
+		}
+	}
+}
+
+/// A jump is the tracker's: it leads away from where the hand is, or back to it; back to a free hand that is
+/// on no way, which could be anywhere and move against any error.
+void PhaseEstimator::displace() {
+	const std::size_t count = bank_.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		GestureHypothesis back = bank_.hypothesis(i);
+		const bool is_anywhere = bank_.regime(i) == Regime::FREE && !bank_.on_its_way(i);
+		if (bank_.weight(i) > LIKELY && !is_anywhere) {
+			add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
+		}
+		back.forget_error();
+		back.log_weight += std::log1p(-DISPLACED);
+		bank_.set(i, back);
+	}
+}
+
+/// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
+void PhaseEstimator::choose_rest() {
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (bank_.regime(i) == Regime::REST &&
+				bank_.log_weight(i) > bank_.log_weight(HypothesisBank::AT_REST)) {
+			bank_.swap(i, HypothesisBank::AT_REST);
+		}
+	}
+}
+
+} // namespace steadyhand
