@@ -58,7 +58,7 @@ double covariance(const Deviation &noise, double apart_s) {
 
 TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so far, and its weight the "
 		  "evidence, whether the tracker jumps or not") {
-	constexpr double NOISE = 0.0051;
+	constexpr double NOISE = 0.0032;
 	constexpr double JUMP = 0.1; // standard deviation
 	constexpr std::size_t JUMPS_AT = 15;
 	const RegimeNumbers &numbers = regime_numbers(Regime::REST);
@@ -139,7 +139,7 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 	using Vector = Eigen::Matrix<double, 9, 1>;
 	using Matrix = Eigen::Matrix<double, 9, 9>;
 	enum { D, DV, B, BV, ONSET, LOG_DURATION, GAIN, SHAPE, LAG };
-	constexpr double NOISE = 0.0051, JITTER = 0.003, STEP_S = 0.009, DEVIATION = 0.02;
+	constexpr double NOISE = 0.0032, JITTER = 0.003, STEP_S = 0.009, DEVIATION = 0.02;
 	const test::Drag drag{ .onset_s = 0.06, .duration_s = 0.5, .amplitude_m = 1.0 };
 	const auto f = [](double phase, double shape) {
 		const double elements = evaluate_onwards(drag_model(), phase).value;

@@ -12,7 +12,7 @@
 namespace steadyhand {
 namespace {
 
-constexpr double NOISE = 0.0051; ///< white part of a tracker's error, amplitudes
+constexpr double NOISE = 0.0032; ///< white part of a tracker's error, amplitudes
 /// Of an outlier, amplitudes: jumps of some centimetres.
 constexpr double OUTLIER_DEVIATION = 0.21;
 const double LOG_IMPOSSIBLE = std::log(1e-30);

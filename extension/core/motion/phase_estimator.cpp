@@ -85,7 +85,7 @@ void PhaseEstimator::count_fault(double fault) {
 		return;
 	}
 	const auto is_judged = [&](std::size_t i) {
-		return bank_.on_its_way(i) && !(bank_.regime(i) == Regime::FREE && bank_.is_over(i, filtered_s_));
+		return bank_.on_its_way(i) && (bank_.regime(i) != Regime::FREE || !bank_.is_over(i, filtered_s_));
 	};
 	double before = 0.0, after = 0.0;
 	for (std::size_t i = 0; i < bank_.size(); ++i) {
