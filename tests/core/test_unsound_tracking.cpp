@@ -49,11 +49,12 @@ PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double 
 	constexpr double LAG_S = 0.12; // at the end of the way
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 	PhaseEstimator estimator(drag_model());
-	for (double t_s = 0.0; t_s < seen_s; t_s += PERIOD_S) {
+	for (int i = 0; i * PERIOD_S < seen_s; ++i) {
+		const double t_s = i * PERIOD_S;
 		estimator.push(t_s, drag.x_m(t_s - LAG_S * drag.x_m(t_s)));
 	}
-	for (double t_s = seen_s; knows_of_gap && t_s < until_s; t_s += 0.01) {
-		estimator.wait(t_s);
+	for (int i = 0; knows_of_gap && seen_s + 0.01 * i < until_s; ++i) {
+		estimator.wait(seen_s + 0.01 * i);
 	}
 	return estimator.at(until_s);
 }
@@ -133,18 +134,17 @@ TEST_CASE("a tracker that stops telling is taken for one that errs, before it te
 TEST_CASE("a gap says nothing of whether the hand has begun") {
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 	int undecided = 0;
-	for (double seen_s = 0.5; seen_s < 0.7; seen_s += 0.01) {
-		CAPTURE(seen_s);
+	for (int frames = 55; frames < 78; ++frames) {
+		CAPTURE(frames);
 		PhaseEstimator estimator(drag_model());
-		double last_s = 0.0;
-		for (double t_s = 0.0; t_s < seen_s; t_s += PERIOD_S) {
-			estimator.push(t_s, drag.x_m(t_s));
-			last_s = t_s;
+		const double last_s = PERIOD_S * (frames - 1);
+		for (int i = 0; i < frames; ++i) {
+			estimator.push(i * PERIOD_S, drag.x_m(i * PERIOD_S));
 		}
 		const double begun = estimator.at(last_s).moving;
 		undecided += begun > 0.1 && begun < 0.9 ? 1 : 0;
-		for (double t_s = last_s; t_s < last_s + 0.2; t_s += 0.01) {
-			estimator.wait(t_s);
+		for (int i = 0; i < 20; ++i) {
+			estimator.wait(last_s + 0.01 * i);
 		}
 		CHECK(estimator.at(last_s + 0.2).moving == doctest::Approx(begun).epsilon(0.02));
 	}

@@ -34,9 +34,7 @@ struct LaneDamping {
 			noise_x(variance * of(by.noise_x, regimes)), noise_xv(variance * of(by.noise_xv, regimes)),
 			noise_v(variance * of(by.noise_v, regimes)) {}
 	STEADYHAND_INLINE static LaneVector of(const Lanes &by_regime, const std::array<Regime, LANES> &regimes) {
-		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-			return by_regime[index_of(regimes[l])];
-		});
+		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return by_regime[index_of(regimes[l])]; });
 	}
 	/// [x, v] becomes F [x, v].
 	STEADYHAND_INLINE void apply(Lanes &r_x, Lanes &r_v) const {
