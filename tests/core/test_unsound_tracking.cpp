@@ -13,6 +13,7 @@ using namespace steadyhand;
 namespace {
 
 constexpr double PERIOD_S = 0.009;
+constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 
 const GestureModel &drag_model() {
 	static const GestureModel model = test::trained_drag_model();
@@ -47,11 +48,10 @@ private:
 /// What is believed of a hand at until_s that a tracker saw, later and later, up to seen_s.
 PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double until_s) {
 	constexpr double LAG_S = 0.12; // at the end of the way
-	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 	PhaseEstimator estimator(drag_model());
 	for (int i = 0; i * PERIOD_S < seen_s; ++i) {
 		const double t_s = i * PERIOD_S;
-		estimator.push(t_s, drag.x_m(t_s - LAG_S * drag.x_m(t_s)));
+		estimator.push(t_s, DRAG.x_m(t_s - LAG_S * DRAG.x_m(t_s)));
 	}
 	for (int i = 0; knows_of_gap && seen_s + 0.01 * i < until_s; ++i) {
 		estimator.wait(seen_s + 0.01 * i);
@@ -120,10 +120,9 @@ TEST_CASE("nothing begins while nothing is seen, but what may have begun just be
 }
 
 TEST_CASE("a tracker that stops telling is taken for one that errs, before it tells again") {
-	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 	for (const double seen_s : { 0.8, 0.85, 0.9 }) {
 		CAPTURE(seen_s);
-		const double until_s = seen_s + 0.15, truth = drag.x_m(until_s);
+		const double until_s = seen_s + 0.15, truth = DRAG.x_m(until_s);
 		const double error = truth - believed_of_late_tracker(true, seen_s, until_s).value;
 		const double error_unaware = truth - believed_of_late_tracker(false, seen_s, until_s).value;
 		CHECK(error_unaware > 0.05); // late, as the tracker is
@@ -132,14 +131,13 @@ TEST_CASE("a tracker that stops telling is taken for one that errs, before it te
 }
 
 TEST_CASE("a gap says nothing of whether the hand has begun") {
-	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 	int undecided = 0;
 	for (int frames = 55; frames < 78; ++frames) {
 		CAPTURE(frames);
 		PhaseEstimator estimator(drag_model());
 		const double last_s = PERIOD_S * (frames - 1);
 		for (int i = 0; i < frames; ++i) {
-			estimator.push(i * PERIOD_S, drag.x_m(i * PERIOD_S));
+			estimator.push(i * PERIOD_S, DRAG.x_m(i * PERIOD_S));
 		}
 		const double begun = estimator.at(last_s).moving;
 		undecided += begun > 0.1 && begun < 0.9 ? 1 : 0;

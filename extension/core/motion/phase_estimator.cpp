@@ -127,12 +127,12 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		displace();
 	}
 	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
-	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	if (soundness_.jumped() || soundness_.returned()) {
 		seed(t_s, x);
 	}
 	count_fault(soundness_.fault() - missing_);
 	missing_ = 0.0;
+	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
 		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -no_fault : 0.0);
 	}
