@@ -243,6 +243,26 @@ TEST_CASE("white noise of any size is no fault, and jumps stand out of it") {
 	}
 }
 
+TEST_CASE("a jump out of exact rest is one") {
+	TrackingSoundness soundness;
+	const double t_s = move(soundness, 0.0, 0.0, 0.0, 50);
+	soundness.push(t_s, 0.2);
+	CHECK(soundness.jumped());
+	CHECK(soundness.fault() == 1.0);
+}
+
+TEST_CASE("a hand that stops before a tracker that repeats itself is seen wherever that changes") {
+	TrackingSoundness soundness;
+	double t_s = move(soundness, 0.0, 0.0, 1.0, 30);
+	const double stopped = 29.0 * PERIOD_S;
+	move(soundness, t_s, stopped, 0.0, 2);
+	t_s += 2.0 * PERIOD_S;
+	for (int i = 1; i < 20; ++i, t_s += PERIOD_S) {
+		soundness.push(t_s, stopped + 1e-4 * i); // of no tremble
+		CHECK(soundness.told());
+	}
+}
+
 TEST_CASE("a single frame elsewhere is taken back by the next, a step is not") {
 	for (const int elsewhere : { 1, 2 }) {
 		CAPTURE(elsewhere);

@@ -27,6 +27,9 @@ constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
+/// Logarithm of the probability that frames at rest before a jump tell nothing, because the tracker trembled
+/// about where it had lost the hand.
+constexpr double STALE_NEWS = -3.0;
 
 } // namespace
 
@@ -145,7 +148,8 @@ void PhaseEstimator::seed(double t_s, double x) {
 			// The mass of a Gaussian of this deviation is sqrt(2 pi) times its height.
 			const double starts = ONSETS_PER_S * std::sqrt(2.0 * std::numbers::pi) * deviation_s;
 			start(at_rest, k, regime, onset_s, deviation_s,
-					std::log(starts * probability(regime)) - 0.5 * too_early * too_early);
+					std::log(starts * probability(regime)) +
+							std::max(-0.5 * too_early * too_early, STALE_NEWS));
 		}
 	}
 }

@@ -3,6 +3,7 @@
 #include "gesture/feature.h"
 #include "motion/tracker_noise.h"
 #include "motion/tracker_silence.h"
+#include "motion/tracker_standstill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace steadyhand {
 
 /// How far a tracker is to be believed, judged by the motion alone, because it says little about its own
-/// errors: gaps between stamps, values that repeat to the last bit, steps that no hand makes, in whichever
+/// errors: gaps between stamps, values that repeat or stop dead, steps that no hand makes, in whichever
 /// direction. Evidence fades over seconds.
 class TrackingSoundness {
 public:
@@ -25,10 +26,11 @@ public:
 			weigh(frame_s, x, place);
 		} else {
 			silence_.start(t_s);
+			standstill_.start(t_s, x);
 			news_s_ = way_s_ = t_s;
+			x_ = x;
+			place_ = place;
 		}
-		x_ = x;
-		place_ = place;
 		frames_ = std::min(frames_ + 1, 2);
 	}
 
@@ -110,9 +112,10 @@ private:
 	};
 
 	double t_s_ = 0.0;
-	double x_ = 0.0;
+	double x_ = 0.0; ///< of the newest frame that does not repeat the one before
 	FeaturePlace place_ = FeaturePlace::Zero();
 	TrackerSilence silence_;
+	TrackerStandstill standstill_;
 	TrackerNoise noise_;
 	double news_s_ = 0.0;
 	double period_s_ = 0.01; ///< between frames
@@ -122,7 +125,8 @@ private:
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	Leap leap_;
-	bool leapt_ = false; ///< the newest frame that told something did
+	bool repeated_ = false; ///< to the last bit, since then
+	bool leapt_ = false;    ///< the newest frame that told something did
 	double jitter_ = 0.0;
 	int frames_ = 0;
 	bool jumped_ = false;
@@ -149,13 +153,16 @@ private:
 		}
 		fault_.now = gap_fault(frame_s);
 		Evidence taken_back;
-		if (x != x_ || place != place_) {
+		const bool repeats = x == x_ && place == place_;
+		// One that repeats itself to the last bit now and then does not tremble.
+		if (!repeats && (repeated_ || !standstill_.stands(t_s_, x, jitter_))) {
 			if (leapt_ && was_outlier(x, place)) {
 				taken_back = leap_.fault;
 				forget_outlier();
 			}
 			follow(x, place);
 		} else {
+			repeated_ = repeated_ || repeats;
 			silence_.repeat(t_s_);
 			if (silence_.is_silent()) {
 				stand();
@@ -176,6 +183,9 @@ private:
 
 	/// A repeated value that stands for a hand, or a tracker, that does not move.
 	void stand() {
+		if (!silence_.is_frozen()) {
+			noise_.push(0.0);
+		}
 		step_way_.go(0.0, false);
 		place_way_.go(FeaturePlace::Zero(), false);
 		way_s_ = t_s_;
@@ -196,6 +206,7 @@ private:
 		way_s_ = leap_.t_s;
 		step_way_.latest = step_way_.before_leap;
 		place_way_.latest = place_way_.before_leap;
+		standstill_.forget();
 	}
 
 	void follow(double x, const FeaturePlace &place) {
@@ -214,6 +225,10 @@ private:
 			news_s_ = returned_ ? news_s_ : t_s_;
 		}
 		silence_.change(t_s_, step / dt_s, step, place_step);
+		standstill_.tell(t_s_, x, jitter_);
+		repeated_ = false;
+		x_ = x;
+		place_ = place;
 	}
 
 	/// Steps: in dt_s.

@@ -1,14 +1,13 @@
 #pragma once
 
+#include "signal/constant_velocity_state.h"
 #include "signal/sample_clock.h"
 
 #include <cmath>
 
 namespace steadyhand {
 
-/// Kalman filter of a point that keeps its velocity but for white-noise acceleration (Bar-Shalom, Li,
-/// Kirubarajan, "Estimation with Applications to Tracking and Navigation", 2001, section 6.2.2), one axis,
-/// irregular steps.
+/// Kalman filter of a ConstantVelocityState, irregular steps.
 class ConstantVelocityKalman {
 public:
 	struct Noise {
@@ -32,62 +31,32 @@ public:
 			case SampleClock::Verdict::IGNORE:
 				break;
 			case SampleClock::Verdict::START:
-				position_m_ = x_m;
-				velocity_m_s_ = 0.0;
-				p00_ = measurement_variance_;
-				p01_ = 0.0;
-				p11_ = initial_speed_variance_;
+				state_ = { .position = x_m, .p00 = measurement_variance_, .p11 = initial_speed_variance_ };
 				break;
 			case SampleClock::Verdict::ADVANCE:
-				predict_state(clock_.step_s());
-				correct(x_m);
+				state_.predict(clock_.step_s(), acceleration_psd_);
+				state_.correct(x_m, measurement_variance_);
 				break;
 		}
-		return position_m_;
+		return state_.position;
 	}
 
 	/// Position (m) expected at t_s, on at constant velocity from the last sample; t_s not usable: at that
 	/// sample.
 	[[nodiscard]] double predict(double t_s) const {
-		return is_usable(t_s) ? position_m_ + velocity_m_s_ * (t_s - clock_.last_s()) : position_m_;
+		return is_usable(t_s) ? state_.position + state_.velocity * (t_s - clock_.last_s()) : state_.position;
 	}
 
-	[[nodiscard]] double output() const { return position_m_; }
-	[[nodiscard]] double velocity_m_s() const { return velocity_m_s_; }
-	[[nodiscard]] double position_variance_m2() const { return p00_; }
+	[[nodiscard]] double output() const { return state_.position; }
+	[[nodiscard]] double velocity_m_s() const { return state_.velocity; }
+	[[nodiscard]] double position_variance_m2() const { return state_.p00; }
 
 private:
-	void predict_state(double step_s) {
-		const double q = acceleration_psd_;
-		position_m_ += velocity_m_s_ * step_s;
-		p00_ += step_s * (2.0 * p01_ + step_s * (p11_ + q * step_s / 3.0));
-		p01_ += step_s * (p11_ + q * step_s / 2.0);
-		p11_ += q * step_s;
-	}
-
-	/// Joseph's form, (I-KH) P (I-KH)' + K R K': a sum of squares, so rounding cannot make the covariance
-	/// negative.
-	void correct(double x_m) {
-		const double r = measurement_variance_;
-		const double k0 = p00_ / (p00_ + r);
-		const double k1 = p01_ / (p00_ + r);
-		const double residual_m = x_m - position_m_;
-		position_m_ += k0 * residual_m;
-		velocity_m_s_ += k1 * residual_m;
-		p11_ += k1 * (k1 * (p00_ + r) - 2.0 * p01_);
-		p01_ = (1.0 - k0) * (p01_ - k1 * p00_) + k0 * k1 * r;
-		p00_ = (1.0 - k0) * (1.0 - k0) * p00_ + k0 * k0 * r;
-	}
-
 	double acceleration_psd_;
 	double measurement_variance_;
 	double initial_speed_variance_;
 	SampleClock clock_;
-	double position_m_ = 0.0;
-	double velocity_m_s_ = 0.0;
-	double p00_ = 0.0; ///< covariance of (position, velocity), the three entries that differ
-	double p01_ = 0.0;
-	double p11_ = 0.0;
+	ConstantVelocityState state_; ///< m
 };
 
 } // namespace steadyhand

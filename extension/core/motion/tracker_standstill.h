@@ -1,0 +1,99 @@
+#pragma once
+
+#include "signal/constant_velocity_state.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+
+/// Which frames show where the tracker lost the hand. One that trembles there, or whose places a headset's
+/// motion shifts a little, never repeats itself, but it has stopped dead: it is where the last frame was, and
+/// not where a hand that moved like that would be. Along the way, in amplitudes.
+class TrackerStandstill {
+public:
+	void start(double t_s, double x) {
+		told_ = {
+			.t_s = t_s, .x = x, .hand = { .position = x, .p00 = FIRST_VARIANCE, .p11 = FIRST_VARIANCE_PER_S2 }
+		};
+		before_ = told_;
+	}
+
+	/// Whether x shows the place of the last frame that told where the hand is, and not where the hand would
+	/// be, by their likelihoods. noise: the tracker's, standard deviation.
+	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
+		if (t_s - told_.t_s > LONGEST_S || !is_moving()) {
+			return false;
+		}
+		const double noise_variance = variance(noise);
+		const auto goes_on = [&](const Told &from) {
+			const ConstantVelocityState hand = from.hand_at(t_s);
+			return log_likelihood(x - hand.position, hand.p00 + noise_variance);
+		};
+		// The last frame may have been elsewhere, and the hand is where the one before it said.
+		return log_likelihood(x - told_.x, 2.0 * noise_variance) >
+				LOG_RATIO + std::max(goes_on(told_), goes_on(before_));
+	}
+
+	/// A frame that tells where the hand is. One that is off the way says nothing of the velocity.
+	void tell(double t_s, double x, double noise) {
+		const double noise_variance = variance(noise);
+		ConstantVelocityState hand = told_.hand_at(t_s);
+		const double off = x - hand.position;
+		if (off * off > OFF_WAY_DEVIATIONS * OFF_WAY_DEVIATIONS * (hand.p00 + noise_variance)) {
+			hand.position = x;
+			hand.p00 = noise_variance;
+			hand.p01 = 0.0;
+		} else {
+			hand.correct(x, noise_variance);
+		}
+		before_ = told_;
+		told_ = { .t_s = t_s, .x = x, .hand = hand };
+	}
+	/// The last frame is as if it had not been.
+	void forget() { told_ = before_; }
+
+private:
+	static constexpr double LOG_RATIO = 1.5;
+	/// A hand that stays for longer where it stopped has been stopped by something.
+	static constexpr double LONGEST_S = 0.5;
+	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
+	static constexpr double MOVING_DEVIATIONS = 2.0;
+	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
+	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
+	/// square of its speed, 1 / s: a fast one slows down by a fifth from frame to frame.
+	static constexpr double ACCELERATION_PSD = 10.0;
+	static constexpr double ACCELERATION_PSD_PER_SQUARED_SPEED = 4.0;
+	static constexpr double SMALLEST_NOISE = 0.002;
+	static constexpr double FIRST_VARIANCE = 1e-5;
+	static constexpr double FIRST_VARIANCE_PER_S2 = 1.0; ///< of the velocity
+
+	/// After a frame that told where the hand is.
+	struct Told {
+		double t_s = 0.0;
+		double x = 0.0;
+		ConstantVelocityState hand;
+
+		[[nodiscard]] ConstantVelocityState hand_at(double later_s) const {
+			ConstantVelocityState later = hand;
+			later.predict(later_s - t_s,
+					ACCELERATION_PSD + ACCELERATION_PSD_PER_SQUARED_SPEED * hand.velocity * hand.velocity);
+			return later;
+		}
+	};
+
+	Told told_;
+	Told before_; ///< as it was a frame earlier
+
+	[[nodiscard]] bool is_moving() const {
+		const double speed = std::abs(told_.hand.velocity);
+		return speed > std::max(RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11));
+	}
+	static double variance(double noise) { return noise * noise + SMALLEST_NOISE * SMALLEST_NOISE; }
+	/// Of a Gaussian, but for a constant.
+	static double log_likelihood(double off, double variance) {
+		return -0.5 * (off * off / variance + std::log(variance));
+	}
+};
+
+} // namespace steadyhand
