@@ -229,14 +229,16 @@ TEST_CASE("white noise of any size is no fault, and jumps stand out of it") {
 		std::mt19937_64 random(5);
 		std::normal_distribution<double> noise(0.0, deviation);
 		TrackingSoundness soundness;
-		int jumps = 0;
+		int jumps = 0, frozen = 0;
 		for (int i = 0; i < 1000; ++i) {
 			const double t_s = i * PERIOD_S;
 			const double x = std::clamp(t_s - 4.0, 0.0, 1.0) + noise(random);
 			soundness.push(t_s, x, FeaturePlace(x, noise(random), noise(random), 0.0));
 			jumps += soundness.jumped() || soundness.fault() > 0.0 ? 1 : 0;
+			frozen += soundness.frozen() ? 1 : 0;
 		}
 		CHECK(jumps < 10); // of 1000
+		CHECK(frozen == 0);
 		CHECK(soundness.jitter() == doctest::Approx(deviation).epsilon(0.3));
 		soundness.push(1000 * PERIOD_S, 1.0 + 20.0 * deviation + 0.2);
 		CHECK(soundness.jumped());

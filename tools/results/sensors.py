@@ -44,6 +44,7 @@ class Sensor:
 
 SENSORS = {
     "as it is": Sensor(lambda shown, _: shown),
+    "white noise of 0.3 mm": Sensor(noise(0.0003)),
     "white noise of 2 mm": Sensor(noise(0.002)),
     "white noise of 5 mm": Sensor(noise(0.005)),
     "rounded to 1 mm": Sensor(rounded),

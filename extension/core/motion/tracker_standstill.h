@@ -22,7 +22,7 @@ public:
 	/// Whether x shows the place of the last frame that told where the hand is, and not where the hand would
 	/// be, by their likelihoods. noise: the tracker's, standard deviation.
 	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
-		if (t_s - told_.t_s > LONGEST_S || !is_moving()) {
+		if (frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving()) {
 			return false;
 		}
 		const double noise_variance = variance(noise);
@@ -49,12 +49,14 @@ public:
 		}
 		before_ = told_;
 		told_ = { .t_s = t_s, .x = x, .hand = hand };
+		frames_ = std::min(frames_ + 1, FIRST_FRAMES);
 	}
 	/// The last frame is as if it had not been.
 	void forget() { told_ = before_; }
 
 private:
 	static constexpr double LOG_RATIO = 1.5;
+	static constexpr int FIRST_FRAMES = 20; ///< the noise is not known before
 	/// A hand that stays for longer where it stopped has been stopped by something.
 	static constexpr double LONGEST_S = 0.5;
 	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
@@ -82,6 +84,7 @@ private:
 		}
 	};
 
+	int frames_ = 0;
 	Told told_;
 	Told before_; ///< as it was a frame earlier
 
