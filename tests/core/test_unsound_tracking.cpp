@@ -148,23 +148,3 @@ TEST_CASE("a gap says nothing of whether the hand has begun") {
 	}
 	CHECK(undecided > 3);
 }
-
-TEST_CASE("a hand that goes further than its task, or less far, is followed for more than half of that") {
-	for (const double amplitude : { 0.9, 1.1 }) {
-		CAPTURE(amplitude);
-		const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = amplitude };
-		PhaseEstimator estimator(drag_model());
-		std::mt19937_64 random(4);
-		std::normal_distribution<double> normal;
-		double seen = 0.0;
-		int frames = 0;
-		for (; frames * PERIOD_S < 1.5; ++frames) {
-			const double t_s = frames * PERIOD_S;
-			const bool is_frozen = (t_s > 0.7 && t_s < 0.9) || (t_s > 1.05 && t_s < 1.15);
-			seen = is_frozen ? seen : drag.x_m(t_s) + 5e-4 * normal(random);
-			estimator.push(t_s, seen);
-		}
-		const double further = estimator.at(frames * PERIOD_S).value - 1.0;
-		CHECK(further / (amplitude - 1.0) > 0.5);
-	}
-}

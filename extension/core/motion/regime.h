@@ -42,7 +42,7 @@ inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS = [] {
 	return std::array{
 		RegimeNumbers{ { 0.025, 9.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
 		RegimeNumbers{ { 0.06, 4.6 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.041 },
-		RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.035 },
+		RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.025 },
 		RegimeNumbers{ { 0.55, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
 	};
 }();
