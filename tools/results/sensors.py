@@ -64,9 +64,8 @@ class Sensors:
     @classmethod
     def of(cls, trials: Path, out: Path) -> "Sensors":
         """The sets are made beside one another in `out`."""
-        folders = {}
-        for number, (name, sensor) in enumerate(SENSORS.items()):
-            folders[name] = out / f"trials_{number}"
+        folders = {name: out / name for name in SENSORS}
+        for name, sensor in SENSORS.items():
             write_trials(trials, folders[name], sensor)
         return cls(
             *(

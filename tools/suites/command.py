@@ -124,7 +124,7 @@ def results(folder: Path) -> Iterator[Outcome]:
     good = found == ["4", f"{mean:.3f}"]
     yield Outcome.of("command/results: mean R2 at no lag of taps after four others", good, f"{mean}, {found}")
 
-    with (folder / "work/sensors/trials_3_scene/results.csv").open(newline="") as file:
+    with (folder / "work/sensors/rounded to 1 mm_scene/results.csv").open(newline="") as file:
         own = [row for row in csv.DictReader(file) if row["position"] == "stable"]
     means = [
         f"{statistics.fmean(float(row[f'r2_zero_{name}']) for row in own):.3f}" for name in ("measured", "synthesised")
