@@ -1,5 +1,4 @@
 #include "minimum_jerk_drag.h"
-#include "motion/phase_estimator.h"
 #include "motion/tracker_standstill.h"
 
 #include <doctest/doctest.h>
@@ -127,26 +126,4 @@ TEST_CASE("what stands for half a second is a hand that was stopped, and one fra
 			CHECK_FALSE(shown.show(shown.now_s()));
 		}
 	}
-}
-
-TEST_CASE("phase mode follows a hand through a freeze that trembles as through one that does not") {
-	static const GestureModel model = test::trained_drag_model();
-	constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
-	constexpr double LOST_S = 0.75, FOUND_S = 0.95;
-	const auto largest_error = [&](double tremble) {
-		PhaseEstimator estimator(model);
-		std::mt19937_64 random(4);
-		std::normal_distribution<double> normal;
-		double largest = 0.0;
-		for (int i = 0; i * PERIOD_S < FOUND_S; ++i) {
-			const double t_s = i * PERIOD_S;
-			estimator.push(t_s, DRAG.x_m(std::min(t_s, LOST_S)) + tremble * normal(random));
-			largest = std::max(largest, std::abs(estimator.at(t_s).value - DRAG.x_m(t_s)));
-		}
-		return largest;
-	};
-	const double exact = largest_error(0.0);
-	CHECK(exact < 0.2 * (DRAG.x_m(FOUND_S) - DRAG.x_m(LOST_S)));
-	CHECK(largest_error(0.0001) == doctest::Approx(exact).epsilon(0.05));
-	CHECK(largest_error(0.001) == doctest::Approx(exact).epsilon(0.2));
 }

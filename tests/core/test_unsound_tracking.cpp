@@ -3,8 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 using namespace steadyhand;
 
@@ -120,13 +122,13 @@ TEST_CASE("nothing begins while nothing is seen, but what may have begun just be
 }
 
 TEST_CASE("a tracker that stops telling is taken for one that errs, before it tells again") {
-	for (const double seen_s : { 0.8, 0.85, 0.9 }) {
+	for (const auto &[seen_s, share] : { std::pair{ 0.8, 0.65 }, { 0.85, 0.6 }, { 0.9, 0.6 } }) {
 		CAPTURE(seen_s);
 		const double until_s = seen_s + 0.15, truth = DRAG.x_m(until_s);
 		const double error = truth - believed_of_late_tracker(true, seen_s, until_s).value;
 		const double error_unaware = truth - believed_of_late_tracker(false, seen_s, until_s).value;
 		CHECK(error_unaware > 0.05); // late, as the tracker is
-		CHECK(std::abs(error) < 0.75 * error_unaware);
+		CHECK(std::abs(error) < share * error_unaware);
 	}
 }
 
@@ -147,4 +149,24 @@ TEST_CASE("a gap says nothing of whether the hand has begun") {
 		CHECK(estimator.at(last_s + 0.2).moving == doctest::Approx(begun).epsilon(0.02));
 	}
 	CHECK(undecided > 3);
+}
+
+TEST_CASE("phase mode follows a hand through a freeze that trembles as through one that does not") {
+	constexpr double LOST_S = 0.75, FOUND_S = 0.95;
+	const auto largest_error = [&](double tremble) {
+		PhaseEstimator estimator(drag_model());
+		std::mt19937_64 random(4);
+		std::normal_distribution<double> normal;
+		double largest = 0.0;
+		for (int i = 0; i * PERIOD_S < FOUND_S; ++i) {
+			const double t_s = i * PERIOD_S;
+			estimator.push(t_s, DRAG.x_m(std::min(t_s, LOST_S)) + tremble * normal(random));
+			largest = std::max(largest, std::abs(estimator.at(t_s).value - DRAG.x_m(t_s)));
+		}
+		return largest;
+	};
+	const double exact = largest_error(0.0);
+	CHECK(exact < 0.2 * (DRAG.x_m(FOUND_S) - DRAG.x_m(LOST_S)));
+	CHECK(largest_error(0.0001) == doctest::Approx(exact).epsilon(0.05));
+	CHECK(largest_error(0.001) == doctest::Approx(exact).epsilon(0.2));
 }

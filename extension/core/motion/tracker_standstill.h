@@ -22,7 +22,7 @@ public:
 	/// Whether x shows the place of the last frame that told where the hand is, and not where the hand would
 	/// be, by their likelihoods. noise: the tracker's, standard deviation.
 	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
-		if (frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving()) {
+		if (repeated_ || frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving()) {
 			return false;
 		}
 		const double noise_variance = variance(noise);
@@ -35,6 +35,8 @@ public:
 				LOG_RATIO + std::max(goes_on(told_), goes_on(before_));
 	}
 
+	/// A frame that shows that place to the last bit: a tracker that repeats itself does not tremble.
+	void repeat() { repeated_ = true; }
 	/// A frame that tells where the hand is. One that is off the way says nothing of the velocity.
 	void tell(double t_s, double x, double noise) {
 		const double noise_variance = variance(noise);
@@ -50,6 +52,7 @@ public:
 		before_ = told_;
 		told_ = { .t_s = t_s, .x = x, .hand = hand };
 		frames_ = std::min(frames_ + 1, FIRST_FRAMES);
+		repeated_ = false;
 	}
 	/// The last frame is as if it had not been.
 	void forget() { told_ = before_; }
@@ -85,6 +88,7 @@ private:
 	};
 
 	int frames_ = 0;
+	bool repeated_ = false; ///< since the last frame that told something
 	Told told_;
 	Told before_; ///< as it was a frame earlier
 

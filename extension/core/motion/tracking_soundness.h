@@ -125,8 +125,7 @@ private:
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	Leap leap_;
-	bool repeated_ = false; ///< to the last bit, since then
-	bool leapt_ = false;    ///< the newest frame that told something did
+	bool leapt_ = false; ///< the newest frame that told something did
 	double jitter_ = 0.0;
 	int frames_ = 0;
 	bool jumped_ = false;
@@ -154,15 +153,16 @@ private:
 		fault_.now = gap_fault(frame_s);
 		Evidence taken_back;
 		const bool repeats = x == x_ && place == place_;
-		// One that repeats itself to the last bit now and then does not tremble.
-		if (!repeats && (repeated_ || !standstill_.stands(t_s_, x, jitter_))) {
+		if (!repeats && !standstill_.stands(t_s_, x, jitter_)) {
 			if (leapt_ && was_outlier(x, place)) {
 				taken_back = leap_.fault;
 				forget_outlier();
 			}
 			follow(x, place);
 		} else {
-			repeated_ = repeated_ || repeats;
+			if (repeats) {
+				standstill_.repeat();
+			}
 			silence_.repeat(t_s_);
 			if (silence_.is_silent()) {
 				stand();
@@ -226,7 +226,6 @@ private:
 		}
 		silence_.change(t_s_, step / dt_s, step, place_step);
 		standstill_.tell(t_s_, x, jitter_);
-		repeated_ = false;
 		x_ = x;
 		place_ = place;
 	}
