@@ -61,7 +61,8 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 	constexpr double NOISE = 0.0032;
 	constexpr double JUMP = 0.1; // standard deviation
 	constexpr std::size_t JUMPS_AT = 15;
-	const RegimeNumbers &numbers = regime_numbers(Regime::REST);
+	const Deviation &of_hand = regime_numbers(Regime::REST).hand,
+					&of_tracker = error_numbers(regime_numbers(Regime::REST).error).at_start;
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> normal;
 	std::vector<double> t, x;
@@ -84,7 +85,7 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 
 	// What is left of the jump: it fades critically damped.
 	const auto left = [&](double t_i) {
-		const double r = numbers.error.rate_per_s * (t_i - t[JUMPS_AT]);
+		const double r = of_tracker.rate_per_s * (t_i - t[JUMPS_AT]);
 		return r < 0.0 ? 0.0 : JUMP * (1.0 + r) * std::exp(-r);
 	};
 	const auto n = static_cast<Eigen::Index>(t.size());
@@ -95,10 +96,10 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 		const double t_i = t[static_cast<std::size_t>(i)];
 		for (Eigen::Index j = 0; j < n; ++j) {
 			const double apart_s = t_i - t[static_cast<std::size_t>(j)];
-			seen(i, j) = covariance(numbers.hand, apart_s) + covariance(numbers.error, apart_s) +
+			seen(i, j) = covariance(of_hand, apart_s) + covariance(of_tracker, apart_s) +
 					left(t_i) * left(t[static_cast<std::size_t>(j)]) + (i == j ? NOISE * NOISE : 0.0);
 		}
-		shared[i] = covariance(numbers.hand, later_s - t_i);
+		shared[i] = covariance(of_hand, later_s - t_i);
 	}
 	const Eigen::LLT<Eigen::MatrixXd> factor(seen);
 	const Eigen::Map<const Eigen::VectorXd> values(x.data(), n);
@@ -155,7 +156,10 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 		return Eigen::Matrix2d{ { 1.0, (1.0 - left) / FREE_SLOWING_PER_S }, { 0.0, left } };
 	};
 	const std::array regimes{ Regime::SOUND, Regime::UNSOUND, Regime::FREE, Regime::UNSOUND, Regime::SOUND,
-		Regime::FREE };
+		Regime::FREE, Regime::UNSOUND };
+	constexpr std::size_t SLIDES_BACK = 6;
+	constexpr double DISPLACED = 0.1;
+	std::vector<TrackerError> errors;
 	HypothesisBank bank;
 	bank.start(GestureHypothesis::resting(0.0));
 	std::vector<Vector> mean;
@@ -165,12 +169,18 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 		const double onset_s = 0.015 * static_cast<double>(k),
 					 log_duration = -0.9 + 0.1 * static_cast<double>(k);
 		const double lags = 1.0 / (1.0 + 0.39 * std::exp(-log_duration));
-		bank.add(GestureHypothesis::resting(0.0).begun(regimes[k], onset_s, DEVIATION, log_duration, 0.1));
+		const GestureHypothesis begun =
+				GestureHypothesis::resting(0.0).begun(regimes[k], onset_s, DEVIATION, log_duration, 0.1);
+		const bool slides_back = k == SLIDES_BACK;
+		bank.add(slides_back ? begun.displaced_in_passing(DISPLACED) : begun);
+		errors.push_back(slides_back ? TrackerError::PASSING : n.error);
 		const RegimeNumbers &rest = regime_numbers(Regime::REST);
+		const Deviation &error = error_numbers(slides_back ? TrackerError::PASSING : rest.error).at_start;
 		mean.emplace_back(0, 0, 0, 0, onset_s, log_duration, 0, 0.36, lags * n.lag_s);
 		const Vector deviation(rest.hand.amplitudes, rest.hand.amplitudes * rest.hand.rate_per_s,
-				rest.error.amplitudes, rest.error.amplitudes * rest.error.rate_per_s, DEVIATION, 0.1,
-				n.gain_deviation, 0.33, lags * n.lag_deviation_s);
+				std::hypot(error.amplitudes, slides_back ? DISPLACED : 0.0),
+				error.amplitudes * error.rate_per_s, DEVIATION, 0.1, n.gain_deviation, 0.33,
+				lags * n.lag_deviation_s);
 		covariance.emplace_back(deviation.cwiseAbs2().asDiagonal());
 	}
 	for (int i = 0; i < 34; ++i) {
@@ -181,11 +191,12 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 			Vector &m = mean[k];
 			Matrix &p = covariance[k];
 			const RegimeNumbers &n = regime_numbers(regimes[k]);
+			const ErrorNumbers &error = error_numbers(errors[k]);
 			const double on_way = f((t_s - m[ONSET]) * std::exp(-m[LOG_DURATION]), m[SHAPE]);
 			Matrix transition = Matrix::Identity(), noise = Matrix::Zero();
 			for (const auto &[at, a, s] : { std::tuple{ D, n.hand.rate_per_s, n.hand.amplitudes },
-						 std::tuple{
-								 B, n.error.rate_per_s, n.error.amplitudes + n.error_on_way * on_way } }) {
+						 std::tuple{ B, error.at_start.rate_per_s,
+								 error.at_start.amplitudes + error.on_way * on_way } }) {
 				Eigen::Matrix2d step;
 				step << 1.0 + a * STEP_S, STEP_S, -a * a * STEP_S, 1.0 - a * STEP_S;
 				step *= std::exp(-a * STEP_S);

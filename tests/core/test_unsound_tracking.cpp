@@ -105,6 +105,39 @@ TEST_CASE("a tracker that jumps away from a hand at rest, and back, moves it no 
 	}
 }
 
+TEST_CASE("a tracker that jumps and slides back takes no hand along that is at rest") {
+	for (const double jump : { -0.3, 0.3, 0.6 }) {
+		for (const double time_constant_s : { 0.03, 0.05, 0.08 }) {
+			for (const bool at_end : { false, true }) {
+				CAPTURE(jump);
+				CAPTURE(time_constant_s);
+				CAPTURE(at_end);
+				constexpr double JUMPS_S = 2.3, FORGOTTEN_S = 2.7;
+				PhaseEstimator estimator(drag_model());
+				std::mt19937_64 random(8);
+				std::normal_distribution<double> normal;
+				double furthest = 0.0, furthest_after = 0.0;
+				int frames = 0;
+				for (int ms = 0; ms < 3200; ++ms) {
+					const double t_s = ms / 1000.0;
+					for (; frames * PERIOD_S <= t_s; ++frames) {
+						const double frame_s = frames * PERIOD_S, since_s = frame_s - JUMPS_S;
+						const double error =
+								since_s < 0.0 ? 0.0 : jump * std::exp(-since_s / time_constant_s);
+						estimator.push(
+								frame_s, (at_end ? DRAG.x_m(frame_s) : 0.0) + error + 1e-3 * normal(random));
+					}
+					const double off = std::abs(estimator.at(t_s).value - (at_end ? 1.0 : 0.0));
+					furthest = t_s > JUMPS_S ? std::max(furthest, off) : furthest;
+					furthest_after = t_s > FORGOTTEN_S ? std::max(furthest_after, off) : furthest_after;
+				}
+				CHECK(furthest_after < 0.05);
+				CHECK(furthest < (at_end ? 0.3 : 0.6) * std::abs(jump));
+			}
+		}
+	}
+}
+
 TEST_CASE("nothing begins while nothing is seen, but what may have begun just before") {
 	for (const double lost_s : { 0.1, 0.5, 2.0, 20.0 }) {
 		CAPTURE(lost_s);

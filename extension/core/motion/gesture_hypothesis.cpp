@@ -36,7 +36,7 @@ GestureHypothesis GestureHypothesis::leaving(double d, double d_rate) {
 }
 
 void GestureHypothesis::begin_error() {
-	const Deviation &error = regime_numbers(regime_).error;
+	const Deviation &error = error_numbers(error_).at_start;
 	begin_at(ERROR, 0.0, error.amplitudes);
 	begin_at(ERROR_RATE, 0.0, error.amplitudes * error.rate_per_s);
 }
@@ -59,6 +59,7 @@ GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double
 GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	GestureHypothesis h = *this;
 	h.regime_ = regime;
+	h.error_ = regime_numbers(regime).error;
 	return h;
 }
 
@@ -94,6 +95,13 @@ GestureHypothesis GestureHypothesis::displaced(double deviation) const {
 	GestureHypothesis h = *this;
 	h.covariance_[entry(ERROR, ERROR)] += deviation * deviation;
 	return h;
+}
+
+GestureHypothesis GestureHypothesis::displaced_in_passing(double deviation) const {
+	GestureHypothesis h = *this;
+	h.error_ = TrackerError::PASSING;
+	h.forget_error();
+	return h.displaced(deviation);
 }
 
 void GestureHypothesis::forget_error() {

@@ -36,7 +36,7 @@ public:
 	/// The same hand and tracker, on its way since onset_s; deviations: standard.
 	[[nodiscard]] GestureHypothesis begun(Regime regime, double onset_s, double onset_deviation_s,
 			double log_duration, double log_duration_deviation) const;
-	/// The same hand and tracker from now on in another regime.
+	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
@@ -46,6 +46,8 @@ public:
 
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
+	/// As displaced, but that the tracker slides back within a tenth of a second.
+	[[nodiscard]] GestureHypothesis displaced_in_passing(double deviation) const;
 	/// The tracker's error is as if nothing were known of it.
 	void forget_error();
 
@@ -59,6 +61,7 @@ private:
 	std::array<double, ENTRIES> covariance_{};
 	double rate_per_s_ = 1.0; ///< exp(-log duration)
 	Regime regime_ = Regime::REST;
+	TrackerError error_ = TrackerError::SLIGHT;
 	bool on_its_way_ = false;
 
 	void begin_at(std::size_t i, double mean, double deviation);

@@ -15,11 +15,14 @@ namespace {
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 /// Those that are over hold the same of what is to come.
-constexpr std::array<std::size_t, 3> MOST_SPENT{ 4, 3, 2 };
+constexpr std::array<std::size_t, 4> MOST_SPENT{ 4, 3, 2, 3 };
 
 } // namespace
 
 HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
+	if (error(place) == TrackerError::PASSING) {
+		return RETURNING;
+	}
 	if (regime(place) == Regime::UNSOUND) {
 		return ERRING;
 	}
@@ -96,11 +99,11 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 		const Kind k = kind(i);
 		places[k][counts[k]++] = static_cast<Place>(i);
 	}
-	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least };
+	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0 };
 	double usual = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
-	for (const Kind k : { USUAL, ERRING, WANDERING }) {
+	for (const Kind k : { USUAL, ERRING, WANDERING, RETURNING }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, t_s));
 		const auto over =

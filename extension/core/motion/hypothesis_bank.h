@@ -16,12 +16,14 @@ class HypothesisBank {
 public:
 	/// Between two calls of prune.
 	static constexpr std::size_t MOST_ADDED = 64;
-	static constexpr std::size_t MOST_AFTER_PRUNE =
-			1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING + PhaseEffort::MOST_WANDERING;
+	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
+	static constexpr std::size_t MOST_RETURNING = 3;
+	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
+			PhaseEffort::MOST_WANDERING + MOST_RETURNING;
 	static constexpr std::size_t AT_REST = 0; ///< its place
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
-			most_kept_{ effort.usual, effort.erring, effort.wandering } {}
+			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_RETURNING } {}
 
 	void clear() { count_ = 0; }
 	/// Only the one at rest.
@@ -57,6 +59,7 @@ public:
 	/// exp(log_weight) at the last prune.
 	[[nodiscard]] double weight(std::size_t place) const { return weights_[place / LANES][place % LANES]; }
 	[[nodiscard]] Regime regime(std::size_t place) const { return group(place).regime(place % LANES); }
+	[[nodiscard]] TrackerError error(std::size_t place) const { return group(place).error(place % LANES); }
 	[[nodiscard]] bool on_its_way(std::size_t place) const { return group(place).on_its_way(place % LANES); }
 	/// The gesture has come to its end a while ago.
 	[[nodiscard]] bool is_over(std::size_t place, double t_s) const {
@@ -73,7 +76,7 @@ public:
 	}
 
 private:
-	enum Kind : std::size_t { USUAL, ERRING, WANDERING, KINDS };
+	enum Kind : std::size_t { USUAL, ERRING, WANDERING, RETURNING, KINDS };
 	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 	static constexpr double SPENT_PHASE = 1.3;

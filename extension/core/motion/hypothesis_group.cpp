@@ -26,15 +26,17 @@ using Hypothesis = GestureHypothesis;
 struct LaneDamping {
 	LaneVector xx, xv, vx, vv, noise_x, noise_xv, noise_v;
 
-	/// Each as in its regime; variance: of what is damped, where it comes to rest.
+	/// Each as in its regime, or of its error; variance: of what is damped, where it comes to rest.
+	template <typename Kind>
 	STEADYHAND_INLINE LaneDamping(
-			const Dampings &by, const std::array<Regime, LANES> &regimes, const LaneVector &variance) :
-			xx(of(by.xx, regimes)),
-			xv(of(by.xv, regimes)), vx(of(by.vx, regimes)), vv(of(by.vv, regimes)),
-			noise_x(variance * of(by.noise_x, regimes)), noise_xv(variance * of(by.noise_xv, regimes)),
-			noise_v(variance * of(by.noise_v, regimes)) {}
-	STEADYHAND_INLINE static LaneVector of(const Lanes &by_regime, const std::array<Regime, LANES> &regimes) {
-		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return by_regime[index_of(regimes[l])]; });
+			const Dampings &by, const std::array<Kind, LANES> &kinds, const LaneVector &variance) :
+			xx(of(by.xx, kinds)),
+			xv(of(by.xv, kinds)), vx(of(by.vx, kinds)), vv(of(by.vv, kinds)),
+			noise_x(variance * of(by.noise_x, kinds)), noise_xv(variance * of(by.noise_xv, kinds)),
+			noise_v(variance * of(by.noise_v, kinds)) {}
+	template <typename Kind>
+	STEADYHAND_INLINE static LaneVector of(const Lanes &by_kind, const std::array<Kind, LANES> &kinds) {
+		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return by_kind[index_of(kinds[l])]; });
 	}
 	/// [x, v] becomes F [x, v].
 	STEADYHAND_INLINE void apply(Lanes &r_x, Lanes &r_v) const {
@@ -80,22 +82,20 @@ struct HypothesisGroup::Filter {
 	/// F differs from unity in two pairs of states alone: a deviation and its rate, of the hand and of the
 	/// tracker.
 	STEADYHAND_INLINE void predict(const Passages &passages) const {
-		const auto of_each = [&](const auto &number) STEADYHAND_INLINE_LAMBDA {
-			return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-				return number(regime_numbers(group.regime_[l]));
-			});
-		};
-		const LaneVector hands =
-				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.hand.amplitudes; });
-		LaneVector errors =
-				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.error.amplitudes; });
-		const LaneVector on_way = on_its_way() *
-				of_each([](const RegimeNumbers &r) STEADYHAND_INLINE_LAMBDA { return r.error_on_way; });
+		const LaneVector hands = each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
+			return regime_numbers(group.regime_[l]).hand.amplitudes;
+		});
+		LaneVector errors = each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
+			return error_numbers(group.error_[l]).at_start.amplitudes;
+		});
+		const LaneVector on_way = on_its_way() * each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
+			return error_numbers(group.error_[l]).on_way;
+		});
 		if (any(on_way > 0.0)) {
 			errors += on_way * way(phase());
 		}
 		const LaneDamping hand(passages.hand, group.regime_, hands * hands),
-				error(passages.error, group.regime_, errors * errors);
+				error(passages.error, group.error_, errors * errors);
 		using H = Hypothesis;
 		hand.apply(group.mean_[H::HAND], group.mean_[H::HAND_RATE]);
 		error.apply(group.mean_[H::ERROR], group.mean_[H::ERROR_RATE]);
@@ -206,6 +206,7 @@ void HypothesisGroup::set(std::size_t lane, const GestureHypothesis &hypothesis)
 	}
 	rate_per_s_[lane] = hypothesis.rate_per_s_;
 	regime_[lane] = hypothesis.regime_;
+	error_[lane] = hypothesis.error_;
 	on_its_way_[lane] = hypothesis.on_its_way_;
 }
 
@@ -219,6 +220,7 @@ GestureHypothesis HypothesisGroup::hypothesis(std::size_t lane) const {
 	}
 	h.rate_per_s_ = rate_per_s_[lane];
 	h.regime_ = regime_[lane];
+	h.error_ = error_[lane];
 	h.on_its_way_ = on_its_way_[lane];
 	return h;
 }

@@ -36,6 +36,7 @@ public:
 	void absorb(const ElementCurve &curve, double t_s, double x, const Trust &trust, Lanes &r_log_weights);
 
 	[[nodiscard]] Regime regime(std::size_t lane) const { return regime_[lane]; }
+	[[nodiscard]] TrackerError error(std::size_t lane) const { return error_[lane]; }
 	[[nodiscard]] bool on_its_way(std::size_t lane) const { return on_its_way_[lane]; }
 	/// Only of one on its way.
 	[[nodiscard]] Course course(std::size_t lane) const {
@@ -60,6 +61,7 @@ private:
 	std::array<Lanes, GestureHypothesis::ENTRIES> covariance_{};
 	Lanes rate_per_s_{ 1.0, 1.0, 1.0, 1.0 };
 	std::array<Regime, LANES> regime_{};
+	std::array<TrackerError, LANES> error_{};
 	std::array<bool, LANES> on_its_way_{};
 };
 

@@ -58,6 +58,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = t_s;
 	filtered_s_ = t_s;
+	back_s_ = -1.0;
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -156,6 +157,7 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
 		begin(t_s, x);
 	}
+	arrive_back(t_s);
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *

@@ -46,6 +46,7 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
+		back_s_ = -1.0;
 		blend_ = {};
 	}
 
@@ -54,8 +55,10 @@ public:
 
 private:
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
-	static_assert(HypothesisBank::MOST_AFTER_PRUNE + 1 + 2 * MOST_DURATIONS <= HypothesisBank::MOST_ADDED,
-			"a jump doubles each, may set one free, and seeds; a branching adds fewer");
+	static_assert(
+			HypothesisBank::MOST_AFTER_PRUNE + 1 + HypothesisBank::MOST_RETURNING + 2 * MOST_DURATIONS <=
+					HypothesisBank::MOST_ADDED,
+			"a jump doubles each, may set one free, lets some slide back, and seeds; a branching adds fewer");
 
 	const GestureModel *model_;
 	PhaseEffort effort_;
@@ -69,6 +72,7 @@ private:
 	HypothesisBank bank_;
 	MotionOutlook outlook_;   ///< of the bank
 	double filtered_s_ = 0.0; ///< the filters are at this time
+	double back_s_ = -1.0;    ///< a tracker that slides back is back by then; -1: none does
 	double seen_s_ = 0.0;     ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
 	double missing_ = 0.0; ///< fault of the gap since then that has been counted
@@ -83,6 +87,8 @@ private:
 	void set_free_unseen(double t_s);
 	[[nodiscard]] std::size_t likeliest_on_its_way() const;
 	void displace();
+	void slide_back();
+	void arrive_back(double t_s);
 	void choose_rest();
 	void seed(double t_s, double x);
 	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,

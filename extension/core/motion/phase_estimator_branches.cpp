@@ -21,6 +21,9 @@ constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
 constexpr double DISPLACED = 0.4; ///< probability that a jump leads away from the hand, and not back to it
 constexpr double DISPLACED_BY = 0.15; ///< standard deviation
+constexpr double SLIDES_BACK = 0.04;  ///< probability that it leads away, and the tracker slides back
+constexpr double SLIDES_BY = 0.3;     ///< standard deviation
+constexpr double SLIDES_FOR_S = 0.2;  ///< from the latest jump on
 constexpr double LIKELY = 0.001;      ///< weight, from which on both are looked at
 constexpr double SEEDED_FROM = 0.08;  ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
@@ -158,6 +161,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 /// on no way, which could be anywhere and move against any error.
 void PhaseEstimator::displace() {
 	const std::size_t count = bank_.size();
+	slide_back();
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureHypothesis back = bank_.hypothesis(i);
 		const bool is_anywhere = bank_.regime(i) == Regime::FREE && !bank_.on_its_way(i);
@@ -170,10 +174,46 @@ void PhaseEstimator::displace() {
 	}
 }
 
+/// Or away and, in a slide that looks like a hand's motion, back: the likeliest of each regime stands for
+/// all.
+void PhaseEstimator::slide_back() {
+	const std::size_t count = bank_.size();
+	for (const Regime regime : { Regime::REST, Regime::SOUND, Regime::UNSOUND }) {
+		std::size_t likeliest = count;
+		double sum = 0.0;
+		for (std::size_t i = 0; i < count; ++i) {
+			if (bank_.regime(i) == regime && bank_.weight(i) > LIKELY) {
+				likeliest = likeliest == count || bank_.weight(i) > bank_.weight(likeliest) ? i : likeliest;
+				sum += bank_.weight(i);
+			}
+		}
+		if (likeliest < count) {
+			add(bank_.hypothesis(likeliest).displaced_in_passing(SLIDES_BY),
+					std::log(SLIDES_BACK * sum / bank_.weight(likeliest)));
+		}
+	}
+	back_s_ = filtered_s_ + SLIDES_FOR_S;
+}
+
+/// From then on it errs as any other.
+void PhaseEstimator::arrive_back(double t_s) {
+	if (back_s_ < 0.0 || t_s < back_s_) {
+		return;
+	}
+	for (std::size_t i = 0; i < bank_.size(); ++i) {
+		if (bank_.error(i) == TrackerError::PASSING) {
+			GestureHypothesis back = bank_.hypothesis(i);
+			back = back.in(back.regime());
+			bank_.set(i, back);
+		}
+	}
+	back_s_ = -1.0;
+}
+
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
 void PhaseEstimator::choose_rest() {
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (bank_.regime(i) == Regime::REST &&
+		if (bank_.regime(i) == Regime::REST && bank_.error(i) != TrackerError::PASSING &&
 				bank_.log_weight(i) > bank_.log_weight(HypothesisBank::AT_REST)) {
 			bank_.swap(i, HypothesisBank::AT_REST);
 		}

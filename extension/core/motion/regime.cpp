@@ -40,10 +40,12 @@ void slow_down(Dampings &r_by, double rate_per_s, double dt_s) {
 } // namespace
 
 STEADYHAND_WIDE Passages passages(double dt_s) {
-	Lanes hand, error;
+	Lanes hand{}, error{};
 	for (std::size_t i = 0; i < REGIMES; ++i) {
 		hand[i] = REGIME_NUMBERS[i].hand.rate_per_s;
-		error[i] = REGIME_NUMBERS[i].error.rate_per_s;
+	}
+	for (std::size_t i = 0; i < TRACKER_ERRORS; ++i) {
+		error[i] = ERROR_NUMBERS[i].at_start.rate_per_s;
 	}
 	Passages all{ dampings(hand, dt_s), dampings(error, dt_s) };
 	slow_down(all.hand, regime_numbers(Regime::FREE).hand.rate_per_s, dt_s);

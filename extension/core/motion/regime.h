@@ -21,6 +21,17 @@ inline constexpr std::size_t REGIMES = 4;
 	return static_cast<std::size_t>(regime);
 }
 
+/// How a tracker errs, beside its lag.
+enum class TrackerError : std::uint8_t {
+	SLIGHT,
+	GREAT,   ///< the more the further the hand is
+	PASSING, ///< it has jumped, and slides back
+};
+inline constexpr std::size_t TRACKER_ERRORS = 3;
+[[nodiscard]] constexpr std::size_t index_of(TrackerError error) {
+	return static_cast<std::size_t>(error);
+}
+
 /// How far a deviation goes and how it comes back: critically damped noise. That of a FREE hand has the same
 /// velocity, and comes back nowhere: see FREE_SLOWING_PER_S.
 struct Deviation {
@@ -30,40 +41,49 @@ struct Deviation {
 
 /// A regime's numbers (docs/method.md says how they were set); values in amplitudes.
 struct RegimeNumbers {
-	Deviation hand;      ///< d: what the hand does that the gesture does not say
-	Deviation error;     ///< b: the tracker's slow error, at the start of the way
-	double error_on_way; ///< b: standard deviation added at the end of the way
-	double lag_s;        ///< expected lag at the end of the way
+	Deviation hand;     ///< d: what the hand does that the gesture does not say
+	TrackerError error; ///< unless the tracker's has been seen to be another
+	double lag_s;       ///< expected lag at the end of the way
 	double lag_deviation_s;
 	double gain_deviation; ///< g: how much further or less far than the task asks
 };
-inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS = [] {
-	constexpr Deviation SMALL_ERROR{ 0.0056, 2.7 };
-	return std::array{
-		RegimeNumbers{ { 0.025, 9.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-		RegimeNumbers{ { 0.06, 4.6 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.041 },
-		RegimeNumbers{ { 0.016, 11.0 }, { 0.012, 5.9 }, 0.046, 0.12, 0.035, 0.025 },
-		RegimeNumbers{ { 0.55, 4.0 }, SMALL_ERROR, 0.0, 0.0, 0.0, 0.05 },
-	};
-}();
+inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS{
+	RegimeNumbers{ { 0.025, 9.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.06, 4.6 }, TrackerError::SLIGHT, 0.0, 0.0, 0.041 },
+	RegimeNumbers{ { 0.016, 11.0 }, TrackerError::GREAT, 0.12, 0.035, 0.025 },
+	RegimeNumbers{ { 0.55, 4.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
+};
 [[nodiscard]] constexpr const RegimeNumbers &regime_numbers(Regime regime) {
 	return REGIME_NUMBERS[index_of(regime)];
+}
+
+struct ErrorNumbers {
+	Deviation at_start; ///< b, where the hand starts
+	double on_way;      ///< standard deviation added at the end of the way
+};
+inline constexpr std::array<ErrorNumbers, TRACKER_ERRORS> ERROR_NUMBERS{
+	ErrorNumbers{ { 0.0056, 2.7 }, 0.0 },
+	ErrorNumbers{ { 0.012, 5.9 }, 0.046 },
+	ErrorNumbers{ { 0.012, 25.0 }, 0.046 },
+};
+[[nodiscard]] constexpr const ErrorNumbers &error_numbers(TrackerError error) {
+	return ERROR_NUMBERS[index_of(error)];
 }
 
 /// A free hand comes to rest wherever it is, x'' = -c x' + white (an integrated Ornstein-Uhlenbeck process).
 inline constexpr double FREE_SLOWING_PER_S = 6.0;
 
-/// Critically damped motion x'' = -2 a x' - a^2 x over a time, a regime each but FREE, which slows down: [x,
-/// x'] is multiplied by [xx xv; vx vv].
+/// Critically damped motion x'' = -2 a x' - a^2 x over a time, of each regime's hand (FREE slows down) or of
+/// each tracker error: [x, x'] is multiplied by [xx xv; vx vv].
 struct Dampings {
-	static_assert(REGIMES == LANES);
+	static_assert(REGIMES == LANES && TRACKER_ERRORS <= LANES);
 	Lanes xx, xv, vx, vv;
 	/// As much noise as keeps the stationary variances, s of x and a^2 s of x' (of a free hand the latter):
 	/// covariance that it adds, by s.
 	Lanes noise_x, noise_xv, noise_v;
 };
 
-/// What a time does to the deviations: the same for all hypotheses in a regime.
+/// What a time does to the deviations: the same for all hypotheses in a regime, and of an error.
 struct Passages {
 	Dampings hand, error;
 };
