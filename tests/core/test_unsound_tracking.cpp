@@ -47,6 +47,34 @@ private:
 	std::normal_distribution<double> normal_;
 };
 
+/// Of the estimate from a hand at rest, in the second from when its tracker errs.
+struct Off {
+	double meanwhile = 0.0;
+	double afterwards = 0.0;
+};
+/// error: of the time since it begins, over when it has been so for over_s.
+template <typename Error> Off furthest_off(bool at_end, double over_s, const Error &error) {
+	constexpr double BEGINS_S = 2.3;
+	PhaseEstimator estimator(drag_model());
+	std::mt19937_64 random(8);
+	std::normal_distribution<double> normal;
+	Off off;
+	int frames = 0;
+	for (int ms = 0; ms < 3300; ++ms) {
+		const double t_s = ms / 1000.0;
+		for (; frames * PERIOD_S <= t_s; ++frames) {
+			const double frame_s = frames * PERIOD_S;
+			const double hand = at_end ? DRAG.x_m(frame_s) : 0.0;
+			estimator.push(frame_s, hand + error(frame_s - BEGINS_S) + 1e-3 * normal(random));
+		}
+		if (t_s > BEGINS_S) {
+			double &furthest = t_s < BEGINS_S + over_s ? off.meanwhile : off.afterwards;
+			furthest = std::max(furthest, std::abs(estimator.at(t_s).value - (at_end ? 1.0 : 0.0)));
+		}
+	}
+	return off;
+}
+
 /// What is believed of a hand at until_s that a tracker saw, later and later, up to seen_s.
 PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double until_s) {
 	constexpr double LAG_S = 0.12; // at the end of the way
@@ -112,28 +140,28 @@ TEST_CASE("a tracker that jumps and slides back takes no hand along that is at r
 				CAPTURE(jump);
 				CAPTURE(time_constant_s);
 				CAPTURE(at_end);
-				constexpr double JUMPS_S = 2.3, FORGOTTEN_S = 2.7;
-				PhaseEstimator estimator(drag_model());
-				std::mt19937_64 random(8);
-				std::normal_distribution<double> normal;
-				double furthest = 0.0, furthest_after = 0.0;
-				int frames = 0;
-				for (int ms = 0; ms < 3200; ++ms) {
-					const double t_s = ms / 1000.0;
-					for (; frames * PERIOD_S <= t_s; ++frames) {
-						const double frame_s = frames * PERIOD_S, since_s = frame_s - JUMPS_S;
-						const double error =
-								since_s < 0.0 ? 0.0 : jump * std::exp(-since_s / time_constant_s);
-						estimator.push(
-								frame_s, (at_end ? DRAG.x_m(frame_s) : 0.0) + error + 1e-3 * normal(random));
-					}
-					const double off = std::abs(estimator.at(t_s).value - (at_end ? 1.0 : 0.0));
-					furthest = t_s > JUMPS_S ? std::max(furthest, off) : furthest;
-					furthest_after = t_s > FORGOTTEN_S ? std::max(furthest_after, off) : furthest_after;
-				}
-				CHECK(furthest_after < 0.05);
-				CHECK(furthest < (at_end ? 0.3 : 0.6) * std::abs(jump));
+				const auto off = furthest_off(at_end, 0.4, [&](double since_s) {
+					return since_s < 0.0 ? 0.0 : jump * std::exp(-since_s / time_constant_s);
+				});
+				CHECK(off.meanwhile < (at_end ? 0.3 : 0.6) * std::abs(jump));
+				CHECK(off.afterwards < 0.05);
 			}
+		}
+	}
+}
+
+TEST_CASE("a tracker that wanders off from a hand at rest and jumps back lets go of it within a tenth of a "
+		  "second") {
+	constexpr double WANDERS_S = 0.3;
+	for (const double velocity_per_s : { -2.0, -1.0, 0.6, 1.0, 2.0 }) {
+		for (const bool at_end : { false, true }) {
+			CAPTURE(velocity_per_s);
+			CAPTURE(at_end);
+			const auto off = furthest_off(at_end, WANDERS_S + 0.2, [&](double since_s) {
+				return since_s < 0.0 || since_s > WANDERS_S ? 0.0 : velocity_per_s * since_s;
+			});
+			CHECK(off.meanwhile < 1.5 * std::abs(velocity_per_s) * WANDERS_S);
+			CHECK(off.afterwards < (at_end ? 0.15 : 0.1));
 		}
 	}
 }

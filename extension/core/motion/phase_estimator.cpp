@@ -129,6 +129,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	}
 	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
 	if (soundness_.jumped() || soundness_.returned()) {
+		rest_anew(x);
 		seed(t_s, x);
 	}
 	count_fault(soundness_.fault() - missing_);

@@ -90,6 +90,7 @@ private:
 	void slide_back();
 	void arrive_back(double t_s);
 	void choose_rest();
+	void rest_anew(double x);
 	void seed(double t_s, double x);
 	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,
 			double onset_deviation_s, double log_probability);

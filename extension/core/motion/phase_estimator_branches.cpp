@@ -33,6 +33,9 @@ constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks a
 /// Logarithm of the probability that frames at rest before a jump tell nothing, because the tracker trembled
 /// about where it had lost the hand.
 constexpr double STALE_NEWS = -3.0;
+/// And of all that was seen before a jump or a return having been the tracker's error, beside what it speaks
+/// for.
+constexpr double LED_ASTRAY = -4.0;
 
 } // namespace
 
@@ -132,6 +135,20 @@ void PhaseEstimator::set_free_unseen(double t_s) {
 void PhaseEstimator::add(GestureHypothesis hypothesis, double log_probability) {
 	hypothesis.log_weight += log_probability;
 	bank_.add(hypothesis);
+}
+
+/// The tracker may have been astray until now, and the hand at rest: where that had been given up for what
+/// the tracker showed, gestures and rest begin with it again.
+void PhaseEstimator::rest_anew(double x) {
+	double greatest = bank_.log_weight(HypothesisBank::AT_REST);
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		greatest = std::max(greatest, bank_.log_weight(i));
+	}
+	if (bank_.log_weight(HypothesisBank::AT_REST) < greatest + LED_ASTRAY) {
+		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < AT_START ? x : 0.0);
+		at_rest.log_weight = greatest + LED_ASTRAY;
+		bank_.set(HypothesisBank::AT_REST, at_rest);
+	}
 }
 
 /// Hypotheses that began since the hand was last seen and have come as far as x.

@@ -37,7 +37,8 @@ public:
 
 	/// A frame that shows that place to the last bit: a tracker that repeats itself does not tremble.
 	void repeat() { repeated_ = true; }
-	/// A frame that tells where the hand is. One that is off the way says nothing of the velocity.
+	/// A frame that tells where the hand is. One that is off the way says nothing of the velocity, but that
+	/// what was seen of it may have been the tracker's.
 	void tell(double t_s, double x, double noise) {
 		const double noise_variance = variance(noise);
 		ConstantVelocityState hand = told_.hand_at(t_s);
@@ -46,6 +47,7 @@ public:
 			hand.position = x;
 			hand.p00 = noise_variance;
 			hand.p01 = 0.0;
+			hand.p11 += hand.velocity * hand.velocity;
 		} else {
 			hand.correct(x, noise_variance);
 		}
