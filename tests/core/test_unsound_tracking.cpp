@@ -166,6 +166,29 @@ TEST_CASE("a tracker that wanders off from a hand at rest and jumps back lets go
 	}
 }
 
+TEST_CASE("a freeze does not move a hand that rests beside the end of its way") {
+	for (const double amplitude : { 0.85, 1.15 }) {
+		for (const double lost_s : { 0.05, 0.1, 0.2 }) {
+			CAPTURE(amplitude);
+			CAPTURE(lost_s);
+			constexpr double FREEZES_S = 2.5;
+			PhaseEstimator estimator(drag_model());
+			std::mt19937_64 random(8);
+			std::normal_distribution<double> normal;
+			double shown = 0.0;
+			for (int i = 0; i * PERIOD_S < FREEZES_S + 1.0; ++i) {
+				const double t_s = i * PERIOD_S;
+				const bool frozen = t_s > FREEZES_S && t_s < FREEZES_S + lost_s;
+				shown = frozen ? shown : amplitude * DRAG.x_m(t_s) + 1e-3 * normal(random);
+				estimator.push(t_s, shown);
+				if (t_s > FREEZES_S - 0.1) {
+					CHECK(estimator.at(t_s).value == doctest::Approx(amplitude).epsilon(0.02));
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("nothing begins while nothing is seen, but what may have begun just before") {
 	for (const double lost_s : { 0.1, 0.5, 2.0, 20.0 }) {
 		CAPTURE(lost_s);

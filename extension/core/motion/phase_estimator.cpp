@@ -80,13 +80,15 @@ void PhaseEstimator::prune() {
 }
 
 /// A fault speaks against a tracker that is right, and says nothing of whether the hand has begun, or of one
-/// that has left the gesture's end: those keep their share.
-void PhaseEstimator::count_fault(double fault) {
+/// that has left the gesture's end: those keep their share. Where the gesture is over, only a jump says where
+/// the hand is.
+void PhaseEstimator::count_fault(double fault, bool jumped) {
 	if (fault == 0.0) {
 		return;
 	}
 	const auto is_judged = [&](std::size_t i) {
-		return bank_.on_its_way(i) && (bank_.regime(i) != Regime::FREE || !bank_.is_over(i, filtered_s_));
+		return bank_.on_its_way(i) &&
+				(!bank_.is_over(i, filtered_s_) || (jumped && bank_.regime(i) != Regime::FREE));
 	};
 	double before = 0.0, after = 0.0;
 	for (std::size_t i = 0; i < bank_.size(); ++i) {
@@ -108,7 +110,7 @@ void PhaseEstimator::wait(double t_s) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s);
-	count_fault(missing - missing_);
+	count_fault(missing - missing_, false);
 	missing_ = missing;
 	prune();
 	look(filtered_s_);
@@ -132,7 +134,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		rest_anew(x);
 		seed(t_s, x);
 	}
-	count_fault(soundness_.fault() - missing_);
+	count_fault(soundness_.fault() - missing_, soundness_.jumped());
 	missing_ = 0.0;
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	for (std::size_t i = 1; i < bank_.size(); ++i) {

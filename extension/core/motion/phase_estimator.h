@@ -97,7 +97,7 @@ private:
 	void add(GestureHypothesis hypothesis, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
-	void count_fault(double fault);
+	void count_fault(double fault, bool jumped);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
 	/// The estimate at t_s without what is blended in.
