@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 using namespace steadyhand;
 
@@ -208,6 +209,30 @@ TEST_CASE("a tracker that rounds is not frozen while it moves, and not silent wh
 				frozen += soundness.frozen() ? 1 : 0;
 			}
 			CHECK(frozen < 5); // of 1000
+		}
+	}
+}
+
+TEST_CASE("a hand at rest before a tracker that rounds is at rest after its first steps too") {
+	constexpr double RESOLUTION = 0.02;
+	for (const std::vector<int> &steps : { std::vector{ 1 }, { -1 }, { 1, -1 }, { 1, 1 } }) {
+		CAPTURE(steps.size());
+		for (const double apart_s : { 0.009, 0.2 }) {
+			CAPTURE(apart_s);
+			const bool walks = steps.size() == 2 && steps[0] == steps[1] && apart_s < 0.1;
+			TrackingSoundness soundness;
+			for (int i = 0; i < 150; ++i) {
+				const double t_s = i * PERIOD_S;
+				int shown = 0;
+				for (std::size_t k = 0; k < steps.size(); ++k) {
+					shown += t_s >= 0.5 + static_cast<double>(k) * apart_s ? steps[k] : 0;
+				}
+				soundness.push(t_s, RESOLUTION * shown);
+				if (!walks) { // two on end are a motion of two amplitudes a second
+					CHECK_FALSE(soundness.frozen());
+				}
+			}
+			CHECK(soundness.frozen() == walks);
 		}
 	}
 }

@@ -18,8 +18,9 @@ public:
 	void expect(double interval_s) { interval_s_ = interval_s; }
 	/// A frame that repeats the one before, to the last bit.
 	void repeat(double t_s) { come_to(t_s); }
-	/// A frame that does not; velocity, steps: since the last one of those, in amplitudes.
-	void change(double t_s, double velocity, double step, const FeaturePlace &place_step) {
+	/// A frame that does not; steps: since the last one of those, in amplitudes.
+	void change(double t_s, double step, const FeaturePlace &place_step) {
+		const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
 		interval_s_ = followed(interval_s_, t_s - changed_s_);
 		come_to(t_s);
 		changed_s_ = t_s;
@@ -27,6 +28,7 @@ public:
 		const bool turned = step * step_ < 0.0 || (place_step.cwiseProduct(place_step_).array() < 0.0).any();
 		look_for_resolution(step, place_step);
 		turns_ = (turns_ << 1U) | (turned ? 1U : 0U);
+		way_ = step_ + step;
 		step_ = step;
 		place_step_ = place_step;
 	}
@@ -39,8 +41,8 @@ public:
 		const bool rounds = least_share_ > ROUNDED_SHARE;
 		const double resting_per_s =
 				std::max(RESTING_PER_S, rounds ? ROUNDED_SPEED * least_step_ / frame_s_ : 0.0);
-		return is_silent() &&
-				(std::abs(speed_) > resting_per_s || (std::popcount(turns_) >= TREMBLING_TURNS && !rounds));
+		const bool moved = std::abs(speed_) > resting_per_s && std::abs(way_) > LEAST_WAY * least_step_;
+		return is_silent() && (moved || (std::popcount(turns_) >= TREMBLING_TURNS && !rounds));
 	}
 	/// The newest frame shows where the hand is: it repeats nothing, or the hand is at rest.
 	[[nodiscard]] bool told() const { return t_s_ == changed_s_ || (is_silent() && !is_frozen()); }
@@ -62,6 +64,8 @@ private:
 			0.25; ///< of the steps that are the least one, of a tracker that rounds
 	/// Of one least step a frame: a hand that is slower shows none in some frames all the same.
 	static constexpr double ROUNDED_SPEED = 0.9;
+	/// In least steps: a hand at rest before a tracker that rounds makes one, now and then.
+	static constexpr double LEAST_WAY = 1.5;
 	static constexpr double LEAST_SHARE = 0.05; ///< a step's share in that share
 	static constexpr double SAME = 0.01;        ///< relative difference of steps that are the same
 	static constexpr double PERIOD_GROWTH = 1.2;
@@ -73,6 +77,7 @@ private:
 	double interval_s_ = 0.01; ///< between changes
 	double speed_ = 0.0;       ///< smoothed
 	double step_ = 0.0;
+	double way_ = 0.0; ///< of the last two steps
 	FeaturePlace place_step_ = FeaturePlace::Zero();
 	std::uint64_t turns_ = 0;
 	double least_step_ = INFINITY; ///< in a coordinate, but 0
