@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 using namespace steadyhand;
@@ -125,5 +126,39 @@ TEST_CASE("what stands for half a second is a hand that was stopped, and one fra
 		for (int i = 0; i < 20; ++i) {
 			CHECK_FALSE(shown.show(shown.now_s()));
 		}
+	}
+}
+
+TEST_CASE("a tracker that is soon back where the hand rests, in a jump or not, does not stand still there") {
+	constexpr double WANDERS_S = 0.1;
+	for (const double rest : { 0.0, 1.0 }) {
+		for (const double away : { -0.4, 0.2, 0.4 }) {
+			for (const bool jumps_back : { false, true }) {
+				CAPTURE(rest);
+				CAPTURE(away);
+				CAPTURE(jumps_back);
+				Shown shown(0.0005);
+				while (shown.now_s() < RUN_UP_S) {
+					shown.show(rest);
+				}
+				const double from_s = shown.now_s();
+				while (shown.now_s() < from_s + WANDERS_S) {
+					const double part = (shown.now_s() - from_s) / WANDERS_S;
+					const double bump = std::sin(std::numbers::pi * part);
+					shown.show(rest + away * (jumps_back ? part : bump * bump));
+				}
+				for (int i = 0; i < 30; ++i) {
+					CHECK_FALSE(shown.show(rest));
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("a tracker that jumps back and stays says nothing more of the velocity") {
+	Shown shown(0.0005);
+	shown.run_up(1.5);
+	for (int i = 0; i < 30; ++i) {
+		CHECK_FALSE(shown.show(0.3)); // half of the way back
 	}
 }

@@ -17,12 +17,15 @@ public:
 			.t_s = t_s, .x = x, .hand = { .position = x, .p00 = FIRST_VARIANCE, .p11 = FIRST_VARIANCE_PER_S2 }
 		};
 		before_ = told_;
+		rested_ = x;
+		slow_since_s_ = t_s;
 	}
 
 	/// Whether x shows the place of the last frame that told where the hand is, and not where the hand would
 	/// be, by their likelihoods. noise: the tracker's, standard deviation.
 	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
-		if (repeated_ || frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving()) {
+		if (repeated_ || frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving() ||
+				std::abs(x - rested_) < BACK_AT_REST) {
 			return false;
 		}
 		const double noise_variance = variance(noise);
@@ -51,6 +54,11 @@ public:
 		} else {
 			hand.correct(x, noise_variance);
 		}
+		if (std::abs(hand.velocity) > RESTING_PER_S) {
+			slow_since_s_ = t_s;
+		} else if (t_s - slow_since_s_ > RESTING_S) {
+			rested_ = x;
+		}
 		before_ = told_;
 		told_ = { .t_s = t_s, .x = x, .hand = hand };
 		frames_ = std::min(frames_ + 1, FIRST_FRAMES);
@@ -65,6 +73,9 @@ private:
 	/// A hand that stays for longer where it stopped has been stopped by something.
 	static constexpr double LONGEST_S = 0.5;
 	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
+	static constexpr double RESTING_S = 0.1;      ///< and are at rest after so long
+	/// A tracker that stops so near to where a hand rested has come back to it.
+	static constexpr double BACK_AT_REST = 0.03;
 	static constexpr double MOVING_DEVIATIONS = 2.0;
 	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
 	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
@@ -90,6 +101,8 @@ private:
 	};
 
 	int frames_ = 0;
+	double rested_ = 0.0; ///< where the hand was last at rest
+	double slow_since_s_ = 0.0;
 	bool repeated_ = false; ///< since the last frame that told something
 	Told told_;
 	Told before_; ///< as it was a frame earlier
