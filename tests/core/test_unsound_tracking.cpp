@@ -166,6 +166,40 @@ TEST_CASE("a tracker that wanders off from a hand at rest and jumps back lets go
 	}
 }
 
+TEST_CASE(
+		"a tracker that took a hand for one that stops, and finds it further on, is believed within 0.2 s") {
+	for (const double lost_s : { 0.8, 0.9, 1.0 }) {
+		CAPTURE(lost_s);
+		constexpr double FOUND_S = 2.0;
+		PhaseEstimator estimator(drag_model());
+		std::mt19937_64 random(8);
+		std::normal_distribution<double> normal;
+		double furthest = 0.0;
+		for (int i = 0; i * PERIOD_S < FOUND_S + 1.0; ++i) {
+			const double t_s = i * PERIOD_S;
+			const bool lost = t_s > lost_s && t_s < FOUND_S;
+			estimator.push(t_s, DRAG.x_m(lost ? lost_s : t_s) + 1e-3 * normal(random));
+			if (t_s > FOUND_S + 0.2) {
+				furthest = std::max(furthest, std::abs(estimator.at(t_s).value - 1.0));
+			}
+		}
+		CHECK(furthest < 0.1);
+	}
+}
+
+TEST_CASE("a hand that a tracker led away fast is found within 60 ms where the tracker jumps back") {
+	for (const double velocity_per_s : { -2.0, 2.0, 3.0 }) {
+		for (const double wanders_s : { 0.2, 0.4 }) {
+			CAPTURE(velocity_per_s);
+			CAPTURE(wanders_s);
+			const auto off = furthest_off(true, wanders_s + 0.06, [&](double since_s) {
+				return since_s < 0.0 || since_s > wanders_s ? 0.0 : velocity_per_s * since_s;
+			});
+			CHECK(off.afterwards < 0.05);
+		}
+	}
+}
+
 TEST_CASE("a freeze does not move a hand that rests beside the end of its way") {
 	for (const double amplitude : { 0.85, 1.15 }) {
 		for (const double lost_s : { 0.05, 0.1, 0.2 }) {

@@ -104,12 +104,27 @@ GestureHypothesis GestureHypothesis::displaced_in_passing(double deviation) cons
 	return h.displaced(deviation);
 }
 
-void GestureHypothesis::forget_error() {
+GestureHypothesis GestureHypothesis::found_elsewhere(double deviation) const {
+	GestureHypothesis h = *this;
+	const Deviation &hand = regime_numbers(Regime::FREE).hand;
+	h.forget(HAND);
+	h.forget(HAND_RATE);
+	h.begin_at(HAND, mean_[HAND], deviation);
+	h.begin_at(HAND_RATE, 0.0, hand.amplitudes * hand.rate_per_s);
+	h.forget_error();
+	return h;
+}
+
+/// What it has in common with the other states.
+void GestureHypothesis::forget(std::size_t forgotten) {
 	for (std::size_t i = 0; i < STATES; ++i) {
-		for (const std::size_t forgotten : { ERROR, ERROR_RATE }) {
-			covariance_[entry(std::max(i, forgotten), std::min(i, forgotten))] = 0.0;
-		}
+		covariance_[entry(std::max(i, forgotten), std::min(i, forgotten))] = 0.0;
 	}
+}
+
+void GestureHypothesis::forget_error() {
+	forget(ERROR);
+	forget(ERROR_RATE);
 	begin_error();
 }
 

@@ -48,6 +48,8 @@ public:
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
 	/// As displaced, but that the tracker slides back within a tenth of a second.
 	[[nodiscard]] GestureHypothesis displaced_in_passing(double deviation) const;
+	/// Of one that is free: the tracker had been astray, and shows the hand again, which is elsewhere.
+	[[nodiscard]] GestureHypothesis found_elsewhere(double deviation) const;
 	/// The tracker's error is as if nothing were known of it.
 	void forget_error();
 
@@ -65,6 +67,7 @@ private:
 	bool on_its_way_ = false;
 
 	void begin_at(std::size_t i, double mean, double deviation);
+	void forget(std::size_t forgotten);
 	void begin_error();
 };
 

@@ -15,7 +15,7 @@ namespace steadyhand {
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
-	static constexpr std::size_t MOST_ADDED = 64;
+	static constexpr std::size_t MOST_ADDED = 72;
 	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
 	static constexpr std::size_t MOST_RETURNING = 3;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +

@@ -55,10 +55,12 @@ public:
 
 private:
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
-	static_assert(
-			HypothesisBank::MOST_AFTER_PRUNE + 1 + HypothesisBank::MOST_RETURNING + 2 * MOST_DURATIONS <=
+	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
+							HypothesisBank::MOST_RETURNING + 2 * MOST_DURATIONS <=
 					HypothesisBank::MOST_ADDED,
-			"a jump doubles each, may set one free, lets some slide back, and seeds; a branching adds fewer");
+			"a jump doubles each, trebles those that are free and on a way, may set one free, lets some "
+			"slide "
+			"back, and seeds; a branching adds fewer");
 
 	const GestureModel *model_;
 	PhaseEffort effort_;

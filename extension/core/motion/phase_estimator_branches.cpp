@@ -21,11 +21,13 @@ constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
 constexpr double DISPLACED = 0.4; ///< probability that a jump leads away from the hand, and not back to it
 constexpr double DISPLACED_BY = 0.15; ///< standard deviation
-constexpr double SLIDES_BACK = 0.04;  ///< probability that it leads away, and the tracker slides back
-constexpr double SLIDES_BY = 0.3;     ///< standard deviation
-constexpr double SLIDES_FOR_S = 0.2;  ///< from the latest jump on
-constexpr double LIKELY = 0.001;      ///< weight, from which on both are looked at
-constexpr double SEEDED_FROM = 0.08;  ///< nearer to the start than that, a hand at rest explains it as well
+constexpr double FOUND = 0.3; ///< probability that it leads to where a free hand is, which had not been seen
+constexpr double ELSEWHERE = 1.0;    ///< standard deviation
+constexpr double SLIDES_BACK = 0.04; ///< probability that it leads away, and the tracker slides back
+constexpr double SLIDES_BY = 0.3;    ///< standard deviation
+constexpr double SLIDES_FOR_S = 0.2; ///< from the latest jump on
+constexpr double LIKELY = 0.001;     ///< weight, from which on both are looked at
+constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
@@ -175,7 +177,8 @@ void PhaseEstimator::seed(double t_s, double x) {
 }
 
 /// A jump is the tracker's: it leads away from where the hand is, or back to it; back to a free hand that is
-/// on no way, which could be anywhere and move against any error.
+/// on no way, which could be anywhere and move against any error. A free hand, which went wherever the
+/// tracker showed it, may have been elsewhere before.
 void PhaseEstimator::displace() {
 	const std::size_t count = bank_.size();
 	slide_back();
@@ -185,8 +188,12 @@ void PhaseEstimator::displace() {
 		if (bank_.weight(i) > LIKELY && !is_anywhere) {
 			add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
+		const bool is_free = bank_.regime(i) == Regime::FREE && bank_.weight(i) > LIKELY;
+		if (is_free) {
+			add(back.found_elsewhere(ELSEWHERE), std::log(FOUND));
+		}
 		back.forget_error();
-		back.log_weight += std::log1p(-DISPLACED);
+		back.log_weight += std::log(1.0 - DISPLACED - (is_free ? FOUND : 0.0));
 		bank_.set(i, back);
 	}
 }
