@@ -70,7 +70,8 @@ given; the rest with the task given.
 SENSORS = """## Other sensors
 
 The same people at their own pace, before the same simulated sensor, but for what is said of its frames; all gestures
-together. Noise and rounding are per axis, and in frozen frames too. Recognised: all models active, nothing given; the
+together. Noise and rounding are per axis, and in frozen frames too; jumps and wandering begin at random, every 2 s in
+the mean (and 0.3 s), in any direction, where the hand is stable too. Recognised: all models active, nothing given; the
 rest with the task given.
 
 {table}

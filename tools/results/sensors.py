@@ -13,27 +13,52 @@ SEED = 1
 LESS_OFTEN = 4
 OUTLIERS = 0.02
 OUTLIER_M = 0.02  # standard deviation per axis
+ASTRAY_PER_S = 0.5
+JUMP_M = 0.06
+SLIDES_BACK_S = 0.06
+WANDERS_M_PER_S = 0.4
+WANDERS_S = 0.3
 
-# Of the coordinates (frames, columns) that a tracker showed, nan where it saw nothing.
-Change = Callable[[np.ndarray, np.random.Generator], np.ndarray]
+# Of the coordinates (frames, columns) that a tracker showed at these times, nan where it saw nothing.
+Change = Callable[[np.ndarray, np.ndarray, np.random.Generator], np.ndarray]
 
 
 def noise(deviation_m: float) -> Change:
-    return lambda shown, rng: shown + rng.normal(0.0, deviation_m, shown.shape)
+    return lambda _, shown, rng: shown + rng.normal(0.0, deviation_m, shown.shape)
 
 
-def held(shown: np.ndarray, _: np.random.Generator) -> np.ndarray:
+def as_it_is(_: np.ndarray, shown: np.ndarray, __: np.random.Generator) -> np.ndarray:
+    return shown
+
+
+def held(_: np.ndarray, shown: np.ndarray, __: np.random.Generator) -> np.ndarray:
     return shown[np.arange(len(shown)) // LESS_OFTEN * LESS_OFTEN]
 
 
-def rounded(shown: np.ndarray, _: np.random.Generator) -> np.ndarray:
-    return np.round(shown, 3)
+def rounded(resolution_m: float) -> Change:
+    return lambda _, shown, __: np.round(shown / resolution_m) * resolution_m
 
 
-def outliers(shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+def outliers(_: np.ndarray, shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """The whole hand is elsewhere, frame by frame."""
     where = rng.normal(0.0, OUTLIER_M, (len(shown), 3)) * (rng.random((len(shown), 1)) < OUTLIERS)
     return shown + np.tile(where, shown.shape[1] // 3)
+
+
+def astray(way_m: Callable[[np.ndarray], np.ndarray]) -> Change:
+    """The whole hand is off in one direction, by way_m of the time since that began, now and then."""
+
+    def change(t: np.ndarray, shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+        off = np.zeros((len(t), 3))
+        begins = t[0] + rng.exponential(1.0 / ASTRAY_PER_S)
+        while begins < t[-1]:
+            direction = rng.normal(size=3)
+            since = t - begins
+            off += np.where(since > 0.0, way_m(since), 0.0)[:, None] * direction / np.linalg.norm(direction)
+            begins += WANDERS_S + rng.exponential(1.0 / ASTRAY_PER_S)
+        return shown + np.tile(off, shown.shape[1] // 3)
+
+    return change
 
 
 @dataclass(frozen=True)
@@ -43,13 +68,20 @@ class Sensor:
 
 
 SENSORS = {
-    "as it is": Sensor(lambda shown, _: shown),
+    "as it is": Sensor(as_it_is),
     "white noise of 0.3 mm": Sensor(noise(0.0003)),
     "white noise of 2 mm": Sensor(noise(0.002)),
     "white noise of 5 mm": Sensor(noise(0.005)),
-    "rounded to 1 mm": Sensor(rounded),
+    "rounded to 1 mm": Sensor(rounded(0.001)),
+    "rounded to 3 mm": Sensor(rounded(0.003)),
     f"a frame in {1 / OUTLIERS:.0f} some 3 cm elsewhere": Sensor(outliers),
-    f"every {LESS_OFTEN}th frame": Sensor(lambda shown, _: shown, LESS_OFTEN),
+    f"jumps of {100.0 * JUMP_M:.0f} cm that slide back": Sensor(
+        astray(lambda since: JUMP_M * np.exp(-since / SLIDES_BACK_S))
+    ),
+    f"wanders off, {100.0 * WANDERS_M_PER_S * WANDERS_S:.0f} cm in {WANDERS_S} s, and jumps back": Sensor(
+        astray(lambda since: np.where(since < WANDERS_S, WANDERS_M_PER_S * since, 0.0))
+    ),
+    f"every {LESS_OFTEN}th frame": Sensor(as_it_is, LESS_OFTEN),
     f"the same, read {LESS_OFTEN} times": Sensor(held),
 }
 
@@ -109,9 +141,10 @@ def write_trials(source: Path, out: Path, sensor: Sensor) -> None:
                 comments.append(line)
             header = line.strip().split(",")
             rows = list(csv.reader(file))[:: sensor.every]
+        t = np.array([float(row[header.index("t")]) for row in rows])
         places = [k for k, column in enumerate(header) if column[-2:] in ("_x", "_y", "_z")]
         shown = np.array([[float(row[k] or "nan") for k in places] for row in rows])
-        for row, values in zip(rows, sensor.change(shown, rng), strict=True):
+        for row, values in zip(rows, sensor.change(t, shown, rng), strict=True):
             for k, value in zip(places, values, strict=True):
                 row[k] = "" if np.isnan(value) else str(float(value))
         with (out / name).open("w", newline="") as file:
