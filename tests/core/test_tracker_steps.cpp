@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <random>
 #include <vector>
@@ -90,6 +91,35 @@ TEST_CASE("a second step right after the first is another one") {
 		return hand(t_s) + (is_first ? 0.04 : t_s > 0.6 && t_s < 0.7 ? -0.05 : 0.0);
 	};
 	CHECK(largest_error(passed(shown, 110.0, 2.0), hand) < 0.0015);
+}
+
+TEST_CASE(
+		"a tracker that slides back after a step shows a hand where it rests, and one that moves less off") {
+	const Way rest = [](double) { return 0.0; }, usual = [](double t_s) { return USUAL.x_m(t_s); };
+	for (const double step_m : { -0.06, 0.06, 0.1 }) {
+		for (const double time_constant_s : { 0.05, 0.08 }) {
+			CAPTURE(step_m);
+			CAPTURE(time_constant_s);
+			const auto off_m = [&](const Way &hand) {
+				const Way shown = [&](double t_s) {
+					return hand(t_s) + (t_s < 0.55 ? 0.0 : step_m * std::exp((0.55 - t_s) / time_constant_s));
+				};
+				return largest_error(passed(shown, 110.0, 1.5), hand);
+			};
+			CHECK(off_m(rest) < 0.12 * std::abs(step_m));
+			CHECK(off_m(usual) < 0.5 * std::abs(step_m));
+		}
+	}
+}
+
+TEST_CASE("a hand that sets out back along a step goes its own way") {
+	const Way hand = [](double t_s) { return -QUICK.x_m(t_s); };
+	for (const double steps_s : { 0.2, 0.3, 0.35 }) {
+		CAPTURE(steps_s);
+		const auto frames =
+				passed([&](double t_s) { return hand(t_s) + (t_s < steps_s ? 0.0 : 0.06); }, 110.0, 1.0);
+		CHECK(largest_error(frames, hand) < 0.005);
+	}
 }
 
 TEST_CASE("a track that begins beside the hand loses no more than its first frames' place") {

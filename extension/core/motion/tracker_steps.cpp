@@ -16,6 +16,8 @@ constexpr double LARGEST_TREMBLE_M = 0.002;
 /// The quickest strokes that are studied, 19 cm in 0.2 s, speed up by 27 m/s^2 (Flash & Hogan 1985), for less
 /// than a frame's time on either side of their steepest.
 constexpr double ACCELERATION_M_S2 = 20.0;
+/// A tracker that slides back as fast as this would be back within so long, and is given twice that.
+constexpr double SLIDES_BACK_S = 0.15;
 /// Those strokes peak at 1.8 m/s.
 constexpr double FASTEST_M_S = 3.0;
 
@@ -24,6 +26,7 @@ constexpr double FASTEST_M_S = 3.0;
 void TrackerSteps::restart() {
 	has_last_ = is_waiting_ = false;
 	velocity_m_s_ = step_m_ = FeaturePlace::Zero();
+	slide_ = {};
 	interval_s_ = 0.0;
 }
 
@@ -36,8 +39,26 @@ void TrackerSteps::remember_bend(double bend_m) {
 	bend_m_ += (std::min(bend_m, LARGEST_TREMBLES * bend_m_ + LARGEST_TREMBLE_M) - bend_m_) / bends_;
 }
 
+/// What goes back along the step, beside the hand's own velocity before it, is the tracker's.
+void TrackerSteps::slide_to(const Frame &frame) {
+	const double left_m = slide_.left_m.norm();
+	if (left_m == 0.0) {
+		return;
+	}
+	const FeaturePlace direction = slide_.left_m / left_m;
+	const double dt_s = frame.t_s - last_.t_s;
+	const double back_m = -direction.dot(frame.place_m - last_.place_m - slide_.hand_m_s * dt_s);
+	const FeaturePlace back = std::clamp(back_m, 0.0, left_m) * direction;
+	step_m_ -= back;
+	slide_.left_m -= back;
+	if (back_m >= left_m || frame.t_s > slide_.until_s) {
+		slide_ = {};
+	}
+}
+
 void TrackerSteps::pass(const Frame &frame) {
 	if (has_last_) {
+		slide_to(frame);
 		interval_s_ = frame.t_s - last_.t_s;
 		velocity_m_s_ = (frame.place_m - last_.place_m) / interval_s_;
 	}
@@ -68,9 +89,15 @@ void TrackerSteps::resolve(const Frame &next) {
 			waiting_.place_m - last_.place_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + interval_s_ + next_s);
 	const bool is_step = step_m.norm() > floor_m() + hands_m;
+	const double back_m_s = -step_m.normalized().dot(velocity_after_m_s - before_m_s);
 	pass(waiting_);
 	if (is_step) {
 		step_m_ += step_m;
+		// Beside what a hand speeds up by between two intervals, and unlike trembling.
+		const double least_m_s = step_m.norm() / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
+		if (back_m_s > least_m_s && step_m.norm() > 2.0 * floor_m()) {
+			slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, before_m_s };
+		}
 		passed_[passed_count_ - 1].place_m -= step_m;
 		velocity_m_s_ = velocity_after_m_s;
 		interval_s_ = next_s;

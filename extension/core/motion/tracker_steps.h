@@ -9,9 +9,9 @@
 namespace steadyhand {
 
 /// Takes the steps that no hand makes out of a stream of places: a tracker that shows the hand beside where
-/// it is, for one frame or for good. What a step is can be told from the frames on either side of it: a hand
-/// that goes as far must be fast before or after. A frame off its course waits for the next one, therefore;
-/// others pass at once.
+/// it is, for one frame, for good, or until it has slid back. What a step is can be told from the frames on
+/// either side of it: a hand that goes as far must be fast before or after. A frame off its course waits for
+/// the next one, therefore; others pass at once.
 class TrackerSteps {
 public:
 	struct Passed {
@@ -30,13 +30,20 @@ private:
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero();
 	};
+	/// Back, after a step.
+	struct Slide {
+		FeaturePlace left_m = FeaturePlace::Zero(); ///< of the step; zero: the tracker does not slide
+		double until_s = 0.0;
+		FeaturePlace hand_m_s = FeaturePlace::Zero(); ///< the hand's own velocity, before the step
+	};
 
 	Frame last_;
 	Frame waiting_;
 	FeaturePlace velocity_m_s_ = FeaturePlace::Zero(); ///< over the last interval
 	double interval_s_ = 0.0;                          ///< the last; 0 before the second frame
 	FeaturePlace step_m_ = FeaturePlace::Zero();       ///< sum of all that was taken out
-	double bend_m_ = 0.0;                              ///< mean, from frame to frame
+	Slide slide_;
+	double bend_m_ = 0.0; ///< mean, from frame to frame
 	int bends_ = 0;
 	bool has_last_ = false;
 	bool is_waiting_ = false;
@@ -47,6 +54,7 @@ private:
 	void pass(const Frame &frame);
 	void resolve(const Frame &next);
 	void remember_bend(double bend_m);
+	void slide_to(const Frame &frame);
 };
 
 } // namespace steadyhand
