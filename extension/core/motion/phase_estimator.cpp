@@ -1,5 +1,7 @@
 #include "motion/phase_estimator.h"
 
+#include "motion/tracker_jump.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +60,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = t_s;
 	filtered_s_ = t_s;
-	back_s_ = -1.0;
+	back_s_ = INFINITY;
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
@@ -127,7 +129,8 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		set_free_unseen(t_s);
 	}
 	if (soundness_.jumped()) {
-		displace();
+		branch_at_jump(bank_);
+		back_s_ = t_s + SLIDES_FOR_S;
 	}
 	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
 	if (soundness_.jumped() || soundness_.returned()) {
@@ -160,7 +163,10 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
 		begin(t_s, x);
 	}
-	arrive_back(t_s);
+	if (t_s >= back_s_) {
+		arrive_from_jump(bank_);
+		back_s_ = INFINITY;
+	}
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *

@@ -8,6 +8,7 @@
 #include "motion/tracking_soundness.h"
 
 #include <array>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -18,7 +19,7 @@ namespace steadyhand {
 /// - Hypotheses branch off the one at rest at a constant rate while the hand is seen, and are seeded from
 ///   what is seen when the tracker comes back from a gap, a freeze or a jump: a gesture that begins unseen
 ///   is caught.
-/// - A jump is the tracker's: it may lead away from the hand or back to it.
+/// - A jump is the tracker's: it may lead away from the hand or back to it (tracker_jump.h).
 /// - Faults of the tracker (tracking_soundness.h) speak for the regime in which it errs.
 /// - The output never steps: what a frame changes is blended in, in value and in velocity.
 ///
@@ -46,7 +47,7 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
-		back_s_ = -1.0;
+		back_s_ = INFINITY;
 		blend_ = {};
 	}
 
@@ -72,10 +73,10 @@ private:
 	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
 	HypothesisBank bank_;
-	MotionOutlook outlook_;   ///< of the bank
-	double filtered_s_ = 0.0; ///< the filters are at this time
-	double back_s_ = -1.0;    ///< a tracker that slides back is back by then; -1: none does
-	double seen_s_ = 0.0;     ///< a frame last told where the hand is
+	MotionOutlook outlook_;    ///< of the bank
+	double filtered_s_ = 0.0;  ///< the filters are at this time
+	double back_s_ = INFINITY; ///< by then a tracker that slides back from a jump is back
+	double seen_s_ = 0.0;      ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
 	double missing_ = 0.0; ///< fault of the gap since then that has been counted
 	OutputBlend blend_;    ///< of what the last change of the estimate would step by
@@ -88,9 +89,6 @@ private:
 	void set_free(double t_s);
 	void set_free_unseen(double t_s);
 	[[nodiscard]] std::size_t likeliest_on_its_way() const;
-	void displace();
-	void slide_back();
-	void arrive_back(double t_s);
 	void choose_rest();
 	void rest_anew(double x);
 	void seed(double t_s, double x);

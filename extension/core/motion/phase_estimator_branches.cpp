@@ -19,15 +19,7 @@ constexpr double AT_START = 0.15;     ///< where it started
 constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
 constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
-constexpr double DISPLACED = 0.4; ///< probability that a jump leads away from the hand, and not back to it
-constexpr double DISPLACED_BY = 0.15; ///< standard deviation
-constexpr double FOUND = 0.3; ///< probability that it leads to where a free hand is, which had not been seen
-constexpr double ELSEWHERE = 1.0;    ///< standard deviation
-constexpr double SLIDES_BACK = 0.04; ///< probability that it leads away, and the tracker slides back
-constexpr double SLIDES_BY = 0.3;    ///< standard deviation
-constexpr double SLIDES_FOR_S = 0.2; ///< from the latest jump on
-constexpr double LIKELY = 0.001;     ///< weight, from which on both are looked at
-constexpr double SEEDED_FROM = 0.08; ///< nearer to the start than that, a hand at rest explains it as well
+constexpr double SEEDED_FROM = 0.08;   ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
@@ -174,64 +166,6 @@ void PhaseEstimator::seed(double t_s, double x) {
 							std::max(-0.5 * too_early * too_early, STALE_NEWS));
 		}
 	}
-}
-
-/// A jump is the tracker's: it leads away from where the hand is, or back to it; back to a free hand that is
-/// on no way, which could be anywhere and move against any error. A free hand, which went wherever the
-/// tracker showed it, may have been elsewhere before.
-void PhaseEstimator::displace() {
-	const std::size_t count = bank_.size();
-	slide_back();
-	for (std::size_t i = 0; i < count; ++i) {
-		GestureHypothesis back = bank_.hypothesis(i);
-		const bool is_anywhere = bank_.regime(i) == Regime::FREE && !bank_.on_its_way(i);
-		if (bank_.weight(i) > LIKELY && !is_anywhere) {
-			add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
-		}
-		const bool is_free = bank_.regime(i) == Regime::FREE && bank_.weight(i) > LIKELY;
-		if (is_free) {
-			add(back.found_elsewhere(ELSEWHERE), std::log(FOUND));
-		}
-		back.forget_error();
-		back.log_weight += std::log(1.0 - DISPLACED - (is_free ? FOUND : 0.0));
-		bank_.set(i, back);
-	}
-}
-
-/// Or away and, in a slide that looks like a hand's motion, back: the likeliest of each regime stands for
-/// all.
-void PhaseEstimator::slide_back() {
-	const std::size_t count = bank_.size();
-	for (const Regime regime : { Regime::REST, Regime::SOUND, Regime::UNSOUND }) {
-		std::size_t likeliest = count;
-		double sum = 0.0;
-		for (std::size_t i = 0; i < count; ++i) {
-			if (bank_.regime(i) == regime && bank_.weight(i) > LIKELY) {
-				likeliest = likeliest == count || bank_.weight(i) > bank_.weight(likeliest) ? i : likeliest;
-				sum += bank_.weight(i);
-			}
-		}
-		if (likeliest < count) {
-			add(bank_.hypothesis(likeliest).displaced_in_passing(SLIDES_BY),
-					std::log(SLIDES_BACK * sum / bank_.weight(likeliest)));
-		}
-	}
-	back_s_ = filtered_s_ + SLIDES_FOR_S;
-}
-
-/// From then on it errs as any other.
-void PhaseEstimator::arrive_back(double t_s) {
-	if (back_s_ < 0.0 || t_s < back_s_) {
-		return;
-	}
-	for (std::size_t i = 0; i < bank_.size(); ++i) {
-		if (bank_.error(i) == TrackerError::PASSING) {
-			GestureHypothesis back = bank_.hypothesis(i);
-			back = back.in(back.regime());
-			bank_.set(i, back);
-		}
-	}
-	back_s_ = -1.0;
 }
 
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
