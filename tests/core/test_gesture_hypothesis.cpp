@@ -172,10 +172,11 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 		const GestureHypothesis begun =
 				GestureHypothesis::resting(0.0).begun(regimes[k], onset_s, DEVIATION, log_duration, 0.1);
 		const bool slides_back = k == SLIDES_BACK;
-		bank.add(slides_back ? begun.displaced_in_passing(DISPLACED) : begun);
-		errors.push_back(slides_back ? TrackerError::PASSING : n.error);
+		bank.add(slides_back ? begun.displaced_sliding_back(DISPLACED) : begun);
+		errors.push_back(slides_back ? TrackerError::SLIDING_BACK : n.error);
 		const RegimeNumbers &rest = regime_numbers(Regime::REST);
-		const Deviation &error = error_numbers(slides_back ? TrackerError::PASSING : rest.error).at_start;
+		const Deviation &error =
+				error_numbers(slides_back ? TrackerError::SLIDING_BACK : rest.error).at_start;
 		mean.emplace_back(0, 0, 0, 0, onset_s, log_duration, 0, 0.36, lags * n.lag_s);
 		const Vector deviation(rest.hand.amplitudes, rest.hand.amplitudes * rest.hand.rate_per_s,
 				std::hypot(error.amplitudes, slides_back ? DISPLACED : 0.0),

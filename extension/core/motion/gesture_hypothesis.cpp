@@ -97,9 +97,9 @@ GestureHypothesis GestureHypothesis::displaced(double deviation) const {
 	return h;
 }
 
-GestureHypothesis GestureHypothesis::displaced_in_passing(double deviation) const {
+GestureHypothesis GestureHypothesis::displaced_sliding_back(double deviation) const {
 	GestureHypothesis h = *this;
-	h.error_ = TrackerError::PASSING;
+	h.error_ = TrackerError::SLIDING_BACK;
 	h.forget_error();
 	return h.displaced(deviation);
 }

@@ -47,7 +47,7 @@ public:
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
 	/// As displaced, but that the tracker slides back within a tenth of a second.
-	[[nodiscard]] GestureHypothesis displaced_in_passing(double deviation) const;
+	[[nodiscard]] GestureHypothesis displaced_sliding_back(double deviation) const;
 	/// Of one that is free: the tracker had been astray, and shows the hand again, which is elsewhere.
 	[[nodiscard]] GestureHypothesis found_elsewhere(double deviation) const;
 	/// The tracker's error is as if nothing were known of it.

@@ -20,8 +20,8 @@ constexpr std::array<std::size_t, 4> MOST_SPENT{ 4, 3, 2, 3 };
 } // namespace
 
 HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
-	if (error(place) == TrackerError::PASSING) {
-		return RETURNING;
+	if (error(place) == TrackerError::SLIDING_BACK) {
+		return SLIDING_BACK;
 	}
 	if (regime(place) == Regime::UNSOUND) {
 		return ERRING;
@@ -74,12 +74,17 @@ void HypothesisBank::absorb(
 	}
 }
 
+double HypothesisBank::greatest_log_weight() const {
+	double greatest = -std::numeric_limits<double>::infinity();
+	for (std::size_t i = 0; i < count_; ++i) {
+		greatest = std::max(greatest, log_weight(i));
+	}
+	return greatest;
+}
+
 /// The greatest weight becomes 1.
 STEADYHAND_WIDE void HypothesisBank::scale() {
-	double best = -std::numeric_limits<double>::infinity();
-	for (std::size_t i = 0; i < count_; ++i) {
-		best = std::max(best, log_weight(i));
-	}
+	const double best = greatest_log_weight();
 	for (std::size_t g = 0; g < groups_in_use(); ++g) {
 		const LaneVector scaled = load(log_weights_[g]) - best;
 		store(log_weights_[g], scaled);
@@ -103,7 +108,7 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 	double usual = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
-	for (const Kind k : { USUAL, ERRING, WANDERING, RETURNING }) {
+	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, t_s));
 		const auto over =

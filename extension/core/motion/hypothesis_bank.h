@@ -17,18 +17,22 @@ public:
 	/// Between two calls of prune.
 	static constexpr std::size_t MOST_ADDED = 72;
 	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
-	static constexpr std::size_t MOST_RETURNING = 3;
+	static constexpr std::size_t MOST_SLIDING_BACK = 3;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
-			PhaseEffort::MOST_WANDERING + MOST_RETURNING;
+			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK;
 	static constexpr std::size_t AT_REST = 0; ///< its place
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
-			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_RETURNING } {}
+			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK } {}
 
 	void clear() { count_ = 0; }
 	/// Only the one at rest.
 	void start(const GestureHypothesis &at_rest);
-	void add(const GestureHypothesis &hypothesis) { set(count_++, hypothesis); }
+	/// log_probability: that it came about so, given the one that it is made from.
+	void add(GestureHypothesis hypothesis, double log_probability = 0.0) {
+		hypothesis.log_weight += log_probability;
+		set(count_++, hypothesis);
+	}
 	void set(std::size_t place, const GestureHypothesis &hypothesis);
 	[[nodiscard]] GestureHypothesis hypothesis(std::size_t place) const;
 	void swap(std::size_t a, std::size_t b);
@@ -53,6 +57,7 @@ public:
 	[[nodiscard]] double log_weight(std::size_t place) const {
 		return log_weights_[place / LANES][place % LANES];
 	}
+	[[nodiscard]] double greatest_log_weight() const;
 	void weigh(std::size_t place, double log_factor) {
 		log_weights_[place / LANES][place % LANES] += log_factor;
 	}
@@ -76,7 +81,7 @@ public:
 	}
 
 private:
-	enum Kind : std::size_t { USUAL, ERRING, WANDERING, RETURNING, KINDS };
+	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, KINDS };
 	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 	static constexpr double SPENT_PHASE = 1.3;

@@ -47,7 +47,6 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
-		back_s_ = INFINITY;
 		blend_ = {};
 	}
 
@@ -57,7 +56,7 @@ public:
 private:
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
 	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
-							HypothesisBank::MOST_RETURNING + 2 * MOST_DURATIONS <=
+							HypothesisBank::MOST_SLIDING_BACK + 2 * MOST_DURATIONS <=
 					HypothesisBank::MOST_ADDED,
 			"a jump doubles each, trebles those that are free and on a way, may set one free, lets some "
 			"slide "
@@ -94,7 +93,6 @@ private:
 	void seed(double t_s, double x);
 	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,
 			double onset_deviation_s, double log_probability);
-	void add(GestureHypothesis hypothesis, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
 	void count_fault(double fault, bool jumped);

@@ -71,7 +71,7 @@ void PhaseEstimator::start(const GestureHypothesis &at_rest, std::size_t duratio
 		double onset_s, double onset_deviation_s, double log_probability) {
 	const GestureHypothesis started = at_rest.begun(
 			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
-	add(started, log_probability + log_prior_[duration]);
+	bank_.add(started, log_probability + log_prior_[duration]);
 }
 
 /// A hand that wandered off and came back is at rest again.
@@ -108,12 +108,13 @@ void PhaseEstimator::set_free(double t_s) {
 			FREED_PER_S * effort_.branch_period_s * sound * sound + std::numeric_limits<double>::min());
 	const std::size_t likeliest = likeliest_on_its_way();
 	if (bank_.is_over(likeliest, t_s)) {
-		add(bank_.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * effort_.branch_period_s));
+		bank_.add(
+				bank_.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * effort_.branch_period_s));
 	} else if (likeliest != HypothesisBank::AT_REST) {
-		add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
+		bank_.add(bank_.hypothesis(likeliest).in(Regime::FREE), log_probability);
 	}
 	if (!bank_.is_hopeless(Regime::FREE, bank_.log_weight(HypothesisBank::AT_REST) + log_probability)) {
-		add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
+		bank_.add(bank_.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
 	}
 }
 
@@ -122,25 +123,18 @@ void PhaseEstimator::set_free_unseen(double t_s) {
 	const std::size_t likeliest = likeliest_on_its_way();
 	const double unseen_s = std::min(t_s - soundness_.news_s(), LONGEST_S);
 	if (bank_.is_over(likeliest, t_s) && unseen_s > 0.0) {
-		add(bank_.hypothesis(likeliest).leaving_end().free_for(unseen_s), std::log(LEAVES_PER_S * unseen_s));
+		bank_.add(bank_.hypothesis(likeliest).leaving_end().free_for(unseen_s),
+				std::log(LEAVES_PER_S * unseen_s));
 	}
-}
-
-void PhaseEstimator::add(GestureHypothesis hypothesis, double log_probability) {
-	hypothesis.log_weight += log_probability;
-	bank_.add(hypothesis);
 }
 
 /// The tracker may have been astray until now, and the hand at rest: where that had been given up for what
 /// the tracker showed, gestures and rest begin with it again.
 void PhaseEstimator::rest_anew(double x) {
-	double greatest = bank_.log_weight(HypothesisBank::AT_REST);
-	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		greatest = std::max(greatest, bank_.log_weight(i));
-	}
-	if (bank_.log_weight(HypothesisBank::AT_REST) < greatest + LED_ASTRAY) {
+	const double log_weight = bank_.greatest_log_weight() + LED_ASTRAY;
+	if (bank_.log_weight(HypothesisBank::AT_REST) < log_weight) {
 		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < AT_START ? x : 0.0);
-		at_rest.log_weight = greatest + LED_ASTRAY;
+		at_rest.log_weight = log_weight;
 		bank_.set(HypothesisBank::AT_REST, at_rest);
 	}
 }
@@ -171,7 +165,7 @@ void PhaseEstimator::seed(double t_s, double x) {
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
 void PhaseEstimator::choose_rest() {
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (bank_.regime(i) == Regime::REST && bank_.error(i) != TrackerError::PASSING &&
+		if (bank_.regime(i) == Regime::REST && bank_.error(i) != TrackerError::SLIDING_BACK &&
 				bank_.log_weight(i) > bank_.log_weight(HypothesisBank::AT_REST)) {
 			bank_.swap(i, HypothesisBank::AT_REST);
 		}

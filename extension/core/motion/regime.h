@@ -24,8 +24,8 @@ inline constexpr std::size_t REGIMES = 4;
 /// How a tracker errs, beside its lag.
 enum class TrackerError : std::uint8_t {
 	SLIGHT,
-	GREAT,   ///< the more the further the hand is
-	PASSING, ///< it has jumped, and slides back
+	GREAT,        ///< the more the further the hand is
+	SLIDING_BACK, ///< from where it has jumped to
 };
 inline constexpr std::size_t TRACKER_ERRORS = 3;
 [[nodiscard]] constexpr std::size_t index_of(TrackerError error) {

@@ -14,11 +14,6 @@ constexpr double SLIDES_BACK = 0.04;  ///< that it leads away, and the tracker s
 constexpr double SLIDES_BY = 0.3;     ///< standard deviation
 constexpr double LIKELY = 0.001;      ///< weight, from which on all of these are looked at
 
-void add(HypothesisBank &r_bank, GestureHypothesis hypothesis, double probability) {
-	hypothesis.log_weight += std::log(probability);
-	r_bank.add(hypothesis);
-}
-
 /// In a slide that looks like a hand's motion: the likeliest of each regime stands for all.
 void slide_back(HypothesisBank &r_bank) {
 	const std::size_t count = r_bank.size();
@@ -32,8 +27,8 @@ void slide_back(HypothesisBank &r_bank) {
 			}
 		}
 		if (likeliest < count) {
-			add(r_bank, r_bank.hypothesis(likeliest).displaced_in_passing(SLIDES_BY),
-					SLIDES_BACK * sum / r_bank.weight(likeliest));
+			r_bank.add(r_bank.hypothesis(likeliest).displaced_sliding_back(SLIDES_BY),
+					std::log(SLIDES_BACK * sum / r_bank.weight(likeliest)));
 		}
 	}
 }
@@ -48,12 +43,12 @@ void branch_at_jump(HypothesisBank &r_bank) {
 		const bool is_likely = r_bank.weight(i) > LIKELY, is_free = r_bank.regime(i) == Regime::FREE;
 		// A free hand that is on no way could be anywhere, and move against any error.
 		if (is_likely && (!is_free || r_bank.on_its_way(i))) {
-			add(r_bank, back.displaced(DISPLACED_BY), DISPLACED);
+			r_bank.add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
 		// It went wherever the tracker showed it, and may have been elsewhere.
 		const bool may_be_elsewhere = is_likely && is_free;
 		if (may_be_elsewhere) {
-			add(r_bank, back.found_elsewhere(ELSEWHERE), FOUND);
+			r_bank.add(back.found_elsewhere(ELSEWHERE), std::log(FOUND));
 		}
 		back.forget_error();
 		back.log_weight += std::log(1.0 - DISPLACED - (may_be_elsewhere ? FOUND : 0.0));
@@ -63,7 +58,7 @@ void branch_at_jump(HypothesisBank &r_bank) {
 
 void arrive_from_jump(HypothesisBank &r_bank) {
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		if (r_bank.error(i) == TrackerError::PASSING) {
+		if (r_bank.error(i) == TrackerError::SLIDING_BACK) {
 			const GestureHypothesis back = r_bank.hypothesis(i);
 			r_bank.set(i, back.in(back.regime()));
 		}
