@@ -112,6 +112,22 @@ TEST_CASE(
 	}
 }
 
+TEST_CASE("a tracker that jumps back while it slides back shows the hand where it is") {
+	for (const double step_m : { -0.06, 0.06, 0.1 }) {
+		for (const double back_s : { 0.36, 0.4, 0.44, 0.5 }) {
+			CAPTURE(step_m);
+			CAPTURE(back_s);
+			const Way rest = [](double) { return 0.0; };
+			const Way shown = [&](double t_s) {
+				const bool is_off = t_s > 0.3 && t_s < back_s;
+				return is_off ? step_m * (0.5 + std::exp((0.3 - t_s) / 0.06)) : 0.0;
+			};
+			const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 1.5);
+			CHECK(largest_error(frames, rest) < 0.12 * std::abs(step_m));
+		}
+	}
+}
+
 TEST_CASE("a hand that sets out back along a step goes its own way") {
 	const Way hand = [](double t_s) { return -QUICK.x_m(t_s); };
 	for (const double steps_s : { 0.2, 0.3, 0.35 }) {

@@ -90,18 +90,24 @@ void TrackerSteps::resolve(const Frame &next) {
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + interval_s_ + next_s);
 	const double length_m = step_m.norm();
 	const bool is_step = length_m > floor_m() + hands_m;
-	pass(waiting_);
 	if (is_step) {
+		// A step ends the slide before it, which is not taken for the hand's motion either.
+		const bool slides = !slide_.left_m.isZero(0.0);
+		const FeaturePlace hand_m_s = slides ? slide_.hand_m_s : before_m_s;
+		slide_ = {};
+		pass(waiting_);
 		step_m_ += step_m;
-		const double back_m_s = -step_m.normalized().dot(velocity_after_m_s - before_m_s);
+		const double back_m_s = -step_m.normalized().dot(velocity_after_m_s - hand_m_s);
 		// Beside what a hand speeds up by between two intervals, and unlike trembling.
 		const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
 		if (back_m_s > least_m_s && length_m > 2.0 * floor_m()) {
-			slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, before_m_s };
+			slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, hand_m_s };
 		}
 		passed_[passed_count_ - 1].place_m -= step_m;
 		velocity_m_s_ = velocity_after_m_s;
 		interval_s_ = next_s;
+	} else {
+		pass(waiting_);
 	}
 }
 
