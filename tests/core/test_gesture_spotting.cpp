@@ -259,6 +259,37 @@ TEST_CASE("a hand that stops half-way ends nothing: it is given up, or held wher
 	CHECK(returned.largest_step < 0.003);
 }
 
+TEST_CASE("with the task known a hand that stops on its way may go on whenever it likes") {
+	for (const double rest_s : { 0.3, 0.5, 0.7, 1.5, 5.0 }) {
+		for (const double share : { 0.3, 0.48, 0.5, 0.52, 0.7 }) {
+			CAPTURE(rest_s);
+			CAPTURE(share);
+			const test::Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.2 * share };
+			const test::Drag second{
+				.onset_s = 1.2 + rest_s, .duration_s = 0.6, .amplitude_m = 0.2 * (1.0 - share)
+			};
+			CHECK(in_a_task(along(X, { first, second }), 3.0 + rest_s).said == times(1, "sideways"));
+		}
+		test::Drag third{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 / 3.0 };
+		std::vector<test::Drag> thirds;
+		for (int i = 0; i < 3; ++i) {
+			thirds.push_back(third);
+			third.onset_s += 0.5 + rest_s;
+		}
+		CHECK(in_a_task(along(X, thirds), 4.0 + 2.0 * rest_s).said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("with the task known a hand that stops on its way and goes elsewhere makes none") {
+	const test::Drag half{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const test::Drag rest{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const test::Drag aside{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.3 };
+	const Way way = [=](double t_s) {
+		return Eigen::Vector3d(half.x_m(t_s) + rest.x_m(t_s), aside.x_m(t_s), 0.0);
+	};
+	CHECK(in_a_task(way, 5.0).said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+}
+
 TEST_CASE("a hand that overshoots and comes back to the end makes one gesture") {
 	const test::Drag back{ .onset_s = 1.5, .duration_s = 0.3, .amplitude_m = -0.03 };
 	const test::Drag over{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.23 };

@@ -118,7 +118,7 @@ void GestureFollower::step_in_task(double t_s, const StrokeFinder &strokes) {
 		case Stage::RESTING:
 			if (is_rejected_ && is_back(t_s)) {
 				is_rejected_ = false;
-				phase_.restart();
+				phase_.restart(t_s);
 			} else if (!is_rejected_ && has_begun(t_s)) {
 				judge_by_task(strokes);
 				begin(t_s, value());
@@ -143,7 +143,7 @@ void GestureFollower::step_in_task(double t_s, const StrokeFinder &strokes) {
 }
 
 void GestureFollower::arrive(double t_s) {
-	if (mode_ == MotionMode::PAPER || likeliest_ >= 0.0) {
+	if (mode_ == MotionMode::PAPER || std::max(likeliest_, log_odds_of_all_) >= 0.0) {
 		enter(Stage::ARRIVED, t_s);
 	} else if (t_s - at_end_since_s_ > DOUBT_S) {
 		is_rejected_ = true;
@@ -154,7 +154,9 @@ void GestureFollower::arrive(double t_s) {
 void GestureFollower::begin(double t_s, double value) {
 	decoder_.reset();
 	state_played_ = 0;
-	likeliest_ = NO_STROKE;
+	likeliest_ = log_odds_of_all_ = NO_STROKE;
+	done_.reset();
+	last_.reset();
 	at_end_since_s_ = t_s;
 	if (mode_ == MotionMode::PAPER) {
 		paper_.begin(t_s, phase_of_value(*model_, std::min(value, 0.5)));
@@ -223,17 +225,35 @@ void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
 	const FeaturePlace start = feature_->is_radius
 			? FeaturePlace(0.0, 0.0, 0.0, task_.start_m.x())
 			: FeaturePlace(task_.start_m.x(), task_.start_m.y(), task_.start_m.z(), 0.0);
+	const auto judge = [&](const Stroke &stroke) {
+		return LOG_PRIOR_TASK + task_evidence(stroke, start, way_, task_.amplitude_m);
+	};
 	log_odds_ = NO_STROKE;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.is_lost) {
 			continue;
 		}
-		log_odds_ =
-				std::max(log_odds_, LOG_PRIOR_TASK + task_evidence(stroke, start, way_, task_.amplitude_m));
+		log_odds_ = std::max(log_odds_, judge(stroke));
 		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * task_.amplitude_m) {
 			likeliest_ = std::max(likeliest_, log_odds_);
 		}
 	}
+	collect(strokes);
+	if (done_) {
+		log_odds_of_all_ = judge(joined(*done_, *last_));
+		log_odds_ = std::max(log_odds_, log_odds_of_all_);
+	}
+}
+
+void GestureFollower::collect(const StrokeFinder &strokes) {
+	if (stage_ == Stage::RESTING || strokes.strokes().empty() || strokes.strokes().front().is_lost) {
+		return;
+	}
+	const Stroke &now = strokes.strokes().front();
+	if (last_ && now.onset_s != last_->onset_s) {
+		done_ = done_ ? joined(*done_, *last_) : *last_;
+	}
+	last_ = now;
 }
 
 void GestureFollower::enter(Stage stage, double t_s) {
@@ -248,7 +268,7 @@ void GestureFollower::enter(Stage stage, double t_s) {
 		if (element_.is_periodic()) {
 			phase_.reset(); // the same place is another value from now on
 		} else {
-			phase_.restart();
+			phase_.restart(t_s);
 		}
 	}
 	if (stage == Stage::RESTING && (!start_is_known_ || mode_ == MotionMode::PAPER)) {

@@ -90,8 +90,13 @@ private:
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
 	double end_speed_share_ = 0.0; ///< of the peak speed: what a hand still has where the gesture ends
-	double likeliest_ = 0.0;       ///< log odds, the best since the gesture began
+	double likeliest_ = 0.0;       ///< log odds of a stroke, the best since the gesture began
+	double log_odds_of_all_ = 0.0; ///< of its strokes as one, if they are several
 	double at_end_since_s_ = 0.0;
+	// With a task, once the gesture has begun: strokes that it is made of, however long the hand rested
+	// between them.
+	std::optional<Stroke> done_; ///< those before the last
+	std::optional<Stroke> last_;
 	double furthest_ = 0.0; ///< since it arrived, in amplitudes
 	OnlineViterbi decoder_;
 	int state_played_ = 0;
@@ -122,6 +127,7 @@ private:
 	void arrive(double t_s);
 	[[nodiscard]] bool is_back(double t_s) const;
 	void judge_by_task(const StrokeFinder &strokes);
+	void collect(const StrokeFinder &strokes);
 	void look_for_move(const StrokeFinder &strokes);
 
 	// Without one.

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace steadyhand {
+namespace {
+
+constexpr double BLEND_RATE_PER_S = 100.0; ///< as in `phase` mode
+
+} // namespace
 
 void PaperSynthesiser::play(double t_s, double phase_from, double element_duration_s) {
 	entered_s_ = t_s;
@@ -19,6 +24,7 @@ void PaperSynthesiser::begin(double t_s, double phase) {
 	const double seconds_per_phase = first.duration_mean_s / (first.phase_end - first.phase_begin);
 	began_s_ = t_s - seconds_per_phase * (phase - first.phase_begin);
 	play(t_s, phase, std::max(seconds_per_phase * (first.phase_end - phase), 1e-3));
+	blend_from({}, t_s);
 }
 
 void PaperSynthesiser::enter_state(int state, double t_s) {
@@ -28,20 +34,40 @@ void PaperSynthesiser::enter_state(int state, double t_s) {
 	}
 	const double slower = (t_s - began_s_) / expected_s;
 	const double phase_now = phase(t_s);
+	const Motion before = motion(t_s, 1.0);
 	state_ = state;
 	play(t_s, phase_now, std::max(slower * element(state).duration_mean_s, 1e-3));
+	blend_from(before, t_s);
+}
+
+void PaperSynthesiser::blend_from(const Motion &before, double t_s) {
+	const Motion now = played(t_s);
+	blend_.start(t_s, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, BLEND_RATE_PER_S);
 }
 
 double PaperSynthesiser::phase(double t_s) const {
 	return std::min(phase_at_entry_ + rate_per_s_ * (t_s - entered_s_), element(state_).phase_end);
 }
 
-Motion PaperSynthesiser::motion(double t_s, double amplitude_m) const {
-	const double now = phase(t_s);
-	const double rate = now < element(state_).phase_end ? rate_per_s_ : 0.0;
+Motion PaperSynthesiser::played(double t_s) const {
+	const double now = phase(t_s), end = element(state_).phase_end;
 	const CurvePoint point = evaluate(*model_, now);
-	return { amplitude_m * point.value, amplitude_m * point.slope * rate,
-		amplitude_m * point.curvature * rate * rate, now };
+	const Motion playing{ point.value, point.slope * rate_per_s_, point.curvature * rate_per_s_ * rate_per_s_,
+		now };
+	if (now < end || rate_per_s_ <= 0.0) {
+		return playing;
+	}
+	// It waits, and comes to rest there.
+	OutputBlend stop;
+	stop.start(
+			entered_s_ + (end - phase_at_entry_) / rate_per_s_, 0.0, playing.velocity_m_s, BLEND_RATE_PER_S);
+	return stop.completed({ point.value, 0.0, 0.0, now }, t_s);
+}
+
+Motion PaperSynthesiser::motion(double t_s, double amplitude_m) const {
+	const Motion motion = blend_.completed(played(t_s), t_s);
+	return { amplitude_m * motion.value_m, amplitude_m * motion.velocity_m_s,
+		amplitude_m * motion.acceleration_m_s2, motion.progress };
 }
 
 } // namespace steadyhand

@@ -2,6 +2,7 @@
 
 #include "gesture/gesture_model.h"
 #include "motion/motion.h"
+#include "motion/output_blend.h"
 
 namespace steadyhand {
 
@@ -9,8 +10,9 @@ namespace steadyhand {
 /// state is expected to last: its mean duration, times how much longer than the mean the states before it
 /// have lasted (paper, "the primitive motion elements are adaptively modulated by estimating the duration of
 /// HMM states"). An element that is through before the next state is recognised waits at its end; one that is
-/// interrupted is finished faster, within the next element's time, so the value never jumps. docs/method.md
-/// says where the paper is silent and what is read here.
+/// interrupted is finished faster, within the next element's time. What would step all the same, the value at
+/// the start and the velocity at each change, is blended. docs/method.md says where the paper is silent and
+/// what is read here.
 ///
 /// Between state changes the phase is a closed form of time: the motion does not depend on how often it is
 /// asked for.
@@ -36,8 +38,12 @@ private:
 	double entered_s_ = 0.0; ///< when the present one was
 	double phase_at_entry_ = 0.0;
 	double rate_per_s_ = 0.0; ///< d phase / dt while the element plays
+	OutputBlend blend_;       ///< of the amplitude: what would step at the last change
 
 	void play(double t_s, double phase_from, double element_duration_s);
+	/// Without the blend, in amplitudes.
+	[[nodiscard]] Motion played(double t_s) const;
+	void blend_from(const Motion &before, double t_s);
 	[[nodiscard]] const PrimitiveMotionElement &element(int state) const {
 		return model_->elements[static_cast<std::size_t>(state)];
 	}

@@ -64,16 +64,16 @@ void PhaseEstimator::begin(double t_s, double d) {
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
 
-void PhaseEstimator::restart() {
+void PhaseEstimator::restart(double t_s) {
 	if (bank_.empty()) {
 		return;
 	}
-	const PhaseEstimate before = at(filtered_s_), hand = outlook_.at(curve_, filtered_s_);
+	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, filtered_s_);
 	begin(filtered_s_, hand.value);
 	bank_.add(GestureHypothesis::leaving(hand.value, hand.velocity));
 	prune();
 	look(filtered_s_);
-	blend_from(before, filtered_s_);
+	blend_from(before, t_s);
 }
 
 void PhaseEstimator::prune() {

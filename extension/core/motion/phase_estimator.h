@@ -40,8 +40,8 @@ public:
 	void catch_up() { look(filtered_s_); }
 	/// No frame came until t_s: one that should have is a fault already while it is missing.
 	void wait(double t_s);
-	/// The gesture is over: what comes next may be another one.
-	void restart();
+	/// The gesture is over at t_s, not before the last frame: what comes next may be another one.
+	void restart(double t_s);
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() {
 		bank_.clear();

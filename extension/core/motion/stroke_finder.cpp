@@ -22,6 +22,20 @@ constexpr double HESITATION_S = 0.6;
 
 } // namespace
 
+Stroke joined(const Stroke &first, const Stroke &second) {
+	const double first_s = first.now_s - first.onset_s, second_s = second.now_s - second.onset_s;
+	Stroke both = first;
+	both.now_s = second.now_s;
+	both.to = second.to;
+	if (first_s + second_s > 0.0) {
+		both.middle = (first_s * first.middle + second_s * second.middle) / (first_s + second_s);
+	}
+	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
+	both.way_m = first.way_m + (second.from - first.to).norm() + second.way_m;
+	both.is_joined = true;
+	return both;
+}
+
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	first_ = count_ = rest_count_ = 0;
 	frames_[0] = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };

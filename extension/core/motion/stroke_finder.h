@@ -30,6 +30,9 @@ struct Stroke {
 	static constexpr double REST_S = 0.5;
 };
 
+/// Both as one, as far as a task's evidence asks: what the hand did between them adds its way only.
+[[nodiscard]] Stroke joined(const Stroke &first, const Stroke &second);
+
 /// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
 /// so that neither the gesture's size nor its pace matters, nor how much a tracker trembles. What is kept of
 /// the past is bounded; after construction nothing is allocated.
