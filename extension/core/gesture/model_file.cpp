@@ -175,7 +175,11 @@ Provenance provenance_from_json(const Json &json) {
 	Provenance provenance;
 	provenance.trial_set = text(json, "trial_set");
 	provenance.trained_with = text(json, "trained_with");
-	provenance.recordings = static_cast<int>(number(json, "recordings"));
+	const double recordings = number(json, "recordings");
+	if (!(recordings >= 0.0 && recordings <= 1e9)) {
+		throw Fault("recordings: not a number of recordings");
+	}
+	provenance.recordings = static_cast<int>(recordings);
 	provenance.r2_threshold = number(json, "r2_threshold");
 	for (const Json &name : member(json, "dropped")) {
 		provenance.dropped.push_back(name.is_string() ? name.get<std::string>() : std::string());

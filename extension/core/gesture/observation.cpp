@@ -10,6 +10,9 @@ void ObservationWindow::push(double t_s, double x_m) {
 	if (count_ > 0 && t_s < sample(count_ - 1).t_s) {
 		return;
 	}
+	if (count_ > 1 && t_s - sample(count_ - 2).t_s < LEAST_INTERVAL_S) {
+		--count_;
+	}
 	if (count_ == CAPACITY) {
 		first_ = (first_ + 1) % CAPACITY;
 		--count_;

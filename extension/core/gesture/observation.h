@@ -29,9 +29,9 @@ public:
 	}
 
 private:
-	/// At most this many frames of the window are kept: enough for 1 kHz sensors; a faster one gets a shorter
-	/// window.
+	/// Enough for 1 kHz sensors; of a faster one some are left out, never the newest.
 	static constexpr std::size_t CAPACITY = 64;
+	static constexpr double LEAST_INTERVAL_S = WINDOW_S / (CAPACITY - 2);
 
 	struct Sample {
 		double t_s, x_m;

@@ -63,7 +63,7 @@ std::vector<std::optional<Observation>> observe(
 	};
 	for (const HandFrame &frame : recording.measured.frames) {
 		// An instant before this frame saw only the frames before it.
-		tick_until(std::nextafter(frame.t_s, -1.0));
+		tick_until(std::nextafter(frame.t_s, -INFINITY));
 		if (frame.t_s <= movement.span.onset_s) {
 			element.restart();
 		}

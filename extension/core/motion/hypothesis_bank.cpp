@@ -47,6 +47,7 @@ void HypothesisBank::start(const GestureHypothesis &at_rest) {
 void HypothesisBank::set(std::size_t place, const GestureHypothesis &hypothesis) {
 	groups_[place / LANES].set(place % LANES, hypothesis);
 	log_weights_[place / LANES][place % LANES] = hypothesis.log_weight;
+	weights_[place / LANES][place % LANES] = std::exp(hypothesis.log_weight);
 }
 
 GestureHypothesis HypothesisBank::hypothesis(std::size_t place) const {

@@ -42,7 +42,7 @@ public:
 	void absorb(const ElementCurve &curve, double t_s, double x, const HypothesisGroup::Trust &trust);
 
 	/// Drops the unlikely, and scales weights so that the greatest is 1. unsound_at_least, free_at_least:
-	/// shares that the regimes UNSOUND and FREE keep against the others that are on their way, as long as
+	/// shares that the regimes UNSOUND and FREE keep against the others but the one at rest, as long as
 	/// there are any that are not over: a tracker may begin to err, a hand to do something else, at any time.
 	/// t_s: of the hypotheses.
 	void prune(double t_s, double unsound_at_least, double free_at_least);
@@ -61,7 +61,7 @@ public:
 	void weigh(std::size_t place, double log_factor) {
 		log_weights_[place / LANES][place % LANES] += log_factor;
 	}
-	/// exp(log_weight) at the last prune.
+	/// exp(log_weight) when it was set, or at the last prune.
 	[[nodiscard]] double weight(std::size_t place) const { return weights_[place / LANES][place % LANES]; }
 	[[nodiscard]] Regime regime(std::size_t place) const { return group(place).regime(place % LANES); }
 	[[nodiscard]] TrackerError error(std::size_t place) const { return group(place).error(place % LANES); }

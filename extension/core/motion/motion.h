@@ -2,6 +2,10 @@
 
 namespace steadyhand {
 
+/// A frame that comes sooner after the last one says nothing that it has not said: a tracker's errors last
+/// longer. So a sensor of 10 kHz costs no more than one of 250 Hz, and stamps that repeat do no harm.
+inline constexpr double LEAST_FRAME_S = 0.0035;
+
 /// The motion that drives vibration, at one instant. Derivatives are those of the motion elements, not of
 /// noisy samples; they are 0 for the conditions that hold a sample (measured, average, One Euro, Kalman).
 struct Motion {

@@ -58,8 +58,9 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &eff
 
 void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
-	seen_s_ = t_s;
+	seen_s_ = told_s_ = t_s;
 	filtered_s_ = t_s;
+	absorbed_s_ = -INFINITY;
 	back_s_ = INFINITY;
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
@@ -133,6 +134,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		back_s_ = t_s + SLIDES_FOR_S;
 	}
 	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
+	told_s_ = soundness_.told() ? t_s : told_s_;
 	if (soundness_.jumped() || soundness_.returned()) {
 		rest_anew(x);
 		seed(t_s, x);
@@ -167,6 +169,10 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 		arrive_from_jump(bank_);
 		back_s_ = INFINITY;
 	}
+	if (t_s - absorbed_s_ < LEAST_FRAME_S) {
+		return;
+	}
+	absorbed_s_ = t_s;
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *

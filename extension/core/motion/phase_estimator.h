@@ -72,10 +72,12 @@ private:
 	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
 	HypothesisBank bank_;
-	MotionOutlook outlook_;    ///< of the bank
-	double filtered_s_ = 0.0;  ///< the filters are at this time
-	double back_s_ = INFINITY; ///< by then a tracker that slides back from a jump is back
-	double seen_s_ = 0.0;      ///< a frame last told where the hand is
+	MotionOutlook outlook_;         ///< of the bank
+	double filtered_s_ = 0.0;       ///< the filters are at this time
+	double back_s_ = INFINITY;      ///< by then a tracker that slides back from a jump is back
+	double absorbed_s_ = -INFINITY; ///< when a frame was last used
+	double seen_s_ = 0.0;           ///< the tracker was last not frozen
+	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
 	double missing_ = 0.0; ///< fault of the gap since then that has been counted
 	OutputBlend blend_;    ///< of what the last change of the estimate would step by

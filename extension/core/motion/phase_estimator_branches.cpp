@@ -37,7 +37,7 @@ constexpr double LED_ASTRAY = -4.0;
 void PhaseEstimator::branch_until(double t_s) {
 	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
 	for (; next_branch_s_ <= t_s; next_branch_s_ += effort_.branch_period_s) {
-		if (next_branch_s_ - seen_s_ <= BLIND_S) {
+		if (next_branch_s_ - told_s_ <= BLIND_S) {
 			branch(next_branch_s_);
 		}
 	}
@@ -124,7 +124,7 @@ void PhaseEstimator::set_free_unseen(double t_s) {
 	const double unseen_s = std::min(t_s - soundness_.news_s(), LONGEST_S);
 	if (bank_.is_over(likeliest, t_s) && unseen_s > 0.0) {
 		bank_.add(bank_.hypothesis(likeliest).leaving_end().free_for(unseen_s),
-				std::log(LEAVES_PER_S * unseen_s));
+				std::log(-std::expm1(-LEAVES_PER_S * unseen_s)));
 	}
 }
 

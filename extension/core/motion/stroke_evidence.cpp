@@ -109,6 +109,16 @@ double best_off(double off, double length_m, double amplitude_m) {
 	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
 }
 
+/// Square of the distance from the start, m^2, by what the tracker showed or without its steps, whichever is
+/// less: it may show the hand beside its place for a while, and steps that it takes back slowly add up.
+double start_error(const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way) {
+	const auto error = [&](const FeaturePlace &from) {
+		// A radius has no place.
+		return way(3) != 0.0 ? std::pow((from - start).dot(way), 2) : (from - start).squaredNorm();
+	};
+	return std::min(error(stroke.from), error(stroke.seen_from));
+}
+
 bool leads_somewhere(double length_m) {
 	return length_m > 0.0 && std::isfinite(length_m);
 }
@@ -161,12 +171,8 @@ double task_evidence(
 	if (!leads_somewhere(length_m)) {
 		return IMPOSSIBLE;
 	}
-	FeaturePlace off = (stroke.from - start) / amplitude_m;
-	if (way(3) != 0.0) {
-		off = way * off.dot(way); // a radius has no place
-	}
 	return direction_in_task((chord / length_m - way).norm()) + straightness(stroke, length_m) -
-			0.5 * off.squaredNorm() / (START * START) + LOG_STARTS;
+			0.5 * start_error(stroke, start, way) / (START * START * amplitude_m * amplitude_m) + LOG_STARTS;
 }
 
 } // namespace steadyhand

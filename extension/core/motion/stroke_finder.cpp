@@ -149,7 +149,9 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (past_count_ == 0 || t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s > LONGEST_GAP_S) {
 		seen_since_s_ = t_s;
 	}
-	remember_frame(t_s, place_m);
+	if (past_count_ == 0 || t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s >= LEAST_FRAME_S) {
+		remember_frame(t_s, place_m);
+	}
 	if (count_ == 0 || t_s - frame(count_ - 1).t_s > LONGEST_GAP_S) {
 		restart(t_s, place_m);
 		return;
@@ -157,7 +159,7 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (ended_) {
 		begin_anew(frame(count_ - 1));
 	}
-	if (place_m == last_m_ || t_s <= last_s_) {
+	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
 		return;
 	}
 	last_s_ = t_s;

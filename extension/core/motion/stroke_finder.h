@@ -1,5 +1,6 @@
 #pragma once
 
+#include "motion/motion.h"
 #include "motion/tracker_steps.h"
 #include "motion/tremble_filter.h"
 
@@ -45,8 +46,8 @@ public:
 	void set_smallest(double smallest_m) { smallest_m_ = smallest_m; }
 	[[nodiscard]] double smallest_m() const { return smallest_m_; }
 
-	/// t_s must not decrease; a place that is not finite, or repeats the last one to the last bit (a tracker
-	/// that is frozen), is no news of the hand.
+	/// t_s must not decrease; a place that is not finite, comes sooner than LEAST_FRAME_S after the last one,
+	/// or repeats it to the last bit (a tracker that is frozen), is no news of the hand.
 	void push(double t_s, const FeaturePlace &place_m);
 
 	/// The one under way, or the one that has just ended, first; that one and those before it as one, where

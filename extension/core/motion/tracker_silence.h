@@ -90,9 +90,10 @@ private:
 
 	/// Steps of a tracker that rounds are multiples of its resolution, and at rest no more than that.
 	void look_for_resolution(double step, const FeaturePlace &place_step) {
-		Eigen::Array<double, FeaturePlace::RowsAtCompileTime + 1, 1> sizes;
-		sizes << std::abs(step), place_step.cwiseAbs();
-		const double least = (sizes > 0.0).select(sizes, INFINITY).minCoeff();
+		// Along an oblique way coordinates cancel to rounding errors of their own.
+		const bool has_place = !place_step.isZero(0.0);
+		const Eigen::Array<double, FeaturePlace::RowsAtCompileTime, 1> sizes = place_step.array().abs();
+		const double least = has_place ? (sizes > 0.0).select(sizes, INFINITY).minCoeff() : std::abs(step);
 		const bool is_least = std::abs(least - least_step_) <= SAME * least_step_;
 		least_share_ += LEAST_SHARE * ((is_least ? 1.0 : 0.0) - least_share_);
 		least_step_ = std::min(least_step_, least);

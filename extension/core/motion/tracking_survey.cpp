@@ -9,6 +9,7 @@ namespace steadyhand {
 namespace {
 
 constexpr double ONE_FAULT_S = 0.25;
+constexpr double AWAY_S = 10.0;
 /// Of a candidate: near it, and in its own cell.
 constexpr double LEAST_POOLED_S = 2.0;
 constexpr double LEAST_OWN_S = 0.3;
@@ -32,34 +33,47 @@ double deviation_of_difference(const TrackingSurvey::Place &one, const TrackingS
 TrackingSurvey::TrackingSurvey() : cells_(static_cast<std::size_t>(CELLS) * CELLS * CELLS) {}
 
 void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
-	double fault = 0.0;
+	bool fault = false;
+	bool frozen = false;
 	double jitter = 0.0;
 	for (Eigen::Index axis = 0; axis < 3; ++axis) {
 		TrackingSoundness &soundness = axes_[static_cast<std::size_t>(axis)];
 		soundness.push(t_s, std::clamp(position_m[axis], -FURTHEST_M, FURTHEST_M) / AMPLITUDE_M);
-		fault = std::max({ fault, soundness.fault(), soundness.jumped() ? 1.0 : 0.0 });
+		fault = fault || soundness.fault() > 0.0 || soundness.jumped();
+		frozen = frozen || soundness.frozen();
 		jitter = std::max(jitter, soundness.jitter());
 	}
-	const double dt_s = begun_ ? std::max(t_s - t_s_, 0.0) : 0.0;
+	fault_s_ = begun_ ? fault_s_ : t_s - 2.0 * ONE_FAULT_S;
+	double dt_s = begun_ ? std::max(t_s - t_s_, 0.0) : 0.0;
+	dt_s = dt_s > AWAY_S ? 0.0 : dt_s;
 	duration_s_ += dt_s;
+	begun_ = true;
+	t_s_ = t_s;
+	const double count = faults(dt_s, frozen, fault);
 	// What goes wrong does so where the hand was last seen.
 	if (last_ != nullptr) {
 		last_->seconds += dt_s;
-		last_->faults += fault > 0.0 && t_s - fault_s_ > ONE_FAULT_S ? 1.0 : 0.0;
+		last_->faults += count;
 	}
-	if (fault > 0.0) {
-		fault_s_ = t_s;
-	} else if (!begun_) {
-		fault_s_ = t_s - 2.0 * ONE_FAULT_S;
-	}
-	begun_ = true;
-	t_s_ = t_s;
 	last_ = cell_at(position_m);
 	if (last_ != nullptr) {
 		last_->frames += 1.0;
 		last_->jitter_m += jitter * AMPLITUDE_M;
 		last_->position_m += position_m;
 	}
+}
+
+double TrackingSurvey::faults(double dt_s, bool frozen, bool fault) {
+	const bool is_new = fault && t_s_ - fault_s_ > ONE_FAULT_S;
+	fault_s_ = fault ? t_s_ : fault_s_;
+	if (!frozen && dt_s <= ONE_FAULT_S) {
+		lost_s_ = 0.0;
+		return is_new ? 1.0 : 0.0;
+	}
+	lost_s_ += dt_s;
+	const double more = std::floor(lost_s_ / ONE_FAULT_S);
+	lost_s_ -= more * ONE_FAULT_S;
+	return std::max(more, is_new ? 1.0 : 0.0);
 }
 
 TrackingSurvey::Cell *TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {

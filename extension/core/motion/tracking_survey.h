@@ -21,8 +21,9 @@ public:
 	struct Place {
 		Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 		double seconds = 0.0;
-		double faults_per_s = 0.0; ///< gaps, freezes and jumps; those less than 0.25 s apart are one
-		double jitter_m = 0.0;     ///< deviation of the white noise that shakes the values as much, an axis
+		/// Gaps, freezes and jumps; those less than 0.25 s apart are one, and what lasts is one each 0.25 s.
+		double faults_per_s = 0.0;
+		double jitter_m = 0.0; ///< deviation of the white noise that shakes the values as much, an axis
 
 		/// Faults a second; jitter of 2 mm counts as one.
 		[[nodiscard]] double unsoundness() const { return faults_per_s + jitter_m / JITTER_OF_A_FAULT_M; }
@@ -55,7 +56,7 @@ public:
 	[[nodiscard]] std::optional<double> newest_s() const {
 		return begun_ ? std::optional(t_s_) : std::nullopt;
 	}
-	/// How long the run has been, s.
+	/// How long the run has been, s, without gaps of more than 10 s: the hand was elsewhere.
 	[[nodiscard]] double duration_s() const { return duration_s_; }
 	/// Or what the hand has yet to do.
 	[[nodiscard]] Result<Proposal> propose() const;
@@ -82,7 +83,10 @@ private:
 	double t_s_ = 0.0;
 	double duration_s_ = 0.0;
 	double fault_s_ = 0.0;
+	double lost_s_ = 0.0; ///< of a gap or freeze, what has not been counted
 
+	/// Faults of the last dt_s, up to the newest frame.
+	[[nodiscard]] double faults(double dt_s, bool frozen, bool fault);
 	[[nodiscard]] Cell *cell_at(const Eigen::Vector3d &position_m);
 	/// What was seen in the cells whose middles are `wanted`.
 	template <class Wanted> [[nodiscard]] Place gathered(Wanted wanted) const;
