@@ -290,6 +290,17 @@ TEST_CASE("with the task known a hand that stops on its way and goes elsewhere m
 	CHECK(in_a_task(way, 5.0).said == std::vector<std::string>{ "started sideways", "aborted sideways" });
 }
 
+TEST_CASE("with the task known a gesture counts after a tracker that showed the hand elsewhere at first") {
+	const test::Drag late{ .onset_s = 2.0 };
+	for (const double off_m : { 0.05, 0.15, -0.3 }) {
+		CAPTURE(off_m);
+		const Way way = [=](double t_s) {
+			return Eigen::Vector3d(late.x_m(t_s), t_s < 1.0 ? off_m : 0.0, 0.0);
+		};
+		CHECK(in_a_task(way, 4.0).said == times(1, "sideways"));
+	}
+}
+
 TEST_CASE("a hand that overshoots and comes back to the end makes one gesture") {
 	const test::Drag back{ .onset_s = 1.5, .duration_s = 0.3, .amplitude_m = -0.03 };
 	const test::Drag over{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.23 };

@@ -122,6 +122,26 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
 }
 
+TEST_CASE("when a recording was made does not change the model") {
+	const auto codebook = [](double later_s) {
+		std::vector<TrainingRecording> recordings = test::drag_recordings();
+		// On a clock of 1 / 1024 s, so that no stamp is rounded by another.
+		const auto moved = [&](double t_s) { return std::round(1024.0 * t_s) / 1024.0 + later_s; };
+		for (TrainingRecording &recording : recordings) {
+			recording.start_s = moved(recording.start_s);
+			recording.end_s = moved(recording.end_s);
+			for (Track *track : { &recording.measured, &recording.reference }) {
+				for (HandFrame &frame : track->frames) {
+					frame.t_s = moved(frame.t_s);
+				}
+			}
+		}
+		return train("drag", "index_along_axis", recordings, {}).value().quantiser.codebook();
+	};
+	CHECK((codebook(-64.0) - codebook(0.0)).cwiseAbs().maxCoeff() < 1e-9);
+	CHECK((codebook(64.0) - codebook(0.0)).cwiseAbs().maxCoeff() < 1e-9);
+}
+
 TEST_CASE("a gesture goes both ways where a recording runs against the first one") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	CHECK_FALSE(train("drag", "index_along_axis", drags, {}).value().both_ways);

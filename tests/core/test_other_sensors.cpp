@@ -1,10 +1,12 @@
 #include "metrics/curve_comparison.h"
 #include "minimum_jerk_drag.h"
+#include "motion/gesture_recogniser.h"
 #include "motion/phase_estimator.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
@@ -21,6 +23,7 @@ struct Sensor {
 	double resolution = 0.0; ///< what it rounds to
 	int reads = 1;           ///< of each of its frames
 	double outliers = 0.0;   ///< share of its frames that are elsewhere
+	double tick_s = 0.0;     ///< its clock's
 };
 
 struct Figures {
@@ -51,7 +54,10 @@ Figures figures(const Sensor &sensor) {
 					seen = sensor.resolution > 0.0 ? std::round(seen / sensor.resolution) * sensor.resolution
 												   : seen;
 				}
-				estimator.push(frames / sensor.rate_hz, seen);
+				const double frame_s = frames / sensor.rate_hz;
+				estimator.push(
+						sensor.tick_s > 0.0 ? std::floor(frame_s / sensor.tick_s) * sensor.tick_s : frame_s,
+						seen);
 			}
 			reference.push_back(drag.x_m(t_s));
 			shown.push_back(seen);
@@ -79,10 +85,44 @@ TEST_CASE("phase mode keeps to what sensors of all makes show") {
 				 Sensor{ .name = "one frame in fifty elsewhere", .outliers = 0.02 },
 				 Sensor{ .name = "15 Hz", .rate_hz = 15.0 },
 				 Sensor{ .name = "1 kHz", .rate_hz = 1000.0 },
+				 Sensor{ .name = "1 kHz, stamps of 4 ms", .rate_hz = 1000.0, .tick_s = 0.004 },
+				 Sensor{ .name = "240 Hz, stamps of 8 ms", .rate_hz = 240.0, .tick_s = 0.008 },
+				 Sensor{ .name = "2 kHz", .rate_hz = 2000.0 },
+				 Sensor{ .name = "10 kHz", .rate_hz = 10000.0 },
 		 }) {
 		CAPTURE(sensor.name);
 		const Figures mean = figures(sensor);
 		CAPTURE(mean.shown);
 		CHECK(mean.estimated > mean.shown - 0.0005);
+	}
+}
+
+TEST_CASE("before any sensor a quick gesture with its task known ends where the hand does") {
+	static const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
+	for (const double rate_hz : { 30.0, 120.0, 500.0, 1000.0, 2000.0, 10000.0 }) {
+		for (const double duration_s : { 0.5, 1.0, 1.5 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(duration_s);
+			const test::Drag drag{ .onset_s = 1.5, .duration_s = duration_s };
+			std::mt19937_64 random(1);
+			std::normal_distribution<double> noise(0.0, 5e-5);
+			GestureRecogniser hmm({ model }, Task{}, MotionMode::PHASE);
+			double end_s = -1.0;
+			int frames = 0;
+			for (int ms = 0; ms < 4000 && end_s < 0.0; ++ms) {
+				for (; frames / rate_hz <= ms / 1000.0; ++frames) {
+					HandFrame frame;
+					frame.t_s = frames / rate_hz;
+					frame.set(Joint::INDEX,
+							{ drag.x_m(frame.t_s) + noise(random), noise(random), noise(random) });
+					hmm.push(frame);
+				}
+				hmm.advance(ms / 1000.0);
+				if (hmm.follower() != nullptr && hmm.follower()->stage() == GestureFollower::Stage::ARRIVED) {
+					end_s = ms / 1000.0;
+				}
+			}
+			CHECK(std::abs(end_s - drag.onset_s - duration_s) < 0.06);
+		}
 	}
 }

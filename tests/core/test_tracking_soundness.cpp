@@ -213,6 +213,27 @@ TEST_CASE("a tracker that rounds is not frozen while it moves, and not silent wh
 	}
 }
 
+TEST_CASE("a tracker that rounds is known whichever way the motion element goes") {
+	constexpr double RESOLUTION = 0.005;
+	for (const Eigen::Vector3d &way : { Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 1, 0),
+				 Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(0.96, 0.28, 0) }) {
+		CAPTURE(way.transpose());
+		std::mt19937_64 random(4);
+		std::normal_distribution<double> noise(0.0, 0.3 * RESOLUTION);
+		TrackingSoundness soundness;
+		int frozen = 0;
+		for (int i = 0; i < 3000; ++i) {
+			FeaturePlace place = FeaturePlace::Zero();
+			for (Eigen::Index axis = 0; axis < 3; ++axis) {
+				place[axis] = std::round((0.3 + noise(random)) / RESOLUTION) * RESOLUTION;
+			}
+			soundness.push(i * PERIOD_S, way.normalized().dot(place.head<3>()), place);
+			frozen += soundness.frozen() ? 1 : 0;
+		}
+		CHECK(frozen == 0);
+	}
+}
+
 TEST_CASE("a hand at rest before a tracker that rounds is at rest after its first steps too") {
 	constexpr double RESOLUTION = 0.02;
 	for (const std::vector<int> &steps : { std::vector{ 1 }, { -1 }, { 1, -1 }, { 1, 1 } }) {

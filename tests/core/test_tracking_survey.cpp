@@ -120,6 +120,47 @@ TEST_CASE("faults are counted at the place where they begin, jitter where it is"
 	CHECK(proposal.unstable.jitter_m == doctest::Approx(1e-3).epsilon(0.3));
 }
 
+TEST_CASE("where the hand is lost for long is worse than where it is lost often for a moment") {
+	for (const bool freezes : { false, true }) {
+		CAPTURE(freezes);
+		TrackingSurvey survey;
+		Random random(1);
+		double t_s = 0.0;
+		const auto track = [&](double middle_m, double length_s) {
+			Vector3d place;
+			for (const double end_s = t_s + length_s; t_s < end_s; t_s += 0.01) {
+				const Vector3d noise(random.normal(), random.normal(), random.normal());
+				place = Vector3d(middle_m + 0.03 * std::sin(3.0 * t_s), 0.02 * std::sin(2.0 * t_s), -0.3) +
+						2e-4 * noise;
+				survey.push(t_s, place);
+			}
+			return place;
+		};
+		for (int visit = 0; visit < 6; ++visit) {
+			for (int i = 0; i < 4; ++i) {
+				track(-0.3, 1.0);
+				t_s += 0.15;
+			}
+			const Vector3d last = track(0.3, 1.0);
+			for (const double end_s = t_s + 6.0; t_s < end_s; t_s += 0.01) {
+				if (freezes) {
+					survey.push(t_s, last);
+				}
+			}
+		}
+		const TrackingSurvey::Proposal proposal = survey.propose().value();
+		CHECK(proposal.stable.position_m.x() < -0.25);
+		CHECK(proposal.unstable.position_m.x() > 0.25);
+		// Four in a second: whatever lasts counts each quarter.
+		CHECK(proposal.unstable.faults_per_s > 3.0);
+	}
+	TrackingSurvey away;
+	for (const double t_s : { 0.0, 3600.0, 7200.0 }) {
+		away.push(t_s, { 0.0, 0.0, -0.3 });
+	}
+	CHECK(away.duration_s() == 0.0);
+}
+
 TEST_CASE("a run too short, or in one place, says what is missing") {
 	CHECK(surveyed(far_away, 10.0, 1).propose().error().find("too short") != std::string::npos);
 	TrackingSurvey still;
