@@ -54,6 +54,7 @@ public:
 		} else {
 			hand.correct(x, noise_variance);
 		}
+		top_speed_ = std::max(std::abs(hand.velocity), top_speed_ * std::exp((told_.t_s - t_s) / BRAKES_S));
 		if (std::abs(hand.velocity) > RESTING_PER_S) {
 			slow_since_s_ = t_s;
 		} else if (t_s - slow_since_s_ > RESTING_S) {
@@ -77,6 +78,10 @@ private:
 	/// A tracker that stops so near to where a hand rested has come back to it.
 	static constexpr double BACK_AT_REST = 0.03;
 	static constexpr double MOVING_DEVIATIONS = 2.0;
+	/// A hand that stops has slowed down before; a tracker has not. Share of its speed, and for how long that
+	/// is remembered.
+	static constexpr double BRAKED = 0.6;
+	static constexpr double BRAKES_S = 0.15;
 	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
 	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
 	/// square of its speed, 1 / s: a fast one slows down by a fifth from frame to frame.
@@ -103,13 +108,15 @@ private:
 	int frames_ = 0;
 	double rested_ = 0.0; ///< where the hand was last at rest
 	double slow_since_s_ = 0.0;
-	bool repeated_ = false; ///< since the last frame that told something
+	double top_speed_ = 0.0; ///< of late
+	bool repeated_ = false;  ///< since the last frame that told something
 	Told told_;
 	Told before_; ///< as it was a frame earlier
 
 	[[nodiscard]] bool is_moving() const {
 		const double speed = std::abs(told_.hand.velocity);
-		return speed > std::max(RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11));
+		return speed > std::max({ RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11),
+							   BRAKED * top_speed_ });
 	}
 	static double variance(double noise) { return noise * noise + SMALLEST_NOISE * SMALLEST_NOISE; }
 	/// Of a Gaussian, but for a constant.
