@@ -78,6 +78,17 @@ GestureHypothesis GestureHypothesis::leaving_end() const {
 	return h;
 }
 
+GestureHypothesis GestureHypothesis::at_end(double onset_s, double log_duration) const {
+	GestureHypothesis h = begun(Regime::SOUND, onset_s, 0.0, log_duration, 0.0);
+	// Where the hand is is known: d becomes d - 1 - g, with the minimum jerk's end, which is 1.
+	h.begin_at(SHAPE, 1.0, 0.0);
+	const double gain_variance = h.covariance_[entry(GAIN, GAIN)];
+	h.mean_[HAND] -= 1.0;
+	h.covariance_[entry(HAND, HAND)] += gain_variance;
+	h.covariance_[entry(GAIN, HAND)] = -gain_variance;
+	return h;
+}
+
 GestureHypothesis GestureHypothesis::free_for(double unseen_s) const {
 	constexpr std::size_t FREE = index_of(Regime::FREE);
 	GestureHypothesis h = *this;

@@ -40,6 +40,8 @@ public:
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
+	/// Of one that is free and on no way: the same hand, which has made the gesture and is beside its end.
+	[[nodiscard]] GestureHypothesis at_end(double onset_s, double log_duration) const;
 	/// Of one that is free: the same, but that the hand, which was not seen, has been so for so long, and the
 	/// tracker has found it.
 	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;

@@ -87,6 +87,7 @@ private:
 	void branch_until(double t_s);
 	void branch(double t_s);
 	void come_to_rest();
+	void come_to_end(double t_s);
 	void set_free(double t_s);
 	void set_free_unseen(double t_s);
 	[[nodiscard]] std::size_t likeliest_on_its_way() const;

@@ -16,6 +16,9 @@ constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double AT_START = 0.15;     ///< where it started
+constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has made the gesture
+constexpr double AT_END = 0.1;        ///< of the end
+constexpr double ENDED_PHASE = 2.0;   ///< over for long
 constexpr double BLIND_S = 0.05;  ///< without news of the hand nothing branches off: what it begins is seeded
 constexpr double LONGEST_S = 8.0; ///< an onset before that no longer matters
 constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
@@ -50,6 +53,7 @@ double PhaseEstimator::probability(Regime regime) const {
 
 void PhaseEstimator::branch(double t_s) {
 	come_to_rest();
+	come_to_end(t_s);
 	choose_rest();
 	set_free(t_s);
 	const GestureHypothesis at_rest = bank_.hypothesis(HypothesisBank::AT_REST);
@@ -85,6 +89,23 @@ void PhaseEstimator::come_to_rest() {
 			rested.log_weight = log_weight;
 			bank_.set(HypothesisBank::AT_REST, rested);
 		}
+	}
+}
+
+/// A hand that went its own way, in two halves, say, and comes to the end has made the gesture.
+void PhaseEstimator::come_to_end(double t_s) {
+	std::size_t likeliest = HypothesisBank::AT_REST;
+	for (std::size_t i = 1; i < bank_.size(); ++i) {
+		if (!bank_.on_its_way(i) && std::abs(bank_.hand_deviation(i) - 1.0) < AT_END &&
+				(likeliest == HypothesisBank::AT_REST || bank_.log_weight(i) > bank_.log_weight(likeliest))) {
+			likeliest = i;
+		}
+	}
+	if (likeliest != HypothesisBank::AT_REST) {
+		const double log_duration = log_durations_[effort_.durations / 2];
+		bank_.add(
+				bank_.hypothesis(likeliest).at_end(t_s - ENDED_PHASE * std::exp(log_duration), log_duration),
+				std::log(ENDED_PER_S * effort_.branch_period_s));
 	}
 }
 

@@ -1,0 +1,80 @@
+// Hands that stop on their way, before a tracker that is right.
+
+#include "minimum_jerk_drag.h"
+#include "motion/phase_estimator.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+/// Values in amplitudes.
+struct Halt {
+	double share; ///< of the way, at which the hand halts
+	double first_s, rest_s, second_s;
+};
+
+struct Furthest {
+	double off = 0.0;      ///< of the estimate from the hand, at any time
+	double off_last = 0.0; ///< in the second after the hand has arrived
+};
+
+Furthest furthest(const Halt &halt, double rate_hz, double noise) {
+	static const GestureModel model = test::trained_drag_model();
+	PhaseEstimator estimator(model);
+	const test::Drag first{ .onset_s = 0.8, .duration_s = halt.first_s, .amplitude_m = halt.share };
+	const test::Drag second{ .onset_s = 0.8 + halt.first_s + halt.rest_s,
+		.duration_s = halt.second_s,
+		.amplitude_m = 1.0 - halt.share };
+	const double end_s = second.onset_s + second.duration_s;
+	std::mt19937_64 random(2);
+	std::normal_distribution<double> trembling(0.0, noise);
+	Furthest furthest;
+	int frames = 0;
+	for (int ms = 0; ms / 1000.0 < end_s + 1.0; ++ms) {
+		const double t_s = ms / 1000.0;
+		const auto hand = [&](double at_s) { return first.x_m(at_s) + second.x_m(at_s); };
+		for (; frames / rate_hz <= t_s; ++frames) {
+			estimator.push(frames / rate_hz, hand(frames / rate_hz) + trembling(random));
+		}
+		const double off = std::abs(estimator.at(t_s).value - hand(t_s));
+		furthest.off = std::max(furthest.off, off);
+		furthest.off_last = t_s > end_s + 0.2 ? std::max(furthest.off_last, off) : 0.0;
+	}
+	return furthest;
+}
+
+} // namespace
+
+TEST_CASE("a hand that halts as fast as hands do is no tracker that has frozen") {
+	for (const double rate_hz : { 60.0, 90.0, 110.0 }) {
+		for (const double first_s : { 0.15, 0.2, 0.3 }) {
+			for (const double share : { 0.3, 0.4, 0.5 }) {
+				for (const double noise : { 2e-4, 1e-3 }) {
+					CAPTURE(rate_hz);
+					CAPTURE(first_s);
+					CAPTURE(share);
+					CAPTURE(noise);
+					const Halt halt{ .share = share, .first_s = first_s, .rest_s = 0.6, .second_s = 0.5 };
+					CHECK(furthest(halt, rate_hz, noise).off < 0.15);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("a hand that went its way in two halves stays at its end") {
+	for (const double rest_s : { 0.4, 0.6, 0.8, 1.2 }) {
+		for (const double share : { 0.3, 0.5, 0.7 }) {
+			CAPTURE(rest_s);
+			CAPTURE(share);
+			const Halt halt{ .share = share, .first_s = 0.31, .rest_s = rest_s, .second_s = 0.31 };
+			CHECK(furthest(halt, 90.0, 5e-4).off_last < 0.06);
+		}
+	}
+}
