@@ -81,6 +81,7 @@ private:
 	/// A hand that stops has slowed down before; a tracker has not. Share of its speed, and for how long that
 	/// is remembered.
 	static constexpr double BRAKED = 0.6;
+	static constexpr double NOT_YET_BRAKED = 0.9; ///< a frame earlier
 	static constexpr double BRAKES_S = 0.15;
 	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
 	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
@@ -115,8 +116,10 @@ private:
 
 	[[nodiscard]] bool is_moving() const {
 		const double speed = std::abs(told_.hand.velocity);
-		return speed > std::max({ RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11),
-							   BRAKED * top_speed_ });
+		// Where the tracker stopped within a frame's time, the last speed is less than the hand's.
+		const bool brakes =
+				speed < BRAKED * top_speed_ && std::abs(before_.hand.velocity) < NOT_YET_BRAKED * top_speed_;
+		return !brakes && speed > std::max(RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11));
 	}
 	static double variance(double noise) { return noise * noise + SMALLEST_NOISE * SMALLEST_NOISE; }
 	/// Of a Gaussian, but for a constant.
