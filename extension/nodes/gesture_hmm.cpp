@@ -19,6 +19,8 @@ namespace {
 constexpr double CONTROL_RATE_HZ = 1000.0;
 /// After a gap this long in the stamps nothing that was recognised still holds.
 constexpr double LONGEST_GAP_S = 10.0;
+/// So many in a row are another unit.
+constexpr int LEAPS_TOLD = 3;
 
 steadyhand::Task core_task(const GestureTask &p_task, bool p_is_radius) {
 	return { p_is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
@@ -61,12 +63,10 @@ void GestureHMM::build_recogniser() {
 		active.push_back(model->core());
 		active_gestures_.push_back(model->get_gesture());
 	}
-	if (active.empty() && models_.size() > 0) {
-		WARN_PRINT(String("GestureHMM: nothing will be recognised, since none of its models is of the "
-						  "gesture '") +
-				String(wanted) + String("'"));
-	}
-	task_in_use_ = task != nullptr ? std::optional(core_task(*task, task_is_radius_)) : std::nullopt;
+	warn_of(task, active.size());
+	// With several models nobody knows whose place it is.
+	const bool is_for_one = task != nullptr && (wanted != StringName() || active.size() == 1);
+	task_in_use_ = is_for_one ? std::optional(core_task(*task, task_is_radius_)) : std::nullopt;
 	rest_amplitude_m_ = 1.0;
 	if (task_in_use_) {
 		rest_amplitude_m_ = task_in_use_->amplitude_m;
@@ -78,11 +78,33 @@ void GestureHMM::build_recogniser() {
 			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 }
 
+/// Of what keeps it from recognising; once, however often it is made anew.
+void GestureHMM::warn_of(const GestureTask *p_task, std::size_t p_active) {
+	String warning;
+	if (models_.is_empty()) {
+		warning = "GestureHMM: nothing will be recognised, since it has no models";
+	} else if (p_active == 0) {
+		warning = String("GestureHMM: nothing will be recognised, since none of its models is of the gesture "
+						 "'") +
+				String(task_gesture_) + String("'");
+	} else if (p_task != nullptr && task_gesture_ == StringName() && p_active > 1) {
+		warning =
+				String("GestureHMM: the place of its task is not used, since it does not say which of the ") +
+				String::num_int64(static_cast<int64_t>(p_active)) +
+				String(" models it is for; set the GestureTask's \"gesture\"");
+	}
+	if (warning != String() && warning != warned_) {
+		WARN_PRINT(warning);
+	}
+	warned_ = warning;
+}
+
 void GestureHMM::on_task_changed() {
 	const GestureTask *const task = get_task();
 	// A node tells that it was moved once the frame is over: by then the place may be in use already.
-	if (task == nullptr || outdated_ || task->get_gesture() != task_gesture_ ||
-			core_task(*task, task_is_radius_) != task_in_use_) {
+	const bool has_moved =
+			task != nullptr && task_in_use_ && core_task(*task, task_is_radius_) != task_in_use_;
+	if (task == nullptr || outdated_ || task->get_gesture() != task_gesture_ || has_moved) {
 		on_settings_changed();
 	}
 }
@@ -90,6 +112,12 @@ void GestureHMM::on_task_changed() {
 void GestureHMM::prepare(double p_time_s) {
 	if (recogniser_ && std::abs(p_time_s - time_s_) > LONGEST_GAP_S) {
 		reset();
+		if (++leaps_ == LEAPS_TOLD) {
+			WARN_PRINT("GestureHMM: time stamps leap by more than 10 s from frame to frame, and nothing is "
+					   "recognised across such a gap; stamps are seconds");
+		}
+	} else if (p_time_s > time_s_) {
+		leaps_ = 0;
 	}
 	if (!outdated_) {
 		return;
@@ -201,6 +229,13 @@ double GestureHMM::amplitude_m() const {
 
 double GestureHMM::get_value() const {
 	return current(motion_).value_m;
+}
+
+double GestureHMM::get_value_at(double p_time_s) const {
+	return recogniser_ && !outdated_
+			? recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), std::max(p_time_s, time_s_))
+					  .value_m
+			: 0.0;
 }
 
 double GestureHMM::get_velocity() const {

@@ -58,6 +58,8 @@ public:
 	double get_sensor_latency() const { return sensor_latency_s_; }
 
 	double get_value() const;
+	/// As by now it will be at p_time_s.
+	double get_value_at(double p_time_s) const;
 	double get_velocity() const;
 	double get_acceleration() const;
 	double get_progress() const;
@@ -126,9 +128,12 @@ private:
 	Shown shown_;
 	StringName recognised_;
 	uint32_t gestures_begun_ = 0;
+	String warned_;
+	int leaps_ = 0; ///< gaps too long to connect, one after the other
 
 	void prepare(double p_time_s);
 	void build_recogniser();
+	void warn_of(const GestureTask *p_task, std::size_t p_active);
 	void run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	steadyhand::Motion current(Motion p_motion) const;

@@ -164,6 +164,7 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_sensor_latency", "latency"), &GestureHMM::set_sensor_latency);
 	ClassDB::bind_method(D_METHOD("get_sensor_latency"), &GestureHMM::get_sensor_latency);
 	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
+	ClassDB::bind_method(D_METHOD("get_value_at", "time"), &GestureHMM::get_value_at);
 	ClassDB::bind_method(D_METHOD("get_velocity"), &GestureHMM::get_velocity);
 	ClassDB::bind_method(D_METHOD("get_acceleration"), &GestureHMM::get_acceleration);
 	ClassDB::bind_method(D_METHOD("get_progress"), &GestureHMM::get_progress);

@@ -69,7 +69,7 @@ PackedStringArray GestureTask::_get_configuration_warnings() const {
 	if (gesture_ == StringName()) {
 		warnings.push_back(
 				"Set \"gesture\" to the name of the gesture that is expected here, e.g. horizontal_drag. "
-				"While it is empty, every model of a GestureHMM competes here.");
+				"While it is empty, a GestureHMM with several models competes them without this place.");
 	}
 	if (direction_.length_squared() <= 0 && start_radius_ <= 0.0) {
 		warnings.push_back("Set \"direction\" to the way the hand moves, or \"start_radius\" for a gesture "

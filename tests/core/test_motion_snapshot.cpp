@@ -152,6 +152,21 @@ TEST_CASE("an arrival is found between instants, once, and is foretold at the sa
 	CHECK(detector.last().speed_m_s == doctest::Approx(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
 }
 
+TEST_CASE("a condition that holds its frames arrives as fast as the hand that they show") {
+	constexpr double SPEED = 5.0; // amplitudes a second
+	for (const int held_ms : { 5, 11, 33 }) {
+		CAPTURE(held_ms);
+		ArrivalDetector detector;
+		for (int ms = 0; ms < 400; ++ms) {
+			const int frame_ms = ms - ms % held_ms;
+			detector.push(
+					0.001 * ms, { 0.001 * SPEED * std::max(frame_ms - 100, 0), 0.0, 0.0, true }, 1, 0.2);
+		}
+		CHECK(detector.last().number == 1);
+		CHECK(detector.last().speed_m_s == doctest::Approx(0.2 * SPEED).epsilon(1e-6));
+	}
+}
+
 TEST_CASE("a hand that trembles at the end arrives once; one that goes back by half arrives again") {
 	ArrivalDetector detector;
 	double t_s = 0.0;

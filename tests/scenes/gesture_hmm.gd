@@ -105,6 +105,39 @@ func test_only_the_tasks_model_is_active() -> void:
 	rig.free_nodes()
 
 
+func test_a_task_that_names_no_gesture_is_its_only_models_or_nobodys() -> void:
+	var names: Array[String] = ["horizontal_drag", "tap", "vertical_drag", "zoom"]
+	var orders: Array[Array] = [names, names.duplicate(), ["horizontal_drag"]]
+	orders[1].reverse()
+	for order in orders:
+		var rig := _make_rig(STABLE)
+		var models: Array[GestureModel] = []
+		for gesture: String in order:
+			models.append(load(Rig.MODEL % gesture) as GestureModel)
+		rig.gesture_hmm.models = models
+		rig.task.gesture = &""
+		rig.record(0, 2400)
+		check_equal(String(rig.gesture_hmm.recognised), "horizontal_drag", "%s" % [order])
+		rig.free_nodes()
+
+
+func test_the_value_can_be_asked_for_ahead_of_time() -> void:
+	var rig := _make_rig(STABLE)
+	rig.tracker.start()
+	rig.tracker.advance_to(1.0)
+	var hmm := rig.gesture_hmm
+	check_equal(hmm.get_value_at(hmm.time), hmm.value, "now")
+	check_equal(hmm.get_value_at(hmm.time - 1.0), hmm.value, "no time before")
+	var furthest := 0.0
+	for step in range(1000, 2000, 10):
+		rig.tracker.advance_to(step * Rig.STEP_S)
+		var ahead := hmm.get_value_at((step + 1) * Rig.STEP_S)
+		rig.tracker.advance_to((step + 1) * Rig.STEP_S)
+		furthest = maxf(furthest, absf(ahead - hmm.value))
+	check(furthest < 0.0005, "a millisecond ahead: %f m off at most" % furthest)
+	rig.free_nodes()
+
+
 func test_quality() -> void:
 	var gesture_hmm := GestureHMM.new()
 	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate unless told otherwise")

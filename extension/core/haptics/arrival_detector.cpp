@@ -42,9 +42,14 @@ void ArrivalDetector::push(double t_s, const MotionSnapshot::Knot &motion, std::
 			step.knots[0] = before_;
 			step.knots[1] = motion;
 			last_.time_s = step.reaches_s(level_, before_s_);
-			last_.speed_m_s = std::abs(step.at(last_.time_s).velocity) * amplitude_m;
+			// A condition that holds its frames steps from one to the next: it moved for as long as it held.
+			const bool was_held = changed_s_ < before_s_;
+			const double speed = was_held ? (motion.position - before_.position) / (t_s - changed_s_)
+										  : step.at(last_.time_s).velocity;
+			last_.speed_m_s = std::abs(speed) * amplitude_m;
 		}
 	}
+	changed_s_ = connected_ && motion.position == before_.position ? changed_s_ : t_s;
 	before_ = motion;
 	before_s_ = t_s;
 	connected_ = true;

@@ -35,6 +35,7 @@ private:
 	bool was_there_ = false; ///< in this gesture
 	bool connected_ = false;
 	double before_s_ = 0.0;
+	double changed_s_ = 0.0; ///< since then the position has been before_'s
 	MotionSnapshot::Knot before_;
 	std::uint32_t number_ = 0; ///< of the arrival that is awaited or was the last
 	Arrival last_;
