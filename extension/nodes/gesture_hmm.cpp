@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace godot {
 
@@ -96,7 +97,7 @@ void GestureHMM::warn_of(const GestureTask *p_task, std::size_t p_active) {
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(warning);
 	}
-	warned_ = warning;
+	warned_ = std::move(warning);
 }
 
 void GestureHMM::on_task_changed() {

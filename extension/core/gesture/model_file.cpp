@@ -176,7 +176,7 @@ Provenance provenance_from_json(const Json &json) {
 	provenance.trial_set = text(json, "trial_set");
 	provenance.trained_with = text(json, "trained_with");
 	const double recordings = number(json, "recordings");
-	if (!(recordings >= 0.0 && recordings <= 1e9)) {
+	if (recordings < 0.0 || recordings > 1e9) {
 		throw Fault("recordings: not a number of recordings");
 	}
 	provenance.recordings = static_cast<int>(recordings);

@@ -239,7 +239,7 @@ void GestureFollower::judge_by_task(const StrokeFinder &strokes) {
 		}
 	}
 	collect(strokes);
-	if (done_) {
+	if (done_ && last_) {
 		log_odds_of_all_ = judge(joined(*done_, *last_));
 		log_odds_ = std::max(log_odds_, log_odds_of_all_);
 	}

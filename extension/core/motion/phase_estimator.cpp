@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace steadyhand {
 namespace {
@@ -60,7 +61,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = told_s_ = t_s;
 	filtered_s_ = t_s;
-	absorbed_s_ = -INFINITY;
+	absorbed_s_ = -std::numeric_limits<double>::infinity();
 	back_s_ = INFINITY;
 	next_branch_s_ = t_s + effort_.branch_period_s;
 }
