@@ -83,8 +83,8 @@ func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 	if not evaluation.error.is_empty():
 		fail(evaluation.error, EXIT_BAD_INPUT)
 		return
-	if evaluation.broken > 0:
-		exit_code = EXIT_INCOMPLETE
+	if not evaluation.shortcoming().is_empty():
+		fail(evaluation.shortcoming(), EXIT_INCOMPLETE)
 	_table.add(set_name, evaluation.groups)
 	for gesture in Tasks.SCENES:
 		_play_scene(set_name, trial_set, gesture)

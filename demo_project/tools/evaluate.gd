@@ -2,8 +2,8 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/evaluate.gd -- --trials DIR --out DIR
 ##     [--models DIR] [--mode phase|paper] [--context scene|open]
 ##
-## Exit code: 0; 1 where a trial's tracks could not be read (the others are reported); 2 where
-## nothing could be done.
+## Exit code: 0; 1 where a trial could not be judged (the others are reported) or the set has none;
+## 2 where nothing could be done.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
@@ -41,7 +41,7 @@ func work(arguments: PackedStringArray) -> void:
 	evaluation.run(trial_set, models, settings, out_folder, root)
 	if not evaluation.error.is_empty():
 		fail(evaluation.error, EXIT_BAD_INPUT)
-	elif evaluation.broken > 0:
-		fail("%d trials left out, see above" % evaluation.broken, EXIT_INCOMPLETE)
+	elif not evaluation.shortcoming().is_empty():
+		fail(evaluation.shortcoming(), EXIT_INCOMPLETE)
 	else:
 		exit_code = 0

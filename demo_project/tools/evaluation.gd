@@ -11,14 +11,17 @@ const MODES: Dictionary[String, GestureHMM.Mode] = {
 }
 const CONTEXTS: Array[String] = ["scene", "open"]
 
-## Trials whose tracks could not be read; they are in no file of the report.
+## Trials that could not be judged; they are in no file of the report.
 var broken := 0
+## Trials of a gesture that no model is of; they have a row and curves, but no figures.
+var without_model := 0
 ## Nothing could be written; empty when all is well.
 var error := ""
 ## As in EvaluationReport.
 var groups: Array[Dictionary] = []
 
 var _report: EvaluationReport = null
+var _is_empty := false
 
 
 ## `settings`: {mode, context, models}, which are also written down; `parent`: a node in the tree.
@@ -29,9 +32,11 @@ func run(
 	out_folder: String,
 	parent: Node
 ) -> void:
-	_note_gestures_without_model(trial_set, models)
 	var report := EvaluationReport.new(out_folder)
-	var progress := Progress.new("%d trials" % trial_set.get_count())
+	var progress := Progress.new(_trials(trial_set.get_count()))
+	_is_empty = trial_set.get_count() == 0
+	if _is_empty:
+		printerr("no row in %s" % trial_set.get_path().path_join("trials.csv"))
 	for index in trial_set.get_count():
 		if not report.error.is_empty():
 			break
@@ -46,11 +51,15 @@ func run(
 			MODES[settings["mode"]],
 			settings["context"] == "scene"
 		)
-		if trial_run.error.is_empty():
-			report.add(trial, trial_run)
-		else:
+		if not trial_run.error.is_empty():
 			printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
 			broken += 1
+		else:
+			report.add(trial, trial_run)
+			if trial["gesture"] != TrialRun.NO_GESTURE and trial_run.figures.is_empty():
+				var missing := [trial["trial"], trial["gesture"], settings["models"]]
+				printerr("trial %s has no figures: no model of '%s' in %s" % missing)
+				without_model += 1
 		progress.show(float(index + 1) / trial_set.get_count())
 	if report.error.is_empty():
 		var versions := {
@@ -61,6 +70,19 @@ func run(
 	groups = report.groups
 	error = report.error
 	_report = report
+
+
+## Why the report does not tell of every trial what it should, said in detail already; empty where
+## it does.
+func shortcoming() -> String:
+	if _is_empty:
+		return "there was no trial to run"
+	var parts := PackedStringArray()
+	if broken > 0:
+		parts.append("%s left out" % _trials(broken))
+	if without_model > 0:
+		parts.append("%s without figures" % _trials(without_model))
+	return "" if parts.is_empty() else "%s, see above" % ", ".join(parts)
 
 
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
@@ -86,14 +108,5 @@ static func _task_to_wait_for(
 	return {} if tasks.is_empty() else tasks[turn % tasks.size()]
 
 
-static func _note_gestures_without_model(trial_set: TrialSet, models: Array[GestureModel]) -> void:
-	var without: Dictionary[String, int] = {}
-	for index in trial_set.get_count():
-		var gesture: String = trial_set.get_trial(index)["gesture"]
-		if (
-			gesture != TrialRun.NO_GESTURE
-			and not models.any(func(model: GestureModel) -> bool: return model.gesture == gesture)
-		):
-			without[gesture] = without.get(gesture, 0) + 1
-	for gesture: String in without:
-		print("no model of '%s': its %d trials get no figures" % [gesture, without[gesture]])
+static func _trials(number: int) -> String:
+	return "1 trial" if number == 1 else "%d trials" % number

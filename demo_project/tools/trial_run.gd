@@ -12,8 +12,7 @@ const NO_GESTURE := "none"
 ## Stamps are decimal text: what is this near to a whole millisecond (in ms) is one.
 const ROUNDING_MS := 1e-6
 
-## What is wrong with the trial's files; empty when all is well. The node that found it has said
-## so already.
+## What is wrong with the trial or its files; empty when all is well.
 var error := ""
 ## The gesture that was recognised to its end, NO_GESTURE where there was none.
 var recognised := NO_GESTURE
@@ -56,7 +55,9 @@ func run(
 	var gesture: String = _trial["gesture"]
 	var own := _models_of(gesture, models)
 	var has_task := in_scene and not task_trial.is_empty()
-	if not _span(reference_path):
+	if not _has_amplitude() or not _span(reference_path):
+		return
+	if not own.is_empty() and not _measure_reference(reference_path, own[0].feature):
 		return
 	var tracker := _make_tracker(measured_path)
 	if tracker == null:
@@ -77,7 +78,7 @@ func run(
 	if not hmm.recognised.is_empty():
 		recognised = hmm.recognised
 	if not own.is_empty():
-		_compare(reference_path, own[0].feature)
+		_compare()
 
 	for node: Node in [hmm, task, tracker]:
 		if node != null:
@@ -88,6 +89,15 @@ static func _models_of(gesture: String, models: Array[GestureModel]) -> Array[Ge
 	return models.filter(func(model: GestureModel) -> bool: return model.gesture == gesture)
 
 
+## A gesture of one's own may have none; what its curves would be measured by is not known then.
+func _has_amplitude() -> bool:
+	if _trial["gesture"] == NO_GESTURE or _trial["amplitude_m"] > 0.0:
+		return true
+	error = "it has no amplitude_m to measure its motion by"
+	return false
+
+
+## What the reference does not hold would count as a hand that stands still.
 func _span(reference_path: String) -> bool:
 	var reference := _make_tracker(reference_path)
 	if reference == null:
@@ -97,6 +107,27 @@ func _span(reference_path: String) -> bool:
 	reference.free()
 	first_ms = ceili(begin_ms - ROUNDING_MS)
 	count = maxi(floori(end_ms + ROUNDING_MS) - first_ms + 1, 0)
+	if _trial["gesture"] == NO_GESTURE:
+		return true
+	var start_s: float = _trial["start_s"]
+	var end_s: float = _trial["end_s"]
+	if RATE_HZ * start_s < begin_ms - ROUNDING_MS or RATE_HZ * end_s > end_ms + ROUNDING_MS:
+		error = (
+			"start_s %.6f .. end_s %.6f is not within the reference, %.6f .. %.6f s: %s"
+			% [start_s, end_s, begin_ms / RATE_HZ, end_ms / RATE_HZ, reference_path]
+		)
+	return error.is_empty()
+
+
+func _measure_reference(reference_path: String, feature: String) -> bool:
+	var reference := MotionMetrics.feature_curve(
+		reference_path, feature, _trial, first_ms / RATE_HZ, RATE_HZ, count
+	)
+	# Of a hand that is never there, which no sensor says of one that is.
+	if reference.count(0.0) == reference.size():
+		error = "the reference holds nothing of %s: %s" % [feature, reference_path]
+		return false
+	curves[REFERENCE] = reference
 	return true
 
 
@@ -114,15 +145,11 @@ func _record(tracker: HandTracker, hmm: GestureHMM, unit_m: float) -> void:
 		curves[Conditions.NAMES[c]] = samples.slice(c * count, (c + 1) * count)
 
 
-func _compare(reference_path: String, feature: String) -> void:
+func _compare() -> void:
 	var t0_s := first_ms / RATE_HZ
-	var reference := MotionMetrics.feature_curve(
-		reference_path, feature, _trial, t0_s, RATE_HZ, count
-	)
-	curves[REFERENCE] = reference
 	for condition in Conditions.NAMES:
 		figures[condition] = MotionMetrics.compare(
-			reference, curves[condition], RATE_HZ, t0_s, _trial["start_s"], _trial["end_s"]
+			curves[REFERENCE], curves[condition], RATE_HZ, t0_s, _trial["start_s"], _trial["end_s"]
 		)
 
 

@@ -5,6 +5,7 @@ const Rig := preload("support/rig.gd")
 const CommandLine := preload("res://tools/command_line.gd")
 const Evaluation := preload("res://tools/evaluation.gd")
 const ModelFolder := preload("res://tools/model_folder.gd")
+const ToolRun := preload("support/tool_run.gd")
 
 const CONDITIONS: Array[String] = ["measured", "average", "one_euro", "kalman", "synthesised"]
 const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
@@ -47,6 +48,56 @@ func test_a_broken_track_does_not_lose_the_others() -> void:
 	var rows := _lines("broken_out/results.csv")
 	check_equal(rows.size(), trials.get_count(), "the others are there")
 	check(not "\n".join(rows).contains(name), "it is not")
+
+
+func test_what_cannot_be_judged_is_told_and_left_out() -> void:
+	var trials := Rig.write_trials(_path("odd"), 4)
+	var table := _lines("odd/trials.csv")
+	var names: Array[String] = []
+	for row in table.slice(1):
+		names.append(row.get_slice(",", 0))
+	_replace_cells(table, 1, {4: "100", 5: "101"})
+	_keep_frames(trials, 1, -INF, trials.get_trial(1)["end_s"] - 0.05)
+	_keep_frames(trials, 2, trials.get_trial(2)["start_s"] + 0.05, INF)
+	_write_blind_reference(trials, 3)
+	_replace_cells(table, 5, {1: "swipe"})
+	_replace_cells(table, 6, {1: "ring", 6: "", 7: "", 8: "", 9: "", 10: "", 11: "", 12: ""})
+	FileAccess.open(_path("odd/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
+
+	var run := ToolRun.new("evaluate", ["--trials", _path("odd"), "--out", _path("odd_out")])
+	check_equal(run.exit_code, 1, "exit code")
+	for place: int in [0, 1, 2]:
+		var reference := trials.get_reference_path(place)
+		_check_left_out(run, names[place], ["is not within the reference", reference])
+	_check_left_out(run, names[3], ["the reference holds nothing of index_along_axis"])
+	_check_left_out(run, names[5], ["no amplitude_m"])
+	var without := "trial %s has no figures: no model of 'swipe'" % names[4]
+	check_equal(run.not_said([without]), "", "a gesture without model is said")
+	var number := "5 trials left out, 1 trial without figures"
+	check_equal(run.not_said([number]), "", "and how many")
+
+	var rows := _lines("odd_out/results.csv")
+	check_equal(rows.size(), 4, "the others are there")
+	var summary: Dictionary = JSON.parse_string("\n".join(_lines("odd_out/summary.json")))
+	for group: Dictionary in summary["groups"]:
+		if group["gesture"] == "swipe":
+			check_equal(group["conditions"], {}, "no figures of what no model is of")
+			continue
+		var own := Array(rows).filter(
+			func(row: String) -> bool: return row.contains("drag,%s" % group["position"])
+		)
+		var r2: float = group["conditions"]["measured"]["r2"]["mean"]
+		check_equal(own.size(), 1, "one sound drag is %s" % group["position"])
+		check_near(r2, own[0].get_slice(",", 5).to_float(), 1e-6, "its R2 is the mean")
+
+
+func test_a_set_without_trials() -> void:
+	Rig.write_trials(_path("none"))
+	var header := _lines("none/trials.csv")[0]
+	FileAccess.open(_path("none/trials.csv"), FileAccess.WRITE).store_string(header + "\n")
+	var run := ToolRun.new("evaluate", ["--trials", _path("none"), "--out", _path("none_out")])
+	check_equal(run.exit_code, 1, "exit code")
+	check_equal(run.not_said(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
 
 
 func test_confusion_and_false_alarms() -> void:
@@ -95,6 +146,39 @@ func test_arguments() -> void:
 	check(_fault(["--trials", "x"], known).contains("absolute"), "a relative path")
 	check(_fault([], known).contains("--trials"), "a missing option")
 	check(_fault(["--trials", "/x", "--mode", "fast"], known).contains("fast"), "no such mode")
+
+
+## `cells`: by column.
+static func _replace_cells(table: PackedStringArray, row: int, cells: Dictionary) -> void:
+	var old := table[row].split(",")
+	for column: int in cells:
+		old[column] = cells[column]
+	table[row] = ",".join(old)
+
+
+## Cuts a reference down to its frames from `from_s` to `to_s`.
+static func _keep_frames(trials: TrialSet, index: int, from_s: float, to_s: float) -> void:
+	var path := trials.get_reference_path(index)
+	var kept := PackedStringArray()
+	for line in FileAccess.get_file_as_string(path).split("\n", false):
+		var t := line.get_slice(",", 0)
+		if not t.is_valid_float() or (t.to_float() >= from_s and t.to_float() <= to_s):
+			kept.append(line)
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(kept) + "\n")
+
+
+## A reference that tracks the wrist alone.
+static func _write_blind_reference(trials: TrialSet, index: int) -> void:
+	var track := "t,wrist_x,wrist_y,wrist_z\n"
+	for frame in 1000:
+		track += "%.2f,0,0,%.6f\n" % [0.01 * frame, 1e-4 * (frame % 3)]
+	FileAccess.open(trials.get_reference_path(index), FileAccess.WRITE).store_string(track)
+
+
+func _check_left_out(run: ToolRun, trial: String, why: Array[String]) -> void:
+	var texts := PackedStringArray(["trial %s left out: " % trial])
+	texts.append_array(PackedStringArray(why))
+	check_equal(run.not_said(texts), "", "%s: %s" % [trial, why[0]])
 
 
 func _fault(arguments: PackedStringArray, known: Dictionary[String, String]) -> String:
