@@ -17,6 +17,8 @@ const OwnModels := preload("own_models.gd")
 const Progress := preload("progress.gd")
 const Repository := preload("repository.gd")
 
+const MODEL_ENDING := ".gesture"
+
 var _report_folder := ""
 
 
@@ -46,6 +48,7 @@ func work(arguments: PackedStringArray) -> void:
 		var out_file := options.path("out")
 		done = (
 			options.error.is_empty()
+			and _is_model_file(out_file)
 			and _train(
 				TrialSet.load_folder(trials_folder), gesture, out_file, options.text("feature")
 			)
@@ -53,6 +56,14 @@ func work(arguments: PackedStringArray) -> void:
 	exit_code = 0 if done else EXIT_BAD_INPUT
 	if not options.error.is_empty():
 		fail(options.error, EXIT_BAD_INPUT)
+
+
+## The engine tells by a file's ending what is in it, and saves nothing where it does not know it.
+func _is_model_file(path: String) -> bool:
+	var is_one := path.ends_with(MODEL_ENDING)
+	if not is_one:
+		printerr("train: --out is '%s': a model's name ends in %s" % [path, MODEL_ENDING])
+	return is_one
 
 
 func _train_own_models(models_folder: String, work_folder: String) -> bool:
@@ -66,7 +77,7 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 
 
 func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:
-	if trial_set == null:
+	if trial_set == null or not _has_folder(out_file):
 		return false
 	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
@@ -77,11 +88,23 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 		return false
 	if not _report_folder.is_empty() and not _report_recordings(trainer, gesture):
 		return false
-	DirAccess.make_dir_recursive_absolute(out_file.get_base_dir())
-	if ResourceSaver.save(model, out_file) != OK:
+	var saved := ResourceSaver.save(model, out_file)
+	if saved != OK:
+		printerr("train: cannot write %s: %s" % [out_file, error_string(saved)])
 		return false
 	print("wrote %s, by %s" % [out_file, model.get_feature()])
 	return true
+
+
+## Before the training, which takes longer than to tell.
+func _has_folder(out_file: String) -> bool:
+	var folder := out_file.get_base_dir()
+	DirAccess.make_dir_recursive_absolute(folder)
+	# Where a file has its name the engine says that it was made.
+	var is_there := DirAccess.dir_exists_absolute(folder)
+	if not is_there:
+		printerr("train: cannot make the folder %s" % folder)
+	return is_there
 
 
 func _report_recordings(trainer: GestureTrainer, gesture: String) -> bool:

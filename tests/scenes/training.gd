@@ -4,6 +4,7 @@ extends "support/scene_test.gd"
 const Rig := preload("support/rig.gd")
 const OwnModels := preload("res://tools/own_models.gd")
 const Repository := preload("res://tools/repository.gd")
+const ToolRun := preload("support/tool_run.gd")
 
 const GESTURE := &"horizontal_drag"
 
@@ -111,6 +112,31 @@ func test_saving_leaves_no_half() -> void:
 	check(not FileAccess.file_exists(path + ".part"), "nothing is left beside it")
 	var nowhere := _path("no_such_folder/saved.gesture")
 	check(ResourceSaver.save(model, nowhere) != OK, "what cannot be written is said")
+
+
+func test_a_name_that_is_no_models_is_refused_before_the_training() -> void:
+	for name: String in ["nameless", "odd.txt", "a_file/tap.gesture"]:
+		FileAccess.open(_path("a_file"), FileAccess.WRITE).store_string("no folder")
+		var run := _train_to(name)
+		check_equal(run.exit_code, 2, "%s: exit code" % name)
+		check_equal(run.not_said(["train: ", _path(name).get_base_dir()]), "", "it is named")
+		check(not run.said.contains("training %s" % GESTURE), "and nothing is trained")
+		check(not FileAccess.file_exists(_path(name)), "nor written")
+	var ending := _train_to("nameless").not_said(["train: ", ".gesture"])
+	check_equal(ending, "", "what a name ends in is said")
+
+
+func test_a_model_that_cannot_be_saved_is_said() -> void:
+	DirAccess.make_dir_absolute(_path("folder.gesture"))
+	var run := _train_to("folder.gesture")
+	check_equal(run.exit_code, 2, "exit code")
+	check_equal(run.not_said(["cannot write %s" % _path("folder.gesture")]), "", "it is said")
+
+
+func _train_to(name: String) -> ToolRun:
+	return ToolRun.new(
+		"train", ["--trials", _trials.get_path(), "--gesture", GESTURE, "--out", _path(name)]
+	)
 
 
 func _path(name: String) -> String:
