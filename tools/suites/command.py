@@ -20,6 +20,7 @@ KILL_S = 120
 
 
 def outcomes() -> Iterator[Outcome]:
+    yield from helps()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
@@ -27,6 +28,20 @@ def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:
         yield from haptics(Path(folder))
     yield from worked_example.outcomes()
+
+
+def helps() -> Iterator[Outcome]:
+    """Every verb's own part of the help, and no other's."""
+    _, whole = run(["./steadyhand", "--help"])
+    verbs = dict.fromkeys(re.findall(r"^\./steadyhand (\w+)", whole, re.MULTILINE))
+    parts = {verb: run(["./steadyhand", verb, "--help"]) for verb in verbs}
+    for verb, (status, part) in parts.items():
+        starts = re.findall(r"^\S+ \w+", part, re.MULTILINE)
+        good = status == 0 and part in whole and set(starts) == {f"./steadyhand {verb}"}
+        yield Outcome.of(f"command/{verb} --help", good, f"status {status}\n{part}")
+    status, output = run(["./steadyhand", "evaluate", "--trials", "x", "-h"])
+    good = (status, output) == parts["evaluate"]
+    yield Outcome.of("command/evaluate -h after other options", good, output)
 
 
 def training(folder: Path) -> Iterator[Outcome]:
