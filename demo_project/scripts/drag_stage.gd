@@ -36,6 +36,16 @@ func mark_arrived() -> void:
 	_paint(_stop_marker, ARRIVED)
 
 
+## Of the stop marker, along the line on which the box comes.
+func target_width() -> float:
+	var size := (_stop_marker.mesh as BoxMesh).size
+	var width := INF
+	for i in 3:
+		if not is_zero_approx(_axis[i]):
+			width = minf(width, size[i] / absf(_axis[i]))
+	return width
+
+
 func show_motion(value: float) -> float:
 	_box.global_position = _start + _axis * value + box_offset
 	return value / _amplitude

@@ -9,6 +9,8 @@ const FIGURES: Array[String] = ["seconds", "faults_per_s", "jitter"]
 ## Who takes part in this session; empty: what is found is kept as long as the scene.
 static var chosen := ""
 
+## Empty: nobody was named.
+var name := ""
 ## What is wrong with the file; empty when all is well.
 var error := ""
 
@@ -16,7 +18,8 @@ var _path := ""
 var _tasks: Dictionary = {}
 
 
-func _init(name: String = chosen, folder: String = "user://participants") -> void:
+func _init(given: String = chosen, folder: String = "user://participants") -> void:
+	name = given
 	if name.is_empty():
 		return
 	_path = folder.path_join("%s.json" % name.validate_filename())

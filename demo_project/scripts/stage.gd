@@ -50,6 +50,17 @@ func show_motion(_value: float) -> float:
 	return 0.0
 
 
+## Of what the gesture is to reach, along the motion element, m; NAN: it has no width.
+func target_width() -> float:
+	return NAN
+
+
+## How far the task has come where a gesture ends at `value` of its motion element, m; further than
+## its amplitude where the hand went too far.
+func end_value(value: float) -> float:
+	return value
+
+
 func show_hand(tracker: HandTracker) -> void:
 	for i in joints.size():
 		var tip: MeshInstance3D = _fingertips[i]

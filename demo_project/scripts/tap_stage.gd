@@ -31,6 +31,11 @@ func mark_arrived() -> void:
 	_paint(_surface, ARRIVED)
 
 
+## Of the plate, from the face that is reached to the other.
+func target_width() -> float:
+	return (_surface.mesh as BoxMesh).size.y
+
+
 func show_motion(value: float) -> float:
 	_pointer.global_position = _start + _axis * value
 	return value / _amplitude

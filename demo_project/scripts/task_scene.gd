@@ -36,9 +36,13 @@ const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 ## Play trial after trial from the start.
 @export var autoplay := true
 
-## Instants of the present trial on the tracker's clock, s; NAN until they come.
+## Instants of the present trial on the tracker's clock, s; NAN until they come. `end_s`: the task
+## is done; `gesture_end_s`: the gesture has ended, the last one where a task takes several.
 var start_s := NAN
 var end_s := NAN
+var gesture_end_s := NAN
+## How far the task had come at `gesture_end_s`, m; NAN until then.
+var end_value_m := NAN
 ## Of this session.
 var session_folder := ""
 
@@ -107,7 +111,7 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
 	TrialTask.apply(trial, task)
-	_begin_trial(trial["trial"], trial["position"])
+	_begin_trial(trial["trial"], trial["position"], trial.get("subject", ""))
 	return tracker.start()
 
 
@@ -175,16 +179,23 @@ func _play_synthetic() -> void:
 		return
 	var trial := tracker.get_synthetic_trial()
 	TrialTask.apply(trial, task)
-	_begin_trial("synthetic_%03d" % tracker.synthetic_seed, trial["position"])
+	_begin_trial("synthetic_%03d" % tracker.synthetic_seed, trial["position"], trial["subject"])
 
 
-func _begin_trial(trial_name: String, position_name: String) -> void:
+func _begin_trial(trial_name: String, position_name: String, participant: String) -> void:
 	_trial_name = trial_name
 	_position_name = position_name
-	start_s = NAN
-	end_s = NAN
+	_forget_course()
 	_stage.place(task, position_name)
-	_log = TrialLog.new(session_folder, trial_name, task.gesture, position_name)
+	var logged := {
+		trial = trial_name,
+		gesture = task.gesture,
+		position = position_name,
+		participant = participant,
+		amplitude_m = task.amplitude,
+		width_m = _stage.target_width(),
+	}
+	_log = TrialLog.new(session_folder, logged)
 	trial_started.emit(trial_name)
 
 
@@ -194,7 +205,8 @@ func _begin_live_trial() -> void:
 	if not position_name.is_empty():
 		TrialTask.place_middle(task, _participant.get_position(task.gesture, position_name))
 	_live_trials += 1
-	_begin_trial("%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials], position_name)
+	var trial_name := "%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials]
+	_begin_trial(trial_name, position_name, _participant.name)
 
 
 func _live_position(trial_index: int) -> String:
@@ -206,7 +218,10 @@ func _live_position(trial_index: int) -> String:
 func _end_trial() -> void:
 	if _log == null:
 		return
-	_log.close(condition_name(), start_s, end_s)
+	var course := {
+		start_s = start_s, end_s = end_s, gesture_end_s = gesture_end_s, end_value_m = end_value_m
+	}
+	_log.close(condition_name(), course)
 	_log = null
 	trial_ended.emit(_trial_name)
 
@@ -232,8 +247,11 @@ func _on_gesture_started(_gesture: StringName) -> void:
 	_stage.begin_stroke()
 
 
-## The hand has to see its next place before it goes there.
-func _on_gesture_ended(_gesture: StringName, _time_s: float) -> void:
+func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
+	if _practice == null and not is_nan(start_s) and not _has_ended():
+		gesture_end_s = time_s
+		end_value_m = _stage.end_value(gesture_hmm.value)
+	# The hand has to see its next place before it goes there.
 	if _is_live and _practice == null and _is_live_trial_done():
 		if _live_position(_live_trials) != _live_position(_live_trials - 1):
 			_end_trial()
@@ -243,9 +261,23 @@ func _on_gesture_ended(_gesture: StringName, _time_s: float) -> void:
 ## A live hand that turned back has its trial yet to make.
 func _on_gesture_aborted(_gesture: StringName) -> void:
 	if _is_live and _log != null and not _stage.strokes_add_up:
-		start_s = NAN
-		end_s = NAN
+		_forget_course()
 		_stage.place(task, _position_name)
+
+
+func _forget_course() -> void:
+	start_s = NAN
+	end_s = NAN
+	gesture_end_s = NAN
+	end_value_m = NAN
+
+
+## Whether a further gesture's end is no longer this task's: where it takes several, that is so once
+## one has ended with the task done.
+func _has_ended() -> bool:
+	if is_nan(gesture_end_s):
+		return false
+	return not _stage.strokes_add_up or gesture_end_s >= end_s
 
 
 func _is_live_trial_done() -> bool:

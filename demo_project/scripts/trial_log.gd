@@ -4,33 +4,33 @@ extends RefCounted
 
 const Conditions := preload("conditions.gd")
 
-const TRIALS_HEADER := "trial,gesture,position,condition,start_s,end_s,duration_s"
+## Columns are added at the end alone: programs that know the first ones go on.
+const TRIALS_HEADER := (
+	"trial,gesture,position,condition,start_s,end_s,duration_s"
+	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s"
+)
 const FLUSH_INTERVAL_S := 1.0
 
 var _folder := ""
-var _trial := ""
-var _gesture := ""
-var _position := ""
+var _trial: Dictionary = {}
 var _samples: FileAccess = null
 var _flushed_s := -INF
 
 
-## `position`: "stable", "unstable" or empty.
-func _init(folder: String, trial: String, gesture: String, position: String) -> void:
+## `trial`: {trial, gesture, position ("stable", "unstable" or empty), participant (empty: not
+## named), amplitude_m, width_m (NAN: none)}.
+func _init(folder: String, trial: Dictionary) -> void:
 	_folder = folder
 	_trial = trial
-	_gesture = gesture
-	_position = position
 	DirAccess.make_dir_recursive_absolute(folder)
-	var path := folder.path_join("%s.log.csv" % trial)
+	var path := folder.path_join("%s.log.csv" % trial["trial"])
 	_samples = FileAccess.open(path, FileAccess.WRITE)
 	if _samples == null:
 		var reason := error_string(FileAccess.get_open_error())
 		push_error("%s: the trial is not logged: %s" % [path, reason])
 		return
-	_samples.store_line("# trial: %s" % trial)
-	_samples.store_line("# gesture: %s" % gesture)
-	_samples.store_line("# position: %s" % position)
+	for key: String in ["trial", "gesture", "position", "participant"]:
+		_samples.store_line("# %s: %s" % [key, trial[key]])
 	_samples.store_line(
 		"t,condition,value,%s,progress,state,vibration" % ",".join(Conditions.NAMES)
 	)
@@ -49,8 +49,9 @@ func add(time_s: float, condition: String, motion: GestureHMM, vibration: float)
 		_flushed_s = time_s
 
 
-## `condition`: the last one of the trial; `start_s`, `end_s`: NAN where they never came.
-func close(condition: String, start_s: float, end_s: float) -> void:
+## `condition`: the last one of the trial. `course`: {start_s, end_s, gesture_end_s, end_value_m},
+## NAN where they never came.
+func close(condition: String, course: Dictionary) -> void:
 	_samples = null
 	var path := _folder.path_join("trials.csv")
 	var is_new := not FileAccess.file_exists(path)
@@ -60,10 +61,20 @@ func close(condition: String, start_s: float, end_s: float) -> void:
 	trials.seek_end()
 	if is_new:
 		trials.store_line(TRIALS_HEADER)
-	var cells := [_trial, _gesture, _position, condition]
-	cells.append_array([_seconds(start_s), _seconds(end_s), _seconds(end_s - start_s)])
-	trials.store_csv_line(PackedStringArray(cells))
+	var start_s: float = course["start_s"]
+	var end_s: float = course["end_s"]
+	var row := PackedStringArray(
+		[_trial["trial"], _trial["gesture"], _trial["position"], condition]
+	)
+	for time_s: float in [start_s, end_s, end_s - start_s]:
+		row.append(_number(time_s))
+	row.append(_trial["participant"])
+	for number: float in [_trial["amplitude_m"], _trial["width_m"]]:
+		row.append(_number(number))
+	for number: float in [course["end_value_m"], course["gesture_end_s"]]:
+		row.append(_number(number))
+	trials.store_csv_line(row)
 
 
-static func _seconds(time_s: float) -> String:
-	return "" if is_nan(time_s) else "%.6f" % time_s
+static func _number(number: float) -> String:
+	return "" if is_nan(number) else "%.6f" % number

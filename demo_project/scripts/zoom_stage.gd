@@ -45,6 +45,19 @@ func begin_stroke() -> void:
 	_size_before = _size
 
 
+## Of the ring that the sphere is to fill: by how much the radius of the hand's circle grows while
+## the sphere grows from the ring's inner to its outer edge.
+func target_width() -> float:
+	var ring := _target.mesh as TorusMesh
+	var growth := (TARGET_SIZE - 1.0) * (_sphere.mesh as SphereMesh).radius
+	return _amplitude * (ring.outer_radius - ring.inner_radius) / growth
+
+
+## The sphere stops at its target; the hand does not.
+func end_value(value: float) -> float:
+	return _amplitude * (_size_before - 1.0) / (TARGET_SIZE - 1.0) + value
+
+
 ## A whole stroke is as far as the target is from the start.
 func show_motion(value: float) -> float:
 	var gain := TARGET_SIZE - 1.0

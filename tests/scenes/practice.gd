@@ -1,20 +1,19 @@
 extends "support/scene_test.gd"
 ## Practice runs: the positions that they find, where they are kept, and the task that goes there.
 
+const LiveHand := preload("support/live_hand.gd")
 const Participant := preload("res://scripts/participant.gd")
 const Stage := preload("res://scripts/stage.gd")
 const TaskPlayer := preload("support/task_player.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 
-const FRAME_S := 0.01
 ## The sensor loses the hand for so long, so often, where it is further away than this.
 const BAD_BEYOND_Z := -0.45
 const GAP_S := 0.25
 const GAP_EVERY_S := 0.8
 
 var _folder := DirAccess.create_temp("steadyhand_practice")
-var _time_s := 0.0
-var _place := Vector3.ZERO
+var _hand := LiveHand.new()
 var _found := ""
 
 
@@ -38,7 +37,7 @@ func test_a_practice_run_moves_the_task_and_is_kept() -> void:
 
 	for stroke in TaskScene.TRIALS_PER_BLOCK:
 		check(_colour_is(player, "stable"), "drag %d is at the stable position" % (stroke + 1))
-		_drag(scene)
+		_hand.make_gesture(scene, scene.task.amplitude)
 		await process_frame
 	_check_place(player, unstable, "unstable")
 	var session := scene.session_folder
@@ -116,45 +115,19 @@ func _proposal() -> Dictionary:
 
 ## The hand through 50 x 40 x 40 cm, lost now and then where it is far away.
 func _sweep(scene: TaskScene, seconds: float) -> void:
-	var until_s := _time_s + seconds
+	var until_s := _hand.time_s + seconds
 	var lost_until_s := 0.0
-	var last_gap_s := _time_s
-	while _time_s < until_s:
+	var last_gap_s := _hand.time_s
+	while _hand.time_s < until_s:
 		var place := Vector3(
-			0.25 * sin(TAU * 0.23 * _time_s),
-			0.2 * sin(TAU * 0.171 * _time_s + 1.0),
-			-0.4 + 0.2 * sin(TAU * 0.083 * _time_s + 2.0)
+			0.25 * sin(TAU * 0.23 * _hand.time_s),
+			0.2 * sin(TAU * 0.171 * _hand.time_s + 1.0),
+			-0.4 + 0.2 * sin(TAU * 0.083 * _hand.time_s + 2.0)
 		)
-		if place.z < BAD_BEYOND_Z and _time_s - last_gap_s > GAP_EVERY_S:
-			last_gap_s = _time_s
-			lost_until_s = _time_s + GAP_S
-		_push(scene, place, _time_s >= lost_until_s)
-
-
-## From wherever the hand is to the start, a rest, the drag, a rest.
-func _drag(scene: TaskScene) -> void:
-	var start := scene.task.get_start()
-	var end := start + scene.task.get_axis() * scene.task.amplitude
-	_move(scene, start)
-	_move(scene, start)
-	_move(scene, end)
-	_move(scene, end)
-
-
-## In a second, as smoothly as a hand does (Flash & Hogan 1985).
-func _move(scene: TaskScene, to: Vector3) -> void:
-	var from := _place
-	for frame in range(1, 101):
-		var s := frame / 100.0
-		_push(scene, from.lerp(to, s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)), true)
-
-
-func _push(scene: TaskScene, place: Vector3, is_tracked: bool) -> void:
-	_time_s += FRAME_S
-	_place = place
-	var tremor := 1e-4 * Vector3(sin(55.0 * _time_s), sin(62.0 * _time_s), sin(71.0 * _time_s))
-	var joints := {HandTracker.JOINT_INDEX: place + tremor} if is_tracked else {}
-	scene.tracker.push_frame(_time_s, joints)
+		if place.z < BAD_BEYOND_Z and _hand.time_s - last_gap_s > GAP_EVERY_S:
+			last_gap_s = _hand.time_s
+			lost_until_s = _hand.time_s + GAP_S
+		_hand.push(scene, place, _hand.time_s >= lost_until_s)
 
 
 func _check_place(player: TaskPlayer, place: Vector3, position: String) -> void:

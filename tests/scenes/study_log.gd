@@ -1,0 +1,121 @@
+extends "support/scene_test.gd"
+## What a study needs of trials.csv: who took part, what was asked, and where and when it ended.
+
+const DragStage := preload("res://scripts/drag_stage.gd")
+const LiveHand := preload("support/live_hand.gd")
+const Participant := preload("res://scripts/participant.gd")
+const Rig := preload("support/rig.gd")
+const TaskPlayer := preload("support/task_player.gd")
+const Tasks := preload("res://scripts/tasks.gd")
+const ZoomStage := preload("res://scripts/zoom_stage.gd")
+
+const HEADER := (
+	"trial,gesture,position,condition,start_s,end_s,duration_s"
+	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s"
+)
+## Of the 4 cm marker, the 4 mm plate, and the ring from 45 to 48 mm about a sphere of 15 mm that
+## grows by 30 mm while the hand's circle does.
+const WIDTHS: Dictionary[String, float] = {
+	"horizontal_drag": 0.04, "vertical_drag": 0.04, "tap": 0.004, "zoom": 0.003
+}
+## Where drags of 20 cm end, m.
+const ENDS: PackedFloat64Array = [0.19, 0.205, 0.21, 0.195, 0.2]
+## A drag has ended while the last millimetre is yet to come.
+const END_ERROR_M := 0.0025
+
+var _folder := DirAccess.create_temp("steadyhand_study_log")
+
+
+func test_drags_whose_ends_are_known() -> void:
+	Participant.chosen = 'Doe, "J"'
+	var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
+	Participant.chosen = ""
+	var scene := player.scene
+	scene.gesture_hmm.motion = GestureHMM.MOTION_MEASURED
+	scene.follow_live()
+	var hand := LiveHand.new()
+	var ended: Array[float] = []
+	for way in ENDS:
+		hand.make_gesture(scene, way)
+		# A second of rest, after a second on the way.
+		ended.append(hand.time_s - 1.0)
+	var rows := _rows(scene.session_folder, player)
+	check_equal(rows.size(), ENDS.size(), "a row a drag")
+	for i in rows.size():
+		var row := rows[i]
+		check_equal(row["participant"], 'Doe, "J"', "drag %d: who made it" % i)
+		check_equal(row["condition"], "measured", "by what")
+		check_equal(row["amplitude_m"], "0.200000", "of how far")
+		check_near(row["end_value_m"].to_float(), ENDS[i], END_ERROR_M, "where it ended")
+		check_near(row["gesture_end_s"].to_float(), ended[i], 0.15, "when it ended")
+		check(row["start_s"].to_float() > ended[i] - 1.0, "its start is its own")
+
+
+func test_played_trials_name_their_subject() -> void:
+	for gesture in Tasks.SCENES:
+		var folder := _folder.get_current_dir().path_join(gesture)
+		var trials := Rig.write_trials(folder, 1, gesture)
+		var player := TaskPlayer.new(gesture, folder.path_join("logs"), self)
+		for index in trials.get_count():
+			player.scene.play(trials.get_trial(index), trials.get_measured_path(index))
+			player.play_to_end()
+		var rows := _rows(player.scene.session_folder, player)
+		check_equal(rows.size(), trials.get_count(), "%s: a row a trial" % gesture)
+		for index in rows.size():
+			var trial := trials.get_trial(index)
+			check_equal(rows[index]["participant"], trial["subject"], "whose trial it is")
+			var amplitude: float = rows[index]["amplitude_m"].to_float()
+			check_near(amplitude, trial["amplitude_m"], 1e-6, "how far it was to go")
+			check_near(rows[index]["width_m"].to_float(), WIDTHS[gesture], 1e-6, "to what width")
+			if trial["position"] == "stable":
+				var end: float = rows[index]["end_value_m"].to_float()
+				check_near(end / amplitude, 1.0, 0.15, "and where it ended")
+
+
+func test_a_trial_that_never_ends_says_so() -> void:
+	var player := TaskPlayer.new("tap", _folder.get_current_dir().path_join("never"), self)
+	player.scene.follow_live()
+	var hand := LiveHand.new()
+	hand.move(player.scene, player.scene.task.get_start())
+	var rows := _rows(player.scene.session_folder, player)
+	check_equal(rows.size(), 1, "a row")
+	for column: String in ["start_s", "end_s", "participant", "end_value_m", "gesture_end_s"]:
+		check_equal(rows[0][column], "", "no %s" % column)
+
+
+func test_the_width_of_a_marker_that_is_reached_askew() -> void:
+	var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
+	var stage: DragStage = player.scene.get_node("Stage")
+	player.scene.task.direction = Vector3(0.6, 0.0, -0.8)
+	stage.place(player.scene.task, "")
+	check_near(stage.target_width(), 0.05, 1e-6, "in and out through the nearer faces")
+	player.scene.free()
+
+
+func test_where_a_zoom_in_strokes_ends() -> void:
+	var player := TaskPlayer.new("zoom", _folder.get_current_dir(), self)
+	var stage: ZoomStage = player.scene.get_node("Stage")
+	stage.begin_stroke()
+	stage.show_motion(0.012)
+	check_near(stage.end_value(0.012), 0.012, 1e-6, "a stroke of 12 of 30 mm")
+	stage.begin_stroke()
+	stage.show_motion(0.02)
+	check_near(stage.end_value(0.02), 0.032, 1e-6, "a further one goes 2 mm too far")
+	check_near(player.body("Sphere").scale.x, 3.0, 1e-6, "which the sphere does not")
+	player.scene.free()
+
+
+## Of the session's trials.csv, by column.
+func _rows(folder: String, player: TaskPlayer) -> Array[Dictionary]:
+	player.scene.free()
+	var file := FileAccess.open(folder.path_join("trials.csv"), FileAccess.READ)
+	var header := file.get_csv_line()
+	check_equal(",".join(header), HEADER, "the columns, new ones last")
+	var rows: Array[Dictionary] = []
+	while file.get_position() < file.get_length():
+		var cells := file.get_csv_line()
+		var row: Dictionary[String, String] = {}
+		for column in header.size():
+			row[header[column]] = cells[column]
+		rows.append(row)
+	return rows
