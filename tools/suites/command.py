@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from suites import worked_example
+from suites import study_logs, worked_example
 from suites.outcome import Outcome
 from suites.process import ROOT, run
 
@@ -21,6 +21,7 @@ KILL_S = 120
 
 def outcomes() -> Iterator[Outcome]:
     yield from helps()
+    yield from study_logs.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:

@@ -1,0 +1,138 @@
+"""./steadyhand study on logs whose throughput is known."""
+
+import csv
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from statistics import NormalDist
+
+from suites.outcome import Outcome
+from suites.process import run
+
+HEADER = (
+    "trial,gesture,position,condition,start_s,end_s,duration_s,"
+    "participant,amplitude_m,width_m,end_value_m,gesture_end_s\n"
+)
+# By hand, We = 4.133 SD, IDe = log2(Ae / We + 1).
+# Ann: SD of 19, 20, 21 cm is 1 cm; log2(0.2 / 0.04133 + 1) = 2.545746 bits in 1 s.
+# Bob: SD of 18, 22 cm is 2.828427 cm; log2(0.2 / 0.116899 + 1) = 1.438761 bits in 0.5 s. At half the way, with ends
+# half as far apart, as many bits in 0.4 s: (2.877522 + 3.596903) / 2 = 3.237212 bits/s.
+ANN = [(0.2, 0.19, 1.0), (0.2, 0.20, 0.8), (0.2, 0.21, 1.2)]
+BOB = [(0.2, 0.18, 0.4), (0.2, 0.22, 0.6), (0.1, 0.09, 0.5), (0.1, 0.11, 0.3)]
+BY_HAND = {"Ann, A.": [(2.545746, 2.545746)], "Bob": [(1.438761, 3.596903), (1.438761, 2.877522)]}
+MEAN_BY_HAND = (2.545746 + 3.237212) / 2
+
+DEVIATION_M = 0.012
+# Of the ends of a normal distribution, inside the effective width: what defines it.
+SHARE_INSIDE = 0.96
+
+
+def outcomes() -> Iterator[Outcome]:
+    for test in (by_hand, known_deviation, bad_logs):
+        with tempfile.TemporaryDirectory(prefix="steadyhand_study") as folder:
+            yield from test(Path(folder))
+
+
+def by_hand(folder: Path) -> Iterator[Outcome]:
+    write_log(folder / "logs/first", "Ann, A.", ANN)
+    write_log(folder / "logs/second", "Bob", BOB)
+    # A trial that never ended, and one of another condition that has no spread.
+    with (folder / "logs/second/trials.csv").open("a") as file:
+        file.write("x,tap,stable,synthesised,1.0,,,Bob,0.200000,0.004000,,\n")
+        file.write("y,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n")
+    # A folder that is in another is read once.
+    status, output = run(["./steadyhand", "study", folder / "logs", folder / "logs/first", "--out", folder / "out"])
+    yield Outcome.of("command/study: exit code", status == 0, output)
+    if status != 0:
+        return
+    rows = read(folder / "out/throughput.csv")
+    for name, expected in BY_HAND.items():
+        own = [row for row in rows if row["participant"] == name and row["condition"] == "synthesised"]
+        found = [(row["effective_difficulty_bits"], row["throughput_bits_s"]) for row in own]
+        good = len(found) == len(expected) and all(
+            near(float(value), wanted, 2e-6)
+            for pair, wanted_pair in zip(found, expected, strict=True)
+            for value, wanted in zip(pair, wanted_pair, strict=True)
+        )
+        yield Outcome.of(f"command/study: {name} as by hand", good, f"{own} instead of {expected}")
+    blank = [row for row in rows if row["condition"] == "measured"]
+    good = len(blank) == 1 and blank[0]["n"] == "1" and not blank[0]["throughput_bits_s"]
+    yield Outcome.of("command/study: no throughput of one trial", good, f"{blank}")
+    means = [row for row in read(folder / "out/throughput_means.csv") if row["condition"] == "synthesised"]
+    good = (
+        len(means) == 1
+        and near(float(means[0]["throughput_bits_s"]), MEAN_BY_HAND, 2e-6)
+        and (means[0]["participants"], means[0]["n"], means[0]["without_end"]) == ("2", "7", "1")
+    )
+    yield Outcome.of("command/study: a participant counts once", good, f"{means} instead of {MEAN_BY_HAND}")
+    lines = [line for line in output.splitlines() if line.startswith(("gesture ", "tap "))]
+    ends = {len(line) for line in lines if not line.endswith("-")}
+    shown = [line.split()[-2] for line in lines if " synthesised " in line]
+    good = len(lines) == 3 and len(ends) == 1 and shown == [f"{MEAN_BY_HAND:.2f}"]
+    yield Outcome.of("command/study: one aligned table", good, output)
+
+
+def known_deviation(folder: Path) -> Iterator[Outcome]:
+    count = 4001
+    normal = NormalDist(0.2, DEVIATION_M)
+    ends = [normal.inv_cdf((i + 0.5) / count) for i in range(count)]
+    write_log(folder / "logs", "Ann", [(0.2, end, 1.0) for end in ends])
+    status, output = run(["./steadyhand", "study", folder / "logs/trials.csv", "--out", folder / "out"])
+    rows = read(folder / "out/throughput.csv") if status == 0 else []
+    width = float(rows[0]["effective_width_m"]) if len(rows) == 1 else 0.0
+    inside = sum(abs(end - 0.2) < width / 2 for end in ends) / count
+    yield Outcome.of("command/study: width of a known deviation", near(width, 4.133 * DEVIATION_M, 5e-5), output)
+    yield Outcome.of("command/study: 96 % of the ends are inside", near(inside, SHARE_INSIDE, 0.002), f"{inside}")
+
+
+def bad_logs(folder: Path) -> Iterator[Outcome]:
+    write_log(folder / "logs/good", "Ann", ANN)
+    (folder / "logs/old").mkdir()
+    (folder / "logs/old/trials.csv").write_text(HEADER.replace(",end_value_m,gesture_end_s", ""))
+    write_log(folder / "logs/broken", "Bob", [])
+    with (folder / "logs/broken/trials.csv").open("a") as file:
+        file.write("a,tap,stable,measured,1.0,2.0,1.0,Bob,0.2,0.004,nan,2.0\n")
+        file.write("b,tap,stable,measured,1.0,2.0,1.0,Bob,0.2,0.004,0.2,0.5\n")
+        file.write("c,tap,stab")
+    (folder / "logs/binary").mkdir()
+    (folder / "logs/binary/trials.csv").write_bytes(bytes((197 * i + i // 7) % 256 for i in range(4000)))
+    command = ["./steadyhand", "study", folder / "logs", folder / "nowhere", "--out", folder / "out"]
+    status, output = run(command)
+    told = [
+        f"{folder}/nowhere: not there",
+        f"{folder}/logs/old/trials.csv:1: no column gesture_end_s, end_value_m",
+        f"{folder}/logs/broken/trials.csv:2: end_value_m: 'nan'",
+        f"{folder}/logs/broken/trials.csv:3: gesture_end_s: 0.5 is not after start_s 1.0",
+        f"{folder}/logs/broken/trials.csv:4: 3 cells",
+        f"{folder}/logs/binary/trials.csv: ",
+    ]
+    missing = [text for text in told if text not in output]
+    yield Outcome.of("command/study: bad logs are told", status == 1 and not missing, f"{status}, {missing}\n{output}")
+    rows = read(folder / "out/throughput.csv") if status == 1 else []
+    good = [row["participant"] for row in rows] == ["Ann"] and near(float(rows[0]["throughput_bits_s"]), 2.545746, 2e-6)
+    yield Outcome.of("command/study: and the others go on", good, f"{rows}")
+    status, output = run(["./steadyhand", "study", folder / "logs/binary", "--out", folder / "none"])
+    good = status == 2 and "no trial was read" in output and not (folder / "none").exists()
+    yield Outcome.of("command/study: nothing can be read", good, f"{status}\n{output}")
+
+
+def write_log(folder: Path, participant: str, trials: list[tuple[float, float, float]]) -> None:
+    """Taps in `synthesised`: amplitude, m, where each ended, m, and how long it took, s."""
+    folder.mkdir(parents=True)
+    with (folder / "trials.csv").open("w", newline="") as file:
+        file.write(HEADER)
+        rows = csv.writer(file, lineterminator="\n")
+        for number, (amplitude_m, end_m, time_s) in enumerate(trials):
+            rows.writerow(
+                [f"live_{number:03}", "tap", "stable", "synthesised", "3.0", "3.5", "0.5", participant]
+                + [f"{amplitude_m:.6f}", "0.004000", f"{end_m:.9f}", f"{3.0 + time_s:.6f}"]
+            )
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def near(value: float, expected: float, tolerance: float) -> bool:
+    return abs(value - expected) <= tolerance
