@@ -105,6 +105,25 @@ func test_where_a_zoom_in_strokes_ends() -> void:
 	player.scene.free()
 
 
+## The engine's part is played by the test: which of several ends is the trial's.
+func test_which_end_counts() -> void:
+	var counted: Dictionary[String, float] = {"horizontal_drag": 1.0, "zoom": 2.0}
+	for gesture in counted:
+		var player := TaskPlayer.new(gesture, _folder.get_current_dir().path_join(gesture), self)
+		var trial := Rig.write_trials(_folder.get_current_dir().path_join("ends"), 1, gesture)
+		player.scene.play(trial.get_trial(0), trial.get_measured_path(0))
+		var hmm := player.scene.gesture_hmm
+		hmm.gesture_ended.emit(gesture, 0.5)
+		check(is_nan(player.scene.gesture_end_s), "%s: none before one has begun" % gesture)
+		hmm.gesture_started.emit(gesture)
+		hmm.gesture_ended.emit(gesture, 1.0)
+		hmm.gesture_ended.emit(gesture, 2.0)
+		player.scene.end_s = 1.5
+		hmm.gesture_ended.emit(gesture, 3.0)
+		check_equal(player.scene.gesture_end_s, counted[gesture], "the one that did the task")
+		player.scene.free()
+
+
 ## Of the session's trials.csv, by column.
 func _rows(folder: String, player: TaskPlayer) -> Array[Dictionary]:
 	player.scene.free()
