@@ -60,10 +60,10 @@ TEST_CASE("the noise of a trembling tracker is found at any rate, whatever the h
 		for (const double deviation_m : { 1e-4, 1e-3, 5e-3 }) {
 			CAPTURE(rate_hz);
 			CAPTURE(deviation_m);
-			const double rms_m = deviation_m * std::sqrt(3.0);
-			CHECK(found_noise_m(rest, rate_hz, 6.0, deviation_m) == doctest::Approx(rms_m).epsilon(0.25));
+			const double noise_m = 1.42 * deviation_m;
+			CHECK(found_noise_m(rest, rate_hz, 6.0, deviation_m) == doctest::Approx(noise_m).epsilon(0.15));
 			if (deviation_m > 5e-4) {
-				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) == doctest::Approx(rms_m).epsilon(0.35));
+				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) == doctest::Approx(noise_m).epsilon(0.3));
 			}
 		}
 		CHECK(found_noise_m(drag, rate_hz, 2.5, 0.0) < 1e-4);

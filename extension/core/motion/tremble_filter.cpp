@@ -33,7 +33,8 @@ void TrembleFilter::restart() {
 	bend_m_ = FeaturePlace::Zero();
 }
 
-/// White noise of deviation s in each of n coordinates: turn_m is 2 s sqrt(n) in the mean.
+/// turn_m: root of how far two bends on end turn about, below 0 where they do not. White noise of deviation s
+/// in each of n coordinates makes squares of 4 n s^2 in the mean, and less of their roots.
 void TrembleFilter::remember_turn(double turn_m) {
 	bends_ = std::min(bends_ + 1, static_cast<int>(1.0 / SHARE));
 	const double largest_m = LARGEST_TURNS * noise_m_ + LARGEST_TURN_M;

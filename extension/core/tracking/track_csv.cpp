@@ -305,8 +305,4 @@ void append_track_csv_row(std::string &r_out, const HandFrame &frame, const Trac
 	r_out += '\n';
 }
 
-std::string_view joint_name(Joint joint) {
-	return JOINT_NAMES[static_cast<std::size_t>(joint)];
-}
-
 } // namespace steadyhand

@@ -49,7 +49,4 @@ struct TrackReading {
 /// columns or not finite leaves its cells empty.
 void append_track_csv_row(std::string &r_out, const HandFrame &frame, const TrackColumns &columns);
 
-/// "thumb", "index", ... as the columns are named.
-[[nodiscard]] std::string_view joint_name(Joint joint);
-
 } // namespace steadyhand
