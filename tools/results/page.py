@@ -101,7 +101,7 @@ def write_page(
     """pictures: Markdown of each by its name. sets: what each set is."""
     bullets = (fill(f"- **{name}**: {text}", WIDTH, subsequent_indent="  ") for name, text in sets.items())
     parts = [HEAD.format(origin=origin, sets="\n".join(bullets))]
-    parts.append(targets_part(list(targets(studies)), studies))
+    parts.append(targets_part(list(targets(studies, others)), studies))
     for study in studies:
         title = f"{study.name.capitalize()}, task given"
         text = "\n\n".join(pictures[name] for name in pictures if name.startswith(f"{study.name} boxes"))

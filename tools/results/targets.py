@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from results.other_hands import OtherHands
 from results.study import OTHERS, Study
 
 DRAGS = ("horizontal_drag", "vertical_drag")
@@ -23,13 +24,15 @@ class Target:
     verdicts: dict[str, Verdict]  # by the set's name
 
 
-def targets(studies: list[Study]) -> Iterator[Target]:
+def targets(studies: list[Study], others: list[OtherHands]) -> Iterator[Target]:
     gestures = list(dict.fromkeys(gesture for study in studies for gesture in study.gestures()))
     for gesture in gestures:
         for what, paper, wanted, judge in rows_of(gesture):
             verdicts = {study.name: verdict for study in studies if (verdict := judge(study))}
             yield Target(f"{gesture.replace('_', ' ')}: {what}", paper, wanted, verdicts)
     verdicts = {study.name: verdict for study in studies if (verdict := false_alarms(study))}
+    if others:
+        verdicts["real"] = false_alarms_of_others(others)
     yield Target("false alarms a minute of other motion, nothing given", "-", "< 0.2", verdicts)
 
 
@@ -144,3 +147,9 @@ def false_alarms(study: Study) -> Verdict | None:
         return None
     rate = summary["false_alarms_per_minute"]
     return Verdict(f"{rate:.2f} ({summary['none_minutes']:.0f} min)", rate < 0.2)
+
+
+def false_alarms_of_others(others: list[OtherHands]) -> Verdict:
+    minutes = sum(other.minutes for other in others)
+    alarms = sum(times for other in others for recordings in other.alarms().values() for times in recordings.values())
+    return Verdict(f"{alarms / minutes:.2f} ({minutes:.1f} min of hands at other tasks)", alarms < 0.2 * minutes)
