@@ -63,7 +63,8 @@ TEST_CASE("the noise of a trembling tracker is found at any rate, whatever the h
 			const double noise_m = 1.42 * deviation_m;
 			CHECK(found_noise_m(rest, rate_hz, 6.0, deviation_m) == doctest::Approx(noise_m).epsilon(0.15));
 			if (deviation_m > 5e-4) {
-				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) == doctest::Approx(noise_m).epsilon(0.3));
+				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) ==
+						doctest::Approx(noise_m).epsilon(0.3));
 			}
 		}
 		CHECK(found_noise_m(drag, rate_hz, 2.5, 0.0) < 1e-4);

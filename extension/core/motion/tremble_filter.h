@@ -23,7 +23,8 @@ public:
 	void restart();
 	/// t_s must increase. still_m_s: slopes over slope_s that the noise may make, at most; 0: no matter.
 	Place push(const Place &place, double slope_s, double still_m_s);
-	/// Of white noise of deviation s in each of one, two, three coordinates 0.62, 1.07, 1.42 s in the mean, m.
+	/// Of white noise of deviation s in each of one, two, three coordinates 0.62, 1.07, 1.42 s in the mean,
+	/// m.
 	[[nodiscard]] double noise_m() const { return noise_m_; }
 
 private:
