@@ -1,6 +1,7 @@
-// What accuracy costs: a line of CSV for each effort that `phase` mode can make, and for `paper` mode, with
-// the time that a frame takes and how near the motion comes to the reference. bench_quality [MODELS], by
-// default the folder models. On synthetic people of the tuning population.
+// What accuracy costs: a line of CSV for each effort that `phase` mode can make, and for `paper` mode with
+// the models that ship and with other numbers of states and symbols, with the time that a frame takes and how
+// near the motion comes to the reference. bench_quality [MODELS [TRIALS]], by default the folder models, and
+// synthetic people of the tuning population.
 
 #include "gesture/motion_element.h"
 #include "metrics/recognition.h"
@@ -10,11 +11,14 @@
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
 #include "tracking/track_csv.h"
+#include "trained_models.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -25,12 +29,16 @@ constexpr int ROUNDS = 7;
 constexpr std::uint32_t SUBJECTS = 8;
 constexpr std::uint32_t REPETITIONS = 2;
 constexpr double OUTPUTS_PER_S = 1000.0;
+/// States and symbols beside those of the models that ship.
+constexpr std::array<std::pair<int, int>, 8> MODEL_SIZES{ { { 2, 16 }, { 3, 16 }, { 6, 16 }, { 8, 16 },
+		{ 4, 8 }, { 4, 32 }, { 4, 64 }, { 8, 64 } } };
 
 struct Setting {
 	std::string name; ///< of the preset, if it is one
 	MotionMode mode;
 	PhaseEffort effort;
 	double outputs_per_s = OUTPUTS_PER_S;
+	int states = 4, symbols = 16; ///< of the models; those that ship have so many
 };
 
 struct Accuracy {
@@ -47,6 +55,9 @@ bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
 
 std::vector<Setting> settings() {
 	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
+	for (const auto &[states, symbols] : MODEL_SIZES) {
+		all.push_back({ "", MotionMode::PAPER, {}, OUTPUTS_PER_S, states, symbols });
+	}
 	constexpr std::array<std::array<std::size_t, 3>, 5> KEPT{ { { 20, 16, 4 }, { 10, 8, 2 }, { 5, 4, 1 },
 			{ 2, 2, 1 }, { 1, 1, 1 } } };
 	for (const auto &[usual, erring, wandering] : KEPT) {
@@ -142,7 +153,9 @@ void replay(
 
 class Study {
 public:
-	Study(Models models, std::vector<SyntheticTrial> trials) : models_(std::move(models)) {
+	/// models: by their numbers of states and symbols.
+	Study(std::map<std::pair<int, int>, Models> models, std::vector<SyntheticTrial> trials) :
+			models_(std::move(models)) {
 		for (SyntheticTrial &trial : trials) {
 			const auto known = std::find(GESTURES.begin(), GESTURES.end(), trial.trial.gesture);
 			const auto gesture = static_cast<std::size_t>(known - GESTURES.begin());
@@ -159,7 +172,8 @@ public:
 		for (std::size_t g = 0; g < trials_.size(); ++g) {
 			for (std::size_t i = 0; i < std::min(TRIALS, trials_[g].size()); ++i) {
 				const SyntheticTrial &trial = trials_[g][i];
-				GestureRecogniser recogniser({ models_[g] }, task_of(trial), setting.mode, setting.effort);
+				GestureRecogniser recogniser(
+						{ models_of(setting)[g] }, task_of(trial), setting.mode, setting.effort);
 				ns += ns_of([&] {
 					replay(trial, recogniser, setting.outputs_per_s,
 							[&](double) { keep(recogniser.motion(MotionSource::SYNTHESISED)); });
@@ -196,14 +210,20 @@ public:
 	}
 
 private:
-	Models models_;
+	std::map<std::pair<int, int>, Models> models_;
 	std::array<std::vector<SyntheticTrial>, GESTURES.size()> trials_;
 	std::vector<SyntheticTrial> nothing_;
+
+	[[nodiscard]] const Models &models_of(const Setting &setting) const {
+		return models_.at({ setting.states, setting.symbols });
+	}
 
 	/// With its task, held from output to output.
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
-		GestureRecogniser recogniser({ models_[gesture] }, task_of(trial), setting.mode, setting.effort);
+		const GestureModel &model = *models_of(setting)[gesture];
+		GestureRecogniser recogniser(
+				{ models_of(setting)[gesture] }, task_of(trial), setting.mode, setting.effort);
 		std::vector<double> t_s, x;
 		replay(trial, recogniser, setting.outputs_per_s, [&](double now_s) {
 			t_s.push_back(now_s);
@@ -211,13 +231,13 @@ private:
 		});
 		std::vector<double> held(static_cast<std::size_t>(trial.measured.frames.back().t_s * 1000.0));
 		resample_hold(t_s, x, 0.0, {}, held);
-		return compare_curves(reference_curve(trial, *models_[gesture], held.size()), held, {},
+		return compare_curves(reference_curve(trial, model, held.size()), held, {},
 				{ trial.trial.start_s, trial.trial.end_s });
 	}
 
 	/// Gestures that came to their end, all models active and nothing given.
 	[[nodiscard]] std::vector<int> arrivals(const SyntheticTrial &trial, const Setting &setting) const {
-		GestureRecogniser recogniser(models_, std::nullopt, setting.mode, setting.effort);
+		GestureRecogniser recogniser(models_of(setting), std::nullopt, setting.mode, setting.effort);
 		std::vector<int> found;
 		bool had_arrived = false;
 		for (const HandFrame &frame : trial.measured.frames) {
@@ -245,7 +265,15 @@ int main(int count, char **arguments) {
 	if (trials.empty()) {
 		return 1;
 	}
-	const Study study(std::move(models), std::move(trials));
+	std::map<std::pair<int, int>, Models> by_size;
+	for (const auto &[states, symbols] : MODEL_SIZES) {
+		by_size[{ states, symbols }] = train_models(models, states, symbols);
+		if (by_size[{ states, symbols }].empty()) {
+			return 1;
+		}
+	}
+	by_size[{ Setting().states, Setting().symbols }] = std::move(models);
+	const Study study(std::move(by_size), std::move(trials));
 	const std::vector<Setting> all = settings();
 	std::vector<std::vector<double>> ns(all.size());
 	for (int round = 0; round < ROUNDS; ++round) {
@@ -253,15 +281,15 @@ int main(int count, char **arguments) {
 			ns[i].push_back(study.cost_ns(all[i]));
 		}
 	}
-	std::printf(
-			"setting,hypotheses,durations,branch_period_s,outputs_per_s,ns_a_frame,x_paper,r2_zero_stable,"
-			"r2_zero_unstable,t_diff_s,missed,recognised,false_alarms_per_minute\n");
+	std::printf("setting,states,symbols,hypotheses,durations,branch_period_s,outputs_per_s,ns_a_frame,x_"
+				"paper,r2_zero_stable,"
+				"r2_zero_unstable,t_diff_s,missed,recognised,false_alarms_per_minute\n");
 	for (std::size_t i = 0; i < all.size(); ++i) {
-		const auto &[name, mode, effort, outputs_per_s] = all[i];
+		const auto &[name, mode, effort, outputs_per_s, states, symbols] = all[i];
 		const bool is_phase = mode == MotionMode::PHASE;
 		const Accuracy accuracy = study.accuracy(all[i]);
-		std::printf("%s,%zu,%zu,%g,%g,%.0f,%.2f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n", name.c_str(),
-				is_phase ? effort.usual + effort.erring + effort.wandering : 0,
+		std::printf("%s,%d,%d,%zu,%zu,%g,%g,%.0f,%.2f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n", name.c_str(), states,
+				symbols, is_phase ? effort.usual + effort.erring + effort.wandering : 0,
 				is_phase ? effort.durations : 0, is_phase ? effort.branch_period_s : 0.0, outputs_per_s,
 				least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable,
 				accuracy.t_diff_s, accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);

@@ -17,31 +17,34 @@ def read_rows(path: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(file))
 
 
-def front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Those that no cheaper one equals, from cheap to dear."""
+def front(points: list[tuple[float, float]], sign: int) -> list[tuple[float, float]]:
+    """Those that no cheaper one equals, from cheap to dear. sign: -1 where less is better."""
     kept = []
     for cost, accuracy in sorted(points):
-        if not kept or accuracy > kept[-1][1]:
+        if not kept or sign * accuracy > sign * kept[-1][1]:
             kept.append((cost, accuracy))
     return kept
 
 
-def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str) -> None:
+def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: int = 1) -> None:
     points = [(float(row[COST]), float(row[column])) for row in rows]
-    axes.step(*zip(*front(points), strict=True), where="post", color=BLACK, lw=1, label="front")
+    axes.step(*zip(*front(points, sign), strict=True), where="post", color=BLACK, lw=1, label="front")
     for row, (cost, accuracy) in zip(rows, points, strict=True):
         name = row["setting"]
-        axes.plot(cost, accuracy, "o", color=PRESET_COLOURS[name] if name else GREY, ms=8 if name else 4)
+        is_paper = row["hypotheses"] == "0"
+        colour = PRESET_COLOURS["paper"] if is_paper else PRESET_COLOURS.get(name, GREY)
+        axes.plot(cost, accuracy, "o", color=colour, ms=8 if name else 4)
         if name:
-            below, side = (24, "left") if name == "paper" else (-10, "right")
+            # On the side that the others leave free.
+            above, side = (24 * sign, "left") if name == "paper" else (-10 * sign, "right" if sign > 0 else "left")
             axes.annotate(
                 name,
                 (cost, accuracy),
                 textcoords="offset points",
-                xytext=(0, below),
+                xytext=(0, above),
                 rotation=30,
                 ha=side,
-                va="top",
+                va="top" if sign > 0 else "bottom",
                 size=9,
             )
     held = [row for row in rows if float(row["outputs_per_s"]) < 1000]
@@ -54,7 +57,10 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str) -> Non
         label="presets, 250 outputs a second",
     )
     axes.set_xscale("log")
-    axes.set_xlabel("cost of a frame with its outputs, times that of paper mode")
+    ticks = [1, 2, 4, 8]
+    axes.set_xticks(ticks, [str(tick) for tick in ticks])
+    axes.set_xticks([], minor=True)
+    axes.set_xlabel("cost of a frame with its outputs, times paper mode's")
     axes.set_title(title, size=11)
 
 
@@ -65,9 +71,10 @@ def main() -> None:
     given = parser.parse_args()
 
     rows = read_rows(given.rows)
-    figure, panels = plt.subplots(1, 2, figsize=(11, 4.4), layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(14, 4.4), layout="constrained")
     draw(panels[0], rows, "r2_zero_stable", "mean R$^2$ at no lag, stable tracking")
     draw(panels[1], rows, "r2_zero_unstable", "mean R$^2$ at no lag, unstable tracking")
+    draw(panels[2], rows, "t_diff_s", "mean size of T_diff, s", sign=-1)
     panels[1].legend(loc="lower right", fontsize=9)
     save(figure, given.out)
 

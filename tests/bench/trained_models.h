@@ -1,0 +1,48 @@
+#pragma once
+
+#include "gesture/trainer.h"
+#include "models.h"
+#include "simulation/synthetic_trial.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace steadyhand::bench {
+
+/// The models that ship, trained again with as many states and symbols: on the same synthetic people
+/// (demo_project/tools/own_models.gd). None, and the reason on stderr, where training fails.
+inline Models train_models(const Models &shipped, int states, int symbols) {
+	SyntheticSetOptions options;
+	options.population = Population::TRAIN;
+	options.subjects = 12;
+	options.repetitions = 6;
+	options.paces = { 1.0, 0.6, 0.4 };
+	std::vector<SyntheticTrial> trials;
+	for (const SyntheticTrialRequest &request : plan_synthetic_set(options)) {
+		trials.push_back(make_synthetic_trial(request).value());
+	}
+	Models models;
+	for (const std::shared_ptr<const GestureModel> &model : shipped) {
+		std::vector<TrainingRecording> recordings;
+		for (const SyntheticTrial &trial : trials) {
+			if (trial.trial.gesture == model->gesture) {
+				recordings.push_back({ trial.trial.trial,
+						{ trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m },
+						trial.trial.start_s, trial.trial.end_s, trial.measured, trial.reference });
+			}
+		}
+		TrainingOptions training;
+		training.states = states;
+		training.symbols = symbols;
+		Result<GestureModel> trained = train(model->gesture, model->feature, recordings, training);
+		if (!trained) {
+			std::fprintf(stderr, "%s\n", trained.error().c_str());
+			return {};
+		}
+		models.push_back(std::make_shared<const GestureModel>(std::move(trained.value())));
+	}
+	return models;
+}
+
+} // namespace steadyhand::bench
