@@ -8,6 +8,7 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -206,8 +207,9 @@ void GestureHMM::publish() {
 	}
 }
 
-steadyhand::Motion GestureHMM::current(Motion p_motion) const {
-	return recogniser_ && !outdated_ ? recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion))
+steadyhand::Motion GestureHMM::current(Motion p_motion, double p_time_s) const {
+	return recogniser_ && !outdated_ ? recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion),
+											   std::max(p_time_s, recogniser_->time_s()))
 									 : steadyhand::Motion{};
 }
 
@@ -233,10 +235,7 @@ double GestureHMM::get_value() const {
 }
 
 double GestureHMM::get_value_at(double p_time_s) const {
-	return recogniser_ && !outdated_
-			? recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), std::max(p_time_s, time_s_))
-					  .value_m
-			: 0.0;
+	return current(motion_, p_time_s).value_m;
 }
 
 double GestureHMM::get_velocity() const {

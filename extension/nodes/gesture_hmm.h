@@ -11,6 +11,7 @@
 #include <godot_cpp/core/object_id.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -136,7 +137,9 @@ private:
 	void warn_of(const GestureTask *p_task, std::size_t p_active);
 	void run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
-	steadyhand::Motion current(Motion p_motion) const;
+	/// At a time not before now, now unless told otherwise.
+	steadyhand::Motion current(
+			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
 	StringName gesture_name(int p_model) const {
 		return p_model >= 0 ? active_gestures_[static_cast<std::size_t>(p_model)] : StringName();

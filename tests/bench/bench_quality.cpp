@@ -117,10 +117,6 @@ std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	return trials;
 }
 
-Task task_of(const SyntheticTrial &trial) {
-	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
-}
-
 /// In amplitudes, at 1 kHz from 0 on.
 std::vector<double> reference_curve(
 		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
@@ -265,9 +261,10 @@ int main(int count, char **arguments) {
 	if (trials.empty()) {
 		return 1;
 	}
+	const std::vector<SyntheticTrial> taught = training_trials();
 	std::map<std::pair<int, int>, Models> by_size;
 	for (const auto &[states, symbols] : MODEL_SIZES) {
-		by_size[{ states, symbols }] = train_models(models, states, symbols);
+		by_size[{ states, symbols }] = train_models(models, taught, states, symbols);
 		if (by_size[{ states, symbols }].empty()) {
 			return 1;
 		}

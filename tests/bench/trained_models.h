@@ -10,9 +10,12 @@
 
 namespace steadyhand::bench {
 
-/// The models that ship, trained again with as many states and symbols: on the same synthetic people
-/// (demo_project/tools/own_models.gd). None, and the reason on stderr, where training fails.
-inline Models train_models(const Models &shipped, int states, int symbols) {
+inline Task task_of(const SyntheticTrial &trial) {
+	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
+}
+
+/// What the models that ship are trained on (demo_project/tools/own_models.gd).
+inline std::vector<SyntheticTrial> training_trials() {
 	SyntheticSetOptions options;
 	options.population = Population::TRAIN;
 	options.subjects = 12;
@@ -22,14 +25,20 @@ inline Models train_models(const Models &shipped, int states, int symbols) {
 	for (const SyntheticTrialRequest &request : plan_synthetic_set(options)) {
 		trials.push_back(make_synthetic_trial(request).value());
 	}
+	return trials;
+}
+
+/// The models that ship, trained again with as many states and symbols. None, and the reason on stderr, where
+/// training fails.
+inline Models train_models(
+		const Models &shipped, const std::vector<SyntheticTrial> &trials, int states, int symbols) {
 	Models models;
 	for (const std::shared_ptr<const GestureModel> &model : shipped) {
 		std::vector<TrainingRecording> recordings;
 		for (const SyntheticTrial &trial : trials) {
 			if (trial.trial.gesture == model->gesture) {
-				recordings.push_back({ trial.trial.trial,
-						{ trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m },
-						trial.trial.start_s, trial.trial.end_s, trial.measured, trial.reference });
+				recordings.push_back({ trial.trial.trial, task_of(trial), trial.trial.start_s,
+						trial.trial.end_s, trial.measured, trial.reference });
 			}
 		}
 		TrainingOptions training;

@@ -7,6 +7,9 @@
 
 namespace steadyhand {
 
+/// What the next frame or state changes, 1 / 10 ms.
+inline constexpr double BLEND_RATE_PER_S = 100.0;
+
 /// Hides a step of an output and of its velocity: what is missing fades out critically damped.
 class OutputBlend {
 public:

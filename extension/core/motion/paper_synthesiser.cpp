@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace steadyhand {
-namespace {
-
-constexpr double BLEND_RATE_PER_S = 100.0; ///< as in `phase` mode
-
-} // namespace
 
 void PaperSynthesiser::play(double t_s, double phase_from, double element_duration_s) {
 	entered_s_ = t_s;

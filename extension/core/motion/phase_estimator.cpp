@@ -34,8 +34,6 @@ constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as
 constexpr double ERRING_LATENCY_S = 0.037;
 constexpr double ERRING_SETTLING_S = 0.15;
 
-constexpr double BLEND_RATE_PER_S = 100.0; ///< 1 / 10 ms
-
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :

@@ -34,6 +34,18 @@ constexpr double STALE_NEWS = -3.0;
 /// for.
 constexpr double LED_ASTRAY = -4.0;
 
+/// Of the others than the one at rest; AT_REST if there is none.
+template <class Predicate> std::size_t likeliest(const HypothesisBank &bank, Predicate is_candidate) {
+	std::size_t likeliest = HypothesisBank::AT_REST;
+	for (std::size_t i = 1; i < bank.size(); ++i) {
+		if (is_candidate(i) &&
+				(likeliest == HypothesisBank::AT_REST || bank.log_weight(i) > bank.log_weight(likeliest))) {
+			likeliest = i;
+		}
+	}
+	return likeliest;
+}
+
 } // namespace
 
 /// All that is due by t_s. What branches off says nothing new of the hand before a frame comes.
@@ -94,31 +106,20 @@ void PhaseEstimator::come_to_rest() {
 
 /// A hand that went its own way, in two halves, say, and comes to the end has made the gesture.
 void PhaseEstimator::come_to_end(double t_s) {
-	std::size_t likeliest = HypothesisBank::AT_REST;
-	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (!bank_.on_its_way(i) && std::abs(bank_.hand_deviation(i) - 1.0) < AT_END &&
-				(likeliest == HypothesisBank::AT_REST || bank_.log_weight(i) > bank_.log_weight(likeliest))) {
-			likeliest = i;
-		}
-	}
-	if (likeliest != HypothesisBank::AT_REST) {
+	const std::size_t there = likeliest(bank_, [this](std::size_t i) {
+		return !bank_.on_its_way(i) && std::abs(bank_.hand_deviation(i) - 1.0) < AT_END;
+	});
+	if (there != HypothesisBank::AT_REST) {
 		const double log_duration = log_durations_[effort_.durations / 2];
-		bank_.add(
-				bank_.hypothesis(likeliest).at_end(t_s - ENDED_PHASE * std::exp(log_duration), log_duration),
+		bank_.add(bank_.hypothesis(there).at_end(t_s - ENDED_PHASE * std::exp(log_duration), log_duration),
 				std::log(ENDED_PER_S * effort_.branch_period_s));
 	}
 }
 
 /// AT_REST if there is none that is not free.
 std::size_t PhaseEstimator::likeliest_on_its_way() const {
-	std::size_t likeliest = HypothesisBank::AT_REST;
-	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		if (bank_.on_its_way(i) && bank_.regime(i) != Regime::FREE &&
-				(likeliest == HypothesisBank::AT_REST || bank_.log_weight(i) > bank_.log_weight(likeliest))) {
-			likeliest = i;
-		}
-	}
-	return likeliest;
+	return likeliest(
+			bank_, [this](std::size_t i) { return bank_.on_its_way(i) && bank_.regime(i) != Regime::FREE; });
 }
 
 /// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where

@@ -146,10 +146,12 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (!place_m.allFinite()) {
 		return;
 	}
-	if (past_count_ == 0 || t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s > LONGEST_GAP_S) {
+	const double since_s =
+			past_count_ > 0 ? t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s : INFINITY;
+	if (since_s > LONGEST_GAP_S) {
 		seen_since_s_ = t_s;
 	}
-	if (past_count_ == 0 || t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s >= LEAST_FRAME_S) {
+	if (since_s >= LEAST_FRAME_S) {
 		remember_frame(t_s, place_m);
 	}
 	if (count_ == 0 || t_s - frame(count_ - 1).t_s > LONGEST_GAP_S) {

@@ -43,7 +43,6 @@ void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
 		frozen = frozen || soundness.frozen();
 		jitter = std::max(jitter, soundness.jitter());
 	}
-	fault_s_ = begun_ ? fault_s_ : t_s - 2.0 * ONE_FAULT_S;
 	double dt_s = begun_ ? std::max(t_s - t_s_, 0.0) : 0.0;
 	dt_s = dt_s > AWAY_S ? 0.0 : dt_s;
 	duration_s_ += dt_s;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -82,7 +83,7 @@ private:
 	bool begun_ = false;
 	double t_s_ = 0.0;
 	double duration_s_ = 0.0;
-	double fault_s_ = 0.0;
+	double fault_s_ = -std::numeric_limits<double>::infinity();
 	double lost_s_ = 0.0; ///< of a gap or freeze, what has not been counted
 
 	/// Faults of the last dt_s, up to the newest frame.
