@@ -151,5 +151,5 @@ def false_alarms(study: Study) -> Verdict | None:
 
 def false_alarms_of_others(others: list[OtherHands]) -> Verdict:
     minutes = sum(other.minutes for other in others)
-    alarms = sum(times for other in others for recordings in other.alarms().values() for times in recordings.values())
+    alarms = sum(len(other.evaluation.summary["false_alarms"]) for other in others)
     return Verdict(f"{alarms / minutes:.2f} ({minutes:.1f} min of hands at other tasks)", alarms < 0.2 * minutes)
