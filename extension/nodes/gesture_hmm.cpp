@@ -1,17 +1,11 @@
 #include "gesture_hmm.h"
 
-#include "conversions.h"
-#include "gesture_task.h"
-
-#include "gesture/feature.h"
 #include "motion/gesture_recogniser.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 namespace godot {
 
@@ -24,11 +18,6 @@ constexpr double LONGEST_GAP_S = 10.0;
 /// So many in a row are another unit.
 constexpr int LEAPS_TOLD = 3;
 
-steadyhand::Task core_task(const GestureTask &p_task, bool p_is_radius) {
-	return { p_is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
-		to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
-}
-
 } // namespace
 
 void GestureHMM::reset() {
@@ -38,76 +27,6 @@ void GestureHMM::reset() {
 	shown_ = {};
 	if (was_active) {
 		emit_signal(names_.state_changed, -1);
-	}
-}
-
-void GestureHMM::build_recogniser() {
-	const GestureTask *const task = get_task();
-	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
-	task_gesture_ = wanted;
-	task_is_radius_ = false;
-	std::vector<std::shared_ptr<const steadyhand::GestureModel>> active;
-	active_gestures_.clear();
-	for (int64_t i = 0; i < models_.size(); ++i) {
-		const Ref<GestureModel> model = models_[i];
-		if (model.is_null() || model->core() == nullptr ||
-				(wanted != StringName() && wanted != model->get_gesture())) {
-			continue;
-		}
-		const steadyhand::Feature *const feature = steadyhand::find_feature(model->core()->feature);
-		if (feature == nullptr) {
-			ERR_PRINT(String("GestureHMM: the model of '") + String(model->get_gesture()) +
-					String("' needs the feature '") + model->get_feature() +
-					String("', which this version does not have"));
-			continue;
-		}
-		task_is_radius_ = feature->is_radius;
-		active.push_back(model->core());
-		active_gestures_.push_back(model->get_gesture());
-	}
-	warn_of(task, active.size());
-	// With several models nobody knows whose place it is.
-	const bool is_for_one = task != nullptr && (wanted != StringName() || active.size() == 1);
-	task_in_use_ = is_for_one ? std::optional(core_task(*task, task_is_radius_)) : std::nullopt;
-	rest_amplitude_m_ = 1.0;
-	if (task_in_use_) {
-		rest_amplitude_m_ = task_in_use_->amplitude_m;
-	} else if (!active.empty()) {
-		rest_amplitude_m_ = active.front()->typical_task.amplitude_m;
-	}
-	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(active), task_in_use_,
-			static_cast<steadyhand::MotionMode>(mode_),
-			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
-}
-
-/// Of what keeps it from recognising; once, however often it is made anew.
-void GestureHMM::warn_of(const GestureTask *p_task, std::size_t p_active) {
-	String warning;
-	if (models_.is_empty()) {
-		warning = "GestureHMM: nothing will be recognised, since it has no models";
-	} else if (p_active == 0) {
-		warning = String("GestureHMM: nothing will be recognised, since none of its models is of the gesture "
-						 "'") +
-				String(task_gesture_) + String("'");
-	} else if (p_task != nullptr && task_gesture_ == StringName() && p_active > 1) {
-		warning =
-				String("GestureHMM: the place of its task is not used, since it does not say which of the ") +
-				String::num_int64(static_cast<int64_t>(p_active)) +
-				String(" models it is for; set the GestureTask's \"gesture\"");
-	}
-	if (warning != String() && warning != warned_) {
-		WARN_PRINT(warning);
-	}
-	warned_ = std::move(warning);
-}
-
-void GestureHMM::on_task_changed() {
-	const GestureTask *const task = get_task();
-	// A node tells that it was moved once the frame is over: by then the place may be in use already.
-	const bool has_moved =
-			task != nullptr && task_in_use_ && core_task(*task, task_is_radius_) != task_in_use_;
-	if (task == nullptr || outdated_ || task->get_gesture() != task_gesture_ || has_moved) {
-		on_settings_changed();
 	}
 }
 
@@ -171,19 +90,19 @@ void GestureHMM::publish() {
 	const bool under_way =
 			follower != nullptr && follower->stage() != steadyhand::GestureFollower::Stage::RESTING;
 	const Shown before = shown_;
-	shown_.model = under_way ? recogniser_->gesture() : -1;
+	shown_.gesture = under_way ? recogniser_->gesture() : -1;
 	shown_.state = under_way ? follower->state() : -1;
 	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
-	const bool started = under_way && shown_.model != before.model;
+	const bool started = under_way && shown_.gesture != before.gesture;
 	gestures_begun_ += started || (before.arrived && under_way && !shown_.arrived) ? 1 : 0;
 	const bool ended = shown_.arrived && (started || !before.arrived);
-	const bool aborted = before.model >= 0 && !before.arrived && shown_.model != before.model;
+	const bool aborted = before.gesture >= 0 && !before.arrived && shown_.gesture != before.gesture;
 	const bool state_changed = started || shown_.state != before.state;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
-	const StringName gesture = started || ended ? gesture_name(shown_.model) : StringName();
-	const StringName aborted_gesture = aborted ? gesture_name(before.model) : StringName();
+	const StringName gesture = started || ended ? gesture_name(shown_.gesture) : StringName();
+	const StringName aborted_gesture = aborted ? gesture_name(before.gesture) : StringName();
 	if (ended) {
 		recognised_ = gesture;
 	}
@@ -221,13 +140,24 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 			recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), p_time_s);
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
-		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.model >= 0 ? gestures_begun_ : 0,
+		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.gesture >= 0 ? gestures_begun_ : 0,
 		shown_.arrived && motion_ == MOTION_SYNTHESISED };
 }
 
+/// While no gesture is under way, of the first one's motion, which is shown.
 double GestureHMM::amplitude_m() const {
 	const steadyhand::GestureFollower *follower = recogniser_->follower();
-	return follower != nullptr ? follower->task().amplitude_m : rest_amplitude_m_;
+	if (follower != nullptr) {
+		return follower->task().amplitude_m;
+	}
+	if (expected_.empty()) {
+		return 1.0;
+	}
+	return expected_.front().place.value_or(expected_.front().model->typical_task).amplitude_m;
+}
+
+StringName GestureHMM::gesture_name(int p_expected) const {
+	return p_expected >= 0 ? expected_[static_cast<std::size_t>(p_expected)].gesture : StringName();
 }
 
 double GestureHMM::get_value() const {
@@ -251,7 +181,7 @@ double GestureHMM::get_progress() const {
 }
 
 double GestureHMM::get_confidence() const {
-	return recogniser_ && !outdated_ && shown_.model >= 0 ? recogniser_->confidence() : 0.0;
+	return recogniser_ && !outdated_ && shown_.gesture >= 0 ? recogniser_->confidence() : 0.0;
 }
 
 double GestureHMM::get_motion_value(Motion p_motion) const {

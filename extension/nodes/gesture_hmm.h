@@ -45,8 +45,12 @@ public:
 
 	void set_tracker(HandTracker *p_tracker);
 	HandTracker *get_tracker() const { return tracker_; }
+	void set_tasks(const TypedArray<GestureTask> &p_tasks);
+	TypedArray<GestureTask> get_tasks() const { return tasks_; }
+	/// The only one, or none.
 	void set_task(GestureTask *p_task);
-	GestureTask *get_task() const;
+	/// The first, or none.
+	GestureTask *get_task() const { return tasks_.is_empty() ? nullptr : task_at(0); }
 	void set_models(const TypedArray<GestureModel> &p_models);
 	TypedArray<GestureModel> get_models() const { return models_; }
 	void set_mode(Mode p_mode);
@@ -64,7 +68,9 @@ public:
 	double get_velocity() const;
 	double get_acceleration() const;
 	double get_progress() const;
-	StringName get_gesture() const { return gesture_name(shown_.model); }
+	StringName get_gesture() const { return gesture_name(shown_.gesture); }
+	/// Where the gesture under way is expected; null while there is none, and where that is nowhere.
+	GestureTask *get_current_task() const;
 	int get_state() const { return shown_.state; }
 	double get_confidence() const;
 	double get_time() const { return time_s_; }
@@ -99,13 +105,23 @@ private:
 	};
 	/// What scripts see of the recognition, as of the last control instant.
 	struct Shown {
-		int model = -1; ///< index into active_gestures
+		int gesture = -1; ///< index into expected_
 		int state = -1;
 		bool arrived = false;
 	};
 
+	/// A model that is evaluated, and where.
+	struct Expected {
+		std::shared_ptr<const steadyhand::GestureModel> model;
+		StringName gesture;
+		ObjectID task; ///< of the GestureTask; none where the start is to be found
+		std::optional<steadyhand::Task> place;
+
+		bool operator==(const Expected &p_other) const = default;
+	};
+
 	HandTracker *tracker_ = nullptr;
-	ObjectID task_id_;
+	TypedArray<GestureTask> tasks_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
 	Quality quality_ = QUALITY_ACCURATE;
@@ -116,11 +132,7 @@ private:
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;
 	std::unique_ptr<steadyhand::GestureRecogniser> recogniser_;
-	std::vector<StringName> active_gestures_; ///< of the recogniser's models
-	StringName task_gesture_;                 ///< what it was made for
-	std::optional<steadyhand::Task> task_in_use_;
-	bool task_is_radius_ = false;   ///< its start is one, as the active models measure it
-	double rest_amplitude_m_ = 1.0; ///< while no gesture is under way
+	std::vector<Expected> expected_; ///< by the recogniser
 	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
 	bool outdated_ = true;
 	uint64_t build_ = 0;
@@ -133,17 +145,20 @@ private:
 	int leaps_ = 0; ///< gaps too long to connect, one after the other
 
 	void prepare(double p_time_s);
+	/// By the models and tasks as they are now.
+	std::vector<Expected> find_expected() const;
 	void build_recogniser();
-	void warn_of(const GestureTask *p_task, std::size_t p_active);
+	void warn_of_silence();
 	void run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.
 	steadyhand::Motion current(
 			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
-	StringName gesture_name(int p_model) const {
-		return p_model >= 0 ? active_gestures_[static_cast<std::size_t>(p_model)] : StringName();
-	}
+	/// Null where there is none, or no longer.
+	GestureTask *task_at(int64_t p_index) const;
+	bool has_model_of(const StringName &p_gesture) const;
+	StringName gesture_name(int p_expected) const;
 	void on_settings_changed();
 	void on_task_changed();
 	void connect_changed(Object *p_object, const Callable &p_callable, bool p_connect);

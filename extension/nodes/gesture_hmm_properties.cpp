@@ -47,21 +47,6 @@ void GestureHMM::on_tracker_freed() {
 	update_configuration_warnings();
 }
 
-void GestureHMM::set_task(GestureTask *p_task) {
-	GestureTask *const old = get_task();
-	if (old == p_task) {
-		return;
-	}
-	connect_changed(old, callable_mp(this, &GestureHMM::on_task_changed), false);
-	task_id_ = ObjectID(p_task != nullptr ? p_task->get_instance_id() : 0);
-	connect_changed(p_task, callable_mp(this, &GestureHMM::on_task_changed), true);
-	on_settings_changed();
-}
-
-GestureTask *GestureHMM::get_task() const {
-	return Object::cast_to<GestureTask>(ObjectDB::get_instance(task_id_));
-}
-
 void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
 	const Callable callable = callable_mp(this, &GestureHMM::on_settings_changed);
 	for (int64_t i = 0; i < models_.size(); ++i) {
@@ -125,22 +110,24 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	if (tracker_ == nullptr) {
 		warnings.push_back("Set \"tracker\" to the HandTracker whose hand makes the gestures.");
 	}
-	const GestureTask *task = get_task();
-	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
-	bool has_wanted = wanted == StringName();
 	bool has_empty = false;
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
 		has_empty = has_empty || model.is_null() || model->core() == nullptr;
-		has_wanted = has_wanted || (model.is_valid() && model->get_gesture() == wanted);
 	}
 	if (models_.is_empty()) {
 		warnings.push_back("Add a GestureModel to \"models\": a *.gesture file of "
 						   "res://addons/steadyhand/models, or one "
 						   "of your own from a GestureTrainer.");
-	} else if (!has_wanted) {
-		warnings.push_back(String("Add the model of the gesture '") + String(wanted) +
-				String("' to \"models\", or set the task's \"gesture\" to one that is there."));
+	}
+	for (int64_t i = 0; i < tasks_.size() && !models_.is_empty(); ++i) {
+		const GestureTask *const task = task_at(i);
+		if (task == nullptr) {
+			warnings.push_back("Remove the empty entry from \"tasks\", or choose a GestureTask for it.");
+		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
+			warnings.push_back(String("Add the model of the gesture '") + String(task->get_gesture()) +
+					String("' to \"models\", or set the task's \"gesture\" to one that is there."));
+		}
 	}
 	if (has_empty) {
 		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
@@ -151,6 +138,8 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_tracker", "tracker"), &GestureHMM::set_tracker);
 	ClassDB::bind_method(D_METHOD("get_tracker"), &GestureHMM::get_tracker);
+	ClassDB::bind_method(D_METHOD("set_tasks", "tasks"), &GestureHMM::set_tasks);
+	ClassDB::bind_method(D_METHOD("get_tasks"), &GestureHMM::get_tasks);
 	ClassDB::bind_method(D_METHOD("set_task", "task"), &GestureHMM::set_task);
 	ClassDB::bind_method(D_METHOD("get_task"), &GestureHMM::get_task);
 	ClassDB::bind_method(D_METHOD("set_models", "models"), &GestureHMM::set_models);
@@ -169,6 +158,7 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_acceleration"), &GestureHMM::get_acceleration);
 	ClassDB::bind_method(D_METHOD("get_progress"), &GestureHMM::get_progress);
 	ClassDB::bind_method(D_METHOD("get_gesture"), &GestureHMM::get_gesture);
+	ClassDB::bind_method(D_METHOD("get_current_task"), &GestureHMM::get_current_task);
 	ClassDB::bind_method(D_METHOD("get_state"), &GestureHMM::get_state);
 	ClassDB::bind_method(D_METHOD("get_confidence"), &GestureHMM::get_confidence);
 	ClassDB::bind_method(D_METHOD("get_time"), &GestureHMM::get_time);
@@ -178,8 +168,10 @@ void GestureHMM::_bind_methods() {
 
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "tracker", PROPERTY_HINT_NODE_TYPE, "HandTracker"),
 			"set_tracker", "get_tracker");
-	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask"), "set_task",
-			"get_task");
+	const String task_hint =
+			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_NODE_TYPE) + ":GestureTask";
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "tasks", PROPERTY_HINT_ARRAY_TYPE, task_hint), "set_tasks",
+			"get_tasks");
 	const String model_hint =
 			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_RESOURCE_TYPE) + ":GestureModel";
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "models", PROPERTY_HINT_ARRAY_TYPE, model_hint), "set_models",
@@ -194,7 +186,9 @@ void GestureHMM::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "sensor_latency", PROPERTY_HINT_RANGE, "0,0.2,0.001,suffix:s"),
 			"set_sensor_latency", "get_sensor_latency");
 
-	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
+	constexpr uint32_t SCRIPT_ONLY = PROPERTY_USAGE_NONE, READ_ONLY = PROPERTY_USAGE_NONE;
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask", SCRIPT_ONLY),
+			"set_task", "get_task");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "value", PROPERTY_HINT_NONE, "suffix:m", READ_ONLY), "",
 			"get_value");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "velocity", PROPERTY_HINT_NONE, "suffix:m/s", READ_ONLY), "",
@@ -205,6 +199,9 @@ void GestureHMM::_bind_methods() {
 			PropertyInfo(Variant::FLOAT, "progress", PROPERTY_HINT_NONE, "", READ_ONLY), "", "get_progress");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "gesture", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_gesture");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::OBJECT, "current_task", PROPERTY_HINT_NODE_TYPE, "GestureTask", READ_ONLY),
+			"", "get_current_task");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "state", PROPERTY_HINT_NONE, "", READ_ONLY), "", "get_state");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "confidence", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_confidence");

@@ -41,6 +41,7 @@ public:
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
+	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
 	/// log of the posterior odds of the gesture against none by what has been seen of it, nats; the measure
 	/// by which gestures compete.

@@ -16,14 +16,28 @@ constexpr double SMALLEST_STROKE = 0.06;
 constexpr double LEAD_RATE_PER_S =
 		50.0; ///< from one gesture's motion to another's within a tenth of a second
 
+std::vector<ExpectedGesture> at_one_place(
+		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
+	std::vector<ExpectedGesture> gestures;
+	gestures.reserve(models.size());
+	for (const std::shared_ptr<const GestureModel> &model : models) {
+		gestures.push_back({ model, task });
+	}
+	return gestures;
+}
+
 } // namespace
 
-GestureRecogniser::GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
+GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
 		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s) :
-		models_(std::move(models)),
-		filtered_(models_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
-	followers_.reserve(models_.size());
-	for (const std::shared_ptr<const GestureModel> &model : models_) {
+		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s) {}
+
+GestureRecogniser::GestureRecogniser(
+		std::vector<ExpectedGesture> gestures, MotionMode mode, const PhaseEffort &effort, double latency_s) :
+		gestures_(std::move(gestures)),
+		filtered_(gestures_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
+	followers_.reserve(gestures_.size());
+	for (const auto &[model, task] : gestures_) {
 		followers_.emplace_back(
 				*model, task.value_or(model->typical_task), task.has_value(), mode, effort, latency_s);
 		const Feature *const feature = find_feature(model->feature);
@@ -140,20 +154,25 @@ void GestureRecogniser::let_return() {
 }
 
 void GestureRecogniser::choose_leader() {
-	const bool over = leader_ < 0 || follower()->stage() == GestureFollower::Stage::RESTING;
-	const int best = likeliest([](const GestureFollower &follower) {
-		return follower.stage() == GestureFollower::Stage::MOVING;
-	});
-	if (over) {
-		lead(best);
+	using Stage = GestureFollower::Stage;
+	const auto is_moving = [](const GestureFollower &other) { return other.stage() == Stage::MOVING; };
+	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
+		lead(likeliest(is_moving));
 		return;
 	}
-	// What has arrived keeps its end until the hand does something else.
-	const bool yields = best >= 0 && best != leader_ &&
-			(follower()->stage() == GestureFollower::Stage::ARRIVED ||
-					followers_[static_cast<std::size_t>(best)].log_odds() >
-							follower()->log_odds() + SWITCH_MARGIN);
-	if (yields) {
+	// What has arrived keeps its end until the hand does something else: of tasks on one way the one that the
+	// hand comes to first ends first, and the next one's end is told when the hand gets there.
+	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
+	const double odds = follower()->log_odds(), since_s = follower()->stage_began_s();
+	const int best = likeliest([&](const GestureFollower &other) {
+		const bool is_news = other.stage() != Stage::RESTING && other.stage_began_s() > since_s;
+		if (has_arrived) {
+			return is_news;
+		}
+		return is_moving(other) ? other.log_odds() > odds + SWITCH_MARGIN
+								: is_news && other.log_odds() > odds - SWITCH_MARGIN;
+	});
+	if (best >= 0) {
 		lead(best);
 	}
 }

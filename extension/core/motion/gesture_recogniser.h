@@ -12,14 +12,22 @@
 
 namespace steadyhand {
 
-/// All models that a scene asked for, side by side on one stream of frames: says which gesture is under way,
-/// in which state, and what motion it makes. Costs nothing for a gesture that was not asked for. After
+/// A gesture that a scene asks for. A model may be expected at several places.
+struct ExpectedGesture {
+	std::shared_ptr<const GestureModel> model;
+	std::optional<Task> task; ///< its place; nothing where the start is to be found by the hand's rest
+};
+
+/// All gestures that a scene asked for, side by side on one stream of frames: says which one is under way, in
+/// which state, and what motion it makes. Costs nothing for a gesture that was not asked for. After
 /// construction nothing is allocated.
 class GestureRecogniser {
 public:
-	/// task: what the scene knows of the gesture's place; nothing where the start is to be found by the
-	/// hand's rest. effort, latency_s: as PhaseEstimator's.
-	GestureRecogniser(std::vector<std::shared_ptr<const GestureModel>> models,
+	/// effort, latency_s: as PhaseEstimator's.
+	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
+			const PhaseEffort &effort = {}, double latency_s = 0.0);
+	/// All at one place, or none of them.
+	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
 			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
 			double latency_s = 0.0);
 
@@ -33,7 +41,7 @@ public:
 	/// What it will be at t_s, not before that time, if nothing is seen until then.
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
 
-	/// Index of the model under way or just finished; -1 while all of them rest.
+	/// Index of the gesture under way or just finished; -1 while all of them rest.
 	[[nodiscard]] int gesture() const { return leader_; }
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? &followers_[static_cast<std::size_t>(leader_)] : nullptr;
@@ -44,14 +52,14 @@ public:
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
-	std::vector<std::shared_ptr<const GestureModel>> models_;
+	std::vector<ExpectedGesture> gestures_;
 	struct WatchedFeature {
 		const Feature *feature;
 		StrokeFinder strokes;
 		std::optional<FeaturePlace> place; ///< in the newest frame
 	};
 
-	std::vector<WatchedFeature> watched_; ///< each feature once, however many models use it
+	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
 	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
 	std::vector<GestureFollower> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower

@@ -1,0 +1,156 @@
+// Which gestures GestureHMM expects, and where: its models and the scene's tasks.
+
+#include "gesture_hmm.h"
+
+#include "conversions.h"
+#include "gesture_task.h"
+
+#include "gesture/feature.h"
+#include "motion/gesture_recogniser.h"
+
+#include <godot_cpp/core/error_macros.hpp>
+
+#include <utility>
+
+namespace godot {
+
+namespace {
+
+bool is_usable(const Ref<GestureModel> &p_model) {
+	return p_model.is_valid() && p_model->core() != nullptr &&
+			steadyhand::find_feature(p_model->core()->feature) != nullptr;
+}
+
+steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
+	const bool is_radius = steadyhand::find_feature(p_model.feature)->is_radius;
+	return { is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
+		to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
+}
+
+} // namespace
+
+GestureTask *GestureHMM::task_at(int64_t p_index) const {
+	return Object::cast_to<GestureTask>(tasks_[p_index].get_validated_object());
+}
+
+GestureTask *GestureHMM::get_current_task() const {
+	return shown_.gesture >= 0 ? Object::cast_to<GestureTask>(ObjectDB::get_instance(
+										 expected_[static_cast<std::size_t>(shown_.gesture)].task))
+							   : nullptr;
+}
+
+std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
+	std::vector<Expected> anywhere;
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		const Ref<GestureModel> model = models_[i];
+		if (is_usable(model)) {
+			anywhere.push_back({ model->core(), model->get_gesture(), {}, {} });
+		}
+	}
+	std::vector<Expected> at_tasks;
+	bool is_told = false; // which gestures the scene requires
+	for (int64_t i = 0; i < tasks_.size(); ++i) {
+		const GestureTask *const task = task_at(i);
+		// With several models nobody knows whose place it is.
+		if (task == nullptr || (task->get_gesture() == StringName() && anywhere.size() != 1)) {
+			continue;
+		}
+		is_told = true;
+		for (const Expected &one : anywhere) {
+			if (task->get_gesture() == StringName() || task->get_gesture() == one.gesture) {
+				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()),
+						core_task(*task, *one.model) });
+			}
+		}
+	}
+	return is_told ? at_tasks : anywhere;
+}
+
+void GestureHMM::build_recogniser() {
+	expected_ = find_expected();
+	warn_of_silence();
+	std::vector<steadyhand::ExpectedGesture> gestures;
+	gestures.reserve(expected_.size());
+	for (const Expected &one : expected_) {
+		gestures.push_back({ one.model, one.place });
+	}
+	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(gestures),
+			static_cast<steadyhand::MotionMode>(mode_),
+			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
+}
+
+/// Of what keeps it from recognising; once, however often it is made anew.
+void GestureHMM::warn_of_silence() {
+	String warning;
+	if (models_.is_empty()) {
+		warning = "GestureHMM: nothing will be recognised, since it has no models";
+	}
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		const Ref<GestureModel> model = models_[i];
+		if (model.is_valid() && model->core() != nullptr && !is_usable(model)) {
+			warning = String("GestureHMM: the model of '") + String(model->get_gesture()) +
+					String("' needs the feature '") + model->get_feature() +
+					String("', which this version does not have");
+		}
+	}
+	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
+		const GestureTask *const task = task_at(i);
+		if (task == nullptr) {
+			continue;
+		}
+		if (task->get_gesture() == StringName() && models_.size() > 1) {
+			warning = String("GestureHMM: the place of a task is not used, since it does not say which of "
+							 "the ") +
+					String::num_int64(models_.size()) +
+					String(" models it is for; set the GestureTask's \"gesture\"");
+		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
+			warning = String("GestureHMM: nothing will be recognised at a task, since none of its models is "
+							 "of the "
+							 "gesture '") +
+					String(task->get_gesture()) + String("'");
+		}
+	}
+	if (warning != String() && warning != warned_) {
+		WARN_PRINT(warning);
+	}
+	warned_ = std::move(warning);
+}
+
+bool GestureHMM::has_model_of(const StringName &p_gesture) const {
+	for (int64_t i = 0; i < models_.size(); ++i) {
+		const Ref<GestureModel> model = models_[i];
+		if (model.is_valid() && model->get_gesture() == p_gesture) {
+			return true;
+		}
+	}
+	return false;
+}
+
+void GestureHMM::set_task(GestureTask *p_task) {
+	TypedArray<GestureTask> tasks;
+	if (p_task != nullptr) {
+		tasks.push_back(p_task);
+	}
+	set_tasks(tasks);
+}
+
+void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
+	const Callable callable = callable_mp(this, &GestureHMM::on_task_changed);
+	for (int64_t i = 0; i < tasks_.size(); ++i) {
+		connect_changed(task_at(i), callable, false);
+	}
+	tasks_ = p_tasks;
+	for (int64_t i = 0; i < tasks_.size(); ++i) {
+		connect_changed(task_at(i), callable, true);
+	}
+	on_settings_changed();
+}
+
+/// A node tells that it was moved once the frame is over: by then the place may be in use already.
+void GestureHMM::on_task_changed() {
+	if (outdated_ || find_expected() != expected_) {
+		on_settings_changed();
+	}
+}
+
+} // namespace godot

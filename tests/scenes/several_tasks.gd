@@ -1,0 +1,140 @@
+extends "support/scene_test.gd"
+## A scene that expects several gestures, each at a place of its own, by one GestureHMM.
+
+const Rig := preload("support/rig.gd")
+
+const FRAME_S := 1.0 / 110.0
+const REST_S := 0.6
+const MOVE_S := 0.7
+
+
+func test_each_gesture_is_told_with_the_task_that_it_was_made_at() -> void:
+	var corner := Vector3(0.2, 0.0, 0.0)
+	var top := Vector3(0.2, 0.2, 0.0)
+	var tasks: Array[GestureTask] = [
+		_task(&"tap", top, Vector3.FORWARD, 0.15),
+		_task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2),
+		_task(&"vertical_drag", corner, Vector3.UP, 0.2),
+	]
+	for mode: GestureHMM.Mode in [GestureHMM.MODE_PHASE, GestureHMM.MODE_PAPER]:
+		var hmm := _hmm(tasks)
+		hmm.mode = mode
+		var seen := _play(hmm, [Vector3.ZERO, corner, top, top + 0.15 * Vector3.FORWARD])
+		var expected: Array[String] = []
+		for i: int in [1, 2, 0]:
+			expected.append("started %s at task %d" % [tasks[i].gesture, i])
+			expected.append("ended %s at task %d" % [tasks[i].gesture, i])
+		check_equal(seen, expected, "mode %d" % mode)
+		check_near(hmm.value, 0.15, 0.01, "mode %d: the value is the last one's" % mode)
+		_free(hmm)
+	for task in tasks:
+		task.free()
+
+
+func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void:
+	var middle := Vector3(0.2, 0.0, 0.0)
+	var end := Vector3(0.4, 0.0, 0.0)
+	var first := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var second := _task(&"horizontal_drag", middle, Vector3.RIGHT, 0.2)
+	var both := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.4)
+	var from_box_to_box := _hmm([first, second])
+	check_equal(
+		_ends(_play(from_box_to_box, [Vector3.ZERO, middle, end])),
+		["ended horizontal_drag at task 0", "ended horizontal_drag at task 1"] as Array[String],
+		"two boxes"
+	)
+	_free(from_box_to_box)
+	var near_and_far := _hmm([both, first])
+	check_equal(
+		_ends(_play(near_and_far, [Vector3.ZERO, end])),
+		["ended horizontal_drag at task 1", "ended horizontal_drag at task 0"] as Array[String],
+		"a near mark and a far one"
+	)
+	check_near(near_and_far.value, 0.4, 0.02, "the far one's value")
+	_free(near_and_far)
+	for task in [first, second, both]:
+		task.free()
+
+
+func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var other := _task(&"tap", Vector3.ZERO, Vector3.FORWARD, 0.15)
+	var hmm := _hmm([task, null, other])
+	check_equal(hmm.task, task, "task is the first one")
+	check(hmm.current_task == null, "none before anything begins")
+	_play(hmm, [Vector3.ZERO, Vector3(0.2, 0.0, 0.0)])
+	check_equal(hmm.current_task, task, "under way, or at its end")
+	task.free()
+	check(hmm.current_task == null and hmm.task == null, "freed: none any more")
+	hmm.task = other
+	check_equal(hmm.tasks, [other] as Array[GestureTask], "the only one")
+	check_equal(
+		_ends(_play(hmm, [Vector3.ZERO, 0.15 * Vector3.FORWARD])),
+		["ended tap at task 0"] as Array[String],
+		"the other's gesture"
+	)
+	hmm.task = null
+	check_equal(hmm.tasks, [] as Array[GestureTask], "none")
+	_free(hmm)
+	other.free()
+
+
+func _task(gesture: StringName, start: Vector3, direction: Vector3, way_m: float) -> GestureTask:
+	var task := GestureTask.new()
+	task.gesture = gesture
+	task.direction = direction
+	task.amplitude = way_m
+	root.add_child(task)
+	task.global_position = start
+	return task
+
+
+func _hmm(tasks: Array[GestureTask]) -> GestureHMM:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.autostart = false
+	var hmm := GestureHMM.new()
+	var models: Array[GestureModel] = []
+	for gesture: String in ["horizontal_drag", "vertical_drag", "tap"]:
+		models.append(load(Rig.MODEL % gesture) as GestureModel)
+	hmm.models = models
+	hmm.tasks = tasks
+	hmm.tracker = tracker
+	root.add_child(tracker)
+	root.add_child(hmm)
+	return hmm
+
+
+func _free(hmm: GestureHMM) -> void:
+	hmm.tracker.free()
+	hmm.free()
+
+
+func _ends(seen: Array[String]) -> Array[String]:
+	return seen.filter(func(event: String) -> bool: return event.begins_with("ended"))
+
+
+## A hand that rests at each place and goes on to the next one by minimum-jerk movements; at the
+## last it stays. What the signals say, and the index of `current_task` as they are given.
+func _play(hmm: GestureHMM, places: Array[Vector3]) -> Array[String]:
+	var seen: Array[String] = []
+	var tell := func(gesture: StringName, what: String) -> void:
+		seen.append("%s %s at task %d" % [what, gesture, hmm.tasks.find(hmm.current_task)])
+	var started := tell.bind("started")
+	var ended := func(gesture: StringName, _time_s: float) -> void: tell.call(gesture, "ended")
+	hmm.gesture_started.connect(started)
+	hmm.gesture_ended.connect(ended)
+	hmm.tracker.start()
+	var time_s := 0.0
+	while time_s < (REST_S + MOVE_S) * places.size():
+		var at := (time_s - REST_S) / (REST_S + MOVE_S)
+		var from := clampi(floori(at), 0, places.size() - 1)
+		var to := mini(from + 1, places.size() - 1)
+		var p := clampf((at - from) * (REST_S + MOVE_S) / MOVE_S, 0.0, 1.0)
+		var share := p * p * p * (10.0 + p * (6.0 * p - 15.0))
+		var tip := places[from].lerp(places[to], share)
+		hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
+		time_s += FRAME_S
+	hmm.gesture_started.disconnect(started)
+	hmm.gesture_ended.disconnect(ended)
+	return seen
