@@ -1,5 +1,6 @@
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
+#include "hmm_all_paths.h"
 #include "hmm_random.h"
 
 #include <doctest/doctest.h>
@@ -10,43 +11,6 @@
 using namespace steadyhand;
 
 namespace {
-
-double path_log_probability(
-		const DiscreteHmm &hmm, const std::vector<int> &path, const SymbolSequence &symbols) {
-	double sum = hmm.log_pi(path[0]);
-	for (std::size_t t = 0; t < path.size(); ++t) {
-		sum += t > 0 ? hmm.log_a(path[t - 1], path[t]) : 0.0;
-		sum += symbols[t] >= 0 ? hmm.log_b(path[t], symbols[t]) : 0.0;
-	}
-	return sum;
-}
-
-struct AllPaths {
-	double best = -std::numeric_limits<double>::infinity();
-	std::vector<int> best_path;
-	double total = 0.0; ///< probability
-};
-
-/// Brute force over states^length paths.
-AllPaths enumerate(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
-	AllPaths all;
-	std::vector<int> path(symbols.size(), 0);
-	while (true) {
-		const double p = path_log_probability(hmm, path, symbols);
-		all.total += std::exp(p);
-		if (p > all.best) {
-			all.best = p;
-			all.best_path = path;
-		}
-		std::size_t digit = 0;
-		while (digit < path.size() && ++path[digit] == hmm.states()) {
-			path[digit++] = 0;
-		}
-		if (digit == path.size()) {
-			return all;
-		}
-	}
-}
 
 DiscreteHmm two_state_left_right() {
 	DiscreteHmm hmm;
@@ -69,11 +33,11 @@ TEST_CASE("Viterbi and the forward variable agree with brute force over all path
 		if (round % 4 == 0) {
 			symbols[3] = UNSEEN;
 		}
-		const AllPaths all = enumerate(hmm, symbols);
+		const test::AllPaths all = test::enumerate(hmm, symbols);
 		const ViterbiPath best = viterbi(hmm, symbols);
 		CHECK(best.log_probability == doctest::Approx(all.best).epsilon(1e-12));
 		CHECK(best.states == all.best_path);
-		CHECK(log_likelihood(hmm, symbols) == doctest::Approx(std::log(all.total)).epsilon(1e-12));
+		CHECK(log_likelihood(hmm, symbols) == doctest::Approx(std::log(all.ending_in.sum())).epsilon(1e-12));
 	}
 }
 

@@ -1,4 +1,5 @@
 #include "hmm/baum_welch.h"
+#include "hmm/fixed_lag_viterbi.h"
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
 
@@ -32,7 +33,7 @@ DiscreteHmm model(const nlohmann::json &json) {
 } // namespace
 
 // Run by tests/oracles/hmmlearn_oracle.py, which makes the file that STEADYHAND_HMMLEARN names.
-TEST_CASE("hmmlearn oracle: likelihoods, paths and training" * doctest::skip()) {
+TEST_CASE("hmmlearn oracle: likelihoods, paths, online states and training" * doctest::skip()) {
 	const char *path = std::getenv("STEADYHAND_HMMLEARN");
 	REQUIRE(path != nullptr);
 	std::ifstream file(path);
@@ -47,6 +48,15 @@ TEST_CASE("hmmlearn oracle: likelihoods, paths and training" * doctest::skip()) 
 		const ViterbiPath path_found = viterbi(hmm, symbols);
 		CHECK(path_found.log_probability == doctest::Approx(one["viterbi"].get<double>()).epsilon(1e-10));
 		CHECK(path_found.states == one["path"].get<std::vector<int>>());
+
+		FixedLagViterbi lagged(hmm, one["lag"].get<int>());
+		ForwardFilter filter(hmm);
+		for (std::size_t t = 0; t < one["lagged"].size(); ++t) {
+			lagged.push(symbols[t]);
+			filter.push(symbols[t]);
+			CHECK(lagged.state() == one["lagged"][t].get<int>());
+			CHECK(filter.state() == one["filtered"][t].get<int>());
+		}
 	}
 
 	REQUIRE(oracle["training"].size() > 0);

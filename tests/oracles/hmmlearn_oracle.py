@@ -17,6 +17,8 @@ from hmmlearn.hmm import CategoricalHMM
 ITERATIONS = 10
 PSEUDO_TRANSITION = 1.0
 PSEUDO_SYMBOL = 0.1
+LAG = 3
+ONLINE = 80  # symbols; of longer sequences not every prefix is decoded
 
 
 def left_right(rng, states):
@@ -50,12 +52,18 @@ def inference_case(rng, states, symbols, length, ergodic):
     with np.errstate(divide="ignore"):
         score = hmm.score(sequence[:, None])
         best, path = hmm.decode(sequence[:, None])
+        prefixes = [sequence[:n, None] for n in range(1, length + 1)] if length <= ONLINE else []
+        lagged = [hmm.decode(prefix)[1][max(len(prefix) - 1 - LAG, 0)] for prefix in prefixes]
+        filtered = [hmm.predict_proba(prefix)[-1].argmax() for prefix in prefixes]
     return {
         "model": as_json(pi, a, b),
         "symbols": sequence.tolist(),
         "log_likelihood": score,
         "viterbi": best,
         "path": path.tolist(),
+        "lag": LAG,
+        "lagged": np.array(lagged, int).tolist(),
+        "filtered": np.array(filtered, int).tolist(),
     }
 
 

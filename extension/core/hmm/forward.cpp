@@ -2,27 +2,34 @@
 
 namespace steadyhand {
 
-ForwardFilter::ForwardFilter(const DiscreteHmm &hmm) :
-		hmm_(hmm), alpha_(hmm_.a, hmm_.b), first_(hmm.states()) {}
+template <class Scalar>
+ForwardFilter<Scalar>::ForwardFilter(const DiscreteHmm &hmm) :
+		hmm_(hmm), b_(hmm_.b.cast<Scalar>()), alpha_(hmm_.a, b_.template cast<double>()),
+		first_(hmm.states()) {
+	hmm_.pi.maxCoeff(&first_state_);
+}
 
-void ForwardFilter::reset() {
+template <class Scalar> void ForwardFilter<Scalar>::reset() {
 	started_ = false;
 }
 
-void ForwardFilter::push(Symbol symbol) {
-	const auto b = hmm_.b.col(hmm_.column(symbol));
+template <class Scalar> void ForwardFilter<Scalar>::push(Symbol symbol) {
+	const Eigen::Index column = hmm_.column(symbol);
 	if (started_) {
-		alpha_.step(b.data());
+		alpha_.step(b_.col(column).data());
 	} else {
-		first_ = hmm_.pi.cwiseProduct(b);
+		first_ = hmm_.pi.cwiseProduct(hmm_.b.col(column));
 		alpha_.reset();
 		alpha_.start(0, first_.data());
 		started_ = true;
 	}
 }
 
+template class ForwardFilter<float>;
+template class ForwardFilter<double>;
+
 double log_likelihood(const DiscreteHmm &hmm, std::span<const Symbol> symbols) {
-	ForwardFilter filter(hmm);
+	ForwardFilter<> filter(hmm);
 	for (const Symbol symbol : symbols) {
 		filter.push(symbol);
 	}

@@ -6,7 +6,7 @@ namespace steadyhand {
 
 /// The forward variable alpha_t(j) = P(o_1..o_t, q_t = j | lambda), Rabiner 1989 eq. (18)-(20), one symbol at
 /// a time: no history kept, no allocation after construction, exact at any length (scaled_recursion.h).
-class ForwardFilter {
+template <class Scalar = double> class ForwardFilter {
 public:
 	explicit ForwardFilter(const DiscreteHmm &hmm);
 
@@ -15,13 +15,20 @@ public:
 
 	/// log P(o_1..o_t | lambda), nats; 0 before the first symbol.
 	[[nodiscard]] double log_likelihood() const { return started_ ? alpha_.total(0).log() : 0.0; }
+	/// The most probable by the symbols so far, argmax_j P(q_t = j | o_1..o_t, lambda); by pi before any.
+	[[nodiscard]] int state() const { return started_ ? alpha_.greatest(0) : first_state_; }
 
 private:
 	LinearHmm hmm_;
-	ScaledRecursion<1> alpha_;
+	Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> b_; ///< as in hmm_
+	ScaledRecursion<1, Scalar> alpha_;
 	Eigen::VectorXd first_;
+	int first_state_;
 	bool started_ = false;
 };
+
+extern template class ForwardFilter<float>;
+extern template class ForwardFilter<double>;
 
 /// log P(O | lambda) in nats; 0 for an empty sequence.
 double log_likelihood(const DiscreteHmm &hmm, std::span<const Symbol> symbols);

@@ -44,6 +44,9 @@ struct ScaledNumber {
 				? ScaledNumber(mantissa * power_of_two(-difference) + other.mantissa, other.exponent)
 				: ScaledNumber(mantissa + other.mantissa * power_of_two(difference), exponent);
 	}
+	[[nodiscard]] bool operator<(const ScaledNumber &other) const {
+		return exponent != other.exponent ? exponent < other.exponent : mantissa < other.mantissa;
+	}
 	/// Natural; -infinity of 0.
 	[[nodiscard]] double log() const {
 		return mantissa > 0.0 ? std::log(mantissa) + std::numbers::ln2 * static_cast<double>(exponent)

@@ -4,6 +4,7 @@
 #include "hmm/scaled_number.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace steadyhand {
 
@@ -15,8 +16,9 @@ namespace steadyhand {
 /// state has a scale of its own, v = m 2^e. Exponents are renewed after so many frames that no mantissa can
 /// have underflowed by then, by the smallest entries of A and B; until the next time they are part of the
 /// transitions, and cost nothing. Where no such number of frames can be told (zeros in B, states without a
-/// way to themselves, leaps of likelihood) they are renewed in each.
-template <int LANES> class ScaledRecursion {
+/// way to themselves, leaps of likelihood) they are renewed in each. In float, whose exponents are short,
+/// that is often.
+template <int LANES, class Scalar = double> class ScaledRecursion {
 public:
 	/// a: N x N, from, to; b: N x any, all emissions there are. Allocates; nothing else does.
 	ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b);
@@ -26,18 +28,22 @@ public:
 	/// v of a lane from now on: N probabilities. The others stay.
 	void start(int lane, const double *v);
 	/// b: N x LANES, the emission of state j in lane l at j * LANES + l. True where exponents have changed.
-	bool step(const double *b);
+	bool step(const Scalar *b);
 
 	/// N x LANES, as in step.
-	[[nodiscard]] const double *mantissas() const { return m_.data(); }
+	[[nodiscard]] const Scalar *mantissas() const { return m_.data(); }
 	[[nodiscard]] const std::int64_t *exponents() const { return e_.data(); }
 	/// A lane's sum of v.
 	[[nodiscard]] ScaledNumber total(int lane) const;
+	/// The state of the greatest v in a lane; the lowest, where several are.
+	[[nodiscard]] int greatest(int lane) const;
 
 private:
 	/// In bits: a mantissa is TOP after a renewal, and between TOP - FALL and TOP + RISE until the next. So
-	/// products of two are in range; and what vanishes in one with a power of two, is nothing beside any.
-	static constexpr int TOP = 250, FALL = 600, RISE = 200;
+	/// products of two are in range (in float, of one and a transition between the scales); and what vanishes
+	/// in one with a power of two, is nothing beside any.
+	static constexpr bool IS_SHORT = std::is_same_v<Scalar, float>;
+	static constexpr int TOP = IS_SHORT ? 10 : 250, FALL = IS_SHORT ? 80 : 600, RISE = IS_SHORT ? 40 : 200;
 
 	struct Stretch {
 		Eigen::Index first, end;
@@ -51,26 +57,26 @@ private:
 	double fall_ = 0.0;  ///< bits that a state may lose in a frame, if not all
 	bool keeps_ = false; ///< no state loses all in a frame
 	int left_ = FALL;    ///< frames until exponents are to be renewed
-	std::vector<double> m_, next_;
+	std::vector<Scalar> m_, next_;
 	std::vector<std::int64_t> e_;
-	std::vector<double> scaled_a_; ///< between the scales: stretch by stretch, LANES for each entry
+	std::vector<Scalar> scaled_a_; ///< between the scales: stretch by stretch, LANES for each entry
 	std::vector<ScaledNumber> v_;
 
-	using Lanes = Eigen::Array<double, LANES, 1>;
-	static Eigen::Map<Lanes> lanes(double *p) { return Eigen::Map<Lanes>(p); }
-	static Eigen::Map<const Lanes> lanes(const double *p) { return Eigen::Map<const Lanes>(p); }
+	using Lanes = Eigen::Array<Scalar, LANES, 1>;
+	static Eigen::Map<Lanes> lanes(Scalar *p) { return Eigen::Map<Lanes>(p); }
+	static Eigen::Map<const Lanes> lanes(const Scalar *p) { return Eigen::Map<const Lanes>(p); }
 	static std::size_t place(Eigen::Index state, int lane) {
 		return static_cast<std::size_t>(state * LANES + lane);
 	}
 
-	void step_plainly(const double *b);
-	void step_carefully(int lane, const double *b);
+	void step_plainly(const Scalar *b);
+	void step_carefully(int lane, const Scalar *b);
 	void scale_transitions(int lane);
 	[[nodiscard]] bool is_steady(int lane) const;
 };
 
-template <int LANES>
-ScaledRecursion<LANES>::ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) :
+template <int LANES, class Scalar>
+ScaledRecursion<LANES, Scalar>::ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) :
 		n_(a.rows()), a_(a), leads_(a.array() > 0.0), m_(place(n_, 0)), next_(m_.size()), e_(m_.size()),
 		v_(static_cast<std::size_t>(n_)) {
 	const auto bits = [](const Eigen::MatrixXd &p) {
@@ -100,10 +106,10 @@ ScaledRecursion<LANES>::ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::M
 	}
 }
 
-template <int LANES> void ScaledRecursion<LANES>::start(int lane, const double *v) {
+template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::start(int lane, const double *v) {
 	double least = 1.0;
 	for (Eigen::Index j = 0; j < n_; ++j) {
-		m_[place(j, lane)] = v[j] * power_of_two(TOP);
+		m_[place(j, lane)] = static_cast<Scalar>(v[j] * power_of_two(TOP));
 		e_[place(j, lane)] = -TOP; // one scale for all: what is 0 is so in truth
 		least = v[j] > 0.0 ? std::min(least, v[j]) : least;
 	}
@@ -111,7 +117,7 @@ template <int LANES> void ScaledRecursion<LANES>::start(int lane, const double *
 	left_ = std::min(left_, static_cast<int>(std::max(FALL + std::log2(least), 0.0) / fall_));
 }
 
-template <int LANES> bool ScaledRecursion<LANES>::step(const double *b) {
+template <int LANES, class Scalar> bool ScaledRecursion<LANES, Scalar>::step(const Scalar *b) {
 	if (left_ > 0) {
 		--left_;
 		step_plainly(b);
@@ -127,11 +133,11 @@ template <int LANES> bool ScaledRecursion<LANES>::step(const double *b) {
 	return true;
 }
 
-template <int LANES> void ScaledRecursion<LANES>::step_plainly(const double *b) {
-	const double *a = scaled_a_.data();
+template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::step_plainly(const Scalar *b) {
+	const Scalar *a = scaled_a_.data();
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		const auto [first, end] = from_[static_cast<std::size_t>(j)];
-		const double *m = m_.data() + first * LANES;
+		const Scalar *m = m_.data() + first * LANES;
 		Lanes sum = lanes(m) * lanes(a);
 		for (Eigen::Index i = first + 1; i < end; ++i) {
 			m += LANES;
@@ -144,7 +150,8 @@ template <int LANES> void ScaledRecursion<LANES>::step_plainly(const double *b) 
 	m_.swap(next_);
 }
 
-template <int LANES> void ScaledRecursion<LANES>::step_carefully(int lane, const double *b) {
+template <int LANES, class Scalar>
+void ScaledRecursion<LANES, Scalar>::step_carefully(int lane, const Scalar *b) {
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		v_[static_cast<std::size_t>(j)] = { m_[place(j, lane)], e_[place(j, lane)] };
 	}
@@ -155,24 +162,25 @@ template <int LANES> void ScaledRecursion<LANES>::step_carefully(int lane, const
 			sum = sum + v_[static_cast<std::size_t>(i)] * a_(i, j);
 		}
 		const ScaledNumber next = sum * b[place(j, lane)];
-		m_[place(j, lane)] = next.mantissa * power_of_two(TOP);
+		m_[place(j, lane)] = static_cast<Scalar>(next.mantissa * power_of_two(TOP));
 		e_[place(j, lane)] = next.exponent - TOP;
 	}
 }
 
-template <int LANES> void ScaledRecursion<LANES>::scale_transitions(int lane) {
+template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::scale_transitions(int lane) {
 	std::size_t entry = static_cast<std::size_t>(lane);
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		const auto [first, end] = from_[static_cast<std::size_t>(j)];
 		for (Eigen::Index i = first; i < end; ++i) {
-			scaled_a_[entry] = a_(i, j) * power_of_two(e_[place(i, lane)] - e_[place(j, lane)]);
+			const double a = a_(i, j) * power_of_two(e_[place(i, lane)] - e_[place(j, lane)]);
+			scaled_a_[entry] = static_cast<Scalar>(a);
 			entry += LANES;
 		}
 	}
 }
 
 /// All who lead to a state are no further above it than it may rise.
-template <int LANES> bool ScaledRecursion<LANES>::is_steady(int lane) const {
+template <int LANES, class Scalar> bool ScaledRecursion<LANES, Scalar>::is_steady(int lane) const {
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		for (Eigen::Index i = 0; i < n_; ++i) {
 			if (leads_(i, j) && e_[place(i, lane)] - e_[place(j, lane)] > RISE) {
@@ -183,12 +191,25 @@ template <int LANES> bool ScaledRecursion<LANES>::is_steady(int lane) const {
 	return true;
 }
 
-template <int LANES> ScaledNumber ScaledRecursion<LANES>::total(int lane) const {
+template <int LANES, class Scalar> ScaledNumber ScaledRecursion<LANES, Scalar>::total(int lane) const {
 	ScaledNumber sum;
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		sum = sum + ScaledNumber(m_[place(j, lane)], e_[place(j, lane)]);
 	}
 	return sum;
+}
+
+template <int LANES, class Scalar> int ScaledRecursion<LANES, Scalar>::greatest(int lane) const {
+	ScaledNumber best(m_[place(0, lane)], e_[place(0, lane)]);
+	int state = 0;
+	for (int j = 1; j < n_; ++j) {
+		const ScaledNumber v(m_[place(j, lane)], e_[place(j, lane)]);
+		if (best < v) {
+			best = v;
+			state = j;
+		}
+	}
+	return state;
 }
 
 } // namespace steadyhand

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double NEVER = -std::numeric_limits<double>::infinity();
 constexpr Eigen::Index WIDTH = 4;
-using States = Eigen::Array<double, WIDTH, 1>;
+template <class Scalar> using States = Eigen::Array<Scalar, WIDTH, 1>;
 /// As Eigen allocates, and whole vectors further.
-using ConstStates = Eigen::Map<const States, Eigen::Aligned16>;
+template <class Scalar> using ConstStates = Eigen::Map<const States<Scalar>, Eigen::Aligned16>;
 
 /// max_i delta(i) + log a_ij for every j, and the i that reached it (the lowest, where several do).
 void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eigen::VectorXd &r_best,
@@ -24,8 +24,8 @@ void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eig
 }
 
 /// Of the most probable; the lowest, where several are. Needs states.
-template <class Count> int best_state(const double *delta, Count states) {
-	double best = delta[0];
+template <class Scalar, class Count> int best_state(const Scalar *delta, Count states) {
+	Scalar best = delta[0];
 	int state = 0;
 	for (int i = 1; i < states; ++i) {
 		state = delta[i] > best ? i : state;
@@ -36,20 +36,20 @@ template <class Count> int best_state(const double *delta, Count states) {
 
 /// delta_j becomes max_i (delta_i + log a_ij) + log b_j, in OnlineViterbi's layout. Returns the best state.
 /// r_next may be delta where WIDTH states are all there are.
-template <class Count>
-int step(Count states, const double *delta, const double *log_a, const double *log_b, double *r_next) {
+template <class Scalar, class Count>
+int step(Count states, const Scalar *delta, const Scalar *log_a, const Scalar *log_b, Scalar *r_next) {
 	for (Eigen::Index to = 0; to < states; to += WIDTH) {
-		const auto best_from = [&](Eigen::Index i) -> States {
+		const auto best_from = [&](Eigen::Index i) -> States<Scalar> {
 			const auto from = [&](Eigen::Index k) {
-				return delta[i + k] + ConstStates(log_a + (i + k) * states + to);
+				return delta[i + k] + ConstStates<Scalar>(log_a + (i + k) * states + to);
 			};
 			return from(0).max(from(1)).max(from(2).max(from(3)));
 		};
-		States best = best_from(0);
+		States<Scalar> best = best_from(0);
 		for (Eigen::Index i = WIDTH; i < states; i += WIDTH) {
 			best = best.max(best_from(i));
 		}
-		Eigen::Map<States, Eigen::Aligned16>(r_next + to) = best + ConstStates(log_b + to);
+		Eigen::Map<States<Scalar>, Eigen::Aligned16>(r_next + to) = best + ConstStates<Scalar>(log_b + to);
 	}
 	return best_state(r_next, states);
 }
@@ -84,29 +84,31 @@ ViterbiPath viterbi(const DiscreteHmm &hmm, std::span<const Symbol> symbols) {
 	return path;
 }
 
-OnlineViterbi::OnlineViterbi(const DiscreteHmm &hmm) {
+template <class Scalar> OnlineViterbi<Scalar>::OnlineViterbi(const DiscreteHmm &hmm) {
 	const Eigen::Index n = hmm.states(), symbols = hmm.symbols(), padded = (n + WIDTH - 1) / WIDTH * WIDTH;
-	log_a_.setConstant(padded, padded, NEVER);
-	log_a_.topLeftCorner(n, n) = hmm.log_a.transpose();
+	constexpr auto IMPOSSIBLE = static_cast<Scalar>(NEVER);
+	log_a_.setConstant(padded, padded, IMPOSSIBLE);
+	log_a_.topLeftCorner(n, n) = hmm.log_a.transpose().template cast<Scalar>();
 	log_b_.setZero(padded, symbols + 1);
-	log_b_.topLeftCorner(n, symbols) = hmm.log_b;
-	log_pi_.setConstant(padded, NEVER);
-	log_pi_.head(n) = hmm.log_pi;
+	log_b_.topLeftCorner(n, symbols) = hmm.log_b.template cast<Scalar>();
+	log_pi_.setConstant(padded, IMPOSSIBLE);
+	log_pi_.head(n) = hmm.log_pi.template cast<Scalar>();
 	next_.resize(padded);
 	reset();
 }
 
-void OnlineViterbi::reset() {
+template <class Scalar> void OnlineViterbi<Scalar>::reset() {
 	started_ = false;
+	taken_out_ = 0.0;
 	delta_ = log_pi_;
 	state_ = best_state(delta_.data(), delta_.size());
 }
 
-void OnlineViterbi::push(Symbol symbol) {
+template <class Scalar> void OnlineViterbi<Scalar>::push(Symbol symbol) {
 	const Eigen::Index unseen = log_b_.cols() - 1;
-	const double *const log_b = log_b_.col(symbol >= 0 && symbol < unseen ? symbol : unseen).data();
+	const Scalar *const log_b = log_b_.col(symbol >= 0 && symbol < unseen ? symbol : unseen).data();
 	if (!started_) {
-		delta_ += Eigen::Map<const Eigen::VectorXd>(log_b, delta_.size());
+		delta_ += Eigen::Map<const Vector>(log_b, delta_.size());
 		state_ = best_state(delta_.data(), delta_.size());
 		started_ = true;
 	} else if (delta_.size() == WIDTH) {
@@ -116,6 +118,35 @@ void OnlineViterbi::push(Symbol symbol) {
 		state_ = step(delta_.size(), delta_.data(), log_a_.data(), log_b, next_.data());
 		delta_.swap(next_);
 	}
+	take_out_best();
 }
+
+/// The log probability of a long stream would leave float no digits to tell states apart by. double has them:
+/// after 10^7 symbols still to 4e-9 nats.
+template <class Scalar> void OnlineViterbi<Scalar>::take_out_best() {
+	if constexpr (std::is_same_v<Scalar, float>) {
+		const Scalar best = delta_(state_);
+		if (best > static_cast<Scalar>(NEVER)) {
+			for (Eigen::Index i = 0; i < delta_.size(); i += WIDTH) {
+				Eigen::Map<States<Scalar>, Eigen::Aligned16>(delta_.data() + i) -= best;
+			}
+			taken_out_ += static_cast<double>(best);
+		}
+	}
+}
+
+template <class Scalar> int OnlineViterbi<Scalar>::predecessor(int state, const Scalar *delta) const {
+	Scalar best = delta[0] + log_a_(state, 0);
+	int from = 0;
+	for (int i = 1; i < delta_.size(); ++i) {
+		const Scalar here = delta[i] + log_a_(state, i);
+		from = here > best ? i : from;
+		best = std::max(best, here);
+	}
+	return from;
+}
+
+template class OnlineViterbi<float>;
+template class OnlineViterbi<double>;
 
 } // namespace steadyhand

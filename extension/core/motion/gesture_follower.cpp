@@ -43,12 +43,12 @@ double end_speed_share(const GestureModel &model) {
 } // namespace
 
 GestureFollower::GestureFollower(const GestureModel &model, const Task &task, bool start_is_known,
-		MotionMode mode, const PhaseEffort &effort, double latency_s) :
+		MotionMode mode, const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
 		model_(&model),
 		element_(*find_feature(model.feature)), feature_(&element_.feature()), task_(task),
 		start_is_known_(start_is_known), mode_(mode),
 		way_(feature_->direction != nullptr ? feature_->direction(task) : FeaturePlace::Zero()),
-		end_speed_share_(end_speed_share(model)), decoder_(model.hmm), paper_(model),
+		end_speed_share_(end_speed_share(model)), decoder_(model.hmm, decoding), paper_(model),
 		phase_(model, effort, latency_s) {}
 
 bool GestureFollower::push(
@@ -169,7 +169,7 @@ void GestureFollower::decode(double t_s) {
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
 		if (mode_ == MotionMode::PAPER) {
-			paper_.enter_state(state_played_, t_s);
+			paper_.enter_state(state_played_, t_s - decoder_.lag() * SymbolClock::PERIOD_S, t_s);
 		}
 	}
 }

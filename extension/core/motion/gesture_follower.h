@@ -5,7 +5,7 @@
 #include "gesture/observation.h"
 #include "gesture/symbol_clock.h"
 #include "gesture/task.h"
-#include "hmm/viterbi.h"
+#include "hmm/state_decoder.h"
 #include "motion/motion.h"
 #include "motion/output_blend.h"
 #include "motion/paper_synthesiser.h"
@@ -29,8 +29,9 @@ public:
 
 	/// model must outlive the follower; its feature must exist. Without a task the place of rest is taken for
 	/// the start, and the model's mean amplitude for the task's. effort, latency_s: as PhaseEstimator's.
+	/// decoding: of the states that `paper` mode plays.
 	GestureFollower(const GestureModel &model, const Task &task, bool start_is_known, MotionMode mode,
-			const PhaseEffort &effort = {}, double latency_s = 0.0);
+			const PhaseEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
 	/// must have been done. False where it does not hold what the feature needs. place: the feature's,
@@ -99,7 +100,7 @@ private:
 	std::optional<Stroke> done_; ///< those before the last
 	std::optional<Stroke> last_;
 	double furthest_ = 0.0; ///< since it arrived, in amplitudes
-	OnlineViterbi decoder_;
+	StateDecoder decoder_;
 	int state_played_ = 0;
 	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
 	PhaseEstimator phase_;

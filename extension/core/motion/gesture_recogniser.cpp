@@ -29,17 +29,18 @@ std::vector<ExpectedGesture> at_one_place(
 } // namespace
 
 GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s) :
-		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s) {}
+		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s,
+		const StateDecoding &decoding) :
+		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
 
-GestureRecogniser::GestureRecogniser(
-		std::vector<ExpectedGesture> gestures, MotionMode mode, const PhaseEffort &effort, double latency_s) :
+GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
+		const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
 		gestures_(std::move(gestures)),
 		filtered_(gestures_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
 	followers_.reserve(gestures_.size());
 	for (const auto &[model, task] : gestures_) {
-		followers_.emplace_back(
-				*model, task.value_or(model->typical_task), task.has_value(), mode, effort, latency_s);
+		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value(), mode, effort,
+				latency_s, decoding);
 		const Feature *const feature = find_feature(model->feature);
 		const double smallest_m = SMALLEST_STROKE * followers_.back().task().amplitude_m;
 		const auto known = std::find_if(watched_.begin(), watched_.end(),

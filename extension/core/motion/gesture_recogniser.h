@@ -23,13 +23,13 @@ struct ExpectedGesture {
 /// construction nothing is allocated.
 class GestureRecogniser {
 public:
-	/// effort, latency_s: as PhaseEstimator's.
+	/// effort, latency_s: as PhaseEstimator's; decoding: as GestureFollower's.
 	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
-			const PhaseEffort &effort = {}, double latency_s = 0.0);
+			const PhaseEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
 	/// All at one place, or none of them.
 	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
 			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
-			double latency_s = 0.0);
+			double latency_s = 0.0, const StateDecoding &decoding = {});
 
 	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
 	void push(const HandFrame &frame);

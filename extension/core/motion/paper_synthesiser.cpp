@@ -22,16 +22,17 @@ void PaperSynthesiser::begin(double t_s, double phase) {
 	blend_from({}, t_s);
 }
 
-void PaperSynthesiser::enter_state(int state, double t_s) {
+void PaperSynthesiser::enter_state(int state, double entered_s, double t_s) {
 	double expected_s = 0.0;
 	for (int i = 0; i < state; ++i) {
 		expected_s += element(i).duration_mean_s;
 	}
-	const double slower = (t_s - began_s_) / expected_s;
+	const double slower = (entered_s - began_s_) / expected_s;
 	const double phase_now = phase(t_s);
 	const Motion before = motion(t_s, 1.0);
 	state_ = state;
-	play(t_s, phase_now, std::max(slower * element(state).duration_mean_s, 1e-3));
+	const double late_s = t_s - entered_s;
+	play(t_s, phase_now, std::max(slower * element(state).duration_mean_s - late_s, 1e-3));
 	blend_from(before, t_s);
 }
 

@@ -23,8 +23,9 @@ public:
 
 	/// The gesture has begun, in its first state, at this phase of the reference.
 	void begin(double t_s, double phase);
-	/// The HMM has moved on to `state`, greater than the one before.
-	void enter_state(int state, double t_s);
+	/// At t_s it is known that the HMM moved on to `state`, greater than the one before, at entered_s: then,
+	/// or earlier, by a decoder that waits. The element is through when it would be, had it begun in time.
+	void enter_state(int state, double entered_s, double t_s);
 
 	/// Phase at t_s, not before the last change: 0..1.
 	[[nodiscard]] double phase(double t_s) const;
