@@ -1,13 +1,14 @@
 // What accuracy costs: a line of CSV for each effort that `phase` mode can make, and for `paper` mode with
-// the models that ship and with other numbers of states and symbols, with the time that a frame takes and how
-// near the motion comes to the reference. bench_quality [MODELS [TRIALS]], by default the folder models, and
-// synthetic people of the tuning population.
+// the models that ship and with other numbers of states and symbols, other decoders, precisions and rates of
+// outputs, with the time that a frame takes and how near the motion comes to the reference. bench_quality
+// [MODELS [TRIALS]], by default the folder models, and synthetic people of the tuning population.
 
 #include "gesture/motion_element.h"
 #include "metrics/recognition.h"
 #include "metrics/summary.h"
 #include "models.h"
 #include "motion/gesture_recogniser.h"
+#include "quality_settings.h"
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
 #include "tracking/track_csv.h"
@@ -25,21 +26,9 @@ namespace {
 using namespace steadyhand;
 using namespace steadyhand::bench;
 
-constexpr int ROUNDS = 7;
+constexpr int ROUNDS = 21;
 constexpr std::uint32_t SUBJECTS = 8;
 constexpr std::uint32_t REPETITIONS = 2;
-constexpr double OUTPUTS_PER_S = 1000.0;
-/// States and symbols beside those of the models that ship.
-constexpr std::array<std::pair<int, int>, 8> MODEL_SIZES{ { { 2, 16 }, { 3, 16 }, { 6, 16 }, { 8, 16 },
-		{ 4, 8 }, { 4, 32 }, { 4, 64 }, { 8, 64 } } };
-
-struct Setting {
-	std::string name; ///< of the preset, if it is one
-	MotionMode mode;
-	PhaseEffort effort;
-	double outputs_per_s = OUTPUTS_PER_S;
-	int states = 4, symbols = 16; ///< of the models; those that ship have so many
-};
 
 struct Accuracy {
 	double r2_stable, r2_unstable; ///< means of R2 at no lag
@@ -47,38 +36,6 @@ struct Accuracy {
 	double missed, recognised;     ///< shares
 	double alarms_per_minute;
 };
-
-bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
-	return a.usual == b.usual && a.erring == b.erring && a.wandering == b.wandering &&
-			a.durations == b.durations && a.branch_period_s == b.branch_period_s;
-}
-
-std::vector<Setting> settings() {
-	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
-	for (const auto &[states, symbols] : MODEL_SIZES) {
-		all.push_back({ "", MotionMode::PAPER, {}, OUTPUTS_PER_S, states, symbols });
-	}
-	constexpr std::array<std::array<std::size_t, 3>, 5> KEPT{ { { 20, 16, 4 }, { 10, 8, 2 }, { 5, 4, 1 },
-			{ 2, 2, 1 }, { 1, 1, 1 } } };
-	for (const auto &[usual, erring, wandering] : KEPT) {
-		for (const std::size_t durations : { 7, 3 }) {
-			for (const double branch_period_s : { 0.03, 0.06 }) {
-				all.push_back(
-						{ "", MotionMode::PHASE, { usual, erring, wandering, durations, branch_period_s } });
-			}
-		}
-	}
-	for (const auto &[name, quality] : { std::pair{ "fast", Quality::FAST },
-				 std::pair{ "balanced", Quality::BALANCED }, std::pair{ "accurate", Quality::ACCURATE } }) {
-		const PhaseEffort effort = phase_effort(quality);
-		std::erase_if(all, [&effort](const Setting &setting) {
-			return setting.mode == MotionMode::PHASE && is_same(setting.effort, effort);
-		});
-		all.push_back({ name, MotionMode::PHASE, effort });
-		all.push_back({ "", MotionMode::PHASE, effort, 250.0 });
-	}
-	return all;
-}
 
 std::vector<SyntheticTrial> make_trials() {
 	SyntheticSetOptions options;
@@ -168,8 +125,8 @@ public:
 		for (std::size_t g = 0; g < trials_.size(); ++g) {
 			for (std::size_t i = 0; i < std::min(TRIALS, trials_[g].size()); ++i) {
 				const SyntheticTrial &trial = trials_[g][i];
-				GestureRecogniser recogniser(
-						{ models_of(setting)[g] }, task_of(trial), setting.mode, setting.effort);
+				GestureRecogniser recogniser({ models_of(setting)[g] }, task_of(trial), setting.mode,
+						setting.effort, 0.0, setting.decoding);
 				ns += ns_of([&] {
 					replay(trial, recogniser, setting.outputs_per_s,
 							[&](double) { keep(recogniser.motion(MotionSource::SYNTHESISED)); });
@@ -218,8 +175,8 @@ private:
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
 		const GestureModel &model = *models_of(setting)[gesture];
-		GestureRecogniser recogniser(
-				{ models_of(setting)[gesture] }, task_of(trial), setting.mode, setting.effort);
+		GestureRecogniser recogniser({ models_of(setting)[gesture] }, task_of(trial), setting.mode,
+				setting.effort, 0.0, setting.decoding);
 		std::vector<double> t_s, x;
 		replay(trial, recogniser, setting.outputs_per_s, [&](double now_s) {
 			t_s.push_back(now_s);
@@ -233,7 +190,8 @@ private:
 
 	/// Gestures that came to their end, all models active and nothing given.
 	[[nodiscard]] std::vector<int> arrivals(const SyntheticTrial &trial, const Setting &setting) const {
-		GestureRecogniser recogniser(models_of(setting), std::nullopt, setting.mode, setting.effort);
+		GestureRecogniser recogniser(
+				models_of(setting), std::nullopt, setting.mode, setting.effort, 0.0, setting.decoding);
 		std::vector<int> found;
 		bool had_arrived = false;
 		for (const HandFrame &frame : trial.measured.frames) {
@@ -271,25 +229,34 @@ int main(int count, char **arguments) {
 	}
 	by_size[{ Setting().states, Setting().symbols }] = std::move(models);
 	const Study study(std::move(by_size), std::move(trials));
-	const std::vector<Setting> all = settings();
+	std::vector<Setting> all = paper_settings();
+	for (Setting &setting : phase_settings()) {
+		all.push_back(std::move(setting));
+	}
 	std::vector<std::vector<double>> ns(all.size());
 	for (int round = 0; round < ROUNDS; ++round) {
 		for (std::size_t i = 0; i < all.size(); ++i) {
 			ns[i].push_back(study.cost_ns(all[i]));
 		}
 	}
-	std::printf("setting,states,symbols,hypotheses,durations,branch_period_s,outputs_per_s,ns_a_frame,x_"
-				"paper,r2_zero_stable,"
-				"r2_zero_unstable,t_diff_s,missed,recognised,false_alarms_per_minute\n");
+	std::printf("setting,states,symbols,decoder,lag,precision,hypotheses,durations,branch_period_s,"
+				"outputs_per_s,ns_a_frame,x_paper,r2_zero_stable,r2_zero_unstable,t_diff_s,missed,recognised,"
+				"false_alarms_per_minute\n");
 	for (std::size_t i = 0; i < all.size(); ++i) {
-		const auto &[name, mode, effort, outputs_per_s, states, symbols] = all[i];
-		const bool is_phase = mode == MotionMode::PHASE;
-		const Accuracy accuracy = study.accuracy(all[i]);
-		std::printf("%s,%d,%d,%zu,%zu,%g,%g,%.0f,%.2f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n", name.c_str(), states,
-				symbols, is_phase ? effort.usual + effort.erring + effort.wandering : 0,
-				is_phase ? effort.durations : 0, is_phase ? effort.branch_period_s : 0.0, outputs_per_s,
-				least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable,
-				accuracy.t_diff_s, accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);
+		const Setting &setting = all[i];
+		const PhaseEffort &effort = setting.effort;
+		const bool is_phase = setting.mode == MotionMode::PHASE;
+		const Accuracy accuracy = study.accuracy(setting);
+		std::printf("%s,%d,%d,%s,%d,%s,%zu,%zu,%g,%g,%.0f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n",
+				setting.name.c_str(), setting.states, setting.symbols,
+				setting.decoding.rule == StateDecoding::Rule::FILTER ? "filter" : "viterbi",
+				setting.decoding.lag,
+				setting.decoding.precision == StateDecoding::Precision::SINGLE ? "float" : "double",
+				is_phase ? effort.usual + effort.erring + effort.wandering : 0,
+				is_phase ? effort.durations : 0, is_phase ? effort.branch_period_s : 0.0,
+				setting.outputs_per_s, least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable,
+				accuracy.r2_unstable, accuracy.t_diff_s, accuracy.missed, accuracy.recognised,
+				accuracy.alarms_per_minute);
 	}
 	return 0;
 }

@@ -3,6 +3,7 @@
 // rows alternate and the least counts: whatever else the machine does only adds.
 
 #include "hmm/baum_welch.h"
+#include "hmm/fixed_lag_viterbi.h"
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
 #include "models.h"
@@ -205,6 +206,12 @@ int main(int count, char **arguments) {
 				[&] { return ns_a_symbol(OnlineViterbi(hmm), training[0]); }, 10.0 },
 		{ "HMM, a symbol and gesture: ForwardFilter",
 				[&] { return ns_a_symbol(ForwardFilter(hmm), training[0]); }, 10.0 },
+		{ "the same in float: OnlineViterbi",
+				[&] { return ns_a_symbol(OnlineViterbi<float>(hmm), training[0]); } },
+		{ "the same in float: ForwardFilter",
+				[&] { return ns_a_symbol(ForwardFilter<float>(hmm), training[0]); } },
+		{ "FixedLagViterbi, lag 3", [&] { return ns_a_symbol(FixedLagViterbi(hmm, 3), training[0]); } },
+		{ "FixedLagViterbi, lag 8", [&] { return ns_a_symbol(FixedLagViterbi(hmm, 8), training[0]); } },
 		{ "Baum-Welch, an iteration of 4 x 500 x 75 symbols", [&] { return ns_an_iteration(training); },
 				3e6 },
 	};

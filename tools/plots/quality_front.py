@@ -33,7 +33,8 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
         name = row["setting"]
         is_paper = row["hypotheses"] == "0"
         colour = PRESET_COLOURS["paper"] if is_paper else PRESET_COLOURS.get(name, GREY)
-        axes.plot(cost, accuracy, "o", color=colour, ms=8 if name else 4)
+        marker = {"filter": "^", "viterbi": "o" if row["lag"] == "0" else "v"}[row["decoder"]]
+        axes.plot(cost, accuracy, marker, color=colour, ms=8 if name else 5 if marker in "^v" else 4)
         if name:
             # On the side that the others leave free.
             above, side = (24 * sign, "left") if name == "paper" else (-10 * sign, "right" if sign > 0 else "left")
@@ -41,7 +42,7 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
                 name,
                 (cost, accuracy),
                 textcoords="offset points",
-                xytext=(0, above),
+                xytext=(10 if name == "paper" else 0, above),
                 rotation=30,
                 ha=side,
                 va="top" if sign > 0 else "bottom",
@@ -53,11 +54,14 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
         [float(row[column]) for row in held],
         "s",
         color=BLUE,
-        ms=5,
-        label="presets, 250 outputs a second",
+        mfc="none",
+        ms=8,
+        label="250 outputs a second",
     )
+    for marker, label in (("^", "filter"), ("v", "fixed-lag Viterbi")):
+        axes.plot([], [], marker, color=PRESET_COLOURS["paper"], ms=5, label=label)
     axes.set_xscale("log")
-    ticks = [1, 2, 4, 8]
+    ticks = [0.5, 1, 2, 4, 8]
     axes.set_xticks(ticks, [str(tick) for tick in ticks])
     axes.set_xticks([], minor=True)
     axes.set_xlabel("cost of a frame with its outputs, times paper mode's")
