@@ -71,6 +71,17 @@ TEST_CASE("a tracker that trembles where it lost a hand on its way stands still 
 	}
 }
 
+TEST_CASE("a hand that stops dead at the end of its way has arrived, however fast it came") {
+	for (const double end : { 0.96, 1.0, 1.04 }) {
+		CAPTURE(end);
+		Shown shown(0.0005);
+		shown.run_up(end / RUN_UP_S);
+		for (int i = 0; i < 30; ++i) {
+			CHECK_FALSE(shown.show(end));
+		}
+	}
+}
+
 TEST_CASE("a hand that stops does not stand still, not even one that brakes within 50 ms") {
 	for (const double braking_s : { 0.05, 0.1, 0.2 }) {
 		for (const double speed_per_s : { 0.5, 1.0, 2.0 }) {

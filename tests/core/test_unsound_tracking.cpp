@@ -87,7 +87,7 @@ template <typename Error> Off furthest_off(bool at_end, double over_s, const Err
 
 /// What is believed of a hand at until_s that a tracker saw, later and later, up to seen_s.
 PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double until_s) {
-	constexpr double LAG_S = 0.12; // at the end of the way
+	constexpr double LAG_S = regime_numbers(Regime::UNSOUND).lag_s;
 	PhaseEstimator estimator(drag_model());
 	for (int i = 0; i * PERIOD_S < seen_s; ++i) {
 		const double t_s = i * PERIOD_S;

@@ -16,7 +16,7 @@ constexpr double SMALLEST_SPREAD = 0.5;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
 /// Share of the regime UNSOUND among all on their way, at any time: trackers start to err.
-constexpr double UNSOUND_AT_LEAST = 0.013;
+constexpr double UNSOUND_AT_LEAST = 0.03;
 /// The same of FREE while the tracker is right: hands change their minds.
 constexpr double FREE_AT_LEAST = 0.0038;
 /// A fault's likelihood where the tracker is right, against it erring.

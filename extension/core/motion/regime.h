@@ -50,7 +50,7 @@ struct RegimeNumbers {
 inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS{
 	RegimeNumbers{ { 0.025, 9.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
 	RegimeNumbers{ { 0.06, 4.6 }, TrackerError::SLIGHT, 0.0, 0.0, 0.041 },
-	RegimeNumbers{ { 0.016, 11.0 }, TrackerError::GREAT, 0.12, 0.035, 0.025 },
+	RegimeNumbers{ { 0.016, 11.0 }, TrackerError::GREAT, 0.09, 0.035, 0.025 },
 	RegimeNumbers{ { 0.55, 4.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
 };
 [[nodiscard]] constexpr const RegimeNumbers &regime_numbers(Regime regime) {

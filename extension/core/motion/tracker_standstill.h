@@ -25,7 +25,7 @@ public:
 	/// be, by their likelihoods. noise: the tracker's, standard deviation.
 	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
 		if (repeated_ || frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving() ||
-				std::abs(x - rested_) < BACK_AT_REST) {
+				std::abs(x - rested_) < BACK_AT_REST || std::abs(x - 1.0) < AT_END) {
 			return false;
 		}
 		const double noise_variance = variance(noise);
@@ -77,6 +77,7 @@ private:
 	static constexpr double RESTING_S = 0.1;      ///< and are at rest after so long
 	/// A tracker that stops so near to where a hand rested has come back to it.
 	static constexpr double BACK_AT_REST = 0.03;
+	static constexpr double AT_END = 0.05; ///< of the way, where hands stop
 	static constexpr double MOVING_DEVIATIONS = 2.0;
 	/// A hand that stops has slowed down before; a tracker has not. Share of its speed, and for how long that
 	/// is remembered.
