@@ -95,6 +95,7 @@ void GestureHMM::publish() {
 	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
 	const bool started = under_way && shown_.gesture != before.gesture;
 	gestures_begun_ += started || (before.arrived && under_way && !shown_.arrived) ? 1 : 0;
+	task_changes_ = started ? 0 : task_changes_;
 	const bool ended = shown_.arrived && (started || !before.arrived);
 	const bool aborted = before.gesture >= 0 && !before.arrived && shown_.gesture != before.gesture;
 	const bool state_changed = started || shown_.state != before.state;

@@ -142,7 +142,8 @@ private:
 	StringName recognised_;
 	uint32_t gestures_begun_ = 0;
 	String warned_;
-	int leaps_ = 0; ///< gaps too long to connect, one after the other
+	int task_changes_ = 0; ///< since a gesture last began
+	int leaps_ = 0;        ///< gaps too long to connect, one after the other
 
 	void prepare(double p_time_s);
 	/// By the models and tasks as they are now.

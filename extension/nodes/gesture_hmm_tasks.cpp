@@ -16,6 +16,9 @@ namespace godot {
 
 namespace {
 
+/// Without a gesture in between; a script may set some properties one by one, or slide a task into its place.
+constexpr int TASK_CHANGES_TOLD = 100;
+
 bool is_usable(const Ref<GestureModel> &p_model) {
 	return p_model.is_valid() && p_model->core() != nullptr &&
 			steadyhand::find_feature(p_model->core()->feature) != nullptr;
@@ -148,9 +151,15 @@ void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
 
 /// A node tells that it was moved once the frame is over: by then the place may be in use already.
 void GestureHMM::on_task_changed() {
-	if (outdated_ || find_expected() != expected_) {
-		on_settings_changed();
+	if (!outdated_ && find_expected() == expected_) {
+		return;
 	}
+	if (++task_changes_ == TASK_CHANGES_TOLD) {
+		WARN_PRINT("GestureHMM: a GestureTask keeps moving, and the recognition starts anew each time; it "
+				   "must not "
+				   "be a child of what the gesture moves");
+	}
+	on_settings_changed();
 }
 
 } // namespace godot

@@ -79,6 +79,26 @@ func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
 	other.free()
 
 
+func test_a_task_that_the_gesture_itself_moves_is_told_of_and_never_ends() -> void:
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var hmm := _hmm([task])
+	var end := Vector3(0.2, 0.0, 0.0)
+	var carry := func(_time_s: float) -> void:
+		task.position.x = 0.5 * hmm.value
+		task.force_update_transform()  # as at the end of each frame of a game
+	hmm.motion_updated.connect(carry)
+	check_equal(_ends(_play(hmm, [Vector3.ZERO, end])), [] as Array[String], "carried along")
+	hmm.motion_updated.disconnect(carry)
+	task.position = Vector3.ZERO
+	check_equal(
+		_ends(_play(hmm, [Vector3.ZERO, end])),
+		["ended horizontal_drag at task 0"] as Array[String],
+		"left where it is"
+	)
+	_free(hmm)
+	task.free()
+
+
 func _task(gesture: StringName, start: Vector3, direction: Vector3, way_m: float) -> GestureTask:
 	var task := GestureTask.new()
 	task.gesture = gesture
