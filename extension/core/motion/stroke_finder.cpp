@@ -37,68 +37,23 @@ Stroke joined(const Stroke &first, const Stroke &second) {
 }
 
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
-	first_ = count_ = rest_count_ = 0;
-	frames_[0] = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
-	count_ = 1;
-	piece_ = knots_[0] = frames_[0];
-	knot_count_ = 1;
+	newest_ = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
+	places_.clear();
+	places_.push(t_s, newest_.place_m, WINDOW_S);
+	rest_count_ = 0;
+	piece_ = newest_;
+	knots_.clear();
+	knots_.push(newest_);
 	last_s_ = t_s;
 	last_m_ = place_m;
-	velocity_m_s_ = FeaturePlace::Zero();
 	steps_.restart();
 	steps_.push(t_s, place_m);
 	trembles_.restart();
-	trembles_.push({ t_s, frames_[0].place_m, place_m }, WINDOW_S, 0.0);
+	trembles_.push({ t_s, newest_.place_m, place_m }, WINDOW_S, 0.0);
 	speed_m_s_ = 0.0;
 	onset_.reset();
-	begin_anew(frames_[0]);
+	begin_anew(newest_);
 	earlier_count_ = 0;
-}
-
-void StrokeFinder::remember_frame(double t_s, const FeaturePlace &place_m) {
-	if (past_count_ == PAST) {
-		past_first_ = (past_first_ + 1) % PAST;
-		--past_count_;
-	}
-	past_[(past_first_ + past_count_++) % PAST] = { t_s, place_m };
-}
-
-void StrokeFinder::measure_velocity() {
-	const Sample &newest = frame(count_ - 1);
-	double mean_t = 0.0;
-	FeaturePlace mean_m = FeaturePlace::Zero();
-	for (std::size_t i = 0; i < count_; ++i) {
-		mean_t += frame(i).t_s - newest.t_s;
-		mean_m += frame(i).place_m - newest.place_m;
-	}
-	const double n = static_cast<double>(count_);
-	mean_t /= n;
-	mean_m /= n;
-	FeaturePlace covariance = FeaturePlace::Zero();
-	double variance = 0.0;
-	for (std::size_t i = 0; i < count_; ++i) {
-		const double dt = frame(i).t_s - newest.t_s - mean_t;
-		covariance += dt * (frame(i).place_m - newest.place_m - mean_m);
-		variance += dt * dt;
-	}
-	velocity_m_s_ = FeaturePlace::Zero();
-	if (variance > 0.0) {
-		velocity_m_s_ = covariance / variance;
-	}
-	speed_m_s_ = velocity_m_s_.norm();
-}
-
-void StrokeFinder::keep(const Sample &sample) {
-	if (count_ == FRAMES) {
-		first_ = (first_ + 1) % FRAMES;
-		--count_;
-	}
-	frames_[(first_ + count_) % FRAMES] = sample;
-	++count_;
-	while (count_ > 2 && sample.t_s - frame(0).t_s > WINDOW_S) {
-		first_ = (first_ + 1) % FRAMES;
-		--count_;
-	}
 }
 
 void StrokeFinder::remember_rest(const Sample &sample) {
@@ -146,20 +101,19 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (!place_m.allFinite()) {
 		return;
 	}
-	const double since_s =
-			past_count_ > 0 ? t_s - past_[(past_first_ + past_count_ - 1) % PAST].t_s : INFINITY;
+	const double since_s = past_.empty() ? INFINITY : t_s - past_.newest().t_s;
 	if (since_s > LONGEST_GAP_S) {
 		seen_since_s_ = t_s;
 	}
 	if (since_s >= LEAST_FRAME_S) {
-		remember_frame(t_s, place_m);
+		past_.push({ t_s, place_m });
 	}
-	if (count_ == 0 || t_s - frame(count_ - 1).t_s > LONGEST_GAP_S) {
+	if (places_.empty() || t_s - newest_.t_s > LONGEST_GAP_S) {
 		restart(t_s, place_m);
 		return;
 	}
 	if (ended_) {
-		begin_anew(frame(count_ - 1));
+		begin_anew(newest_);
 	}
 	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
 		return;
@@ -181,17 +135,18 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 
 /// may_end: false where another frame follows at once.
 void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
-	const Sample last = frame(count_ - 1);
-	const double dt_s = place.t_s - last.t_s;
+	const double dt_s = place.t_s - newest_.t_s;
 	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
-	now.sum = last.sum + 0.5 * dt_s * (last.place_m + now.place_m);
+	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
 	measure_way(now);
 	if (dt_s > LOSS_S && stroke_count_ > 0) {
 		lost_ = strokes_[0];
 		lost_->is_lost = true;
 	}
-	keep(now);
-	measure_velocity();
+	newest_ = now;
+	places_.push(now.t_s, now.place_m, WINDOW_S);
+	const FeaturePlace velocity_m_s = places_.slope();
+	speed_m_s_ = velocity_m_s.norm();
 	now.speed_m_s = std::max(speed_m_s_, SLOWEST_M_S);
 
 	if (now.speed_m_s > peak_m_s_) {
@@ -209,7 +164,7 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	const Sample onset = *onset_;
 	list_strokes(onset, now);
 	ended_ = may_end &&
-			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s_.dot(now.place_m - onset.place_m) < 0.0);
+			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s.dot(now.place_m - onset.place_m) < 0.0);
 }
 
 void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
@@ -236,8 +191,8 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 	const double then_s = r_sample.t_s - 0.5 * WINDOW_S;
 	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
 	const Sample *still = nullptr;
-	for (std::size_t i = knot_count_; i > 0 && i + KNOTS > knot_count_; --i) {
-		const Sample &before = knots_[(i - 1) % KNOTS];
+	for (std::size_t i = knots_.size(); i > 0; --i) {
+		const Sample &before = knots_[i - 1];
 		if (then_s - before.t_s > Stroke::REST_S) {
 			break;
 		}
@@ -246,8 +201,8 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 			r_sample.unrest_m = std::max(r_sample.unrest_m, (still->place_m - before.place_m).norm());
 		}
 	}
-	if (r_sample.t_s - knots_[(knot_count_ - 1) % KNOTS].t_s >= PIECE_S) {
-		knots_[knot_count_++ % KNOTS] = r_sample;
+	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
+		knots_.push(r_sample);
 	}
 }
 

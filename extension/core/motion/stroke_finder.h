@@ -3,6 +3,8 @@
 #include "motion/motion.h"
 #include "motion/tracker_steps.h"
 #include "motion/tremble_filter.h"
+#include "signal/ring.h"
+#include "signal/slope_window.h"
 
 #include <array>
 #include <cstddef>
@@ -58,10 +60,9 @@ public:
 	[[nodiscard]] bool ended() const { return ended_; }
 	/// f(t_s, place) for the frames since then, as they were given; as many as are kept.
 	template <class Function> void frames_since(double t_s, const Function &f) const {
-		for (std::size_t i = 0; i < past_count_; ++i) {
-			const Frame &past = past_[(past_first_ + i) % PAST];
-			if (past.t_s >= t_s) {
-				f(past.t_s, past.place_m);
+		for (std::size_t i = 0; i < past_.size(); ++i) {
+			if (past_[i].t_s >= t_s) {
+				f(past_[i].t_s, past_[i].place_m);
 			}
 		}
 	}
@@ -98,16 +99,11 @@ private:
 	double smallest_m_;
 	TrackerSteps steps_;
 	TrembleFilter trembles_;
-	std::array<Frame, PAST> past_{};
-	std::size_t past_first_ = 0;
-	std::size_t past_count_ = 0;
-	std::array<Sample, FRAMES> frames_{};
-	std::size_t first_ = 0;
-	std::size_t count_ = 0;
-	Sample piece_; ///< where the newest straight piece of the way begins; no trembling lengthens the way
-	/// Places some time apart, the newest at (knot_count_ - 1) % KNOTS.
-	std::array<Sample, KNOTS> knots_{};
-	std::size_t knot_count_ = 0;
+	Ring<Frame, PAST> past_;
+	SlopeWindow<FeaturePlace, FRAMES> places_;
+	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
+	Sample piece_;  ///< where the newest straight piece of the way begins; no trembling lengthens the way
+	Ring<Sample, KNOTS> knots_; ///< places some time apart
 	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
 	std::array<Sample, RESTS> rests_{};
 	std::size_t rest_count_ = 0;
@@ -115,7 +111,6 @@ private:
 	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
 	double last_s_ = 0.0;                        ///< when a place was last news
 	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
-	FeaturePlace velocity_m_s_ = FeaturePlace::Zero();
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
 	std::optional<Sample> onset_;
@@ -127,17 +122,13 @@ private:
 	std::size_t stroke_count_ = 0;
 	std::optional<Stroke> lost_; ///< the last of them, where it is
 
-	[[nodiscard]] Sample &frame(std::size_t i) { return frames_[(first_ + i) % FRAMES]; }
-	void remember_frame(double t_s, const FeaturePlace &place_m);
 	void restart(double t_s, const FeaturePlace &place_m);
 	void follow(const TrembleFilter::Place &place, bool may_end);
-	void keep(const Sample &sample);
 	void find_onset();
 	void begin_anew(const Sample &end);
 	void remember_stroke(const Sample &onset, const Sample &end);
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
-	void measure_velocity();
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);

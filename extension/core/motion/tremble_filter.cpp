@@ -28,7 +28,7 @@ double windows_that_leave(double share) {
 } // namespace
 
 void TrembleFilter::restart() {
-	first_ = count_ = 0;
+	frames_.clear();
 	anchor_count_ = 0;
 	bend_m_ = FeaturePlace::Zero();
 }
@@ -66,34 +66,29 @@ void TrembleFilter::measure_noise(const Place &place) {
 
 TrembleFilter::Place TrembleFilter::push(const Place &place, double slope_s, double still_m_s) {
 	measure_noise(place);
-	if (count_ > 0) {
-		const double dt_s = std::min(place.t_s - frame(count_ - 1).t_s, LONGEST_S);
+	if (!frames_.empty()) {
+		const double dt_s = std::min(place.t_s - frames_.newest().t_s, LONGEST_S);
 		period_s_ = period_s_ > 0.0 ? period_s_ + PERIOD_SHARE * (dt_s - period_s_) : dt_s;
 	}
-	if (count_ == FRAMES) {
-		first_ = (first_ + 1) % FRAMES;
-		--count_;
-	}
-	frames_[(first_ + count_++) % FRAMES] = place;
+	frames_.push(place);
 	// White noise of variance v, f times a second, has slopes of variance 12 v / (f W^3) over W.
 	const double slope_m2_s2 = 12.0 * noise_m_ * noise_m_ * period_s_ / (slope_s * slope_s * slope_s);
 	const double mean_s = still_m_s > 0.0 && slope_m2_s2 > still_m_s * still_m_s
 			? std::min(slope_s * windows_that_leave(still_m_s * still_m_s / slope_m2_s2), LONGEST_MEAN_S)
 			: 0.0;
-	while (count_ > 1 && place.t_s - frame(0).t_s > mean_s) {
-		first_ = (first_ + 1) % FRAMES;
-		--count_;
+	while (frames_.size() > 1 && place.t_s - frames_[0].t_s > mean_s) {
+		frames_.drop_oldest();
 	}
-	if (count_ == 1) {
+	if (frames_.size() == 1) {
 		return place;
 	}
 	Place mean{ 0.0, FeaturePlace::Zero(), FeaturePlace::Zero() };
-	for (std::size_t i = 0; i < count_; ++i) {
-		mean.t_s += frame(i).t_s - place.t_s;
-		mean.place_m += frame(i).place_m - place.place_m;
-		mean.seen_m += frame(i).seen_m - place.seen_m;
+	for (std::size_t i = 0; i < frames_.size(); ++i) {
+		mean.t_s += frames_[i].t_s - place.t_s;
+		mean.place_m += frames_[i].place_m - place.place_m;
+		mean.seen_m += frames_[i].seen_m - place.seen_m;
 	}
-	const double n = static_cast<double>(count_);
+	const double n = static_cast<double>(frames_.size());
 	return { place.t_s + mean.t_s / n, place.place_m + mean.place_m / n, place.seen_m + mean.seen_m / n };
 }
 

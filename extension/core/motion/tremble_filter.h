@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gesture/feature.h"
+#include "signal/ring.h"
 
 #include <array>
 #include <cstddef>
@@ -30,9 +31,7 @@ public:
 private:
 	static constexpr std::size_t FRAMES = 64;
 
-	std::array<Place, FRAMES> frames_{};
-	std::size_t first_ = 0;
-	std::size_t count_ = 0;
+	Ring<Place, FRAMES> frames_;
 	double period_s_ = 0.0;          ///< mean, between frames
 	std::array<Place, 2> anchors_{}; ///< places some time apart, the newest last
 	int anchor_count_ = 0;
@@ -40,7 +39,6 @@ private:
 	double noise_m_ = 0.0;
 	int bends_ = 0;
 
-	[[nodiscard]] const Place &frame(std::size_t i) const { return frames_[(first_ + i) % FRAMES]; }
 	void measure_noise(const Place &place);
 	void remember_turn(double turn_m);
 };
