@@ -1,5 +1,8 @@
 #include "motion/gesture_recogniser.h"
 
+#include "motion/open_follower.h"
+#include "motion/task_follower.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -26,6 +29,13 @@ std::vector<ExpectedGesture> at_one_place(
 	return gestures;
 }
 
+std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, const Synthesis &synthesis) {
+	if (gesture.task) {
+		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
+	}
+	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
+}
+
 } // namespace
 
 GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
@@ -38,11 +48,11 @@ GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, Moti
 		gestures_(std::move(gestures)),
 		filtered_(gestures_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
 	followers_.reserve(gestures_.size());
-	for (const auto &[model, task] : gestures_) {
-		followers_.emplace_back(*model, task.value_or(model->typical_task), task.has_value(), mode, effort,
-				latency_s, decoding);
-		const Feature *const feature = find_feature(model->feature);
-		const double smallest_m = SMALLEST_STROKE * followers_.back().task().amplitude_m;
+	const Synthesis synthesis{ mode, effort, latency_s, decoding };
+	for (const ExpectedGesture &gesture : gestures_) {
+		followers_.push_back(follower_of(gesture, synthesis));
+		const Feature *const feature = find_feature(gesture.model->feature);
+		const double smallest_m = SMALLEST_STROKE * followers_.back()->task().amplitude_m;
 		const auto known = std::find_if(watched_.begin(), watched_.end(),
 				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
@@ -71,8 +81,8 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		}
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i].push(frame, watched(i).place, watched(i).strokes)) {
-			filtered_[i].push(frame.t_s, followers_[i].measured_m());
+		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes)) {
+			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
 		}
 	}
 	time_s_ = frame.t_s;
@@ -92,7 +102,7 @@ void GestureRecogniser::advance(double t_s) {
 
 void GestureRecogniser::advance_followers(double t_s) {
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		followers_[i].advance(t_s, watched(i).strokes);
+		followers_[i]->advance(t_s, watched(i).strokes);
 	}
 }
 
@@ -100,9 +110,9 @@ double GestureRecogniser::posterior(const GestureFollower &follower) const {
 	// Odds against none, the largest taken out of the sum so that none overflows.
 	const double largest = std::max(follower.log_odds(), 0.0);
 	double all = std::exp(-largest);
-	for (const GestureFollower &other : followers_) {
-		if (&other == &follower || other.stage() == GestureFollower::Stage::MOVING) {
-			all += std::exp(other.log_odds() - largest);
+	for (const std::unique_ptr<GestureFollower> &other : followers_) {
+		if (other.get() == &follower || other->stage() == GestureFollower::Stage::MOVING) {
+			all += std::exp(other->log_odds() - largest);
 		}
 	}
 	return std::exp(follower.log_odds() - largest) / all;
@@ -117,9 +127,9 @@ double GestureRecogniser::confidence() const {
 template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (is_candidate(followers_[i]) &&
+		if (is_candidate(*followers_[i]) &&
 				(best < 0 ||
-						followers_[i].log_odds() > followers_[static_cast<std::size_t>(best)].log_odds())) {
+						followers_[i]->log_odds() > followers_[static_cast<std::size_t>(best)]->log_odds())) {
 			best = static_cast<int>(i);
 		}
 	}
@@ -133,9 +143,9 @@ void GestureRecogniser::decide_claims() {
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		if (static_cast<int>(i) == best) {
-			followers_[i].confirm(time_s_);
-		} else if (followers_[i].stage() != GestureFollower::Stage::RESTING) {
-			followers_[i].give_way(time_s_);
+			followers_[i]->confirm(time_s_);
+		} else if (followers_[i]->stage() != GestureFollower::Stage::RESTING) {
+			followers_[i]->give_way(time_s_);
 		}
 	}
 	lead(best);
@@ -147,9 +157,10 @@ void GestureRecogniser::let_return() {
 	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED) {
 		return;
 	}
-	for (GestureFollower &other : followers_) {
-		if (&other != follower() && follower()->log_odds_of_return() > std::max(other.log_odds(), 0.0)) {
-			other.give_way(time_s_);
+	for (const std::unique_ptr<GestureFollower> &other : followers_) {
+		if (other.get() != follower() &&
+				follower()->log_odds_of_return() > std::max(other->log_odds(), 0.0)) {
+			other->give_way(time_s_);
 		}
 	}
 }
@@ -184,7 +195,7 @@ void GestureRecogniser::lead(int follower) {
 	}
 	const Motion before = motion(MotionSource::SYNTHESISED);
 	leader_ = follower;
-	const Motion now = followers_[shown()].motion(time_s_);
+	const Motion now = followers_[shown()]->motion(time_s_);
 	blend_.start(
 			time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, LEAD_RATE_PER_S);
 }
@@ -193,7 +204,7 @@ Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
 	if (followers_.empty()) {
 		return {};
 	}
-	const GestureFollower &follower = followers_[shown()];
+	const GestureFollower &follower = *followers_[shown()];
 	if (source == MotionSource::SYNTHESISED) {
 		return blend_.completed(follower.motion(t_s), t_s);
 	}

@@ -23,7 +23,7 @@ struct ExpectedGesture {
 /// construction nothing is allocated.
 class GestureRecogniser {
 public:
-	/// effort, latency_s: as PhaseEstimator's; decoding: as GestureFollower's.
+	/// effort, latency_s: as PhaseEstimator's; decoding: as Synthesis'.
 	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
 			const PhaseEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
 	/// All at one place, or none of them.
@@ -44,7 +44,7 @@ public:
 	/// Index of the gesture under way or just finished; -1 while all of them rest.
 	[[nodiscard]] int gesture() const { return leader_; }
 	[[nodiscard]] const GestureFollower *follower() const {
-		return leader_ >= 0 ? &followers_[static_cast<std::size_t>(leader_)] : nullptr;
+		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
 	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
 	/// none: 0..1; 0 while all of them rest.
@@ -61,7 +61,7 @@ private:
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
 	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
-	std::vector<GestureFollower> followers_;
+	std::vector<std::unique_ptr<GestureFollower>> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	int leader_ = -1;
 	OutputBlend blend_; ///< of what would step when another one takes the lead, m
