@@ -2,8 +2,6 @@
 
 #include "motion/stroke_evidence.h"
 
-#include <algorithm>
-
 namespace steadyhand {
 namespace {
 
@@ -67,7 +65,7 @@ void GestureFollower::begin(double t_s, double value) {
 	decoder_.reset();
 	state_played_ = 0;
 	if (mode_ == MotionMode::PAPER) {
-		paper_.begin(t_s, phase_of_value(*model_, std::min(value, 0.5)));
+		paper_.begin(t_s, phase_of_value(*model_, value));
 	}
 	enter(Stage::MOVING, t_s);
 }
