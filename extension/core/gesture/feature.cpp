@@ -16,12 +16,6 @@ std::optional<double> index_along_axis(const HandFrame &frame, const Task &task)
 	return (frame.position(Joint::INDEX) - task.start_m).dot(task.axis);
 }
 
-void index_start_here(const HandFrame &frame, Task &r_task) {
-	if (frame.has(Joint::INDEX)) {
-		r_task.start_m = frame.position(Joint::INDEX);
-	}
-}
-
 std::optional<FeaturePlace> index_place(const HandFrame &frame) {
 	if (!frame.has(Joint::INDEX)) {
 		return std::nullopt;
@@ -49,12 +43,6 @@ std::optional<Circle> tips_circle(const HandFrame &frame) {
 std::optional<double> tips_circumradius(const HandFrame &frame, const Task &task) {
 	const std::optional<Circle> circle = tips_circle(frame);
 	return circle ? std::optional(circle->radius - task.start_m.x()) : std::nullopt;
-}
-
-void tips_start_here(const HandFrame &frame, Task &r_task) {
-	if (const std::optional<Circle> circle = tips_circle(frame)) {
-		r_task.start_m = { circle->radius, 0.0, 0.0 };
-	}
 }
 
 std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
@@ -98,10 +86,9 @@ double circumference(const Task &task) {
 constexpr double WHILE_IT_OPENS = 0.2;
 
 constexpr std::array FEATURES{
-	Feature{ "index_along_axis", index_along_axis, index_start_here, index_place, along_axis },
-	Feature{ "tips_circumradius", tips_circumradius, tips_start_here, tips_place, along_size, nullptr, true,
-			WHILE_IT_OPENS },
-	Feature{ "index_along_circle", index_along_circle, index_start_here, nullptr, nullptr, circumference },
+	Feature{ "index_along_axis", index_along_axis, index_place, along_axis },
+	Feature{ "tips_circumradius", tips_circumradius, tips_place, along_size, nullptr, true, WHILE_IT_OPENS },
+	Feature{ "index_along_circle", index_along_circle, nullptr, nullptr, circumference },
 };
 
 } // namespace

@@ -17,9 +17,6 @@ struct Feature {
 	std::string_view name; ///< as written in model files
 	/// Nothing where a joint it needs is not tracked in the frame, or where the joints do not determine it.
 	std::optional<double> (*measure)(const HandFrame &frame, const Task &task);
-	/// Moves the task's start to where the hand is, so that the frame measures 0; nothing where measure gives
-	/// nothing.
-	void (*start_here)(const HandFrame &frame, Task &r_task);
 	/// Nothing where measure gives nothing. Differences of places along `direction` are differences of the
 	/// motion element; across it they speak against the gesture. Null, as `direction` is
 	/// then, where the way is not straight.
