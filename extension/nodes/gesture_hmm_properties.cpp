@@ -28,18 +28,10 @@ GestureHMM::~GestureHMM() {
 }
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
-	if (tracker_ == p_tracker) {
-		return;
+	if (listen_to(p_tracker, tracker_, this)) {
+		reset();
+		update_configuration_warnings();
 	}
-	if (tracker_ != nullptr) {
-		tracker_->remove_listener(this);
-	}
-	tracker_ = p_tracker;
-	if (tracker_ != nullptr) {
-		tracker_->add_listener(this);
-	}
-	reset();
-	update_configuration_warnings();
 }
 
 void GestureHMM::on_tracker_freed() {

@@ -3,6 +3,7 @@
 #include "conversions.h"
 #include "gesture_hmm.h"
 #include "gesture_task.h"
+#include "listener_list.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
 #include <godot_cpp/classes/audio_stream_player.hpp>
@@ -124,18 +125,10 @@ void HapticSynth::on_motion_freed() {
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
-	if (gesture_hmm_ == p_gesture_hmm) {
-		return;
+	if (listen_to(p_gesture_hmm, gesture_hmm_, this)) {
+		on_motion_started();
+		update_configuration_warnings();
 	}
-	if (gesture_hmm_ != nullptr) {
-		gesture_hmm_->remove_listener(this);
-	}
-	gesture_hmm_ = p_gesture_hmm;
-	if (gesture_hmm_ != nullptr) {
-		gesture_hmm_->add_listener(this);
-	}
-	on_motion_started();
-	update_configuration_warnings();
 }
 
 StringName HapticSynth::expected_gesture() const {

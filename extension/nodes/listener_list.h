@@ -41,4 +41,20 @@ private:
 	}
 };
 
+/// Leaves what was listened to so far for another; either may be null. False where that is the same.
+template <class Source, class Listener>
+bool listen_to(Source *p_source, Source *&r_listened_to, Listener *p_listener) {
+	if (r_listened_to == p_source) {
+		return false;
+	}
+	if (r_listened_to != nullptr) {
+		r_listened_to->remove_listener(p_listener);
+	}
+	r_listened_to = p_source;
+	if (r_listened_to != nullptr) {
+		r_listened_to->add_listener(p_listener);
+	}
+	return true;
+}
+
 } // namespace godot
