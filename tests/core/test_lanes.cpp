@@ -52,6 +52,12 @@ TEST_CASE("exponentials and logarithms of lanes are those of the standard librar
 	CHECK(logs[3] == doctest::Approx(std::log(std::numeric_limits<double>::max())).epsilon(2.0 * ULP));
 }
 
+TEST_CASE("each lane picks the number at its index") {
+	Lanes picked;
+	store(picked, pick({ 0.5, 1.5, 2.5, 3.5 }, { 2, 0, 3, 2 }));
+	CHECK(picked == Lanes{ 2.5, 0.5, 3.5, 2.5 });
+}
+
 TEST_CASE("the minimum jerk of lanes is that of one number") {
 	for (int i = 0; i <= 100; ++i) {
 		const double s = i / 100.0;

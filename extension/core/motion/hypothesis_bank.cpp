@@ -99,6 +99,10 @@ STEADYHAND_WIDE void HypothesisBank::scale() {
 
 void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_least) {
 	scale();
+	Marks over;
+	for (std::size_t g = 0; g < groups_in_use(); ++g) {
+		groups_[g].mark_beyond(t_s, SPENT_PHASE, std::span<bool, LANES>(over.data() + g * LANES, LANES));
+	}
 	std::array<std::array<Place, CAPACITY>, KINDS> places;
 	std::array<std::size_t, KINDS> counts{};
 	for (std::size_t i = AT_REST + 1; i < count_; ++i) {
@@ -111,10 +115,9 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 	std::size_t kept_count = 0;
 	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK }) {
 		const std::span of_kind(places[k].data(), counts[k]);
-		const auto likely = of_kind.first(keep_likely(of_kind, k, t_s));
-		const auto over =
-				std::partition(likely.begin(), likely.end(), [&](Place i) { return !is_over(i, t_s); });
-		raise({ likely.begin(), over }, share[k] * usual);
+		const auto likely = of_kind.first(keep_likely(of_kind, k, over));
+		const auto spent = std::partition(likely.begin(), likely.end(), [&](Place i) { return !over[i]; });
+		raise({ likely.begin(), spent }, share[k] * usual);
 		if (likely.size() == most_kept_[k]) { // one more drops the unlikeliest
 			least_[k] = INFINITY;
 			for (const Place i : likely) {
@@ -138,18 +141,17 @@ std::size_t HypothesisBank::likeliest(std::span<Place> r_places, std::size_t mos
 }
 
 /// Brings the others, and the likeliest of those that are over, to the front; returns how many they are.
-std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, double t_s, std::size_t most) const {
+std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, const Marks &over, std::size_t most) const {
 	if (r_places.size() <= most) {
 		return r_places.size();
 	}
-	const auto spent =
-			std::partition(r_places.begin(), r_places.end(), [&](Place i) { return !is_over(i, t_s); });
+	const auto spent = std::partition(r_places.begin(), r_places.end(), [&](Place i) { return !over[i]; });
 	const auto others = static_cast<std::size_t>(spent - r_places.begin());
 	return others + likeliest(r_places.subspan(others), most);
 }
 
 /// Brings those that stay to the front; returns how many they are.
-std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, double t_s) {
+std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, const Marks &over) {
 	double greatest = -std::numeric_limits<double>::infinity();
 	for (const Place i : r_places) {
 		greatest = std::max(greatest, log_weight(i));
@@ -159,7 +161,7 @@ std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, do
 	const auto likely_end = std::partition(
 			r_places.begin(), r_places.end(), [this, bound](Place i) { return log_weight(i) > bound; });
 	const auto likely = r_places.first(static_cast<std::size_t>(likely_end - r_places.begin()));
-	return likeliest(likely.first(drop_spent(likely, t_s, MOST_SPENT[kind])), most_kept_[kind]);
+	return likeliest(likely.first(drop_spent(likely, over, MOST_SPENT[kind])), most_kept_[kind]);
 }
 
 /// To that weight together, where there are any and they have less.
@@ -190,7 +192,7 @@ void HypothesisBank::keep_only(std::span<const Place> places) {
 			while (is_kept[hole]) {
 				++hole;
 			}
-			groups_[hole / LANES].set(hole % LANES, group(i).hypothesis(i % LANES));
+			groups_[hole / LANES].copy(hole % LANES, group(i), i % LANES);
 			log_weights_[hole / LANES][hole % LANES] = log_weight(i);
 			weights_[hole / LANES][hole % LANES] = weight(i);
 			++hole;

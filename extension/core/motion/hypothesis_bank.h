@@ -86,6 +86,7 @@ private:
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 	static constexpr double SPENT_PHASE = 1.3;
 	using Place = std::uint8_t;
+	using Marks = std::array<bool, CAPACITY>;
 
 	std::array<std::size_t, KINDS> most_kept_;
 	std::array<HypothesisGroup, GROUPS> groups_{};
@@ -99,8 +100,8 @@ private:
 	void scale();
 	[[nodiscard]] double total(std::span<const Place> places) const;
 	[[nodiscard]] std::size_t likeliest(std::span<Place> r_places, std::size_t most) const;
-	std::size_t drop_spent(std::span<Place> r_places, double t_s, std::size_t most) const;
-	std::size_t keep_likely(std::span<Place> r_places, Kind kind, double t_s);
+	std::size_t drop_spent(std::span<Place> r_places, const Marks &over, std::size_t most) const;
+	std::size_t keep_likely(std::span<Place> r_places, Kind kind, const Marks &over);
 	void raise(std::span<const Place> places, double at_least);
 	void keep_only(std::span<const Place> places);
 };

@@ -20,6 +20,13 @@ const double LOG_IMPOSSIBLE = std::log(1e-30);
 const double LOG_SHORTEST = std::log(0.12);
 const double LOG_LONGEST = std::log(6.0);
 
+// By index_of.
+constexpr Lanes HANDS{ REGIME_NUMBERS[0].hand.amplitudes, REGIME_NUMBERS[1].hand.amplitudes,
+	REGIME_NUMBERS[2].hand.amplitudes, REGIME_NUMBERS[3].hand.amplitudes };
+constexpr Lanes ERRORS_AT_START{ ERROR_NUMBERS[0].at_start.amplitudes, ERROR_NUMBERS[1].at_start.amplitudes,
+	ERROR_NUMBERS[2].at_start.amplitudes };
+constexpr Lanes ERRORS_ON_WAY{ ERROR_NUMBERS[0].on_way, ERROR_NUMBERS[1].on_way, ERROR_NUMBERS[2].on_way };
+
 using Group = HypothesisGroup;
 using Hypothesis = GestureHypothesis;
 /// Of a deviation and its rate, lane by lane.
@@ -27,17 +34,12 @@ struct LaneDamping {
 	LaneVector xx, xv, vx, vv, noise_x, noise_xv, noise_v;
 
 	/// Each as in its regime, or of its error; variance: of what is damped, where it comes to rest.
-	template <typename Kind>
 	STEADYHAND_INLINE LaneDamping(
-			const Dampings &by, const std::array<Kind, LANES> &kinds, const LaneVector &variance) :
-			xx(of(by.xx, kinds)),
-			xv(of(by.xv, kinds)), vx(of(by.vx, kinds)), vv(of(by.vv, kinds)),
-			noise_x(variance * of(by.noise_x, kinds)), noise_xv(variance * of(by.noise_xv, kinds)),
-			noise_v(variance * of(by.noise_v, kinds)) {}
-	template <typename Kind>
-	STEADYHAND_INLINE static LaneVector of(const Lanes &by_kind, const std::array<Kind, LANES> &kinds) {
-		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return by_kind[index_of(kinds[l])]; });
-	}
+			const Dampings &by, const std::array<std::uint8_t, LANES> &kinds, const LaneVector &variance) :
+			xx(pick(by.xx, kinds)),
+			xv(pick(by.xv, kinds)), vx(pick(by.vx, kinds)), vv(pick(by.vv, kinds)),
+			noise_x(variance * pick(by.noise_x, kinds)), noise_xv(variance * pick(by.noise_xv, kinds)),
+			noise_v(variance * pick(by.noise_v, kinds)) {}
 	/// [x, v] becomes F [x, v].
 	STEADYHAND_INLINE void apply(Lanes &r_x, Lanes &r_v) const {
 		const LaneVector x = load(r_x), v = load(r_v);
@@ -74,25 +76,18 @@ struct HypothesisGroup::Filter {
 	[[nodiscard]] STEADYHAND_INLINE LaneVector phase() const {
 		return (t_s - load(group.mean_[Hypothesis::ONSET])) * load(group.rate_per_s_);
 	}
-	/// 1 of those on their way, 0 of the others.
-	[[nodiscard]] STEADYHAND_INLINE LaneVector on_its_way() const {
-		return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return group.on_its_way_[l] ? 1.0 : 0.0; });
-	}
 
 	/// F differs from unity in two pairs of states alone: a deviation and its rate, of the hand and of the
 	/// tracker.
 	STEADYHAND_INLINE void predict(const Passages &passages) const {
-		const LaneVector hands = each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-			return regime_numbers(group.regime_[l]).hand.amplitudes;
-		});
-		LaneVector errors = each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-			return error_numbers(group.error_[l]).at_start.amplitudes;
-		});
-		const LaneVector on_way = on_its_way() * each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA {
-			return error_numbers(group.error_[l]).on_way;
-		});
-		if (any(on_way > 0.0)) {
-			errors += on_way * way(phase());
+		const LaneVector hands = pick(HANDS, group.regime_);
+		LaneVector errors = pick(ERRORS_AT_START, group.error_);
+		const LaneVector on_way = load(group.on_its_way_) * pick(ERRORS_ON_WAY, group.error_);
+		group.is_way_known_ = any(on_way > 0.0);
+		if (group.is_way_known_) {
+			const LaneVector gone = way(phase());
+			store(group.way_, gone);
+			errors += on_way * gone;
 		}
 		const LaneDamping hand(passages.hand, group.regime_, hands * hands),
 				error(passages.error, group.error_, errors * errors);
@@ -119,9 +114,13 @@ struct HypothesisGroup::Filter {
 		constexpr std::size_t FIRST = H::ONSET, SLOPES = H::STATES - FIRST;
 		// What the tracker should show, and by how much that changes with each state.
 		const LaneVector rate = load(group.rate_per_s_), shape = load(group.mean_[H::SHAPE]);
-		const LaneVector is_under_way = on_its_way(), now = is_under_way > 0.0 ? phase() : LaneVector{};
+		const LaneVector is_under_way = load(group.on_its_way_),
+						 now = is_under_way > 0.0 ? phase() : LaneVector{};
 		const LaneVector lags = is_under_way > 0.0 ? load(group.mean_[H::LAG]) : LaneVector{};
-		const LaneVector way_now = any(lags > 0.0) ? (lags > 0.0 ? way(now) : LaneVector{}) : LaneVector{};
+		LaneVector way_now{};
+		if (any(lags > 0.0)) {
+			way_now = lags > 0.0 ? (group.is_way_known_ ? load(group.way_) : way(now)) : LaneVector{};
+		}
 		const LaneVector then = now - lags * way_now * rate, phases = then > 0.0 ? then : LaneVector{};
 		const LaneVector gone = then > 0.0 ? way_now : LaneVector{};
 		const LaneCurvePoint element = curve.at(phases);
@@ -205,9 +204,31 @@ void HypothesisGroup::set(std::size_t lane, const GestureHypothesis &hypothesis)
 		covariance_[i][lane] = hypothesis.covariance_[i];
 	}
 	rate_per_s_[lane] = hypothesis.rate_per_s_;
-	regime_[lane] = hypothesis.regime_;
-	error_[lane] = hypothesis.error_;
-	on_its_way_[lane] = hypothesis.on_its_way_;
+	regime_[lane] = static_cast<std::uint8_t>(index_of(hypothesis.regime_));
+	error_[lane] = static_cast<std::uint8_t>(index_of(hypothesis.error_));
+	on_its_way_[lane] = hypothesis.on_its_way_ ? 1.0 : 0.0;
+	is_way_known_ = false;
+}
+
+void HypothesisGroup::copy(std::size_t lane, const HypothesisGroup &from, std::size_t from_lane) {
+	for (std::size_t i = 0; i < GestureHypothesis::STATES; ++i) {
+		mean_[i][lane] = from.mean_[i][from_lane];
+	}
+	for (std::size_t i = 0; i < GestureHypothesis::ENTRIES; ++i) {
+		covariance_[i][lane] = from.covariance_[i][from_lane];
+	}
+	rate_per_s_[lane] = from.rate_per_s_[from_lane];
+	regime_[lane] = from.regime_[from_lane];
+	error_[lane] = from.error_[from_lane];
+	on_its_way_[lane] = from.on_its_way_[from_lane];
+	is_way_known_ = false;
+}
+
+void HypothesisGroup::mark_beyond(double t_s, double phase, std::span<bool, LANES> r_marks) const {
+	for (std::size_t l = 0; l < LANES; ++l) {
+		const double now = (t_s - mean_[GestureHypothesis::ONSET][l]) * rate_per_s_[l];
+		r_marks[l] = (on_its_way_[l] > 0.0) & (now > phase);
+	}
 }
 
 GestureHypothesis HypothesisGroup::hypothesis(std::size_t lane) const {
@@ -219,9 +240,9 @@ GestureHypothesis HypothesisGroup::hypothesis(std::size_t lane) const {
 		h.covariance_[i] = covariance_[i][lane];
 	}
 	h.rate_per_s_ = rate_per_s_[lane];
-	h.regime_ = regime_[lane];
-	h.error_ = error_[lane];
-	h.on_its_way_ = on_its_way_[lane];
+	h.regime_ = regime(lane);
+	h.error_ = error(lane);
+	h.on_its_way_ = on_its_way(lane);
 	return h;
 }
 

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 namespace steadyhand {
 
@@ -28,6 +30,8 @@ public:
 	void set(std::size_t lane, const GestureHypothesis &hypothesis);
 	/// With no weight.
 	[[nodiscard]] GestureHypothesis hypothesis(std::size_t lane) const;
+	/// As set(lane, from.hypothesis(from_lane)).
+	void copy(std::size_t lane, const HypothesisGroup &from, std::size_t from_lane);
 
 	/// passages: over the time from the one predicted to before.
 	void predict(const ElementCurve &curve, double t_s, const Passages &passages);
@@ -35,14 +39,18 @@ public:
 	/// was (probabilistic data association: a frame is good, or an outlier).
 	void absorb(const ElementCurve &curve, double t_s, double x, const Trust &trust, Lanes &r_log_weights);
 
-	[[nodiscard]] Regime regime(std::size_t lane) const { return regime_[lane]; }
-	[[nodiscard]] TrackerError error(std::size_t lane) const { return error_[lane]; }
-	[[nodiscard]] bool on_its_way(std::size_t lane) const { return on_its_way_[lane]; }
+	[[nodiscard]] Regime regime(std::size_t lane) const { return static_cast<Regime>(regime_[lane]); }
+	[[nodiscard]] TrackerError error(std::size_t lane) const {
+		return static_cast<TrackerError>(error_[lane]);
+	}
+	[[nodiscard]] bool on_its_way(std::size_t lane) const { return on_its_way_[lane] > 0.0; }
 	/// Only of one on its way.
 	[[nodiscard]] Course course(std::size_t lane) const {
 		return { mean_[GestureHypothesis::ONSET][lane], rate_per_s_[lane],
 			1.0 + mean_[GestureHypothesis::GAIN][lane], mean_[GestureHypothesis::SHAPE][lane] };
 	}
+	/// Of each whether it is on its way and beyond that phase.
+	void mark_beyond(double t_s, double phase, std::span<bool, LANES> r_marks) const;
 	/// d: what the hand does beside the gesture, and d'.
 	[[nodiscard]] double hand_deviation(std::size_t lane) const {
 		return mean_[GestureHypothesis::HAND][lane];
@@ -60,9 +68,10 @@ private:
 	std::array<Lanes, GestureHypothesis::STATES> mean_{};
 	std::array<Lanes, GestureHypothesis::ENTRIES> covariance_{};
 	Lanes rate_per_s_{ 1.0, 1.0, 1.0, 1.0 };
-	std::array<Regime, LANES> regime_{};
-	std::array<TrackerError, LANES> error_{};
-	std::array<bool, LANES> on_its_way_{};
+	std::array<std::uint8_t, LANES> regime_{}, error_{}; ///< index_of each
+	Lanes on_its_way_{};                                 ///< 1 of those on their way, 0 of the others
+	Lanes way_{};                                        ///< f(phase), 0..1, at the time predicted to
+	bool is_way_known_ = false;                          ///< way_ is of all lanes as they are
 };
 
 } // namespace steadyhand

@@ -54,6 +54,17 @@ template <std::size_t N, class Function> STEADYHAND_INLINE void unrolled(const F
 	(std::make_index_sequence<N>{});
 }
 
+/// numbers[index] of each lane's index, kept modulo LANES.
+STEADYHAND_INLINE LaneVector pick(const Lanes &numbers, const std::array<std::uint8_t, LANES> &indices) {
+#if __has_builtin(__builtin_shuffle)
+	std::uint8_t bytes __attribute__((vector_size(LANES)));
+	std::memcpy(&bytes, indices.data(), sizeof bytes);
+	return __builtin_shuffle(load(numbers), __builtin_convertvector(bytes, LaneBits));
+#else
+	return each([&](std::size_t l) STEADYHAND_INLINE_LAMBDA { return numbers[indices[l] % LANES]; });
+#endif
+}
+
 STEADYHAND_INLINE bool any(const LaneMask &mask) {
 	return ((mask[0] | mask[1]) | (mask[2] | mask[3])) != 0;
 }
