@@ -146,6 +146,8 @@ private:
 	int leaps_ = 0;        ///< gaps too long to connect, one after the other
 
 	void prepare(double p_time_s);
+	/// By the models as they are now, at no place.
+	std::vector<Expected> find_usable() const;
 	/// By the models and tasks as they are now.
 	std::vector<Expected> find_expected() const;
 	void build_recogniser();

@@ -42,7 +42,7 @@ GestureTask *GestureHMM::get_current_task() const {
 							   : nullptr;
 }
 
-std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
+std::vector<GestureHMM::Expected> GestureHMM::find_usable() const {
 	std::vector<Expected> anywhere;
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
@@ -50,6 +50,11 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 			anywhere.push_back({ model->core(), model->get_gesture(), {}, {} });
 		}
 	}
+	return anywhere;
+}
+
+std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
+	const std::vector<Expected> anywhere = find_usable();
 	std::vector<Expected> at_tasks;
 	bool is_told = false; // which gestures the scene requires
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
@@ -96,15 +101,16 @@ void GestureHMM::warn_of_silence() {
 					String("', which this version does not have");
 		}
 	}
+	const std::size_t usable = find_usable().size();
 	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
 		const GestureTask *const task = task_at(i);
 		if (task == nullptr) {
 			continue;
 		}
-		if (task->get_gesture() == StringName() && models_.size() > 1) {
+		if (task->get_gesture() == StringName() && usable > 1) {
 			warning = String("GestureHMM: the place of a task is not used, since it does not say which of "
 							 "the ") +
-					String::num_int64(models_.size()) +
+					String::num_int64(static_cast<int64_t>(usable)) +
 					String(" models it is for; set the GestureTask's \"gesture\"");
 		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
 			warning = String("GestureHMM: nothing will be recognised at a task, since none of its models is "
