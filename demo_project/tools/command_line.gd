@@ -40,6 +40,19 @@ func choice(option: String, allowed: Array) -> String:
 	return _values[option]
 
 
+## A number within the bounds, which are in `unit`.
+func number(option: String, lowest: float, highest: float, unit: String) -> float:
+	var value := _values[option].to_float()
+	if not _values[option].is_valid_float() or value < lowest or value > highest:
+		_report(
+			(
+				"--%s is '%s'; it must be a number of %s from %s to %s"
+				% [option, _values[option], unit, lowest, highest]
+			)
+		)
+	return value
+
+
 ## What must not be left out.
 func given(option: String) -> String:
 	if _values[option].is_empty():

@@ -1,12 +1,15 @@
 extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/evaluate.gd -- --trials DIR --out DIR
-##     [--models DIR] [--mode phase|paper] [--context scene|open]
+##     [--models DIR] [--mode phase|paper] [--context scene|open] [--sensor-latency SECONDS]
 ##
 ## Exit code: 0; 1 where a trial could not be judged (the others are reported) or the set has none;
 ## 2 where nothing could be done.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
+
+## What GestureHMM.sensor_latency takes, s.
+const LONGEST_LATENCY_S := 0.2
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -17,12 +20,14 @@ func work(arguments: PackedStringArray) -> void:
 		mode = Evaluation.MODES.keys()[0],
 		context = Evaluation.CONTEXTS[0],
 	}
+	defaults["sensor-latency"] = str(Evaluation.default_sensor_latency_s())
 	var options := CommandLine.new(arguments, defaults)
 	var trials_folder := options.path("trials")
 	var out_folder := options.path("out")
 	var settings := {
 		mode = options.choice("mode", Evaluation.MODES.keys()),
 		context = options.choice("context", Evaluation.CONTEXTS),
+		sensor_latency_s = options.number("sensor-latency", 0.0, LONGEST_LATENCY_S, "seconds"),
 		models = options.path("models"),
 		trials = trials_folder,
 	}

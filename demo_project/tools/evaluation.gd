@@ -24,7 +24,8 @@ var _report: EvaluationReport = null
 var _is_empty := false
 
 
-## `settings`: {mode, context, models}, which are also written down; `parent`: a node in the tree.
+## `settings`: {mode, context, models}, and sensor_latency_s where it is not the node's own; all are
+## written down. `parent`: a node in the tree.
 func run(
 	trial_set: TrialSet,
 	models: Array[GestureModel],
@@ -32,6 +33,7 @@ func run(
 	out_folder: String,
 	parent: Node
 ) -> void:
+	settings = settings.merged({sensor_latency_s = default_sensor_latency_s()})
 	var report := EvaluationReport.new(out_folder)
 	var progress := Progress.new(_trials(trial_set.get_count()))
 	_is_empty = trial_set.get_count() == 0
@@ -42,6 +44,7 @@ func run(
 			break
 		var trial := trial_set.get_trial(index)
 		var trial_run := TrialRun.new(trial, parent)
+		trial_run.sensor_latency_s = settings["sensor_latency_s"]
 		if trial["gesture"] == TrialRun.NO_GESTURE:
 			trial_run.task_trial = _task_to_wait_for(trial_set, models, trial["position"], index)
 		trial_run.run(
@@ -88,6 +91,11 @@ func shortcoming() -> String:
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	return _report.typical_trial(gesture, position)
+
+
+## As GestureHMM has it.
+static func default_sensor_latency_s() -> float:
+	return ClassDB.class_get_property_default_value(&"GestureHMM", &"sensor_latency")
 
 
 ## While a hand does nothing a scene waits all the same: for the task of one of the set's other

@@ -31,6 +31,8 @@ var figures: Dictionary[String, Dictionary] = {}
 ## Row of the trial whose task the scene waits for; empty where it waits for none. The trial's own
 ## unless it is told otherwise.
 var task_trial: Dictionary
+## Of GestureHMM.
+var sensor_latency_s := 0.0
 
 var _trial: Dictionary
 var _parent: Node
@@ -65,6 +67,7 @@ func run(
 	var task := _make_task() if has_task else null
 	var hmm := GestureHMM.new()
 	hmm.mode = mode
+	hmm.sensor_latency = sensor_latency_s
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	hmm.tracker = tracker
 	hmm.task = task

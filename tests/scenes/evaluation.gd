@@ -37,6 +37,37 @@ func test_files_of_an_evaluation() -> void:
 	_check_summary(summary["groups"], rows)
 
 
+func test_the_sensors_latency_can_be_given() -> void:
+	var trials := Rig.write_trials(_path("late"))
+	var half_way_ms: Dictionary[String, int] = {}
+	for given: String in ["", "0", "0.05"]:
+		var out := "late_out" + given
+		var options := ["--trials", _path("late"), "--out", _path(out)]
+		if not given.is_empty():
+			options.append_array(["--sensor-latency", given])
+		check_equal(ToolRun.new("evaluate", options).exit_code, 0, "--sensor-latency '%s'" % given)
+		var summary: Dictionary = JSON.parse_string("\n".join(_lines(out + "/summary.json")))
+		var wanted := 0.007 if given.is_empty() else given.to_float()
+		check_equal(summary["settings"]["sensor_latency_s"], wanted, "it is in summary.json")
+		var curves := _lines("%s/%s.curves.csv" % [out, trials.get_trial(0)["trial"]])
+		var row := 1
+		while curves[row].get_slice(",", 6).to_float() < 0.5:
+			row += 1
+		half_way_ms[given] = row
+	var earlier_ms := half_way_ms["0"] - half_way_ms["0.05"]
+	check(absi(earlier_ms - 50) < 10, "the motion is earlier by %d ms" % earlier_ms)
+	check(half_way_ms[""] < half_way_ms["0"], "and by some where nothing is given")
+	for wrong: String in ["soon", "-0.001", "0.201", "nan", "1e999", ""]:
+		var options := ["--trials", _path("late"), "--out", _path("wrong_out")]
+		var run := ToolRun.new("evaluate", options + ["--sensor-latency", wrong])
+		var text := (
+			"--sensor-latency is '%s'; it must be a number of seconds from 0.0 to 0.2" % wrong
+		)
+		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
+		check_equal(run.not_said([text]), "", "it is said")
+		check(not DirAccess.dir_exists_absolute(_path("wrong_out")), "and nothing is written")
+
+
 func test_a_broken_track_does_not_lose_the_others() -> void:
 	# expects error: measured.csv:4
 	var trials := Rig.write_trials(_path("broken"), 2)
