@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -285,9 +286,13 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 	try {
 		return model_from_json(Json::parse(text));
 	} catch (const Json::parse_error &fault) {
-		return Error{ source + ": byte " + std::to_string(fault.byte) + ": not valid JSON" };
+		const std::string_view before = text.substr(0, fault.byte > 0 ? fault.byte - 1 : 0);
+		const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+		return Error{ source + ":" + std::to_string(line) + ": not valid JSON" };
 	} catch (const Json::exception &fault) {
-		return Error{ source + ": " + fault.what() };
+		// The library's own label before it, as [json.exception.out_of_range.406], says nothing to a user.
+		const std::string_view what = fault.what();
+		return Error{ source + ": " + std::string(what.substr(what.find("] ") + 2)) };
 	} catch (const Fault &fault) {
 		return Error{ source + ": " + fault.what() };
 	}
