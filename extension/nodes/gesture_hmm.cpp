@@ -2,6 +2,7 @@
 
 #include "motion/gesture_recogniser.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
@@ -19,6 +20,18 @@ constexpr double LONGEST_GAP_S = 10.0;
 constexpr int LEAPS_TOLD = 3;
 
 } // namespace
+
+void GestureHMM::_notification(int p_what) {
+	if (p_what == NOTIFICATION_READY) {
+		// A script above that sets the tracker when it is ready is so after this node.
+		set_process_internal(!Engine::get_singleton()->is_editor_hint());
+	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
+		set_process_internal(false);
+		if (tracker_ == nullptr) {
+			WARN_PRINT("GestureHMM: nothing is recognised until its \"tracker\" is set");
+		}
+	}
+}
 
 void GestureHMM::reset() {
 	outdated_ = true;

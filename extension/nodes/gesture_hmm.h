@@ -94,6 +94,7 @@ public:
 
 protected:
 	static void _bind_methods();
+	void _notification(int p_what);
 
 private:
 	struct SignalNames {
@@ -152,6 +153,8 @@ private:
 	std::vector<Expected> find_expected() const;
 	void build_recogniser();
 	void warn_of_silence();
+	/// How to mend a place at which no model's motion can be measured; empty where it can.
+	String place_fault(const GestureTask &p_task) const;
 	void run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.

@@ -119,6 +119,8 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
 			warnings.push_back(String("Add the model of the gesture '") + String(task->get_gesture()) +
 					String("' to \"models\", or set the task's \"gesture\" to one that is there."));
+		} else if (const String fault = place_fault(*task); fault != String()) {
+			warnings.push_back(fault);
 		}
 	}
 	if (has_empty) {

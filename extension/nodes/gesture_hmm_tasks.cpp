@@ -102,6 +102,9 @@ void GestureHMM::warn_of_silence() {
 		}
 	}
 	const std::size_t usable = find_usable().size();
+	if (usable == 0 && warning == String()) {
+		warning = "GestureHMM: nothing will be recognised, since none of its models holds a gesture";
+	}
 	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
 		const GestureTask *const task = task_at(i);
 		if (task == nullptr) {
@@ -117,12 +120,34 @@ void GestureHMM::warn_of_silence() {
 							 "of the "
 							 "gesture '") +
 					String(task->get_gesture()) + String("'");
+		} else if (const String fault = place_fault(*task); fault != String()) {
+			warning = String("GestureHMM: ") + fault;
 		}
 	}
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(warning);
 	}
 	warned_ = std::move(warning);
+}
+
+String GestureHMM::place_fault(const GestureTask &p_task) const {
+	for (const Expected &one : find_usable()) {
+		if (p_task.get_gesture() != one.gesture &&
+				(p_task.get_gesture() != StringName() || models_.size() > 1)) {
+			continue;
+		}
+		const steadyhand::Task place = core_task(p_task, *one.model);
+		if (steadyhand::find_feature(one.model->feature)->is_radius) {
+			if (place.start_m.x() <= 0.0) {
+				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
+						String("' to the radius at its start; it is 0.");
+			}
+		} else if (place.axis.isZero()) {
+			return String("Set \"direction\" of the task of '") + String(one.gesture) +
+					String("' to the way the hand moves; it is zero.");
+		}
+	}
+	return String();
 }
 
 bool GestureHMM::has_model_of(const StringName &p_gesture) const {

@@ -238,6 +238,14 @@ void HapticSynth::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
 		listen_to_joypads(false);
 		drop_pulses();
+	} else if (p_what == NOTIFICATION_READY) {
+		// As GestureHMM does of its tracker.
+		set_process_internal(!Engine::get_singleton()->is_editor_hint());
+	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
+		set_process_internal(false);
+		if (gesture_hmm_ == nullptr) {
+			WARN_PRINT("HapticSynth: nothing is felt until its \"gesture_hmm\" is set");
+		}
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);
 	}

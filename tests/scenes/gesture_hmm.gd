@@ -178,6 +178,41 @@ func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> v
 	check(absi(earlier_ms - LATENCY_MS) < 10, "earlier by %d ms" % earlier_ms)
 
 
+func test_what_keeps_it_from_recognising_is_said() -> void:
+	# expects warning: since it has no models
+	# expects warning: since none of its models holds a gesture
+	# expects warning: none of its models is of the gesture 'tap'
+	# expects warning: Set "direction" of the task of 'horizontal_drag'
+	# expects warning: Set "start_radius" of the task of 'zoom'
+	# expects warning: GestureHMM: nothing is recognised until its "tracker" is set
+	# expects warning: HapticSynth: nothing is felt until its "gesture_hmm" is set
+	var rig := _make_rig(STABLE)
+	var hmm := rig.gesture_hmm
+	var own := hmm.models
+	rig.tracker.start()
+	hmm.models = []
+	rig.tracker.advance(0.01)
+	hmm.models = [GestureModel.new()]
+	rig.tracker.advance(0.01)
+	hmm.models = own
+	rig.task.gesture = &"tap"
+	rig.tracker.advance(0.01)
+	rig.task.gesture = &"horizontal_drag"
+	rig.task.direction = Vector3.ZERO
+	rig.tracker.advance(0.01)
+	hmm.models = [load(Rig.MODEL % "zoom")]
+	rig.task.gesture = &""
+	rig.tracker.advance(0.01)
+	rig.free_nodes()
+	var nodes: Array[Node] = [GestureHMM.new(), HapticSynth.new()]
+	for node in nodes:
+		root.add_child(node)
+	for frame in 2:
+		await process_frame
+	for node in nodes:
+		node.free()
+
+
 func test_reset_forgets() -> void:
 	var rig := _make_rig(0)
 	rig.record(0, 2400)

@@ -2,7 +2,7 @@
 
 A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
 Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
-it provokes it.
+it provokes it. `# expects warning: TEXT` says the same of a warning, which fails nothing where it is not announced.
 """
 
 import os
@@ -18,6 +18,8 @@ KILL_S = 60
 END = re.compile(r"^END (\d+) passed, (\d+) failed$")
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR): (.*)|.*(Parse Error.*)")
 EXPECTED = re.compile(r"^\s*#+ expects error: (.+)$", re.MULTILINE)
+WARNING = re.compile(r"^\s*WARNING: (.*)$", re.MULTILINE)
+EXPECTED_WARNING = re.compile(r"^\s*#+ expects warning: (.+)$", re.MULTILINE)
 
 
 def outcomes() -> Iterator[Outcome]:
@@ -40,6 +42,10 @@ def run_script(godot: str, script: Path) -> Outcome:
     ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
     passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
     faults = unexpected(output, EXPECTED.findall(script.read_text()))
+    warnings = WARNING.findall(output)
+    for text in EXPECTED_WARNING.findall(script.read_text()):
+        if not any(text in said for said in warnings):
+            faults.append(f"expected warning did not come: {text}")
     if len(ends) != 1:
         faults.append(f"{len(ends)} END lines")
     elif passed + failed == 0 and "\nSKIP " in output and not faults:

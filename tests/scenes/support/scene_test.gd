@@ -2,7 +2,8 @@ extends SceneTree
 ## A test in a headless Godot of its own, through the public API alone: runs every method whose name
 ## begins with `test_`, prints a line for each check and, last, `END <n> passed, <m> failed`. A
 ## check that needs data which is not there says SKIP. Errors of the engine that a test provokes are
-## announced to the runner by a comment of that test's: `# expects error: TEXT`.
+## announced to the runner by a comment of that test's: `# expects error: TEXT`; warnings that must
+## come: `# expects warning: TEXT`.
 
 const AUDIO_RELEASE_S := 0.1
 
