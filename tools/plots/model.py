@@ -56,7 +56,7 @@ def draw_reference(axes: Axes, model: dict) -> None:
             axes.axvline(begin, color="black", lw=0.8, ls=":", zorder=2)
         duration = f"{1000 * element['duration_mean_s']:.0f}±{1000 * element['duration_deviation_s']:.0f} ms"
         axes.text(
-            (begin + end) / 2, 1.12, f"state {number + 1}\n{duration}", color=colour, ha="center", va="center", size=9
+            (begin + end) / 2, 1.12, f"state {number}\n{duration}", color=colour, ha="center", va="center", size=9
         )
     axes.plot([], [], color="black", lw=3, label="polynomial of each state")
 
