@@ -111,7 +111,9 @@ TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
 TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(format_model(test::trained_drag_model()) == format_model(test::trained_drag_model()));
 	const std::vector<TrainingRecording> drags = test::drag_recordings();
-	CHECK(train("drag", "toe_angle", drags, {}).error() == "drag: there is no feature 'toe_angle'");
+	CHECK(train("drag", "toe_angle", drags, {}).error() ==
+			"drag: there is no feature 'toe_angle', there are: index_along_axis tips_circumradius "
+			"index_along_circle");
 	CHECK(train("drag", "index_along_axis", {}, {}).error() ==
 			"drag: the feature 'index_along_axis' moves in none of the 0 recordings");
 	TrainingOptions options;

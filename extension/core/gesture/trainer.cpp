@@ -96,7 +96,11 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	}
 	const Feature *feature = find_feature(feature_name);
 	if (feature == nullptr) {
-		return Error{ gesture + ": there is no feature '" + feature_name + "'" };
+		std::string message = gesture + ": there is no feature '" + feature_name + "', there are:";
+		for (const Feature &known : features()) {
+			message += ' ' + std::string(known.name);
+		}
+		return Error{ std::move(message) };
 	}
 	bool is_stopped = false;
 	const auto go_on = [&](double done) {
