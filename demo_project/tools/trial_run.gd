@@ -11,6 +11,8 @@ const REFERENCE := "reference"
 const NO_GESTURE := "none"
 ## Stamps are decimal text: what is this near to a whole millisecond (in ms) is one.
 const ROUNDING_MS := 1e-6
+## What a damaged stamp asks for is more than there is memory.
+const LONGEST_RECORD_S := 6.0 * 3600.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
@@ -108,6 +110,12 @@ func _span(reference_path: String) -> bool:
 	var begin_ms := RATE_HZ * reference.get_start_time()
 	var end_ms := begin_ms + RATE_HZ * reference.get_duration()
 	reference.free()
+	if end_ms - begin_ms > RATE_HZ * LONGEST_RECORD_S:
+		error = (
+			"its reference lasts %.0f s; at most %.0f s can be judged: %s"
+			% [(end_ms - begin_ms) / RATE_HZ, LONGEST_RECORD_S, reference_path]
+		)
+		return false
 	first_ms = ceili(begin_ms - ROUNDING_MS)
 	count = maxi(floori(end_ms + ROUNDING_MS) - first_ms + 1, 0)
 	if _trial["gesture"] == NO_GESTURE:

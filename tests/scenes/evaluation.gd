@@ -122,6 +122,19 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		check_near(r2, own[0].get_slice(",", 5).to_float(), 1e-6, "its R2 is the mean")
 
 
+func test_a_record_of_years_is_left_out() -> void:
+	var trials := Rig.write_trials(_path("years"))
+	var path := trials.get_reference_path(0)
+	var lines := FileAccess.get_file_as_string(path).split("\n", false)
+	lines[-1] = lines[-1].replace(lines[-1].get_slice(",", 0) + ",", "1e9,")
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
+	var run := ToolRun.new("evaluate", ["--trials", _path("years"), "--out", _path("years_out")])
+	check_equal(run.exit_code, 1, "exit code")
+	_check_left_out(run, trials.get_trial(0)["trial"], ["its reference lasts 10000", path])
+	check(not run.said.contains("ERROR"), "nothing else is said of it")
+	check_equal(_lines("years_out/results.csv").size(), trials.get_count(), "the others are there")
+
+
 func test_a_set_without_trials() -> void:
 	Rig.write_trials(_path("none"))
 	var header := _lines("none/trials.csv")[0]
