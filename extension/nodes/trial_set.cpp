@@ -10,17 +10,30 @@
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace godot {
 
 namespace {
 
+constexpr std::array SYNTHETIC_OPTIONS = { "population", "subjects", "trials_per_subject", "gestures",
+	"paces", "duration", "earlier_rounds" };
+
 /// Error names the option and its value.
 steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionary &p_options) {
 	using steadyhand::Population;
 	steadyhand::SyntheticSetOptions options;
+	const Array given = p_options.keys();
+	for (int64_t i = 0; i < given.size(); ++i) {
+		const std::string key = to_core(String(given[i]));
+		if (std::find(SYNTHETIC_OPTIONS.begin(), SYNTHETIC_OPTIONS.end(), key) == SYNTHETIC_OPTIONS.end()) {
+			return steadyhand::Error{ "there is no option '" + key + "'" };
+		}
+	}
 	const String population = p_options.get("population", "train");
 	std::optional<Population> known;
 	for (const Population candidate : { Population::TRAIN, Population::TUNE, Population::EVALUATE }) {
@@ -42,6 +55,9 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 		*count = static_cast<std::uint32_t>(asked);
 	}
 	options.duration_s = p_options.get("duration", 0.0);
+	if (!(options.duration_s >= 0.0)) {
+		return steadyhand::Error{ "duration: " + std::to_string(options.duration_s) + " s is not 0 or more" };
+	}
 	const int64_t earlier_rounds = p_options.get("earlier_rounds", 0);
 	if (earlier_rounds < 0 || earlier_rounds > 100) {
 		return steadyhand::Error{ "earlier_rounds: " + std::to_string(earlier_rounds) + " is not in 0..100" };

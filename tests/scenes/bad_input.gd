@@ -62,6 +62,16 @@ func test_missing_trial_set() -> void:
 	check(TrialSet.load_folder(_path("no_set")) == null, "a folder that is not there gives null")
 
 
+func test_a_synthetic_set_by_options_that_are_none() -> void:
+	# expects error: there is no option 'subject'
+	# expects error: duration: -1.000000 s is not 0 or more
+	# expects error: paces: 100.000000 is not in 0.1..10
+	for options: Dictionary in [{subject = 1}, {duration = -1.0}, {paces = [1.0, 100.0]}]:
+		var refused := TrialSet.write_synthetic(_path("no_set_made"), options)
+		check_equal(refused, ERR_INVALID_PARAMETER, "%s is refused" % options)
+	check(not DirAccess.dir_exists_absolute(_path("no_set_made")), "and nothing is written")
+
+
 func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
 	var tracker := _make_tracker()
