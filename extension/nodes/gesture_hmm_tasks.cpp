@@ -131,9 +131,12 @@ void GestureHMM::warn_of_silence() {
 }
 
 String GestureHMM::place_fault(const GestureTask &p_task) const {
-	for (const Expected &one : find_usable()) {
-		if (p_task.get_gesture() != one.gesture &&
-				(p_task.get_gesture() != StringName() || models_.size() > 1)) {
+	const std::vector<Expected> usable = find_usable();
+	for (const Expected &one : usable) {
+		// As find_expected() uses the place.
+		const bool is_for_it = p_task.get_gesture() == StringName() ? usable.size() == 1
+																	: p_task.get_gesture() == one.gesture;
+		if (!is_for_it) {
 			continue;
 		}
 		const steadyhand::Task place = core_task(p_task, *one.model);
