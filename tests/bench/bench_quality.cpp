@@ -3,16 +3,14 @@
 // outputs, with the time that a frame takes and how near the motion comes to the reference. bench_quality
 // [MODELS [TRIALS]], by default the folder models, and synthetic people of the tuning population.
 
-#include "gesture/motion_element.h"
 #include "metrics/recognition.h"
 #include "metrics/summary.h"
 #include "models.h"
 #include "motion/gesture_recogniser.h"
 #include "quality_settings.h"
-#include "simulation/synthetic_trial.h"
 #include "timing.h"
-#include "tracking/track_csv.h"
 #include "trained_models.h"
+#include "trials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +25,6 @@ using namespace steadyhand;
 using namespace steadyhand::bench;
 
 constexpr int ROUNDS = 21;
-constexpr std::uint32_t SUBJECTS = 8;
-constexpr std::uint32_t REPETITIONS = 2;
 
 struct Accuracy {
 	double r2_stable, r2_unstable; ///< means of R2 at no lag
@@ -36,73 +32,6 @@ struct Accuracy {
 	double missed, recognised;     ///< shares
 	double alarms_per_minute;
 };
-
-std::vector<SyntheticTrial> make_trials() {
-	SyntheticSetOptions options;
-	options.population = Population::TUNE;
-	options.subjects = SUBJECTS;
-	options.repetitions = REPETITIONS;
-	std::vector<SyntheticTrial> trials;
-	for (const SyntheticTrialRequest &request : plan_synthetic_set(options)) {
-		trials.push_back(make_synthetic_trial(request).value());
-	}
-	return trials;
-}
-
-/// Of a folder; none, and the reason on stderr, where it cannot be read.
-std::vector<SyntheticTrial> read_trials(const std::string &folder) {
-	std::vector<SyntheticTrial> trials;
-	const std::string path = folder + "/trials.csv";
-	const Result<std::vector<Trial>> rows = parse_trials_csv(read_text(path), path);
-	if (!rows) {
-		std::fprintf(stderr, "%s\n", rows.error().c_str());
-		return {};
-	}
-	for (const Trial &row : rows.value()) {
-		SyntheticTrial &trial = trials.emplace_back(row, Track{}, Track{});
-		for (const auto &[track, ending] : { std::pair{ &trial.measured, ".measured.csv" },
-					 std::pair{ &trial.reference, ".reference.csv" } }) {
-			const std::string file = folder + "/" + row.trial + ending;
-			Result<Track> parsed = parse_track_csv(read_text(file), file);
-			if (!parsed) {
-				std::fprintf(stderr, "%s\n", parsed.error().c_str());
-				return {};
-			}
-			*track = std::move(parsed.value());
-		}
-	}
-	return trials;
-}
-
-/// In amplitudes, at 1 kHz from 0 on.
-std::vector<double> reference_curve(
-		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
-	MotionElement element(*find_feature(model.feature));
-	std::vector<double> t_s, x;
-	for (const HandFrame &frame : trial.reference.frames) {
-		if (const std::optional<double> x_m = element.measure(frame, task_of(trial))) {
-			t_s.push_back(frame.t_s);
-			x.push_back(*x_m / trial.trial.amplitude_m);
-		}
-	}
-	std::vector<double> curve(length);
-	resample_linear(t_s, x, {}, curve);
-	return curve;
-}
-
-/// Calls output(seconds) at each instant of the outputs, frames up to it pushed before.
-template <class Output>
-void replay(
-		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
-	std::size_t next = 0;
-	for (const HandFrame &frame : trial.measured.frames) {
-		for (double t_s = 0.0; (t_s = static_cast<double>(next) / outputs_per_s) < frame.t_s; ++next) {
-			r_recogniser.advance(t_s);
-			output(t_s);
-		}
-		r_recogniser.push(frame);
-	}
-}
 
 class Study {
 public:
@@ -171,21 +100,12 @@ private:
 		return models_.at({ setting.states, setting.symbols });
 	}
 
-	/// With its task, held from output to output.
+	/// With its task.
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
-		const GestureModel &model = *models_of(setting)[gesture];
 		GestureRecogniser recogniser({ models_of(setting)[gesture] }, task_of(trial), setting.mode,
 				setting.effort, 0.0, setting.decoding);
-		std::vector<double> t_s, x;
-		replay(trial, recogniser, setting.outputs_per_s, [&](double now_s) {
-			t_s.push_back(now_s);
-			x.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
-		});
-		std::vector<double> held(static_cast<std::size_t>(trial.measured.frames.back().t_s * 1000.0));
-		resample_hold(t_s, x, 0.0, {}, held);
-		return compare_curves(reference_curve(trial, model, held.size()), held, {},
-				{ trial.trial.start_s, trial.trial.end_s });
+		return compare_replay(trial, *models_of(setting)[gesture], recogniser, setting.outputs_per_s);
 	}
 
 	/// Gestures that came to their end, all models active and nothing given.
@@ -215,7 +135,7 @@ int main(int count, char **arguments) {
 	if (models.empty()) {
 		return 1;
 	}
-	std::vector<SyntheticTrial> trials = count > 2 ? read_trials(arguments[2]) : make_trials();
+	std::vector<SyntheticTrial> trials = count > 2 ? read_trials(arguments[2]) : tuning_trials(8, 2, { 1.0 });
 	if (trials.empty()) {
 		return 1;
 	}

@@ -20,6 +20,7 @@ def outcomes() -> Iterator[Outcome]:
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
     yield one_version()
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
+    yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
     yield check("gdformat", [VENV / "gdformat", "--check", *gd])
     yield check("gdlint", [VENV / "gdlint", *gd])

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "gesture/motion_element.h"
+#include "metrics/curve_comparison.h"
+#include "models.h"
+#include "motion/gesture_recogniser.h"
+#include "signal/resample.h"
+#include "simulation/synthetic_trial.h"
+#include "tracking/track_csv.h"
+#include "trained_models.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace steadyhand::bench {
+
+/// Synthetic people of the tuning population, each at each of the paces.
+inline std::vector<SyntheticTrial> tuning_trials(
+		std::uint32_t subjects, std::uint32_t repetitions, const std::vector<double> &paces) {
+	SyntheticSetOptions options;
+	options.population = Population::TUNE;
+	options.subjects = subjects;
+	options.repetitions = repetitions;
+	options.paces = paces;
+	std::vector<SyntheticTrial> trials;
+	for (const SyntheticTrialRequest &request : plan_synthetic_set(options)) {
+		trials.push_back(make_synthetic_trial(request).value());
+	}
+	return trials;
+}
+
+/// Of a folder; none, and the reason on stderr, where it cannot be read.
+inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
+	std::vector<SyntheticTrial> trials;
+	const std::string path = folder + "/trials.csv";
+	const Result<std::vector<Trial>> rows = parse_trials_csv(read_text(path), path);
+	if (!rows) {
+		std::fprintf(stderr, "%s\n", rows.error().c_str());
+		return {};
+	}
+	for (const Trial &row : rows.value()) {
+		SyntheticTrial &trial = trials.emplace_back(row, Track{}, Track{});
+		for (const auto &[track, ending] : { std::pair{ &trial.measured, ".measured.csv" },
+					 std::pair{ &trial.reference, ".reference.csv" } }) {
+			const std::string file = folder + "/" + row.trial + ending;
+			Result<Track> parsed = parse_track_csv(read_text(file), file);
+			if (!parsed) {
+				std::fprintf(stderr, "%s\n", parsed.error().c_str());
+				return {};
+			}
+			*track = std::move(parsed.value());
+		}
+	}
+	return trials;
+}
+
+/// In amplitudes, at 1 kHz from 0 on.
+inline std::vector<double> reference_curve(
+		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
+	MotionElement element(*find_feature(model.feature));
+	std::vector<double> t_s, x;
+	for (const HandFrame &frame : trial.reference.frames) {
+		if (const std::optional<double> x_m = element.measure(frame, task_of(trial))) {
+			t_s.push_back(frame.t_s);
+			x.push_back(*x_m / trial.trial.amplitude_m);
+		}
+	}
+	std::vector<double> curve(length);
+	resample_linear(t_s, x, {}, curve);
+	return curve;
+}
+
+/// Calls output(seconds) at each instant of the outputs, frames up to it pushed before.
+template <class Output>
+void replay(
+		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
+	std::size_t next = 0;
+	for (const HandFrame &frame : trial.measured.frames) {
+		for (double t_s = 0.0; (t_s = static_cast<double>(next) / outputs_per_s) < frame.t_s; ++next) {
+			r_recogniser.advance(t_s);
+			output(t_s);
+		}
+		r_recogniser.push(frame);
+	}
+}
+
+/// The synthesised motion, held from output to output, against the reference.
+inline CurveComparison compare_replay(const SyntheticTrial &trial, const GestureModel &model,
+		GestureRecogniser &r_recogniser, double outputs_per_s) {
+	std::vector<double> t_s, x;
+	replay(trial, r_recogniser, outputs_per_s, [&](double now_s) {
+		t_s.push_back(now_s);
+		x.push_back(r_recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
+	});
+	std::vector<double> held(static_cast<std::size_t>(trial.measured.frames.back().t_s * 1000.0));
+	resample_hold(t_s, x, 0.0, {}, held);
+	return compare_curves(
+			reference_curve(trial, model, held.size()), held, {}, { trial.trial.start_s, trial.trial.end_s });
+}
+
+} // namespace steadyhand::bench
