@@ -154,8 +154,8 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 			recogniser_->motion(static_cast<steadyhand::MotionSource>(motion_), p_time_s);
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
-		motion.acceleration_m_s2 * per_amplitude, amplitude_m(), shown_.gesture >= 0 ? gestures_begun_ : 0,
-		shown_.arrived && motion_ == MOTION_SYNTHESISED };
+		motion.acceleration_m_s2 * per_amplitude, motion.correction_m_s2 * per_amplitude, amplitude_m(),
+		shown_.gesture >= 0 ? gestures_begun_ : 0, shown_.arrived && motion_ == MOTION_SYNTHESISED };
 }
 
 /// While no gesture is under way, of the first one's motion, which is shown.
@@ -187,7 +187,8 @@ double GestureHMM::get_velocity() const {
 }
 
 double GestureHMM::get_acceleration() const {
-	return current(motion_).acceleration_m_s2;
+	const steadyhand::Motion now = current(motion_);
+	return now.acceleration_m_s2 - now.correction_m_s2;
 }
 
 double GestureHMM::get_progress() const {

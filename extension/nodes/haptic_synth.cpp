@@ -24,7 +24,10 @@ constexpr double AHEAD_PERIOD_S = 0.01;
 constexpr int MOST_BUFFER_FRAMES = 1 << 20;
 
 steadyhand::MotionSnapshot::Knot knot_of(const MotionInstant &p_motion) {
-	return { p_motion.position, p_motion.velocity, p_motion.acceleration, false };
+	return { .position = p_motion.position,
+		.velocity = p_motion.velocity,
+		.acceleration = p_motion.acceleration,
+		.correction = p_motion.correction };
 }
 
 } // namespace
@@ -73,8 +76,8 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	arrivals_.push(p_motion.time_s, knot, p_motion.gesture, p_motion.amplitude_m, p_motion.has_ended);
 	knot.moving = arrivals_.is_moving();
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
-			{ knot.position, knot.velocity, knot.acceleration, 0.0 }, knot.moving, p_motion.amplitude_m,
-			arrivals_.last());
+			{ knot.position, knot.velocity, knot.acceleration, 0.0, knot.correction, 0.0 }, knot.moving,
+			p_motion.amplitude_m, arrivals_.last());
 	for_each_sink([&](HapticSink &sink) {
 		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last());
 	});

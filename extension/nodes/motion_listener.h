@@ -11,6 +11,7 @@ struct MotionInstant {
 	double position = 0.0;
 	double velocity = 0.0;
 	double acceleration = 0.0;
+	double correction = 0.0; ///< part of the acceleration that is none of the hand's
 	double amplitude_m = 1.0;
 	uint32_t gesture = 0;   ///< number of the one under way, or held at its end: each has its own; 0: none
 	bool has_ended = false; ///< that gesture, which the motion is synthesised of

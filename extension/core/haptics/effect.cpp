@@ -12,7 +12,7 @@ constexpr double DECAYS = 8.0;
 /// The drive in units of its full scale.
 LevelPoint drive_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
 	const double sign_v = motion.velocity < 0.0 ? -1.0 : 1.0;
-	const double sign_a = motion.acceleration < 0.0 ? -1.0 : 1.0;
+	const double sign_a = motion.own_acceleration() < 0.0 ? -1.0 : 1.0;
 	const double share = 1.0 / effect.full_scale;
 	const double metric = amplitude_m * share;
 	switch (effect.drive) {
@@ -23,7 +23,7 @@ LevelPoint drive_of(const Effect &effect, const MotionPoint &motion, double ampl
 		case Drive::VELOCITY:
 			return { sign_v * motion.velocity * metric, sign_v * motion.acceleration * metric };
 		case Drive::ACCELERATION:
-			return { sign_a * motion.acceleration * metric, sign_a * motion.jerk * metric };
+			return { sign_a * motion.own_acceleration() * metric, sign_a * motion.own_jerk() * metric };
 	}
 	return { 1.0, 0.0 };
 }
@@ -74,9 +74,9 @@ double Effect::length_s() const {
 LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
 	if (effect.shape == Shape::INERTIAL_VISCOUS) {
 		const double inertia = effect.gain * effect.inertia_s2_m * amplitude_m;
-		const double sign = motion.acceleration < 0.0 ? -1.0 : 1.0;
-		return held({ effect.gain * effect.viscous + sign * inertia * motion.acceleration,
-							sign * inertia * motion.jerk },
+		const double sign = motion.own_acceleration() < 0.0 ? -1.0 : 1.0;
+		return held({ effect.gain * effect.viscous + sign * inertia * motion.own_acceleration(),
+							sign * inertia * motion.own_jerk() },
 				effect.most);
 	}
 	const LevelPoint drive = held(drive_of(effect, motion, amplitude_m), 1.0);
@@ -92,7 +92,8 @@ LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double ampl
 bool is_smooth(const Effect &effect, const MotionPoint &from, const MotionPoint &to, double from_value,
 		double to_value) {
 	const auto rests = [](const MotionPoint &motion) {
-		return motion.velocity == 0.0 && motion.acceleration == 0.0 && motion.jerk == 0.0;
+		return motion.velocity == 0.0 && motion.acceleration == 0.0 && motion.jerk == 0.0 &&
+				motion.correction == 0.0 && motion.correction_slope == 0.0;
 	};
 	const bool is_cue = effect.shape == Shape::INERTIAL_VISCOUS;
 	if ((effect.drive == Drive::CONSTANT && !is_cue) || (rests(from) && rests(to))) {
@@ -104,7 +105,7 @@ bool is_smooth(const Effect &effect, const MotionPoint &from, const MotionPoint 
 		return false;
 	}
 	if (effect.follows_acceleration()) {
-		return (from.acceleration < 0.0) == (to.acceleration < 0.0);
+		return (from.own_acceleration() < 0.0) == (to.own_acceleration() < 0.0);
 	}
 	return (effect.shape == Shape::SINE || effect.shape == Shape::DECAYING_SINE) &&
 			(effect.drive == Drive::POSITION || (from.velocity < 0.0) == (to.velocity < 0.0));

@@ -23,13 +23,14 @@ MotionPoint before(const MotionPoint &first, double dt_s) {
 	const double velocity = first.velocity + dt_s * (first.acceleration + 0.5 * dt_s * first.jerk);
 	return { first.position +
 				dt_s * (first.velocity + dt_s * (0.5 * first.acceleration + dt_s * first.jerk / 6.0)),
-		velocity, acceleration, first.jerk };
+		velocity, acceleration, first.jerk, first.correction, 0.0 };
 }
 
 MotionPoint coasting(const MotionSnapshot::Knot &last, double dt_s) {
 	const double left = std::exp(-COASTING_PER_S * dt_s);
 	return { last.position + last.velocity * (1.0 - left) / COASTING_PER_S, last.velocity * left,
-		last.acceleration * left, -COASTING_PER_S * last.acceleration * left };
+		last.acceleration * left, -COASTING_PER_S * last.acceleration * left, last.correction * left,
+		-COASTING_PER_S * last.correction * left };
 }
 
 } // namespace
@@ -49,14 +50,20 @@ MotionPoint MotionSnapshot::at(double t_s) const {
 	const double x = (t_s - time_s) / period_s;
 	const std::size_t last = count - 1;
 	if (x < 0.0 && last > 0) {
-		return before(quintic(knots[0], knots[1], period_s).at(0.0), t_s - time_s);
+		MotionPoint first = quintic(knots[0], knots[1], period_s).at(0.0);
+		first.correction = knots[0].correction;
+		return before(first, t_s - time_s);
 	}
 	if (!(x < static_cast<double>(last))) {
 		return coasting(knots[last], std::max(t_s - end_s(), 0.0));
 	}
 	const auto knot = static_cast<std::size_t>(x);
-	return quintic(knots[knot], knots[knot + 1], period_s)
-			.at(t_s - time_s - period_s * static_cast<double>(knot));
+	const Knot &from = knots[knot], &to = knots[knot + 1];
+	const double s = t_s - time_s - period_s * static_cast<double>(knot);
+	MotionPoint point = quintic(from, to, period_s).at(s);
+	point.correction_slope = (to.correction - from.correction) / period_s;
+	point.correction = from.correction + s * point.correction_slope;
+	return point;
 }
 
 void MotionCurve::set(const MotionSnapshot &snapshot) {
@@ -85,6 +92,8 @@ const MotionCurve::Piece *MotionCurve::find(double t_s) {
 			? QuinticPiece{ { from.position, from.velocity, 0.5 * from.acceleration, from.higher[0],
 					  from.higher[1], from.higher[2] } }
 			: quintic(from, snapshot_.knots[knot + 1], snapshot_.period_s);
+	piece.correction = from.correction;
+	piece.correction_slope = (snapshot_.knots[knot + 1].correction - from.correction) * knots_per_s_;
 	piece.began_s = snapshot_.time_s + snapshot_.period_s * static_cast<double>(knot);
 	piece.length_s = snapshot_.period_s;
 	piece.knot = knot;

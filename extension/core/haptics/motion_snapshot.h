@@ -27,6 +27,7 @@ struct MotionSnapshot {
 		bool moving = false; ///< a gesture is under way and has not arrived, from here to the next knot
 		/// Of the quintic to the next knot: its coefficients of s^3 to s^5, where fit() has made them.
 		std::array<double, 3> higher{};
+		double correction = 0.0; ///< as MotionPoint's; a straight line to the next knot
 	};
 	static constexpr std::size_t MOST_KNOTS = 32;
 
@@ -65,7 +66,7 @@ public:
 	/// snapshot().at(t_s), up to rounding
 	[[nodiscard]] MotionPoint at(double t_s) {
 		const Piece *const piece = piece_at(t_s);
-		return piece != nullptr ? piece->quintic.at(t_s - piece->began_s) : snapshot_.at(t_s);
+		return piece != nullptr ? piece->at(t_s) : snapshot_.at(t_s);
 	}
 
 	/// snapshot().is_moving(t_s)
@@ -89,12 +90,19 @@ private:
 
 	struct Piece {
 		QuinticPiece quintic;
+		double correction = 0.0, correction_slope = 0.0;
 		double began_s = 0.0, length_s = 0.0;
 		std::size_t knot = 0;
 		bool is_moving = false;
 
 		[[nodiscard]] bool has(double t_s) const {
 			return t_s - began_s >= -GRAIN_S && t_s - began_s < length_s;
+		}
+		[[nodiscard]] MotionPoint at(double t_s) const {
+			MotionPoint point = quintic.at(t_s - began_s);
+			point.correction = correction + (t_s - began_s) * correction_slope;
+			point.correction_slope = correction_slope;
+			return point;
 		}
 		[[nodiscard]] double greatest_fourth() const {
 			const double at_start = 24.0 * quintic.c[4];

@@ -6,14 +6,17 @@ namespace steadyhand {
 /// longer. So a sensor of 10 kHz costs no more than one of 250 Hz, and stamps that repeat do no harm.
 inline constexpr double LEAST_FRAME_S = 0.0035;
 
-/// The motion that drives vibration, at one instant. Derivatives are those of the motion elements, not of
-/// noisy samples; they are 0 for the conditions that hold a sample (measured, average, One Euro, Kalman).
+/// The motion that drives vibration, at one instant. Derivatives are those of the curve that is put out, and
+/// come of the motion elements, not of noisy samples; they are 0 for the conditions that hold a sample
+/// (measured, average, One Euro, Kalman).
 struct Motion {
 	double value_m = 0.0; ///< 0 at the task's start, the amplitude at its end
 	double velocity_m_s = 0.0;
 	double acceleration_m_s2 = 0.0;
 	double progress =
 			0.0; ///< 0..1: phase of the synthesised motion; value / amplitude, clamped, of the others
+	/// Part of the acceleration that hides what a frame changes, and is none of the hand's.
+	double correction_m_s2 = 0.0;
 };
 
 /// How motion is synthesised: by the paper's rule, or from a continuous estimate of phase, speed and

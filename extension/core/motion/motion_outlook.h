@@ -14,8 +14,9 @@ struct PhaseEstimate {
 	double value = 0.0;
 	double velocity = 0.0;
 	double acceleration = 0.0;
-	double phase = 0.0;  ///< 0..1, expected
-	double moving = 0.0; ///< probability that the gesture has begun
+	double phase = 0.0;      ///< 0..1, expected
+	double moving = 0.0;     ///< probability that the gesture has begun
+	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
 };
 
 /// The weighted mean of what hypotheses expect of the hand, in as few numbers as give it at any time until

@@ -47,7 +47,7 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
-		blend_ = {};
+		blend_ = acceleration_blend_ = {};
 	}
 
 	/// At t_s, not before the last push.
@@ -79,8 +79,9 @@ private:
 	double seen_s_ = 0.0;           ///< the tracker was last not frozen
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
-	double missing_ = 0.0; ///< fault of the gap since then that has been counted
-	OutputBlend blend_;    ///< of what the last change of the estimate would step by
+	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
+	OutputBlend blend_;              ///< of what the last change of the estimate would step by
+	OutputBlend acceleration_blend_; ///< the same of the acceleration
 
 	void begin(double t_s, double d);
 	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }

@@ -10,6 +10,11 @@ struct MotionPoint {
 	double velocity = 0.0;
 	double acceleration = 0.0;
 	double jerk = 0.0;
+	/// Part of the acceleration that corrects the position, and is none of what moves; and its change per s.
+	double correction = 0.0, correction_slope = 0.0;
+
+	[[nodiscard]] double own_acceleration() const { return acceleration - correction; }
+	[[nodiscard]] double own_jerk() const { return jerk - correction_slope; }
 };
 
 /// Position as a polynomial of the time since the piece began, s.

@@ -1,0 +1,91 @@
+#include "haptics/effect.h"
+#include "minimum_jerk_drag.h"
+#include "motion/gesture_recogniser.h"
+#include "vibration_rig.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+/// Of the drag in closed form, m/s^2.
+double acceleration_m_s2(const test::Drag &drag, double t_s) {
+	const double s = (t_s - drag.onset_s) / drag.duration_s;
+	const double scale = drag.amplitude_m / (drag.duration_s * drag.duration_s);
+	return s <= 0.0 || s >= 1.0 ? 0.0 : scale * s * (60.0 + s * (-180.0 + 120.0 * s));
+}
+
+double own_m_s2(const Motion &motion) {
+	return motion.acceleration_m_s2 - motion.correction_m_s2;
+}
+
+} // namespace
+
+TEST_CASE("before a tracker that shakes the acceleration is the hand's, not that of what frames correct") {
+	const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
+	std::mt19937_64 random(5);
+	std::normal_distribution<double> noise(0.0, 0.0005);
+	double truth_square = 0.0, own_off_square = 0.0, curve_off_square = 0.0;
+	for (const double duration_s : { 0.6, 0.9, 1.2 }) {
+		const test::Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = 0.2 };
+		Track track = test::drag_track(drag, 110.0, 2.2);
+		GestureRecogniser hmm({ model }, Task{}, MotionMode::PHASE);
+		int ms = 0;
+		for (HandFrame &frame : track.frames) {
+			frame.set(Joint::INDEX, frame.position(Joint::INDEX) + Eigen::Vector3d(noise(random), 0.0, 0.0));
+			for (; 0.001 * ms < frame.t_s; ++ms) {
+				hmm.advance(0.001 * ms);
+				const Motion motion = hmm.motion(MotionSource::SYNTHESISED);
+				const double truth = acceleration_m_s2(drag, 0.001 * ms);
+				truth_square += truth * truth;
+				own_off_square += (own_m_s2(motion) - truth) * (own_m_s2(motion) - truth);
+				curve_off_square += (motion.acceleration_m_s2 - truth) * (motion.acceleration_m_s2 - truth);
+			}
+			hmm.advance(frame.t_s);
+			const double before = own_m_s2(hmm.motion(MotionSource::SYNTHESISED));
+			hmm.push(frame);
+			CAPTURE(frame.t_s);
+			const double after = own_m_s2(hmm.motion(MotionSource::SYNTHESISED));
+			REQUIRE((frame.t_s == 0.0 || std::abs(after - before) < 1e-9));
+		}
+	}
+	CAPTURE(std::sqrt(curve_off_square / truth_square));
+	CHECK(std::sqrt(own_off_square / truth_square) < 0.7);
+}
+
+TEST_CASE("what corrects a curve drives no effect, and is a straight line from knot to knot") {
+	const test::Movement movement{ 0.35 };
+	MotionSnapshot snapshot = movement.snapshot(0.05);
+	const auto correction = [](double t_s) { return 90.0 - 700.0 * t_s; };
+	for (std::size_t i = 0; i < snapshot.count; ++i) {
+		snapshot.knots[i].correction = correction(0.05 + 0.01 * static_cast<double>(i));
+	}
+	MotionCurve curve;
+	curve.set(snapshot);
+	Effect effect;
+	effect.drive = Drive::ACCELERATION;
+	effect.full_scale = 1000.0;
+	for (int i = 0; i < 270; ++i) {
+		const double t_s = 0.05 + 0.00037 * i;
+		const MotionPoint truth = movement.at(t_s);
+		for (const MotionPoint &made : { snapshot.at(t_s), curve.at(t_s) }) {
+			REQUIRE(std::abs(made.position - truth.position) < 1e-12);
+			REQUIRE(std::abs(made.acceleration - truth.acceleration) < 1e-7);
+			const double own = truth.acceleration - correction(t_s);
+			REQUIRE(std::abs(made.own_acceleration() - own) < 1e-7);
+			REQUIRE(level_of(effect, made, test::AMPLITUDE_M).value ==
+					doctest::Approx(test::AMPLITUDE_M * std::abs(own) / 1000.0).epsilon(1e-6));
+			const double sign = own < 0.0 ? -1.0 : 1.0;
+			REQUIRE(level_of(effect, made, test::AMPLITUDE_M).slope ==
+					doctest::Approx(sign * test::AMPLITUDE_M * (made.jerk + 700.0) / 1000.0).epsilon(1e-6));
+		}
+	}
+	for (const double t_s : { snapshot.time_s, snapshot.end_s() }) {
+		CHECK(snapshot.at(t_s + 1e-9).own_acceleration() ==
+				doctest::Approx(snapshot.at(t_s - 1e-9).own_acceleration()).epsilon(1e-5));
+	}
+}
