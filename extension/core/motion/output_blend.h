@@ -4,6 +4,7 @@
 #include "signal/critically_damped.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -24,6 +25,12 @@ public:
 	/// What is to be added at t_s.
 	[[nodiscard]] CriticallyDamped at(double t_s) const {
 		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));
+	}
+
+	/// What is left at t_s of a step that fades by itself, from no rate of change on, twice as soon.
+	[[nodiscard]] double share_left(double t_s) const {
+		const double gone = rate_per_s_ * std::max(t_s - began_s_, 0.0), fading = std::exp(-gone);
+		return (1.0 + 2.0 * gone) * fading * fading;
 	}
 
 	/// At t_s; values in metres.

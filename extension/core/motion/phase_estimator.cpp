@@ -34,10 +34,6 @@ constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as
 constexpr double ERRING_LATENCY_S = 0.037;
 constexpr double ERRING_SETTLING_S = 0.15;
 
-/// Of what a frame changes in the acceleration, which is blended by itself: the blend of the value makes one
-/// of its own, which is that of no hand.
-constexpr double ACCELERATION_BLEND_RATE_PER_S = 200.0;
-
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :
@@ -193,7 +189,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 	estimate.value += missing.value;
 	estimate.velocity += missing.velocity;
 	estimate.acceleration += missing.acceleration;
-	estimate.correction = missing.acceleration - acceleration_blend_.at(t_s).value;
+	estimate.correction = missing.acceleration - acceleration_step_ * blend_.share_left(t_s);
 	return estimate;
 }
 
@@ -203,8 +199,7 @@ PhaseEstimate PhaseEstimator::expected(double t_s) const {
 
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {
 	const PhaseEstimate now = expected(t_s);
-	acceleration_blend_.start(t_s, before.acceleration - before.correction - now.acceleration, 0.0,
-			ACCELERATION_BLEND_RATE_PER_S);
+	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
 	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
 }
 

@@ -47,7 +47,8 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
-		blend_ = acceleration_blend_ = {};
+		blend_ = {};
+		acceleration_step_ = 0.0;
 	}
 
 	/// At t_s, not before the last push.
@@ -81,7 +82,7 @@ private:
 	double next_branch_s_ = 0.0;
 	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
-	OutputBlend acceleration_blend_; ///< the same of the acceleration
+	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d);
 	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }
