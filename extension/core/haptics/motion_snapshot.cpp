@@ -60,10 +60,7 @@ MotionPoint MotionSnapshot::at(double t_s) const {
 	const auto knot = static_cast<std::size_t>(x);
 	const Knot &from = knots[knot], &to = knots[knot + 1];
 	const double s = t_s - time_s - period_s * static_cast<double>(knot);
-	MotionPoint point = quintic(from, to, period_s).at(s);
-	point.correction_slope = (to.correction - from.correction) / period_s;
-	point.correction = from.correction + s * point.correction_slope;
-	return point;
+	return OwnAcceleration::between(from, to, period_s).of(quintic(from, to, period_s).at(s), s);
 }
 
 void MotionCurve::set(const MotionSnapshot &snapshot) {
@@ -92,8 +89,7 @@ const MotionCurve::Piece *MotionCurve::find(double t_s) {
 			? QuinticPiece{ { from.position, from.velocity, 0.5 * from.acceleration, from.higher[0],
 					  from.higher[1], from.higher[2] } }
 			: quintic(from, snapshot_.knots[knot + 1], snapshot_.period_s);
-	piece.correction = from.correction;
-	piece.correction_slope = (snapshot_.knots[knot + 1].correction - from.correction) * knots_per_s_;
+	piece.own = OwnAcceleration::between(from, snapshot_.knots[knot + 1], snapshot_.period_s);
 	piece.began_s = snapshot_.time_s + snapshot_.period_s * static_cast<double>(knot);
 	piece.length_s = snapshot_.period_s;
 	piece.knot = knot;

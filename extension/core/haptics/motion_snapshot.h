@@ -18,7 +18,9 @@ struct Arrival {
 };
 
 /// The analytic motion around now, small enough to be handed over as a whole: its values and derivatives at
-/// instants a period apart, between them the quintic that has all of these at both ends.
+/// instants a period apart, between them the quintic that has all of these at both ends. Between knots of
+/// which one has a correction its own acceleration is a straight line: what corrects is over too soon for
+/// knots.
 struct MotionSnapshot {
 	struct Knot {
 		double position = 0.0;
@@ -27,7 +29,7 @@ struct MotionSnapshot {
 		bool moving = false; ///< a gesture is under way and has not arrived, from here to the next knot
 		/// Of the quintic to the next knot: its coefficients of s^3 to s^5, where fit() has made them.
 		std::array<double, 3> higher{};
-		double correction = 0.0; ///< as MotionPoint's; a straight line to the next knot
+		double correction = 0.0; ///< as MotionPoint's
 	};
 	static constexpr std::size_t MOST_KNOTS = 32;
 
@@ -54,6 +56,27 @@ struct MotionSnapshot {
 	/// The first instant at or after from_s, up to the last knot, at which the position is `level` or more;
 	/// NaN where there is none.
 	[[nodiscard]] double reaches_s(double level, double from_s) const;
+};
+
+/// Of the piece between two knots: a straight line, where one of them has a correction.
+struct OwnAcceleration {
+	double at_start = 0.0, slope = 0.0;
+	bool is_line = false;
+
+	[[nodiscard]] static OwnAcceleration between(
+			const MotionSnapshot::Knot &from, const MotionSnapshot::Knot &to, double period_s) {
+		const double at_start = from.acceleration - from.correction;
+		return { at_start, (to.acceleration - to.correction - at_start) / period_s,
+			from.correction != 0.0 || to.correction != 0.0 };
+	}
+	/// point: of the quintic, s after its start.
+	[[nodiscard]] MotionPoint of(MotionPoint point, double s) const {
+		if (is_line) {
+			point.correction = point.acceleration - (at_start + s * slope);
+			point.correction_slope = point.jerk - slope;
+		}
+		return point;
+	}
 };
 
 /// A snapshot that is asked for one instant after the other: the quintics of the last two pieces are kept.
@@ -90,7 +113,7 @@ private:
 
 	struct Piece {
 		QuinticPiece quintic;
-		double correction = 0.0, correction_slope = 0.0;
+		OwnAcceleration own;
 		double began_s = 0.0, length_s = 0.0;
 		std::size_t knot = 0;
 		bool is_moving = false;
@@ -99,10 +122,7 @@ private:
 			return t_s - began_s >= -GRAIN_S && t_s - began_s < length_s;
 		}
 		[[nodiscard]] MotionPoint at(double t_s) const {
-			MotionPoint point = quintic.at(t_s - began_s);
-			point.correction = correction + (t_s - began_s) * correction_slope;
-			point.correction_slope = correction_slope;
-			return point;
+			return own.of(quintic.at(t_s - began_s), t_s - began_s);
 		}
 		[[nodiscard]] double greatest_fourth() const {
 			const double at_start = 24.0 * quintic.c[4];

@@ -202,7 +202,7 @@ bool Vibration::is_cubic(double from_s) {
 	if (by_velocity_s_m_ > 0.0) {
 		remainder += by_velocity_s_m_ * stretch_.amplitude_m * motion_.velocity_from_cubic(from_s, to_s);
 	}
-	// The acceleration of a quintic is a cubic, and what corrects it a line.
+	// The acceleration of a quintic is a cubic, or its own a line.
 	const bool needs_one_piece = acceleration_follows_ || active_ > 0;
 	return std::isfinite(position) && remainder <= MOST_REMAINDER &&
 			(!needs_one_piece || motion_.smooth_s(from_s) >= to_s - from_s);
