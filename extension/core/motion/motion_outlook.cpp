@@ -47,12 +47,13 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 	LaneVector expected_phase{}, phase_rate{};
 	for (std::size_t g = 0; g * LANES < count_; ++g) {
 		const Courses &courses = courses_[g];
-		LaneVector rate = load(courses.rate_per_s);
+		LaneVector rate = load(courses.rate_per_s), rate_change{};
 		LaneVector phase = (filtered_s_ + dt_s - load(courses.onset_s)) * rate;
 		const LaneVector waits_from = load(courses.waits_from), over = phase - waits_from;
 		if (any(over > 0.0)) {
 			const LaneVector slowed = exponential(over > 0.0 ? over / -WAITING_LENGTH : LaneVector{});
 			phase = over > 0.0 ? waits_from + WAITING_LENGTH * (1.0 - slowed) : phase;
+			rate_change = over > 0.0 ? rate * rate * slowed / -WAITING_LENGTH : LaneVector{};
 			rate *= slowed;
 		}
 		const LaneCurvePoint point = curve.at(phase);
@@ -61,8 +62,10 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 		const LaneVector elements = load(courses.elements), smooth = load(courses.smooth);
 		const LaneVector weight = load(courses.weight);
 		value += elements * point.value + smooth * jerk.value;
-		velocity += rate * (elements * point.slope + smooth * jerk.first);
-		acceleration += rate * rate * (elements * point.curvature + smooth * jerk.second);
+		const LaneVector slope = elements * point.slope + smooth * jerk.first;
+		velocity += rate * slope;
+		acceleration +=
+				rate * rate * (elements * point.curvature + smooth * jerk.second) + rate_change * slope;
 		expected_phase += weight * s;
 		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
 	}
