@@ -1,14 +1,42 @@
 #include "hmm/baum_welch.h"
 #include "hmm/forward.h"
+#include "hmm_all_paths.h"
 #include "hmm_random.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 using namespace steadyhand;
 
 namespace {
+
+constexpr double NEVER = -std::numeric_limits<double>::infinity();
+
+/// Adds how often each transition and symbol is to be expected in the sequence, path by path. Returns the
+/// log likelihood.
+double add_all_paths(const DiscreteHmm &hmm, const SymbolSequence &symbols, Eigen::MatrixXd &r_transitions,
+		Eigen::MatrixXd &r_symbols) {
+	const double likelihood = test::enumerate(hmm, symbols).ending_in.sum();
+	std::vector<int> path(symbols.size(), 0);
+	for (std::size_t digit = 0; digit < path.size();) {
+		const double share = std::exp(test::path_log_probability(hmm, path, symbols)) / likelihood;
+		for (std::size_t t = 0; t < path.size(); ++t) {
+			if (t > 0) {
+				r_transitions(path[t - 1], path[t]) += share;
+			}
+			if (symbols[t] != UNSEEN) {
+				r_symbols(path[t], symbols[t]) += share;
+			}
+		}
+		for (digit = 0; digit < path.size() && ++path[digit] == hmm.states(); ++digit) {
+			path[digit] = 0;
+		}
+	}
+	return std::log(likelihood);
+}
 
 /// Draws a sequence from the model.
 SymbolSequence sample(const DiscreteHmm &hmm, std::mt19937_64 &r_random, std::size_t length) {
@@ -83,6 +111,120 @@ TEST_CASE("Baum-Welch recovers the model that made the data") {
 	CHECK(result.hmm.log_pi == truth.log_pi);
 }
 
+TEST_CASE(
+		"one step is the estimate by the counts of all paths, and the objective their likelihood and prior") {
+	std::mt19937_64 random(8);
+	for (const PseudoCounts &pseudo : { PseudoCounts{}, { .transition = 0.0, .symbol = 0.0 },
+				 { .transition = 0.7, .symbol = 0.0 }, { .transition = 0.0, .symbol = 0.3 } }) {
+		CAPTURE(pseudo.transition);
+		CAPTURE(pseudo.symbol);
+		DiscreteHmm start = test::random_hmm(random, 3, 4);
+		start.log_a.row(1) = Eigen::RowVector3d(std::log(0.25), NEVER, std::log(0.75));
+		const std::vector<SymbolSequence> sequences{ test::random_symbols(random, 6, 4), {},
+			{ 0, 2, UNSEEN, 2, 0 } };
+		Eigen::MatrixXd transitions = Eigen::MatrixXd::Zero(3, 3), symbols = Eigen::MatrixXd::Zero(3, 4);
+		double objective = 0.0;
+		for (const SymbolSequence &sequence : sequences) {
+			objective += sequence.empty() ? 0.0 : add_all_paths(start, sequence, transitions, symbols);
+		}
+		for (Eigen::Index i = 0; i < 3; ++i) {
+			for (Eigen::Index j = 0; j < 3; ++j) {
+				const bool is_allowed = i != 1 || j != 1;
+				objective += is_allowed ? pseudo.transition * start.log_a(i, j) : 0.0;
+				transitions(i, j) += is_allowed ? pseudo.transition : 0.0;
+			}
+		}
+		objective += pseudo.symbol * start.log_b.sum();
+		symbols.array() += pseudo.symbol;
+
+		BaumWelchOptions options;
+		options.max_iterations = 1;
+		options.pseudo = pseudo;
+		const BaumWelchResult result = baum_welch(start, sequences, options);
+		REQUIRE(result.objective.size() == 1);
+		CHECK(result.objective[0] == doctest::Approx(objective).epsilon(1e-12));
+		for (Eigen::Index i = 0; i < 3; ++i) {
+			const auto row = [i](const Eigen::MatrixXd &of) { return Eigen::ArrayXd(of.row(i)); };
+			const Eigen::ArrayXd a = row(transitions) / transitions.row(i).sum(),
+								 b = row(symbols) / symbols.row(i).sum();
+			CHECK((row(result.hmm.log_a).exp() - a).abs().maxCoeff() < 1e-12);
+			CHECK((row(result.hmm.log_b).exp() - b).abs().maxCoeff() < 1e-12);
+		}
+		CHECK(result.hmm.log_pi == start.log_pi);
+	}
+}
+
+TEST_CASE("a state that no path comes to keeps what it has") {
+	std::mt19937_64 random(9);
+	DiscreteHmm start = test::random_hmm(random, 3, 4);
+	start.log_pi = Eigen::Vector3d(std::log(0.5), std::log(0.5), NEVER);
+	start.log_a.topRows(2) =
+			(Eigen::MatrixXd(2, 3) << 0.5, 0.5, 0.0, 0.25, 0.75, 0.0).finished().array().log();
+	BaumWelchOptions options;
+	options.pseudo = { .transition = 0.0, .symbol = 0.0 };
+	const std::vector<SymbolSequence> sequences(3, test::random_symbols(random, 40, 4));
+	const DiscreteHmm hmm = baum_welch(start, sequences, options).hmm;
+	CHECK(hmm.log_a.row(2) == start.log_a.row(2));
+	CHECK(hmm.log_b.row(2) == start.log_b.row(2));
+	CHECK(hmm.log_b.row(0) != start.log_b.row(0));
+}
+
+TEST_CASE("training ends where it is told to, or gains no more by sequence, however many there are") {
+	std::mt19937_64 random(10);
+	const DiscreteHmm start = test::random_hmm(random, 3, 4);
+	const std::vector<SymbolSequence> once{ test::random_symbols(random, 60, 4),
+		test::random_symbols(random, 60, 4) };
+	std::vector<SymbolSequence> often;
+	for (int i = 0; i < 50; ++i) {
+		often.insert(often.end(), once.begin(), once.end());
+		often.emplace_back();
+	}
+	BaumWelchOptions options;
+	options.pseudo = { .transition = 0.0, .symbol = 0.0 };
+	options.tolerance_nats = 0.01;
+	options.max_iterations = 500;
+	const BaumWelchResult result = baum_welch(start, once, options);
+	const std::size_t n = result.objective.size();
+	REQUIRE(n > 3);
+	REQUIRE(n < 500);
+	CHECK(result.objective[n - 1] - result.objective[n - 2] < 2.0 * 0.01);
+	CHECK(result.objective[n - 2] - result.objective[n - 3] >= 2.0 * 0.01);
+	CHECK(baum_welch(start, often, options).objective.size() == n);
+
+	int asked = 0;
+	options.go_on = [&](int iterations) {
+		CHECK(iterations == asked++);
+		return iterations < 3;
+	};
+	CHECK(baum_welch(start, once, options).objective.size() == 3);
+	options.go_on = nullptr;
+	const BaumWelchResult untrained = baum_welch(start, std::vector<SymbolSequence>(2), options);
+	CHECK(untrained.objective.size() == 1);
+	CHECK(untrained.hmm.log_a == start.log_a);
+}
+
+TEST_CASE("the start for training is the counts of equal segments") {
+	// Of the symbols one is not observed, one is in no codebook.
+	const std::vector<SymbolSequence> sequences{ { 0, 0, 1, 1, 2, 2 }, {}, { 0, 3, 1, UNSEEN, 2, 2 }, { 9 } };
+	const PseudoCounts pseudo{ .transition = 0.5, .symbol = 0.25 };
+	const DiscreteHmm hmm = left_right_from_equal_segments(sequences, 3, 4, pseudo);
+	CHECK(validated(hmm).ok());
+	CHECK(hmm.log_pi == Eigen::Vector3d(0.0, NEVER, NEVER));
+	// Frames of the states: 5, 4 and 4; each but the last is left three times.
+	const Eigen::Matrix3d a =
+			(Eigen::Matrix3d() << 2.5 / 6.0, 3.5 / 6.0, 0.0, 0.0, 1.5 / 5.0, 3.5 / 5.0, 0.0, 0.0, 1.0)
+					.finished();
+	CHECK((hmm.log_a.array().exp() - a.array()).abs().maxCoeff() < 1e-12);
+	const Eigen::MatrixXd b = (Eigen::MatrixXd(3, 4) << 3.25 / 5.0, 0.25 / 5.0, 0.25 / 5.0, 1.25 / 5.0,
+			0.25 / 4.0, 3.25 / 4.0, 0.25 / 4.0, 0.25 / 4.0, 0.25 / 5.0, 0.25 / 5.0, 4.25 / 5.0, 0.25 / 5.0)
+									  .finished();
+	CHECK((hmm.log_b.array().exp() - b.array()).abs().maxCoeff() < 1e-12);
+	// Left as often as there are sequences, although none had a frame for it.
+	const std::vector<SymbolSequence> tiny{ { 0 }, { 1 } };
+	const DiscreteHmm brief = left_right_from_equal_segments(tiny, 3, 4, pseudo);
+	CHECK(std::exp(brief.log_a(1, 1)) == doctest::Approx(0.5 / 3.0));
+}
+
 TEST_CASE("what the start forbids stays forbidden, and every symbol stays possible") {
 	const std::vector<SymbolSequence> constant(3, SymbolSequence(40, 2));
 	const DiscreteHmm start = left_right_from_equal_segments(constant, 4, 16, {});
@@ -112,6 +254,14 @@ TEST_CASE("validated() names what is wrong") {
 	bad = hmm;
 	bad.log_a(2, 0) = std::nan("");
 	CHECK(validated(bad).error() == "A, row 2: the probabilities do not sum to 1");
+	bad = hmm;
+	bad.log_b(0, 3) += 1e-5;
+	CHECK_FALSE(validated(bad).ok());
+	bad.log_b(0, 3) -= 1e-5 - 1e-7;
+	CHECK(validated(bad).ok());
+	bad = hmm;
+	bad.log_a = test::random_hmm(random, 3, 4).log_b; // rows that sum to 1, one column too many
+	CHECK(validated(bad).error() == "the sizes of pi (3), A (3 x 4) and B (3 x 4) do not belong together");
 	bad = hmm;
 	bad.log_pi.conservativeResize(2);
 	CHECK(validated(bad).error() == "the sizes of pi (2), A (3 x 3) and B (3 x 4) do not belong together");

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace steadyhand;
 
@@ -106,14 +107,105 @@ TEST_CASE("every decoder tells the state that brute force over all paths tells")
 			}
 			StateDecoder filter(hmm, { StateDecoding::Rule::FILTER, 5, precision });
 			CHECK(filter.lag() == 0);
-			for (std::size_t t = 0; t < symbols.size(); ++t) {
-				filter.push(symbols[t]);
-				int expected = 0;
-				prefixes[t].ending_in.maxCoeff(&expected);
-				CHECK(filter.state() == expected);
+			for (int twice = 0; twice < 2; ++twice) {
+				filter.reset();
+				for (std::size_t t = 0; t < symbols.size(); ++t) {
+					filter.push(symbols[t]);
+					int expected = 0;
+					prefixes[t].ending_in.maxCoeff(&expected);
+					CHECK(filter.state() == expected);
+				}
 			}
 		}
 	}
+}
+
+TEST_CASE("before any symbol, and after a reset, a decoder knows the first states alone") {
+	std::mt19937_64 random(14);
+	for (int round = 0; round < 10; ++round) {
+		const DiscreteHmm hmm = test::random_hmm(random, 5, 4);
+		const SymbolSequence symbols = test::random_symbols(random, 30, 4);
+		int first = 0;
+		hmm.log_pi.maxCoeff(&first);
+		for (const StateDecoding::Precision precision : PRECISIONS) {
+			for (const StateDecoding &decoding :
+					{ StateDecoding{ StateDecoding::Rule::VITERBI, 0, precision },
+							StateDecoding{ StateDecoding::Rule::VITERBI, 4, precision },
+							StateDecoding{ StateDecoding::Rule::FILTER, 0, precision } }) {
+				StateDecoder decoder(hmm, decoding);
+				CHECK(decoder.state() == first);
+				for (const Symbol symbol : symbols) {
+					decoder.push(symbol);
+				}
+				decoder.reset();
+				CHECK(decoder.state() == first);
+			}
+		}
+		OnlineViterbi<float> used(hmm), fresh(hmm);
+		ForwardFilter<float> filter(hmm);
+		for (const Symbol symbol : symbols) {
+			used.push(symbol);
+			filter.push(symbol);
+		}
+		used.reset();
+		filter.reset();
+		CHECK(filter.log_likelihood() == 0.0);
+		used.push(symbols[0]);
+		fresh.push(symbols[0]);
+		filter.push(symbols[0]);
+		CHECK(used.log_probability() == fresh.log_probability());
+		CHECK(filter.log_likelihood() ==
+				doctest::Approx(log_likelihood(hmm, std::span(symbols).first(1))).epsilon(1e-6));
+	}
+}
+
+TEST_CASE("of states that are as likely the lowest is told") {
+	for (const int states : { 2, 4, 7 }) {
+		DiscreteHmm hmm;
+		hmm.log_pi = Eigen::VectorXd::Constant(states, -std::log(states));
+		hmm.log_a = Eigen::MatrixXd::Constant(states, states, -std::log(states));
+		hmm.log_b = Eigen::MatrixXd::Constant(states, 2, -std::log(2.0));
+		const SymbolSequence symbols{ 0, 1, 1, 0, 1, 0 };
+		CHECK(viterbi(hmm, symbols).states == std::vector<int>(symbols.size(), 0));
+		for (const StateDecoding &decoding :
+				{ StateDecoding{}, StateDecoding{ StateDecoding::Rule::VITERBI, 3 },
+						StateDecoding{ StateDecoding::Rule::FILTER } }) {
+			StateDecoder decoder(hmm, decoding);
+			for (const Symbol symbol : symbols) {
+				decoder.push(symbol);
+				CHECK(decoder.state() == 0);
+			}
+		}
+		// The last states are likelier, and have come from others that are as likely as each other.
+		hmm.log_pi(0) = NEVER;
+		hmm.log_a.rightCols(1).setConstant(std::log(0.9));
+		FixedLagViterbi<double> late(hmm, 1);
+		late.push(0);
+		late.push(1);
+		CHECK(late.state() == (states > 2 ? 1 : states - 1));
+	}
+}
+
+TEST_CASE("what is impossible has the probability 0 in either precision, and is forgotten by a reset") {
+	DiscreteHmm hmm;
+	hmm.log_pi = Eigen::Vector2d(0.0, NEVER);
+	hmm.log_a = (Eigen::Matrix2d() << 0.5, 0.5, 0.0, 1.0).finished().array().log();
+	hmm.log_b = (Eigen::Matrix2d() << 1.0, 0.0, 0.5, 0.5).finished().array().log();
+	const auto check = [](auto decoder, const auto &log_p) {
+		decoder.push(1);
+		decoder.push(0);
+		CHECK(log_p(decoder) == NEVER);
+		decoder.reset();
+		decoder.push(0);
+		decoder.push(1);
+		CHECK(log_p(decoder) == doctest::Approx(std::log(0.25)));
+	};
+	const auto viterbi = [](const auto &decoder) { return decoder.log_probability(); };
+	const auto filter = [](const auto &decoder) { return decoder.log_likelihood(); };
+	check(OnlineViterbi<double>(hmm), viterbi);
+	check(OnlineViterbi<float>(hmm), viterbi);
+	check(ForwardFilter<double>(hmm), filter);
+	check(ForwardFilter<float>(hmm), filter);
 }
 
 TEST_CASE("fixed-lag Viterbi has the states that Viterbi over the symbols so far has, its lag before the "
@@ -181,6 +273,7 @@ TEST_CASE(
 		};
 		const int expected = static_cast<int>(std::ceil((n * lost + std::log(0.01)) / gained));
 		CHECK(zeros_to_come_back(OnlineViterbi<double>(hmm)) == expected);
+		CHECK(zeros_to_come_back(StateDecoder(hmm)) == expected);
 		// One for which all ways to leave are summed: as good as that one way, after which '1' comes.
 		CHECK(zeros_to_come_back(ForwardFilter<double>(hmm)) == expected);
 		CHECK(zeros_to_come_back(ForwardFilter<float>(hmm)) == expected);
