@@ -225,6 +225,15 @@ TEST_CASE("what a hypothesis turns into keeps what is known of hand and tracker,
 		free.dense.forget_error();
 		goes_on(free);
 	}
+	SUBCASE("a hand that had turned to something else on its way, and is elsewhere") {
+		Pair turned = on_its_way(Regime::FREE, 0.05, -0.7);
+		see(turned, 0, SEEN, TRUST);
+		turned.turn(turned.hypothesis().found_elsewhere(0.5));
+		turned.dense.begin(Dense::D, turned.dense.mean[Dense::D], 0.5);
+		turned.dense.begin(Dense::DV, 0.0, hand.amplitudes * hand.rate_per_s);
+		turned.dense.forget_error();
+		goes_on(turned);
+	}
 	SUBCASE("a free hand that is elsewhere") {
 		free.turn(free.hypothesis().found_elsewhere(0.5));
 		free.dense.begin(Dense::D, free.dense.mean[Dense::D], 0.5);

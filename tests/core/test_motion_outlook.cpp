@@ -115,6 +115,7 @@ TEST_CASE("a look leaves nothing of the one before") {
 	const HypothesisBank bank = mixed();
 	HypothesisBank other;
 	other.start(GestureHypothesis::leaving(-0.3, 0.8));
+	other.add(begun(Regime::SOUND, 0.7, 1.0, -0.3));
 	for (const double ahead_s : { 0.0, 0.02 }) {
 		MotionOutlook used, fresh;
 		used.look(bank, drag_curve(), NOW_S - 0.01, 0.005, NOW_S - 0.01);
@@ -139,6 +140,7 @@ TEST_CASE(
 	const auto phase = [&](const GestureHypothesis &h) { return alone(h, much_later_s).phase; };
 	CHECK(phase(begun(Regime::SOUND, 0.6, 0.8, 0.0)) == 1.0);
 	CHECK(phase(begun(Regime::UNSOUND, 0.6, 0.8, 0.0)) == 1.0);
+	CHECK(alone(begun(Regime::SOUND, -1.0, 0.8, 0.0), NOW_S + 0.01).phase == 1.0);
 	// 6 % of its way, and no more than 5 % on.
 	CHECK(phase(begun(Regime::SOUND, NOW_S - 0.061, 1.0, 0.0)) == 1.0);
 	CHECK(phase(begun(Regime::SOUND, NOW_S - 0.059, 1.0, 0.0)) == doctest::Approx(0.109));

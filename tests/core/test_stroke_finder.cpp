@@ -118,6 +118,70 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	CHECK(integral(unrest, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
 }
 
+TEST_CASE("with the task known too: of direction, bow and start") {
+	const FeaturePlace start(0.3, -0.2, 0.1, 0.0);
+	constexpr double AMPLITUDE_M = 0.2;
+	const auto evidence_at = [&](const Stroke &stroke) {
+		return task_evidence(stroke, start, FeaturePlace::UnitX(), AMPLITUDE_M);
+	};
+	const auto stroke = [&](const Eigen::Vector3d &off_m, double angle, double bow) {
+		Stroke moved = straight(AMPLITUDE_M);
+		moved.from = start;
+		moved.from.head<3>() += off_m;
+		moved.seen_from = moved.from;
+		moved.to = moved.from + AMPLITUDE_M * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+		moved.middle = 0.5 * (moved.from + moved.to) + bow * AMPLITUDE_M * FeaturePlace::UnitZ();
+		return moved;
+	};
+	const double best = evidence_at(stroke({ 0.0, 0.0, 0.0 }, 0.0, 0.0));
+	const auto share = [&](const Stroke &of) { return std::exp(evidence_at(of) - best); };
+	// Each density by its own integral; that of the null model is the uniform one.
+	const double directions = integral(
+			[&](double angle) {
+				return share(stroke({ 0.0, 0.0, 0.0 }, angle, 0.0)) * 0.5 * std::sin(angle);
+			},
+			std::numbers::pi);
+	const double bows = integral(
+			[&](double bow) {
+				return share(stroke({ 0.0, 0.0, 0.0 }, 0.0, bow)) / 0.5;
+			},
+			0.5);
+	const double ball_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(1.5 * AMPLITUDE_M, 3.0);
+	const Eigen::Vector3d way = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
+	const double starts = integral(
+			[&](double off_m) {
+				return share(stroke(off_m * way, 0.0, 0.0)) * 4.0 * std::numbers::pi * off_m * off_m /
+						ball_m3;
+			},
+			1.5 * AMPLITUDE_M);
+	CHECK(best == doctest::Approx(-std::log(directions * bows * starts)).epsilon(1e-3));
+
+	// Where on its way the hand was longest is no bow.
+	Stroke late = stroke({ 0.01, 0.0, 0.0 }, 0.1, 0.02);
+	const double path = evidence(late).path, of_task = evidence_at(late);
+	late.middle += 0.3 * (late.to - late.from);
+	CHECK(evidence(late).path == doctest::Approx(path).epsilon(1e-12));
+	CHECK(evidence_at(late) == doctest::Approx(of_task).epsilon(1e-12));
+}
+
+TEST_CASE("a start counts as what the tracker showed or without its steps, whichever is nearer; of a radius, "
+		  "its size alone") {
+	const FeaturePlace start = FeaturePlace::Zero();
+	const auto at = [&](double from_m, double seen_from_m, const FeaturePlace &way) {
+		Stroke stroke;
+		stroke.from = FeaturePlace(0.0, from_m, 0.0, 0.0);
+		stroke.seen_from = FeaturePlace(0.0, seen_from_m, 0.0, 0.0);
+		stroke.to = stroke.from + 0.2 * way;
+		stroke.middle = 0.5 * (stroke.from + stroke.to);
+		return task_evidence(stroke, start, way, 0.2);
+	};
+	const FeaturePlace along = FeaturePlace::UnitX(), larger = FeaturePlace::UnitW();
+	CHECK(at(0.03, 0.09, along) == doctest::Approx(at(0.03, 0.03, along)).epsilon(1e-12));
+	CHECK(at(0.09, 0.03, along) == doctest::Approx(at(0.03, 0.03, along)).epsilon(1e-12));
+	CHECK(at(0.09, 0.09, along) < at(0.03, 0.03, along) - 1.0);
+	CHECK(at(0.09, 0.09, larger) == doctest::Approx(at(0.0, 0.0, larger)).epsilon(1e-12));
+}
+
 TEST_CASE("no pace speaks against a gesture by more than the share of people who have their own") {
 	for (const double mean_s : { 0.2, 0.35, 1.0, 4.0, 10.0 }) {
 		CAPTURE(mean_s);

@@ -1,0 +1,155 @@
+// The amplitude that a motion gives an effect, as a number and with its slope.
+
+#include "haptics/effect.h"
+#include "haptics/oscillator.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double AMPLITUDE_M = 0.2;
+constexpr std::array<float, 5> TABLE{ 0.1F, 0.7F, 0.4F, 1.0F, 0.2F };
+
+/// Of 0.1 amplitudes to 0.9 and back, a second each.
+MotionPoint swing(double t_s) {
+	const double w = std::acos(-1.0);
+	return { 0.5 - 0.4 * std::cos(w * t_s), 0.4 * w * std::sin(w * t_s), 0.4 * w * w * std::cos(w * t_s),
+		-0.4 * w * w * w * std::sin(w * t_s) };
+}
+
+Effect effect_of(Shape shape, Drive drive) {
+	Effect effect;
+	effect.shape = shape;
+	effect.drive = drive;
+	effect.gain = 0.8;
+	effect.full_scale = drive == Drive::POSITION ? 1.3 : drive == Drive::VELOCITY ? 0.4 : 1.1;
+	effect.table = { TABLE.data(), static_cast<std::uint32_t>(TABLE.size()) };
+	return effect;
+}
+
+} // namespace
+
+TEST_CASE("the slope of a level is its derivative, whichever way the motion goes") {
+	constexpr double STEP_S = 1e-6;
+	for (const Shape shape : { Shape::SINE, Shape::CURVE, Shape::INERTIAL_VISCOUS }) {
+		for (const Drive drive : { Drive::CONSTANT, Drive::POSITION, Drive::VELOCITY, Drive::ACCELERATION }) {
+			CAPTURE(static_cast<int>(shape));
+			CAPTURE(static_cast<int>(drive));
+			for (const double most : { 1.0, 0.3 }) {
+				Effect effect = effect_of(shape, drive);
+				effect.most = most;
+				const auto level = [&](double t_s) { return level_of(effect, swing(t_s), AMPLITUDE_M); };
+				int kinks = 0;
+				for (int i = 0; i < 199; ++i) {
+					const double t_s = 0.0101 * i + 0.0013;
+					const LevelPoint before = level(t_s - STEP_S), now = level(t_s),
+									 after = level(t_s + STEP_S);
+					CHECK(now.value >= 0.0);
+					CHECK(now.value <= most);
+					const double slope = (after.value - before.value) / (2.0 * STEP_S);
+					kinks += std::abs(now.slope - slope) > 1e-4 * std::max(1.0, std::abs(slope)) ? 1 : 0;
+				}
+				CHECK(kinks == 0);
+			}
+		}
+	}
+}
+
+TEST_CASE("the level is the drive by its full scale, over the table where it is a curve, held to the most") {
+	const MotionPoint motion{ 0.5, -1.2, 3.0, 40.0 };
+	const auto value = [&](Shape shape, Drive drive) {
+		return level_of(effect_of(shape, drive), motion, AMPLITUDE_M).value;
+	};
+	CHECK(value(Shape::SINE, Drive::CONSTANT) == doctest::Approx(0.8));
+	CHECK(value(Shape::SINE, Drive::POSITION) == doctest::Approx(0.8 * 0.5 / 1.3));
+	CHECK(value(Shape::SINE, Drive::VELOCITY) == doctest::Approx(0.8 * 0.24 / 0.4));
+	CHECK(value(Shape::SINE, Drive::ACCELERATION) == doctest::Approx(0.8 * 0.6 / 1.1));
+	// 0.24 / 0.4 of four cells: 0.4 on from the third number.
+	CHECK(value(Shape::CURVE, Drive::VELOCITY) == doctest::Approx(0.8 * (0.4 + 0.4 * 0.6)));
+	CHECK(value(Shape::CURVE, Drive::CONSTANT) == doctest::Approx(0.8 * 0.2));
+	CHECK(value(Shape::INERTIAL_VISCOUS, Drive::ACCELERATION) == doctest::Approx(0.8 * (0.5 + 0.25 * 0.6)));
+	// A drive beyond its full scale is at it; of slope 0, like one that is no number.
+	const double infinity = std::numeric_limits<double>::infinity();
+	for (const MotionPoint &fast : { MotionPoint{ 0.0, 9.0, 1.0 }, MotionPoint{ 0.0, -9.0, 1.0 } }) {
+		const LevelPoint held = level_of(effect_of(Shape::SINE, Drive::VELOCITY), fast, AMPLITUDE_M);
+		CHECK(held.value == doctest::Approx(0.8));
+		CHECK(held.slope == 0.0);
+	}
+	for (const MotionPoint &bad : { MotionPoint{ 0.5, infinity }, MotionPoint{ infinity, 0.0 },
+				 MotionPoint{ std::nan(""), 0.0 }, MotionPoint{ 0.5, std::nan("") } }) {
+		const LevelPoint none = level_of(effect_of(Shape::SINE, Drive::POSITION), bad, AMPLITUDE_M);
+		CHECK(none.value == 0.0);
+		CHECK(none.slope == 0.0);
+	}
+}
+
+TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as the effect lasts") {
+	Effect impulse = impulse_effect();
+	impulse.gain = 0.6;
+	impulse.full_scale = 0.5;
+	const auto peak = [&](double speed_m_s) {
+		return peak_of(impulse, { 1, 2.0, speed_m_s }, {}, AMPLITUDE_M);
+	};
+	CHECK(peak(0.25) == doctest::Approx(0.3));
+	CHECK(peak(0.5) == doctest::Approx(0.6));
+	CHECK(peak(9.0) == doctest::Approx(0.6));
+
+	EffectSet effects;
+	effects.add(impulse);
+	const auto amplitude = [&](double t_s, std::uint64_t number) {
+		return strength_of(effects, t_s, {}, true, AMPLITUDE_M, { number, 2.0, 0.25 }).amplitude;
+	};
+	const double length_s = impulse.length_s();
+	CHECK(std::exp(-impulse.decay_per_s * length_s) == doctest::Approx(std::exp(-8.0)));
+	CHECK(amplitude(1.999, 1) == 0.0);
+	CHECK(amplitude(2.0, 0) == 0.0);
+	CHECK(amplitude(2.01, 1) == doctest::Approx(0.3 * std::exp(-impulse.decay_per_s * 0.01)));
+	CHECK(amplitude(2.0 + 0.999 * length_s, 1) > 0.0);
+	CHECK(amplitude(2.0 + length_s, 1) == 0.0);
+
+	effects = {};
+	Effect curve = effect_of(Shape::CURVE, Drive::CONSTANT);
+	curve.trigger = Trigger::ARRIVAL;
+	effects.add(curve);
+	CHECK(amplitude(2.0 + 0.375 * curve.duration_s, 1) == doctest::Approx(0.8 * 0.55));
+}
+
+TEST_CASE("together effects are as strong as their sum, at most 1, and have the strongest one's frequency") {
+	Effect weak = effect_of(Shape::SINE, Drive::CONSTANT), strong = weak;
+	weak.gain = 0.3;
+	weak.frequency_hz = 50.0;
+	strong.gain = 0.5;
+	strong.frequency_hz = 200.0;
+	for (const std::vector<Effect> &each :
+			{ std::vector{ weak, strong, weak }, std::vector{ strong, weak }, std::vector{ weak, strong } }) {
+		EffectSet effects;
+		double sum = 0.0;
+		for (const Effect &effect : each) {
+			effects.add(effect);
+			sum += effect.gain;
+		}
+		const Strength strength = strength_of(effects, 0.0, {}, true, AMPLITUDE_M, {});
+		CHECK(strength.amplitude == doctest::Approx(std::min(sum, 1.0)));
+		CHECK(strength.frequency_hz == 200.0);
+		CHECK(strength_of(effects, 0.0, {}, false, AMPLITUDE_M, {}).amplitude == 0.0);
+	}
+}
+
+TEST_CASE("no sine is faster than half the sample rate, and none without a rate goes on") {
+	CHECK(phase_step(12e3, 48e3) == std::uint64_t{ 1 } << 62);
+	CHECK(phase_step(24e3, 48e3) == std::uint64_t{ 1 } << 63);
+	CHECK(phase_step(1e6, 48e3) == std::uint64_t{ 1 } << 63);
+	for (const double bad : { 0.0, -1.0, std::nan("") }) {
+		CHECK(phase_step(bad, 48e3) == 0);
+		CHECK(phase_step(180.0, bad) == 0);
+	}
+	CHECK(phase_step(180.0, std::numeric_limits<double>::infinity()) == 0);
+}
