@@ -91,6 +91,28 @@ TEST_CASE("the level is the drive by its full scale, over the table where it is 
 	}
 }
 
+TEST_CASE("a level that has a corner between two motions is not called smooth") {
+	const auto smooth = [](Shape shape, Drive drive, const MotionPoint &from, const MotionPoint &to) {
+		const Effect effect = effect_of(shape, drive);
+		return is_smooth(effect, from, to, level_of(effect, from, AMPLITUDE_M).value,
+				level_of(effect, to, AMPLITUDE_M).value);
+	};
+	// On the way out, near the turn, on the way back; faster than full scale.
+	const MotionPoint out = swing(0.3), slower = swing(0.7), back = swing(1.2), fast{ 0.5, 3.0, 1.0 };
+	CHECK(smooth(Shape::SINE, Drive::POSITION, out, back));
+	CHECK(smooth(Shape::SINE, Drive::VELOCITY, out, slower));
+	CHECK_FALSE(smooth(Shape::SINE, Drive::VELOCITY, out, back));
+	CHECK_FALSE(smooth(Shape::SINE, Drive::VELOCITY, out, fast));
+	CHECK_FALSE(smooth(Shape::SINE, Drive::VELOCITY, fast, out));
+	CHECK_FALSE(smooth(Shape::SINE, Drive::ACCELERATION, out, slower));
+	CHECK(smooth(Shape::SINE, Drive::ACCELERATION, slower, back));
+	CHECK_FALSE(smooth(Shape::INERTIAL_VISCOUS, Drive::CONSTANT, out, slower));
+	CHECK_FALSE(smooth(Shape::CURVE, Drive::POSITION, out, slower));
+	CHECK(smooth(Shape::CURVE, Drive::CONSTANT, out, back));
+	CHECK(smooth(Shape::CURVE, Drive::POSITION, { 0.5 }, { 0.5 }));
+	CHECK_FALSE(smooth(Shape::SINE, Drive::POSITION, { -0.1, 1.0 }, { 0.1, 1.0 }));
+}
+
 TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as the effect lasts") {
 	Effect impulse = impulse_effect();
 	impulse.gain = 0.6;
@@ -104,7 +126,7 @@ TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as
 
 	EffectSet effects;
 	effects.add(impulse);
-	const auto amplitude = [&](double t_s, std::uint64_t number) {
+	const auto amplitude = [&](double t_s, std::uint32_t number) {
 		return strength_of(effects, t_s, {}, true, AMPLITUDE_M, { number, 2.0, 0.25 }).amplitude;
 	};
 	const double length_s = impulse.length_s();

@@ -51,6 +51,57 @@ TEST_CASE("the quantiser finds clusters that are there, and names the nearest") 
 	}
 }
 
+TEST_CASE("each codeword is the mean of the observations that it is nearest to, in order") {
+	std::mt19937_64 random(3);
+	std::normal_distribution<double> normal;
+	std::vector<Observation> points;
+	for (int i = 0; i < 300; ++i) {
+		points.emplace_back(0.01 * normal(random), 5.0 * normal(random));
+	}
+	for (const int symbols : { 1, 5, 16 }) {
+		const VectorQuantiser quantiser = VectorQuantiser::trained(points, symbols);
+		const Eigen::MatrixX2d &codebook = quantiser.codebook();
+		Observation mean = Observation::Zero(), deviation = Observation::Zero();
+		for (const Observation &point : points) {
+			mean += point / 300.0;
+		}
+		for (const Observation &point : points) {
+			deviation += (point - mean).cwiseAbs2() / 300.0;
+		}
+		CHECK((quantiser.scale() - deviation.cwiseSqrt()).norm() < 1e-12);
+		Eigen::MatrixX2d sums = Eigen::MatrixX2d::Zero(symbols, 2);
+		Eigen::VectorXd counts = Eigen::VectorXd::Zero(symbols);
+		for (const Observation &point : points) {
+			Eigen::Index nearest = 0;
+			double least = 1e9;
+			for (Eigen::Index k = 0; k < symbols; ++k) {
+				const Eigen::Vector2d off =
+						(codebook.row(k).transpose() - point).cwiseQuotient(deviation.cwiseSqrt());
+				nearest = off.norm() < least ? k : nearest;
+				least = std::min(least, off.norm());
+			}
+			CHECK(quantiser.symbol(point) == nearest);
+			sums.row(nearest) += point.transpose();
+			counts(nearest) += 1.0;
+		}
+		for (Eigen::Index k = 0; k < symbols; ++k) {
+			CHECK((sums.row(k) / counts(k) - codebook.row(k))
+							.cwiseQuotient(quantiser.scale().transpose())
+							.norm() < 1e-8);
+			CHECK((k == 0 || codebook(k - 1, 0) < codebook(k, 0)));
+		}
+	}
+	// Of one position the slower ones come first.
+	std::vector<Observation> column;
+	for (int i = 0; i < 40; ++i) {
+		column.emplace_back(1.0, i % 4);
+	}
+	const VectorQuantiser ordered = VectorQuantiser::trained(column, 4);
+	for (int k = 0; k < 4; ++k) {
+		CHECK(ordered.symbol({ 1.0, k }) == k);
+	}
+}
+
 TEST_CASE("identical or no observations give a codebook of numbers") {
 	for (const std::size_t n : { 0U, 1U, 50U }) {
 		const VectorQuantiser quantiser =
@@ -229,6 +280,18 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 			"a.gesture: feature: there is no feature 'toe'");
 	CHECK(replaced("\"duration_mean_s\": ", "\"duration_mean_s\": -") ==
 			"a.gesture: duration_mean_s: must be greater than 0");
+	const auto field = [&](const std::string &key, const std::string &value) {
+		std::string damaged = text;
+		const std::size_t from = damaged.find("\"" + key + "\": ") + key.size() + 4;
+		damaged.replace(from, damaged.find_first_of(",\n", from) - from, value);
+		return parse_model(damaged, "a.gesture").error();
+	};
+	CHECK(field("typical_amplitude_m", "0") == "a.gesture: typical_amplitude_m: must be greater than 0");
+	CHECK(field("recordings", "-1") == "a.gesture: recordings: not a number of recordings");
+	CHECK(field("recordings", "1e10") == "a.gesture: recordings: not a number of recordings");
+	CHECK(field("version", "0") == "a.gesture: version: this program reads version 1");
+	CHECK(field("phase_end", "0.0") == "a.gesture: elements: phase_begin must be less than phase_end");
+	CHECK(field("deviation", "null") == "a.gesture: deviation: not a number");
 	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") == "a.gesture: both_ways: not true or false");
 	CHECK(replaced("\"log_b\"", "\"log_x\"") == "a.gesture: log_b: missing");
 	for (std::size_t length = 0; length < text.size(); length += 97) {

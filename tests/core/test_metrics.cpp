@@ -1,5 +1,6 @@
 #include "metrics/curve_comparison.h"
 #include "metrics/recognition.h"
+#include "metrics/spectral_arc_length.h"
 #include "metrics/summary.h"
 
 #include <doctest/doctest.h>
@@ -227,6 +228,65 @@ TEST_CASE("a sample that is no number counts as the one before it") {
 	CHECK(result.sparc == expected.sparc);
 }
 
+TEST_CASE("before the first sample that is a number counts that one") {
+	const auto reference = curve([](double t_s) { return 0.4 + minimum_jerk(t_s); });
+	auto unseen = reference;
+	std::fill_n(unseen.begin(), 900, NOT_A_NUMBER);
+	const CurveComparison result = compare_curves(reference, unseen, GRID, SPAN);
+	CHECK(result.r2_zero == 1.0);
+	CHECK(result.t_diff_s == 0.0);
+	CHECK(compare_curves(unseen, reference, GRID, SPAN).r2_zero == 1.0);
+}
+
+TEST_CASE("instants on the grid count although their times are rounded") {
+	// Whether t0 + i / rate comes out a little before or after the sample: the window holds it.
+	const UniformGrid grid{ 0.1, 30.0 };
+	std::vector<double> reference, x;
+	for (std::size_t i = 0; i < 90; ++i) {
+		const double t_s = grid.time_s(i);
+		reference.push_back(ramp(t_s - 1.1));
+		x.push_back(ramp(t_s - 1.1) + 0.1 * std::sin(20.0 * t_s));
+	}
+	for (std::size_t first = 20; first < 40; ++first) {
+		const GestureSpan span{ grid.time_s(first), grid.time_s(first + 31) };
+		const CurveComparison exact = compare_curves(reference, x, grid, span);
+		for (const double off_s : { -1e-9, 1e-9 }) {
+			const GestureSpan rounded{ span.start_s + off_s, span.end_s - off_s };
+			CHECK(compare_curves(reference, x, grid, rounded).sparc == exact.sparc);
+		}
+	}
+}
+
+TEST_CASE("a span that leaves the record is compared within it, the speed by what is next to it") {
+	// The record ends with the gesture: the speed is that of one step there, of two elsewhere.
+	const UniformGrid grid{ 0.0, 100.0 };
+	std::vector<double> x, speed;
+	for (int i = 0; i <= 100; ++i) {
+		x.push_back(minimum_jerk(0.01 * i) + 0.01 * i * i * 0.01);
+	}
+	for (std::size_t i = 0; i < x.size(); ++i) {
+		const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, x.size() - 1);
+		speed.push_back(100.0 * std::abs(x[after] - x[before]) / static_cast<double>(after - before));
+	}
+	for (const GestureSpan &span : { GestureSpan{ 0.0, 1.0 }, GestureSpan{ -0.5, 1.5 } }) {
+		CHECK(compare_curves(x, x, grid, span).sparc ==
+				doctest::Approx(spectral_arc_length(speed, 100.0)).epsilon(1e-12));
+	}
+	// Within the record the samples beside the span count.
+	const std::vector<double> inner(speed.begin() + 20, speed.begin() + 71);
+	CHECK(compare_curves(x, x, grid, { 0.2, 0.7 }).sparc ==
+			doctest::Approx(spectral_arc_length(inner, 100.0)).epsilon(1e-12));
+	CHECK(compare_curves(x, x, grid, { 1.2, 1.5 }).missed);
+	CHECK(compare_curves(x, x, grid, { -0.5, -0.2 }).missed);
+	// What is there at the last instant or before the record has arrived.
+	const CurveComparison late = compare_curves(x, x, grid, { 1.0, 1.0 });
+	CHECK_FALSE(late.missed);
+	CHECK(late.t_diff_s == 0.0);
+	const std::vector<double> there(x.size(), 3.0);
+	CHECK(compare_curves(x, there, grid, { -0.5, 1.0 }).t_diff_s ==
+			compare_curves(x, there, grid, { 0.0, 1.0 }).t_diff_s);
+}
+
 TEST_CASE("smoothness is that of the speed over the gesture's span") {
 	// The speed's own figure for a minimum-jerk second (test_sparc.cpp); central differences change the 5th
 	// digit.
@@ -243,6 +303,8 @@ TEST_CASE("percentiles are NumPy's") {
 	CHECK(percentile(values, 50.0) == 2.0);
 	CHECK(percentile(values, 97.5) == doctest::Approx(8.475));
 	CHECK(percentile(values, 100.0) == 9.0);
+	CHECK(percentile(values, -10.0) == -1.0);
+	CHECK(percentile(values, 120.0) == 9.0);
 	CHECK(mean(values) == doctest::Approx(19.9 / 7.0));
 	CHECK(mean(std::vector{ 1.0, NOT_A_NUMBER, 3.0 }) == 2.0);
 	CHECK(mean({}) == 0.0);
@@ -254,7 +316,7 @@ TEST_CASE("a summary drops no trial") {
 	std::vector<CurveComparison> trials(101);
 	for (std::size_t i = 0; i < trials.size(); ++i) {
 		const double share = static_cast<double>(i) / 100.0;
-		trials[i] = { share, share - 1.0, 0.01, share - 0.5, -2.0, i < 3 };
+		trials[i] = { share, share - 1.0, 0.02 * share * share, share * share - 0.5, -2.0, i < 3 };
 	}
 	const ConditionSummary summary = summarise(trials);
 	CHECK(summary.trials == 101);
@@ -262,10 +324,11 @@ TEST_CASE("a summary drops no trial") {
 	CHECK(summary.mean_r2 == doctest::Approx(0.5));
 	CHECK(summary.worst_r2 == doctest::Approx(0.05));
 	CHECK(summary.mean_r2_zero == doctest::Approx(-0.5));
-	CHECK(summary.median_lag_s == doctest::Approx(0.01));
-	CHECK(std::abs(summary.median_t_diff_s) < 1e-12);
-	CHECK(summary.low_t_diff_s == doctest::Approx(-0.475));
-	CHECK(summary.high_t_diff_s == doctest::Approx(0.475));
+	CHECK(summary.median_lag_s == doctest::Approx(0.005));
+	CHECK(summary.median_t_diff_s == doctest::Approx(-0.25));
+	// Between the second and the third square, half-way.
+	CHECK(summary.low_t_diff_s == doctest::Approx(0.5 * (0.02 * 0.02 + 0.03 * 0.03) - 0.5));
+	CHECK(summary.high_t_diff_s == doctest::Approx(0.5 * (0.97 * 0.97 + 0.98 * 0.98) - 0.5));
 	CHECK(summary.mean_sparc == doctest::Approx(-2.0));
 	CHECK(summarise({}).trials == 0);
 }

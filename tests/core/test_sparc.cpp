@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
@@ -25,7 +26,68 @@ std::vector<double> minimum_jerk_speed(std::size_t steps) {
 	return speed;
 }
 
+/// The definition, term by term: the DFT of the speed, padded to 16 times the next power of two.
+double by_definition(const std::vector<double> &speed, double rate_hz) {
+	std::size_t length = 16;
+	while (length < 16 * speed.size()) {
+		length *= 2;
+	}
+	std::vector<double> spectrum;
+	for (std::size_t k = 0; k <= length / 2; ++k) {
+		const double step = 2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(length);
+		std::complex<double> sum;
+		for (std::size_t i = 0; i < speed.size(); ++i) {
+			sum += speed[i] * std::polar(1.0, -step * static_cast<double>(i));
+		}
+		if (static_cast<double>(k) * rate_hz / static_cast<double>(length) <= 10.0) {
+			spectrum.push_back(std::abs(sum));
+		}
+	}
+	std::size_t last = spectrum.size() - 1;
+	while (spectrum[last] < 0.05 * spectrum[0]) {
+		--last;
+	}
+	double arc = 0.0;
+	for (std::size_t k = 1; k <= last; ++k) {
+		arc += std::hypot(1.0 / static_cast<double>(last), (spectrum[k] - spectrum[k - 1]) / spectrum[0]);
+	}
+	return -arc;
+}
+
 } // namespace
+
+TEST_CASE("SPARC is its definition, where the speed is fast beyond 10 Hz and where the rate ends below") {
+	for (const double rate_hz : { 15.0, 60.0, 100.0 }) {
+		for (const double tremor_hz : { 3.0, 7.0, 9.9, 10.6, 13.0 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(tremor_hz);
+			std::vector<double> speed = minimum_jerk_speed(40);
+			for (std::size_t i = 0; i < speed.size(); ++i) {
+				const double turns = tremor_hz * static_cast<double>(i) / rate_hz;
+				speed[i] *= 1.0 + 0.9 * std::sin(2.0 * std::numbers::pi * turns);
+			}
+			CHECK(spectral_arc_length(speed, rate_hz) ==
+					doctest::Approx(by_definition(speed, rate_hz)).epsilon(1e-9));
+		}
+	}
+}
+
+TEST_CASE("SPARC takes a speed's size, and what is no number as rest") {
+	std::vector<double> speed = minimum_jerk_speed(50), turned = speed, unseen = speed;
+	for (std::size_t i = 0; i < speed.size(); i += 3) {
+		turned[i] = -turned[i];
+		unseen[i] = i % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : 1e200;
+	}
+	CHECK(spectral_arc_length(turned, 100.0) == spectral_arc_length(speed, 100.0));
+	for (std::size_t i = 0; i < speed.size(); i += 3) {
+		speed[i] = 0.0;
+	}
+	CHECK(spectral_arc_length(unseen, 100.0) == spectral_arc_length(speed, 100.0));
+	for (const double rate_hz :
+			{ -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() }) {
+		CHECK(spectral_arc_length(speed, rate_hz) == 0.0);
+	}
+}
 
 TEST_CASE("SPARC of the authors' own example") {
 	// "sal" in the documentation of their function: -1.41403.

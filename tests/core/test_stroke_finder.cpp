@@ -164,6 +164,20 @@ TEST_CASE("with the task known too: of direction, bow and start") {
 	CHECK(evidence_at(late) == doctest::Approx(of_task).epsilon(1e-12));
 }
 
+TEST_CASE("a gesture of several strokes has 0.5 nats less, one without a time is none") {
+	Stroke stroke = straight(0.2);
+	const double alone = evidence(stroke).sum();
+	stroke.is_joined = true;
+	CHECK(evidence(stroke).sum() == doctest::Approx(alone - 0.5).epsilon(1e-12));
+	stroke = straight(0.2);
+	stroke.now_s = stroke.onset_s;
+	CHECK(evidence(stroke).sum() < -100.0);
+	// A way that rounding made shorter than its chord has no detour.
+	stroke = straight(0.2);
+	stroke.way_m = 0.2 * (1.0 - 1e-3);
+	CHECK(evidence(stroke).sum() == doctest::Approx(alone).epsilon(1e-12));
+}
+
 TEST_CASE("a start counts as what the tracker showed or without its steps, whichever is nearer; of a radius, "
 		  "its size alone") {
 	const FeaturePlace start = FeaturePlace::Zero();
