@@ -274,6 +274,19 @@ TEST_CASE("of gestures that are over a bank keeps few") {
 	}
 }
 
+TEST_CASE("a hand that is on no way is never over") {
+	HypothesisBank bank;
+	bank.start(GestureHypothesis::resting(0.0));
+	for (int i = 0; i < 12; ++i) {
+		bank.add(GestureHypothesis::leaving(0.1 * i, 0.0), -0.01 * i);
+	}
+	for (const double later_s : { 0.0, 5.0, 1000.0 }) {
+		bank.prune(later_s, 0.0, 0.0);
+		CHECK(bank.size() == 13);
+		CHECK_FALSE(bank.is_over(1, later_s));
+	}
+}
+
 TEST_CASE("what a bank calls hopeless, the next prune drops, and nothing else") {
 	for (const double log_weight : { -0.5, -1.1, -1.95, -2.05, -3.0 }) {
 		CAPTURE(log_weight);

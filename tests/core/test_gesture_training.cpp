@@ -159,6 +159,45 @@ TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
 	}
 }
 
+TEST_CASE("a model says where its recordings began, which way and how long they went, and how fast") {
+	// All of one duration: the mean duration is that from 5 % of the peak speed on, s = 0.0594.
+	for (const double duration_s : { 0.5, 2.0 }) {
+		CAPTURE(duration_s);
+		std::vector<TrainingRecording> recordings;
+		for (int i = 0; i < 6; ++i) {
+			const test::Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = 0.1 + 0.02 * i };
+			Task task;
+			task.start_m = Eigen::Vector3d(0.0, 0.01 * i, -0.02 * i);
+			task.amplitude_m = drag.amplitude_m;
+			const double end_s = drag.onset_s + drag.duration_s;
+			recordings.push_back({ "drag", task, 0.3, end_s, test::drag_track(drag, 110.0, end_s + 0.5),
+					test::drag_track(drag, 240.0, end_s + 0.5) });
+		}
+		// One that goes nowhere counts for nothing.
+		TrainingRecording &still = recordings.emplace_back(recordings[0]);
+		still.reference = test::drag_track({ .amplitude_m = 0.0 }, 240.0, 3.0);
+		const GestureModel model = train("drag", "index_along_axis", recordings, {}).value();
+		CHECK(model.provenance.recordings == 6);
+		CHECK(model.typical_task.amplitude_m == doctest::Approx(0.15));
+		CHECK((model.typical_task.start_m - Eigen::Vector3d(0.0, 0.025, -0.05)).norm() < 1e-12);
+		CHECK((model.typical_task.axis - Task{}.axis).norm() < 1e-12);
+		CHECK(model.duration_mean_s == doctest::Approx(0.9406 * duration_s).epsilon(0.01));
+		CHECK(model.duration_deviation_s < 0.01 * duration_s);
+		// The peak speed, 1.875 amplitudes by the whole duration, by that of the model.
+		CHECK(model.quantiser.codebook().col(1).maxCoeff() == doctest::Approx(1.875 * 0.9406).epsilon(0.06));
+	}
+	const GestureModel model = test::trained_drag_model();
+	// Sample standard deviation of 0.8, 0.85 .. 1.35 s: 0.05 sqrt(13).
+	CHECK(model.duration_mean_s == doctest::Approx(0.9406 * 1.075).epsilon(0.01));
+	CHECK(model.duration_deviation_s == doctest::Approx(0.9406 * 0.05 * std::sqrt(13.0)).epsilon(0.02));
+	TrainingOptions options;
+	options.states = 21;
+	CHECK_FALSE(train("drag", "index_along_axis", test::drag_recordings(), options).ok());
+	options = {};
+	options.symbols = 1025;
+	CHECK_FALSE(train("drag", "index_along_axis", test::drag_recordings(), options).ok());
+}
+
 TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(format_model(test::trained_drag_model()) == format_model(test::trained_drag_model()));
 	const std::vector<TrainingRecording> drags = test::drag_recordings();

@@ -45,6 +45,34 @@ TEST_CASE("a state that is known late is dated back: its element is through when
 	}
 }
 
+TEST_CASE("a gesture that is seen late begins there: its first element is through when it would have been") {
+	const GestureModel &model = *drag_model();
+	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
+	for (const double share : { 0.0, 0.4, 0.9 }) {
+		PaperSynthesiser synthesiser(model);
+		synthesiser.begin(2.0, share * first.phase_end);
+		const double through_s = 2.0 + (1.0 - share) * first.duration_mean_s;
+		CHECK(synthesiser.phase(2.0) == doctest::Approx(share * first.phase_end));
+		CHECK(synthesiser.phase(through_s - 1e-3) < first.phase_end);
+		CHECK(synthesiser.phase(through_s + 1e-9) == doctest::Approx(first.phase_end).epsilon(1e-12));
+		CHECK(synthesiser.phase(through_s + 1.0) == first.phase_end);
+	}
+	// Before the first phase, and beyond the first element, it begins at their ends.
+	for (const double phase : { -0.5, 1.0 }) {
+		PaperSynthesiser synthesiser(model);
+		synthesiser.begin(2.0, phase);
+		CHECK(synthesiser.phase(2.0) == doctest::Approx(phase < 0.0 ? 0.0 : first.phase_end));
+	}
+	// One that is known when it should be through is played at once, forwards.
+	PaperSynthesiser late(model);
+	late.begin(0.0, 0.0);
+	const double known_s = first.duration_mean_s + 3.0 * second.duration_mean_s;
+	late.enter_state(1, first.duration_mean_s, known_s);
+	CHECK(late.phase(known_s) == doctest::Approx(first.phase_end));
+	CHECK(late.phase(known_s + 0.5e-3) > first.phase_end);
+	CHECK(late.phase(known_s + 1.1e-3) == doctest::Approx(second.phase_end));
+}
+
 TEST_CASE("the decoder does not say which gesture it is, nor, without a task, when it ends") {
 	const Track track =
 			test::drag_track({ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 }, 97.0, 2.5);

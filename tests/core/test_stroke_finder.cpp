@@ -74,6 +74,34 @@ TEST_CASE("a stroke is as long as the hand's way, at any rate") {
 	}
 }
 
+TEST_CASE("the middle of a stroke is its mean over time, of two strokes that of both") {
+	const auto way_s = [](double s) { return s * s * s * s * (2.5 + s * (-3.0 + s)); }; // of 10 s^3 ..
+	for (const double rate_hz : { 30.0, 110.0 }) {
+		CAPTURE(rate_hz);
+		const Stroke line =
+				longest([](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); }, rate_hz);
+		const double from = std::clamp(line.onset_s - 1.0, 0.0, 1.0), to = std::min(line.now_s - 1.0, 1.0);
+		const double sum = way_s(to) - way_s(from) + std::max(line.now_s - 2.0, 0.0);
+		CHECK(std::abs(line.middle.x() - 0.2 * sum / (line.now_s - line.onset_s)) < 1e-3);
+	}
+	Stroke first = straight(0.2), second = straight(0.1);
+	second.onset_s = 1.3;
+	second.now_s = 1.8;
+	second.peak_m_s = 0.7;
+	for (FeaturePlace *const place : { &second.from, &second.to, &second.middle }) {
+		*place += FeaturePlace(0.2, 0.03, 0.0, 0.0);
+	}
+	const Stroke both = joined(first, second);
+	CHECK((both.middle - (first.middle + 0.5 * second.middle) / 1.5).norm() < 1e-12);
+	CHECK(both.way_m == doctest::Approx(0.2 + 0.03 + 0.1));
+	CHECK(both.peak_m_s == 0.7);
+	CHECK(both.onset_s == first.onset_s);
+	CHECK(both.now_s == second.now_s);
+	CHECK(both.from == first.from);
+	CHECK(both.to == second.to);
+	CHECK(both.is_joined);
+}
+
 TEST_CASE("a stroke knows how still the hand was before it, as long as it was seen") {
 	const auto from_rest = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); };
 	const Stroke rested = longest(from_rest, 110.0);
