@@ -194,9 +194,10 @@ TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the mi
 		};
 		const CurvePoint left = line(model.elements[i].phase_begin, joint),
 						 right = line(joint, model.elements[i + 1].phase_end);
-		CHECK(evaluate(model, joint).value ==
-				doctest::Approx(0.5 * (left.value + right.value)).epsilon(1e-6));
-		CHECK(evaluate(model, joint).slope ==
-				doctest::Approx(0.5 * (left.slope + right.slope)).epsilon(1e-6));
+		for (const double at : { joint - 1e-9, joint + 1e-9 }) {
+			const CurvePoint met = evaluate(model, at);
+			CHECK(met.value == doctest::Approx(0.5 * (left.value + right.value)).epsilon(1e-6));
+			CHECK(met.slope == doctest::Approx(0.5 * (left.slope + right.slope)).epsilon(1e-6));
+		}
 	}
 }

@@ -146,6 +146,29 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	CHECK(integral(unrest, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
 }
 
+TEST_CASE("lengths are 0.15 below and 0.5 above the usual one, one pace in four is anybody's") {
+	// In logarithms; the null model's are uniform over 3.7 and, of 0.1 to 5 s, 3.9.
+	const auto of_length = [](double times) {
+		Stroke stroke = straight(0.2 * times);
+		stroke.middle = 0.5 * stroke.to;
+		return evidence(stroke).size;
+	};
+	CHECK(of_length(std::exp(-0.15)) == doctest::Approx(of_length(1.0) - 0.5).epsilon(1e-9));
+	CHECK(of_length(std::exp(0.5)) == doctest::Approx(of_length(1.0) - 0.5).epsilon(1e-9));
+	const double lengths = integral(
+			[&](double log_times) { return std::exp(of_length(std::exp(log_times - 3.0))) / 3.7; }, 7.0);
+	const auto of_time = [](double time_s) {
+		Stroke stroke = straight(0.2);
+		stroke.now_s = time_s;
+		return evidence(stroke).size;
+	};
+	const double both = integral(
+			[&](double log_times) { return std::exp(of_time(0.1 * std::exp(log_times))) / 3.7 / 3.9; },
+			std::log(50.0));
+	// The integral over both densities is 1.
+	CHECK(lengths * both / std::exp(of_length(1.0)) * 3.7 == doctest::Approx(1.0).epsilon(0.01));
+}
+
 TEST_CASE("with the task known too: of direction, bow and start") {
 	const FeaturePlace start(0.3, -0.2, 0.1, 0.0);
 	constexpr double AMPLITUDE_M = 0.2;

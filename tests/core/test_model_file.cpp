@@ -1,0 +1,118 @@
+// Model files that are valid JSON and still no model.
+
+#include "gesture/model_file.h"
+#include "minimum_jerk_drag.h"
+
+#include <nlohmann/json.hpp>
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <string>
+
+using namespace steadyhand;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const GestureModel &drag_model() {
+	static const GestureModel model = test::trained_drag_model();
+	return model;
+}
+
+/// The error of a file of the drag's model with a change; empty where it is read.
+std::string error_of(const std::function<void(Json &r_file)> &change) {
+	static const Json file = Json::parse(format_model(drag_model()));
+	Json changed = file;
+	change(changed);
+	const Result<GestureModel> read = parse_model(changed.dump(), "a.gesture");
+	return read.ok() ? std::string() : read.error();
+}
+
+} // namespace
+
+TEST_CASE("a model file is refused where its shapes do not belong together") {
+	CHECK(error_of([](Json &) {}).empty());
+	const std::string counts =
+			"a.gesture: the counts of states (elements) and symbols (codebook) differ from the hmm's";
+	CHECK(error_of([](Json &r_file) { r_file["elements"].erase(0); }) == counts);
+	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["codebook"].erase(0); }) == counts);
+	CHECK(error_of([](Json &r_file) {
+		Json &codebook = r_file["quantiser"]["codebook"];
+		codebook.push_back(codebook[0]);
+	}) == counts);
+	const std::string shape =
+			"a.gesture: quantiser: the codebook must be M x 2, the scale two numbers greater than 0";
+	CHECK(error_of([](Json &r_file) {
+		for (Json &row : r_file["quantiser"]["codebook"]) {
+			row.push_back(0.0);
+		}
+	}) == shape);
+	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["scale"] = { 1.0, 0.0 }; }) == shape);
+	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["scale"] = { 1.0 }; }) == shape);
+	CHECK(error_of([](Json &r_file) {
+		r_file["hmm"]["log_b"][2].erase(0);
+	}).starts_with("a.gesture: log_b, row 2: "));
+	CHECK(error_of([](Json &r_file) {
+		r_file["hmm"]["log_b"][2].push_back(nullptr);
+	}).starts_with("a.gesture: log_b, row 2: "));
+	CHECK(error_of([](Json &r_file) {
+		r_file["hmm"]["log_pi"].push_back(nullptr);
+	}).starts_with("a.gesture: hmm: the sizes of pi (5)"));
+	for (const char *const curve : { "reference_mean", "reference_deviation" }) {
+		CHECK(error_of([&](Json &r_file) { r_file[curve].push_back(1.0); }) ==
+				"a.gesture: " + std::string(curve) + ": 102 points, not 101");
+		CHECK(error_of([&](Json &r_file) { r_file[curve].erase(0); }) ==
+				"a.gesture: " + std::string(curve) + ": 100 points, not 101");
+	}
+	CHECK(error_of([](Json &r_file) { r_file["typical_axis"].push_back(0.0); }) ==
+			"a.gesture: typical_axis: not three numbers");
+	CHECK(error_of([](Json &r_file) {
+		Json &polynomial = r_file["elements"][1]["polynomial"];
+		polynomial.push_back(0.0);
+	}) == "a.gesture: polynomial: more than 8 coefficients");
+	CHECK(error_of([](Json &r_file) {
+		Json &elements = r_file["elements"];
+		while (elements.size() <= 256) {
+			elements.push_back(elements[0]);
+		}
+	}) == "a.gesture: elements: more than 256 states");
+}
+
+TEST_CASE("a model file is refused where a number could not be one of a model") {
+	const auto first_element = [](const char *key, const Json &value) {
+		return error_of([&](Json &r_file) { r_file["elements"][0][key] = value; });
+	};
+	CHECK(first_element("phase_end", 0.0) == "a.gesture: elements: phase_begin must be less than phase_end");
+	CHECK(first_element("duration_mean_s", 0.0) == "a.gesture: duration_mean_s: must be greater than 0");
+	CHECK(first_element("duration_mean_s", "1") == "a.gesture: duration_mean_s: not a number");
+	CHECK(error_of([](Json &r_file) { r_file["typical_amplitude_m"] = 0.0; }) ==
+			"a.gesture: typical_amplitude_m: must be greater than 0");
+	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["codebook"][3][1] = nullptr; }) ==
+			"a.gesture: codebook[1]: not a number");
+	CHECK(error_of([](Json &r_file) { r_file["reference_mean"][7] = nullptr; }) ==
+			"a.gesture: reference_mean[7]: not a number");
+	// log 0 is null, where there are logarithms.
+	CHECK(error_of([](Json &r_file) { r_file["provenance"]["objective"] = { nullptr, -3.0 }; }).empty());
+	for (const Json &recordings : { Json(-1), Json(2e9), Json("12") }) {
+		CHECK(error_of([&](Json &r_file) {
+			r_file["provenance"]["recordings"] = recordings;
+		}).starts_with("a.gesture: recordings: not a number"));
+	}
+	for (const Json &version : { Json(0), Json(2), Json(1.5) }) {
+		CHECK(error_of([&](Json &r_file) { r_file["version"] = version; }) ==
+				"a.gesture: version: this program reads version 1");
+	}
+}
+
+TEST_CASE("the phase of a value is 0 below the reference, 1 beyond it, and where it passes in between") {
+	GestureModel model;
+	model.reference_mean = Eigen::VectorXd::LinSpaced(101, 0.1, 0.9);
+	CHECK(phase_of_value(model, 0.0) == 0.0);
+	CHECK(phase_of_value(model, 0.1) == 0.0);
+	CHECK(phase_of_value(model, 0.95) == 1.0);
+	for (const double phase : { 0.004, 0.25, 0.333, 0.999 }) {
+		CHECK(phase_of_value(model, 0.1 + 0.8 * phase) == doctest::Approx(phase).epsilon(1e-9));
+	}
+}
