@@ -57,16 +57,6 @@ TEST_CASE("before a tracker that shakes the acceleration is the hand's, not that
 	CHECK(std::sqrt(own_off_square / truth_square) < 0.7);
 }
 
-TEST_CASE("a step that fades by itself does so critically damped, at twice the blend's rate") {
-	OutputBlend blend;
-	blend.start(1.0, 0.3, -2.0, 100.0);
-	for (const double since_s : { 0.0, 0.001, 0.007, 0.05, 2.0 }) {
-		CHECK(blend.share_left(1.0 + since_s) ==
-				doctest::Approx(critically_damped(1.0, 0.0, 200.0, since_s).value));
-	}
-	CHECK(blend.share_left(0.5) == 1.0);
-}
-
 TEST_CASE("what corrects a curve drives no effect: its own acceleration is a line from knot to knot") {
 	const test::Movement movement{ 0.35 };
 	MotionSnapshot snapshot = movement.snapshot(0.05);

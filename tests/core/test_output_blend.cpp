@@ -44,3 +44,13 @@ TEST_CASE(
 		}
 	}
 }
+
+TEST_CASE("a step that fades by itself does so critically damped, at twice the blend's rate") {
+	OutputBlend blend;
+	blend.start(1.0, 0.3, -2.0, 100.0);
+	for (const double since_s : { 0.0, 0.001, 0.007, 0.05, 2.0 }) {
+		CHECK(blend.share_left(1.0 + since_s) ==
+				doctest::Approx(critically_damped(1.0, 0.0, 200.0, since_s).value));
+	}
+	CHECK(blend.share_left(0.5) == 1.0);
+}
