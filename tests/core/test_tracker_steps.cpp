@@ -169,3 +169,66 @@ TEST_CASE("a tracker that trembles makes no steps") {
 		CHECK((last_m - first_m).norm() < 3.0 * deviation_m);
 	}
 }
+
+TEST_CASE("after a restart a track passes as the first one does, whatever was before") {
+	const Way rest = [](double) { return 0.0; };
+	const Way stepped = [](double t_s) { return t_s < 0.3 ? 0.0 : 0.05; };
+	const Way steps_at_last = [](double t_s) { return t_s < 0.489 ? 0.0 : 0.05; };
+	const Way slides = [](double t_s) { return t_s < 0.48 ? 0.0 : 0.1 * std::exp((0.48 - t_s) / 0.05); };
+	const Way fast = [](double t_s) { return 1.5 * t_s; };
+	const Way back = [](double t_s) { return 0.4 - USUAL.x_m(t_s + 0.4); };
+	for (const Way &before : { rest, stepped, steps_at_last, slides, fast }) {
+		for (const Way &after : { rest, fast, back }) {
+			TrackerSteps steps, anew;
+			const auto place = [](double x_m) { return FeaturePlace(x_m, 0.0, 0.0, 0.0); };
+			for (int i = 0; i < 55; ++i) {
+				steps.push(i / 110.0, place(before(i / 110.0)));
+			}
+			steps.restart();
+			for (int i = 0; i < 55; ++i) {
+				const double t_s = 0.51 + i / 110.0;
+				const auto passing = steps.push(t_s, place(after(i / 110.0)));
+				const auto expected = anew.push(t_s, place(after(i / 110.0)));
+				REQUIRE(passing.size() == expected.size());
+				for (std::size_t k = 0; k < passing.size(); ++k) {
+					CHECK(passing[k].t_s == expected[k].t_s);
+					CHECK(passing[k].place_m == expected[k].place_m);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("a tracker that slid back in part only has stopped doing so when the hand sets out") {
+	const test::Drag drag{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
+	const Way shown = [&](double t_s) {
+		const double off_m = t_s < 0.55 ? 0.0 : 0.04 + 0.06 * std::exp((0.55 - t_s) / 0.04);
+		return off_m - drag.x_m(t_s);
+	};
+	const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 2.2);
+	const auto at = [&](double t_s) {
+		return std::find_if(frames.begin(), frames.end(),
+				[t_s](const TrackerSteps::Passed &frame) { return frame.t_s >= t_s; });
+	};
+	CHECK(std::abs(at(0.95)->place_m.x()) < 0.01);
+	CHECK(frames.back().place_m.x() - at(0.95)->place_m.x() == doctest::Approx(-0.2).epsilon(0.001));
+}
+
+TEST_CASE("a tracker that slides back takes back no more than its step, however far the hand has gone") {
+	const test::Drag drag{ .onset_s = 0.6, .duration_s = 0.08, .amplitude_m = 0.03 };
+	const Way hand = [&](double t_s) { return -drag.x_m(t_s); };
+	const Way shown = [&](double t_s) {
+		return hand(t_s) + (t_s < 0.55 ? 0.0 : 0.06 * std::exp((0.55 - t_s) / 0.05));
+	};
+	const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 1.5, 0.605, 0.68);
+	CHECK(std::abs(frames.back().place_m.x() - hand(1.5)) < 0.01);
+}
+
+TEST_CASE("a fast hand loses nothing where its track begins, and no more than a single frame elsewhere") {
+	const Way fast = [](double t_s) { return 1.5 * t_s; };
+	CHECK(largest_error(passed(fast, 110.0, 0.5), fast) == 0.0);
+	const Way shown = [&](double t_s) { return fast(t_s) + (t_s > 0.296 && t_s < 0.304 ? 0.04 : 0.0); };
+	const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 0.5);
+	CHECK(frames.size() == 54); // of 55
+	CHECK(largest_error(frames, fast) == 0.0);
+}
