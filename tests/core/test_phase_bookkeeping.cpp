@@ -1,0 +1,125 @@
+// What the phase estimator counts once, remembers, and forgets.
+
+#include "minimum_jerk_drag.h"
+#include "motion/phase_estimator.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+using namespace steadyhand;
+
+// Values in amplitudes, as the estimator has them.
+
+namespace {
+
+constexpr double PERIOD_S = 0.009;
+constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
+
+const GestureModel &drag_model() {
+	static const GestureModel model = test::trained_drag_model();
+	return model;
+}
+
+bool same(const PhaseEstimate &a, const PhaseEstimate &b) {
+	return a.value == b.value && a.velocity == b.velocity && a.acceleration == b.acceleration &&
+			a.phase == b.phase && a.moving == b.moving && a.correction == b.correction;
+}
+
+/// Frames of a drag before a sensor that trembles, as `error` shifts them.
+void show(
+		PhaseEstimator &r_estimator, double from_s, double to_s,
+		const std::function<double(double t_s)> &error = [](double) { return 0.0; }) {
+	for (int i = static_cast<int>(std::ceil(from_s / PERIOD_S)); i * PERIOD_S < to_s; ++i) {
+		const double t_s = i * PERIOD_S;
+		r_estimator.push(t_s, DRAG.x_m(t_s) + error(t_s) + 1e-3 * std::sin(7.0 * i * i));
+	}
+}
+
+} // namespace
+
+TEST_CASE("a gap that is waited through is one fault, in however many steps it was noticed") {
+	for (const double gap_s : { 0.045, 0.06, 0.09 }) {
+		for (const double lost_s : { 0.75, 0.85, 0.95 }) {
+			CAPTURE(gap_s);
+			CAPTURE(lost_s);
+			PhaseEstimator unaware(drag_model()), once(drag_model()), often(drag_model());
+			for (PhaseEstimator *const estimator : { &unaware, &once, &often }) {
+				show(*estimator, 0.0, lost_s);
+			}
+			once.wait(lost_s + gap_s - PERIOD_S);
+			for (int ms = 0; 0.001 * ms < gap_s - PERIOD_S; ++ms) {
+				often.wait(lost_s + 0.001 * ms);
+			}
+			often.wait(lost_s + gap_s - PERIOD_S);
+			const double still_s = lost_s + gap_s + 0.1; // what is blended in has not gone yet
+			CHECK(often.at(still_s).phase == doctest::Approx(once.at(still_s).phase).epsilon(1e-4));
+			for (PhaseEstimator *const estimator : { &unaware, &once, &often }) {
+				show(*estimator, lost_s + gap_s, lost_s + gap_s + 2.5 * PERIOD_S);
+			}
+			CHECK(once.at(still_s).phase == doctest::Approx(unaware.at(still_s).phase).epsilon(1e-4));
+			CHECK(often.at(still_s).phase == doctest::Approx(unaware.at(still_s).phase).epsilon(1e-4));
+		}
+	}
+}
+
+TEST_CASE("what was reset is as made, whatever it had seen, and whenever it begins again") {
+	const auto jump = [](double t_s) { return t_s > 0.9 ? -0.3 : 0.0; };
+	const auto freeze = [](double t_s) { return t_s > 0.9 ? DRAG.x_m(0.9) - DRAG.x_m(t_s) : 0.0; };
+	for (const auto &error : { std::function<double(double)>(jump), std::function<double(double)>(freeze) }) {
+		for (const double from_s : { 0.0, 1.2 }) {
+			CAPTURE(from_s);
+			PhaseEstimator used(drag_model()), made(drag_model());
+			show(used, 0.0, 1.0, error);
+			used.wait(1.15);
+			used.reset();
+			CHECK(same(used.at(1.15), PhaseEstimate{}));
+			for (PhaseEstimator *const estimator : { &used, &made }) {
+				estimator->push(from_s, 0.2);
+			}
+			CHECK(same(used.at(from_s), made.at(from_s)));
+			for (PhaseEstimator *const estimator : { &used, &made }) {
+				estimator->wait(from_s + 0.06);
+			}
+			for (int i = 0; i < 100; ++i) {
+				const double t_s = from_s + 0.07 + i * PERIOD_S;
+				for (PhaseEstimator *const estimator : { &used, &made }) {
+					estimator->push(t_s, DRAG.x_m(i * PERIOD_S + 0.2));
+				}
+				REQUIRE(same(used.at(t_s + 0.004), made.at(t_s + 0.004)));
+			}
+		}
+	}
+}
+
+TEST_CASE("a restart moves nothing, and what the hand does it goes on doing") {
+	for (const double restart_s : { 0.8, 0.9, 1.0 }) {
+		CAPTURE(restart_s);
+		PhaseEstimator estimator(drag_model());
+		show(estimator, 0.0, restart_s);
+		const PhaseEstimate before = estimator.at(restart_s);
+		estimator.restart(restart_s);
+		const PhaseEstimate after = estimator.at(restart_s);
+		CHECK(after.value == doctest::Approx(before.value));
+		CHECK(after.velocity == doctest::Approx(before.velocity));
+		const double later_s = restart_s + 0.05;
+		show(estimator, restart_s, later_s);
+		CHECK(std::abs(estimator.at(later_s).value - DRAG.x_m(later_s)) < 0.02);
+		CHECK(estimator.at(later_s).moving < 0.1); // nothing has begun
+	}
+}
+
+TEST_CASE("a frame that is told again within an instant is the one it was") {
+	PhaseEstimator once(drag_model()), twice(drag_model());
+	for (int i = 0; i < 120; ++i) {
+		const double t_s = i * PERIOD_S, x = DRAG.x_m(t_s) + 1e-3 * std::sin(7.0 * i * i);
+		once.push(t_s, x);
+		twice.push(t_s, x);
+		twice.push(t_s + 1e-5, x + 0.01);
+		const double later_s = t_s + 0.5 * PERIOD_S;
+		REQUIRE(twice.at(later_s).value == doctest::Approx(once.at(later_s).value).epsilon(1e-4));
+		REQUIRE(twice.at(later_s).phase == doctest::Approx(once.at(later_s).phase).epsilon(1e-6));
+	}
+}
