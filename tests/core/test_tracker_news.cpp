@@ -1,0 +1,149 @@
+// What of a tracker's frames is news, and since when.
+
+#include "minimum_jerk_drag.h"
+#include "motion/tracker_standstill.h"
+#include "motion/tracking_soundness.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace steadyhand;
+
+// Values in amplitudes.
+
+namespace {
+
+constexpr double PERIOD_S = 1.0 / 128.0; // times are exact
+
+/// A hand that comes along the way at a speed; returns when the next frame is due.
+double run_up(TrackerStandstill &r_standstill, double speed_per_s, int frames) {
+	r_standstill.start(0.0, 0.0);
+	for (int i = 1; i < frames; ++i) {
+		r_standstill.tell(i * PERIOD_S, speed_per_s * i * PERIOD_S, 0.0005);
+	}
+	return frames * PERIOD_S;
+}
+
+} // namespace
+
+TEST_CASE("a tracker is judged alike whenever it begins") {
+	constexpr double LATER_S = 1024.0;
+	for (const int jumps_at : { 1, 2, 30 }) {
+		CAPTURE(jumps_at);
+		TrackingSoundness early, late;
+		for (int i = 0; i < 100; ++i) {
+			const double t_s = i * PERIOD_S;
+			const double x = 0.5 * t_s + (i >= jumps_at ? 0.3 : 0.0);
+			const bool repeats = i > 60 && i < 75;
+			early.push(t_s, repeats ? 2.0 : x);
+			late.push(t_s + LATER_S, repeats ? 2.0 : x);
+			CHECK(early.jumped() == late.jumped());
+			CHECK(early.returned() == late.returned());
+			CHECK(early.frozen() == late.frozen());
+			CHECK(early.told() == late.told());
+			CHECK(early.fault() == late.fault());
+			CHECK(early.news_s() + LATER_S == late.news_s());
+			CHECK(early.lasting_unsoundness() == late.lasting_unsoundness());
+		}
+	}
+}
+
+TEST_CASE("what a frame did is not said of one that repeats it") {
+	TrackingSoundness soundness;
+	double t_s = 0.0;
+	const auto show = [&](double x, int frames) {
+		for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
+			soundness.push(t_s, x);
+		}
+	};
+	show(0.1, 40);
+	show(0.5, 1);
+	CHECK(soundness.jumped());
+	CHECK(soundness.fault() == 1.0);
+	show(0.5, 1);
+	CHECK_FALSE(soundness.jumped());
+	CHECK(soundness.fault() == 0.0);
+	show(0.5, 20);
+	show(0.7, 1);
+	CHECK(soundness.returned());
+	show(0.7, 1);
+	CHECK_FALSE(soundness.returned());
+}
+
+TEST_CASE("a hand that moves beside the way is seen, and so is that it trembles there") {
+	TrackingSoundness moving, trembling;
+	for (int i = 0; i < 100; ++i) {
+		moving.push(i * PERIOD_S, 0.0, FeaturePlace(0.0, 0.5 * i * PERIOD_S, 0.0, 0.0));
+		CHECK(moving.told());
+		CHECK_FALSE(moving.frozen());
+		trembling.push(i * PERIOD_S, 0.0, FeaturePlace(0.0, 1e-4 * std::sin(2.0 * i), 0.0, 0.0));
+	}
+	for (int i = 0; i < 6; ++i) {
+		trembling.push((100 + i) * PERIOD_S, 0.0, FeaturePlace(0.0, 1e-4 * std::sin(198.0), 0.0, 0.0));
+	}
+	CHECK(trembling.frozen());
+	CHECK_FALSE(trembling.told());
+}
+
+TEST_CASE("exact rest tells that the hand is there") {
+	TrackingSoundness soundness;
+	for (int i = 0; i < 50; ++i) {
+		soundness.push(i * PERIOD_S, 0.2);
+	}
+	CHECK(soundness.told());
+	CHECK_FALSE(soundness.frozen());
+}
+
+TEST_CASE("a slow tracker is known by its first interval") {
+	TrackingSoundness soundness;
+	const std::vector<double> shown = { 0.0, 0.1, 0.2, 0.2, 0.3, 0.4 };
+	for (std::size_t i = 0; i < shown.size(); ++i) {
+		soundness.push(static_cast<double>(i) / 12.0, shown[i]);
+		CHECK(soundness.fault() == 0.0);
+		CHECK_FALSE(soundness.frozen());
+	}
+}
+
+TEST_CASE("a fast hand does not jump before a camera that is read more often than it looks") {
+	constexpr test::Drag FAST{ .onset_s = 0.5, .duration_s = 0.3, .amplitude_m = 1.0 };
+	for (const int reads : { 1, 2, 3 }) {
+		CAPTURE(reads);
+		TrackingSoundness soundness;
+		for (int i = 0; i < 128; ++i) {
+			const double seen_s = (i - i % reads) * PERIOD_S;
+			soundness.push(i * PERIOD_S, FAST.x_m(seen_s) + 1e-4 * std::sin(2.0 * (i - i % reads)));
+			CHECK_FALSE(soundness.jumped());
+			CHECK_FALSE(soundness.returned());
+			CHECK(soundness.fault() == 0.0);
+		}
+	}
+}
+
+TEST_CASE("a tracker that has repeated itself does not stand, until it tells something again") {
+	TrackerStandstill standstill;
+	double t_s = run_up(standstill, 1.5, 40);
+	const double lost = 1.5 * (t_s - PERIOD_S);
+	CHECK(standstill.stands(t_s, lost + 1e-5, 0.0005));
+	standstill.repeat();
+	CHECK_FALSE(standstill.stands(t_s, lost + 1e-5, 0.0005));
+	standstill.tell(t_s, 1.5 * t_s, 0.0005);
+	t_s += PERIOD_S;
+	CHECK(standstill.stands(t_s, 1.5 * (t_s - PERIOD_S) + 1e-5, 0.0005));
+}
+
+TEST_CASE("the first frames do not stand, and one that is forgotten is where nothing stands") {
+	TrackerStandstill first;
+	const double early_s = run_up(first, 1.5, 12);
+	CHECK_FALSE(first.stands(early_s, 1.5 * (early_s - PERIOD_S), 0.0005));
+
+	TrackerStandstill standstill;
+	const double t_s = run_up(standstill, 1.5, 40);
+	const double lost = 1.5 * (t_s - PERIOD_S);
+	standstill.tell(t_s, lost + 0.3, 0.0005);
+	standstill.forget();
+	CHECK_FALSE(standstill.stands(t_s + PERIOD_S, lost + 0.3, 0.0005));
+	CHECK(standstill.stands(t_s + PERIOD_S, lost + 1e-5, 0.0005));
+}
