@@ -147,3 +147,37 @@ TEST_CASE("the first frames do not stand, and one that is forgotten is where not
 	CHECK_FALSE(standstill.stands(t_s + PERIOD_S, lost + 0.3, 0.0005));
 	CHECK(standstill.stands(t_s + PERIOD_S, lost + 1e-5, 0.0005));
 }
+
+TEST_CASE("a jump beside the way counts once, also where the frame after it repeats it") {
+	TrackingSoundness soundness;
+	for (int i = 0; i < 40; ++i) {
+		soundness.push(i * PERIOD_S, 0.0, FeaturePlace(0.0, i < 38 ? 0.0 : 0.2, 0.0, 0.0));
+	}
+	CHECK(soundness.lasting_unsoundness() > 0.6);
+	CHECK(soundness.lasting_unsoundness() <= 1.0 - std::exp(-1.0)); // a single one
+}
+
+TEST_CASE("a single frame elsewhere leaves a fast hand as if it had not been, whichever way it was off") {
+	constexpr double SPEED_PER_S = 6.0;
+	for (const FeaturePlace &off : { FeaturePlace(0.3, 0.0, 0.0, 0.0), FeaturePlace(0.0, 0.3, 0.0, 0.0),
+				 FeaturePlace(0.3, 0.3, 0.0, 0.0) }) {
+		CAPTURE(off.transpose());
+		TrackingSoundness shown, skipped;
+		for (int i = 0; i < 60; ++i) {
+			const double t_s = i * PERIOD_S, x = SPEED_PER_S * t_s;
+			const FeaturePlace place(x, 0.5 * x, 0.0, 0.0);
+			if (i == 40) {
+				shown.push(t_s, x + off.x(), place + off);
+				CHECK(shown.lasting_unsoundness() > 0.6);
+				continue;
+			}
+			shown.push(t_s, x, place);
+			skipped.push(t_s, x, place);
+			CHECK_FALSE(shown.jumped());
+			CHECK(shown.news_s() == skipped.news_s());
+			CHECK(shown.told() == skipped.told());
+			CHECK((i == 41 || shown.fault() == 0.0));
+			CHECK(shown.lasting_unsoundness() == doctest::Approx(0.0).epsilon(0.01));
+		}
+	}
+}
