@@ -1,5 +1,6 @@
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -17,8 +18,7 @@ constexpr std::array SOURCES{ MotionSource::SYNTHESISED, MotionSource::MEASURED,
 constexpr std::array MODES{ MotionMode::PHASE, MotionMode::PAPER };
 
 GestureRecogniser recogniser(MotionMode mode) {
-	static const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
-	return GestureRecogniser({ model }, Task{}, mode);
+	return GestureRecogniser({ test::shared_drag_model() }, Task{}, mode);
 }
 
 using Row = std::array<double, SOURCES.size()>;

@@ -1,6 +1,7 @@
 #include "minimum_jerk_drag.h"
 #include "motion/motion_outlook.h"
 #include "signal/minimum_jerk.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -14,32 +15,22 @@ using namespace steadyhand;
 
 namespace {
 
-const GestureModel &drag_model() {
-	static const GestureModel model = test::trained_drag_model();
-	return model;
-}
-
-const ElementCurve &drag_curve() {
-	static const ElementCurve curve(drag_model());
-	return curve;
-}
-
 /// What one hypothesis alone expects.
 PhaseEstimate hand(const GestureHypothesis &hypothesis, double t_s, double filtered_s) {
 	HypothesisBank bank;
 	bank.start(hypothesis);
 	MotionOutlook outlook;
-	outlook.look(bank, drag_curve(), filtered_s, 0.0, filtered_s);
-	return outlook.at(drag_curve(), t_s);
+	outlook.look(bank, test::drag_curve(), filtered_s, 0.0, filtered_s);
+	return outlook.at(test::drag_curve(), t_s);
 }
 
 /// A bank of one.
 class Alone {
 public:
 	explicit Alone(const GestureHypothesis &hypothesis) { bank_.start(hypothesis); }
-	void predict(double t_s, double dt_s) { bank_.predict(drag_curve(), t_s, passages(dt_s)); }
+	void predict(double t_s, double dt_s) { bank_.predict(test::drag_curve(), t_s, passages(dt_s)); }
 	void absorb(double t_s, double x, const HypothesisGroup::Trust &trust) {
-		bank_.absorb(drag_curve(), t_s, x, trust);
+		bank_.absorb(test::drag_curve(), t_s, x, trust);
 	}
 	[[nodiscard]] GestureHypothesis get() const { return bank_.hypothesis(0); }
 	void set(const GestureHypothesis &hypothesis) { bank_.set(0, hypothesis); }
@@ -158,7 +149,7 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 	bank.prune(0.0, 0.0, 0.0);
 	for (const double ahead_s : { 0.0, 0.01 }) {
 		MotionOutlook outlook;
-		outlook.look(bank, drag_curve(), FILTERED_S, ahead_s, FILTERED_S);
+		outlook.look(bank, test::drag_curve(), FILTERED_S, ahead_s, FILTERED_S);
 		for (int i = 0; i < 50; ++i) {
 			const double t_s = FILTERED_S + ahead_s + 0.0007 * i;
 			double mean = 0.0, total = 0.0;
@@ -171,12 +162,12 @@ TEST_CASE("what is expected until the next frame is the weighted mean of the cur
 				} else if (bank.on_its_way(k)) {
 					const auto [onset_s, rate_per_s, gain, shape] = bank.course(k);
 					const double phase = (t_s - onset_s) * rate_per_s;
-					const double elements = evaluate_onwards(drag_model(), phase).value;
+					const double elements = evaluate_onwards(test::drag_model(), phase).value;
 					mean += bank.weight(k) * gain *
 							(elements + shape * (minimum_jerk(phase).value - elements));
 				}
 			}
-			CHECK(std::abs(outlook.at(drag_curve(), t_s).value - mean / total) < 1e-4);
+			CHECK(std::abs(outlook.at(test::drag_curve(), t_s).value - mean / total) < 1e-4);
 		}
 	}
 }
@@ -318,17 +309,17 @@ TEST_CASE(
 		"the motion elements are joined: value and slope are continuous, at the joints and beyond the end") {
 	constexpr double STEP = 1e-7;
 	std::vector<double> joints{ 0.0 };
-	for (const PrimitiveMotionElement &element : drag_model().elements) {
+	for (const PrimitiveMotionElement &element : test::drag_model().elements) {
 		joints.push_back(element.phase_end);
 	}
 	for (const double joint : joints) {
 		CAPTURE(joint);
-		const CurvePoint before = evaluate_onwards(drag_model(), joint - STEP),
-						 after = evaluate_onwards(drag_model(), joint + STEP);
+		const CurvePoint before = evaluate_onwards(test::drag_model(), joint - STEP),
+						 after = evaluate_onwards(test::drag_model(), joint + STEP);
 		CHECK(std::abs(after.value - before.value) < 1e-6);
 		CHECK(std::abs(after.slope - before.slope) < 1e-4);
 	}
-	CHECK(evaluate_onwards(drag_model(), -1.0).value == 0.0);
-	CHECK(evaluate_onwards(drag_model(), 1.0).value == doctest::Approx(1.0));
-	CHECK(evaluate_onwards(drag_model(), 3.0).slope < 1e-12);
+	CHECK(evaluate_onwards(test::drag_model(), -1.0).value == 0.0);
+	CHECK(evaluate_onwards(test::drag_model(), 1.0).value == doctest::Approx(1.0));
+	CHECK(evaluate_onwards(test::drag_model(), 3.0).slope < 1e-12);
 }

@@ -2,6 +2,7 @@
 
 #include "minimum_jerk_drag.h"
 #include "motion/phase_estimator.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -25,8 +26,7 @@ struct Furthest {
 };
 
 Furthest furthest(const Halt &halt, double rate_hz, double noise) {
-	static const GestureModel model = test::trained_drag_model();
-	PhaseEstimator estimator(model);
+	PhaseEstimator estimator(test::drag_model());
 	const test::Drag first{ .onset_s = 0.8, .duration_s = halt.first_s, .amplitude_m = halt.share };
 	const test::Drag second{ .onset_s = 0.8 + halt.first_s + halt.rest_s,
 		.duration_s = halt.second_s,

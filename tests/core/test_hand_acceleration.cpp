@@ -1,6 +1,7 @@
 #include "haptics/effect.h"
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
+#include "trained_drag.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -26,14 +27,13 @@ double own_m_s2(const Motion &motion) {
 } // namespace
 
 TEST_CASE("before a tracker that shakes the acceleration is the hand's, not that of what frames correct") {
-	const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> noise(0.0, 0.0005);
 	double truth_square = 0.0, own_off_square = 0.0, curve_off_square = 0.0;
 	for (const double duration_s : { 0.6, 0.9, 1.2 }) {
 		const test::Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = 0.2 };
 		Track track = test::drag_track(drag, 110.0, 2.2);
-		GestureRecogniser hmm({ model }, Task{}, MotionMode::PHASE);
+		GestureRecogniser hmm({ test::shared_drag_model() }, Task{}, MotionMode::PHASE);
 		int ms = 0;
 		for (HandFrame &frame : track.frames) {
 			frame.set(Joint::INDEX, frame.position(Joint::INDEX) + Eigen::Vector3d(noise(random), 0.0, 0.0));

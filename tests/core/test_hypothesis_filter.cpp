@@ -3,6 +3,7 @@
 #include "dense_hypothesis.h"
 #include "minimum_jerk_drag.h"
 #include "motion/hypothesis_bank.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -20,16 +21,6 @@ using Dense = test::DenseHypothesis;
 constexpr double STEP_S = 0.009;
 const test::Drag DRAG{ .onset_s = 0.06, .duration_s = 0.5, .amplitude_m = 1.0 };
 
-const GestureModel &drag_model() {
-	static const GestureModel model = test::trained_drag_model();
-	return model;
-}
-
-const ElementCurve &drag_curve() {
-	static const ElementCurve curve(drag_model());
-	return curve;
-}
-
 /// A hypothesis at a place of a bank, and what it should be.
 struct Pair {
 	HypothesisBank bank;
@@ -39,8 +30,8 @@ struct Pair {
 		bank.start(hypothesis);
 	}
 	void see(double t_s, double x, const HypothesisGroup::Trust &trust) {
-		bank.predict(drag_curve(), t_s, passages(STEP_S));
-		bank.absorb(drag_curve(), t_s, x, trust);
+		bank.predict(test::drag_curve(), t_s, passages(STEP_S));
+		bank.absorb(test::drag_curve(), t_s, x, trust);
 		dense.predict(t_s, STEP_S);
 		dense.absorb(t_s, x, trust);
 	}
@@ -72,7 +63,7 @@ struct Pair {
 
 Pair on_its_way(Regime regime, double onset_s, double log_duration) {
 	const GestureHypothesis rest = GestureHypothesis::resting(0.01);
-	Pair pair(rest.begun(regime, onset_s, 0.02, log_duration, 0.1), Dense::resting(drag_model(), 0.01));
+	Pair pair(rest.begun(regime, onset_s, 0.02, log_duration, 0.1), Dense::resting(test::drag_model(), 0.01));
 	pair.dense.begin_way(regime, onset_s, 0.02, log_duration, 0.1);
 	return pair;
 }
@@ -107,8 +98,8 @@ TEST_CASE("hypotheses side by side are extended Kalman filters, each as with den
 	}
 	for (int i = 0; i < 34; ++i) {
 		const double t_s = 0.1 + i * STEP_S;
-		bank.predict(drag_curve(), t_s, passages(STEP_S));
-		bank.absorb(drag_curve(), t_s, DRAG.x_m(t_s), TRUST);
+		bank.predict(test::drag_curve(), t_s, passages(STEP_S));
+		bank.absorb(test::drag_curve(), t_s, DRAG.x_m(t_s), TRUST);
 		for (Pair &pair : alone) {
 			pair.see(t_s, DRAG.x_m(t_s), TRUST);
 		}
@@ -153,7 +144,7 @@ TEST_CASE("what a prune or a swap moves to another place is filtered as it was")
 			// The first ones are dropped for good.
 			bank.add(alone.back().hypothesis(), k < 4 ? -100.0 : 0.0);
 		}
-		bank.predict(drag_curve(), NOW_S, passages(STEP_S));
+		bank.predict(test::drag_curve(), NOW_S, passages(STEP_S));
 		bank.prune(NOW_S, 0.0, 0.0);
 		REQUIRE(bank.size() == 3);
 		if (is_swapped) {
@@ -163,7 +154,7 @@ TEST_CASE("what a prune or a swap moves to another place is filtered as it was")
 		for (const std::size_t place : { 1U, 2U }) {
 			rates.at(place) = bank.course(place).rate_per_s;
 		}
-		bank.absorb(drag_curve(), NOW_S, 0.2, { .outlier = 0.0 });
+		bank.absorb(test::drag_curve(), NOW_S, 0.2, { .outlier = 0.0 });
 		for (const std::size_t place : { 1U, 2U }) {
 			Pair &pair = rates.at(place) == alone[4].bank.course(0).rate_per_s ? alone[4] : alone[5];
 			REQUIRE(rates.at(place) == pair.bank.course(0).rate_per_s);
@@ -235,7 +226,7 @@ TEST_CASE("what a hypothesis turns into keeps what is known of hand and tracker,
 		goes_on(way);
 	}
 
-	Pair free(GestureHypothesis::leaving(0.9, -0.6), Dense::resting(drag_model(), 0.9));
+	Pair free(GestureHypothesis::leaving(0.9, -0.6), Dense::resting(test::drag_model(), 0.9));
 	free.dense.be_in(Regime::FREE);
 	const Deviation &hand = regime_numbers(Regime::FREE).hand;
 	free.dense.begin(Dense::DV, -0.6, hand.amplitudes * hand.rate_per_s);

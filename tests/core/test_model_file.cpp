@@ -1,7 +1,7 @@
 // Model files that are valid JSON and still no model.
 
 #include "gesture/model_file.h"
-#include "minimum_jerk_drag.h"
+#include "trained_drag.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,14 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const GestureModel &drag_model() {
-	static const GestureModel model = test::trained_drag_model();
-	return model;
-}
-
 /// The error of a file of the drag's model with a change; empty where it is read.
 std::string error_of(const std::function<void(Json &r_file)> &change) {
-	static const Json file = Json::parse(format_model(drag_model()));
+	static const Json file = Json::parse(format_model(test::drag_model()));
 	Json changed = file;
 	change(changed);
 	const Result<GestureModel> read = parse_model(changed.dump(), "a.gesture");

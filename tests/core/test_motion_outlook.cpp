@@ -1,7 +1,7 @@
 // What hypotheses together expect of the hand until the next frame, and while none comes.
 
-#include "minimum_jerk_drag.h"
 #include "motion/motion_outlook.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -14,12 +14,6 @@ namespace {
 constexpr double NOW_S = 1.0;
 /// As MotionOutlook's: beyond it what is expected is no quintic.
 constexpr double PIECE_S = 0.02;
-
-const ElementCurve &drag_curve() {
-	static const GestureModel model = test::trained_drag_model();
-	static const ElementCurve curve(model);
-	return curve;
-}
 
 GestureHypothesis begun(Regime regime, double onset_s, double duration_s, double log_weight) {
 	GestureHypothesis h =
@@ -40,10 +34,10 @@ HypothesisBank mixed() {
 	bank.add(begun(Regime::FREE, 0.7, 0.9, -0.4));
 	bank.add(GestureHypothesis::leaving(0.4, 1.5), -0.6);
 	// Deviations that are not 0, of different rates.
-	bank.predict(drag_curve(), NOW_S - 0.01, passages(0.01));
-	bank.absorb(drag_curve(), NOW_S - 0.01, 0.3, { .outlier = 0.0, .jitter = 0.1 });
-	bank.predict(drag_curve(), NOW_S, passages(0.01));
-	bank.absorb(drag_curve(), NOW_S, 0.33, { .outlier = 0.0, .jitter = 0.1 });
+	bank.predict(test::drag_curve(), NOW_S - 0.01, passages(0.01));
+	bank.absorb(test::drag_curve(), NOW_S - 0.01, 0.3, { .outlier = 0.0, .jitter = 0.1 });
+	bank.predict(test::drag_curve(), NOW_S, passages(0.01));
+	bank.absorb(test::drag_curve(), NOW_S, 0.33, { .outlier = 0.0, .jitter = 0.1 });
 	bank.prune(NOW_S, 0.0, 0.0);
 	return bank;
 }
@@ -54,8 +48,8 @@ PhaseEstimate alone(const GestureHypothesis &hypothesis, double t_s) {
 	bank.start(hypothesis);
 	bank.prune(NOW_S, 0.0, 0.0);
 	MotionOutlook outlook;
-	outlook.look(bank, drag_curve(), NOW_S, 0.0, NOW_S);
-	return outlook.at(drag_curve(), t_s);
+	outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S);
+	return outlook.at(test::drag_curve(), t_s);
 }
 
 } // namespace
@@ -66,8 +60,8 @@ TEST_CASE("velocity and acceleration are the derivatives of what is expected, an
 	REQUIRE(bank.size() == 6);
 	for (const double ahead_s : { 0.0, 0.013 }) {
 		MotionOutlook outlook;
-		outlook.look(bank, drag_curve(), NOW_S, ahead_s, NOW_S);
-		const auto at = [&](double t_s) { return outlook.at(drag_curve(), t_s); };
+		outlook.look(bank, test::drag_curve(), NOW_S, ahead_s, NOW_S);
+		const auto at = [&](double t_s) { return outlook.at(test::drag_curve(), t_s); };
 		for (const double later_s : { 0.004, 0.01, 0.016, 0.03, 0.05, 0.1, 0.2, 0.5, 1.5 }) {
 			CAPTURE(later_s);
 			const double t_s = NOW_S + ahead_s + later_s;
@@ -98,17 +92,17 @@ TEST_CASE("phase and movement are the weighted means of those on their way") {
 		}
 	}
 	MotionOutlook outlook;
-	outlook.look(bank, drag_curve(), NOW_S, 0.0, NOW_S);
-	const PhaseEstimate now = outlook.at(drag_curve(), NOW_S);
+	outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S);
+	const PhaseEstimate now = outlook.at(test::drag_curve(), NOW_S);
 	CHECK(now.moving == doctest::Approx(moving / total).epsilon(1e-12));
 	CHECK(now.phase == doctest::Approx(phase / total).epsilon(1e-12));
 	// Over the quintic the phase is a parabola, which is where the mean is at its end.
-	const PhaseEstimate within = outlook.at(drag_curve(), NOW_S + 0.5 * PIECE_S),
-						beyond = outlook.at(drag_curve(), NOW_S + PIECE_S + 1e-9);
+	const PhaseEstimate within = outlook.at(test::drag_curve(), NOW_S + 0.5 * PIECE_S),
+						beyond = outlook.at(test::drag_curve(), NOW_S + PIECE_S + 1e-9);
 	CHECK(std::abs(within.phase - 0.5 * (now.phase + beyond.phase)) < 1e-3);
 	CHECK(within.moving == now.moving);
 	// A time before that of the hypotheses is answered by theirs.
-	CHECK(outlook.at(drag_curve(), NOW_S - 1.0).value == doctest::Approx(now.value).epsilon(1e-12));
+	CHECK(outlook.at(test::drag_curve(), NOW_S - 1.0).value == doctest::Approx(now.value).epsilon(1e-12));
 }
 
 TEST_CASE("a look leaves nothing of the one before") {
@@ -118,12 +112,12 @@ TEST_CASE("a look leaves nothing of the one before") {
 	other.add(begun(Regime::SOUND, 0.7, 1.0, -0.3));
 	for (const double ahead_s : { 0.0, 0.02 }) {
 		MotionOutlook used, fresh;
-		used.look(bank, drag_curve(), NOW_S - 0.01, 0.005, NOW_S - 0.01);
-		used.look(other, drag_curve(), NOW_S, ahead_s, NOW_S);
-		fresh.look(other, drag_curve(), NOW_S, ahead_s, NOW_S);
+		used.look(bank, test::drag_curve(), NOW_S - 0.01, 0.005, NOW_S - 0.01);
+		used.look(other, test::drag_curve(), NOW_S, ahead_s, NOW_S);
+		fresh.look(other, test::drag_curve(), NOW_S, ahead_s, NOW_S);
 		for (const double later_s : { 0.0, 0.01, 0.02, 0.5 }) {
-			const PhaseEstimate a = used.at(drag_curve(), NOW_S + ahead_s + later_s),
-								b = fresh.at(drag_curve(), NOW_S + ahead_s + later_s);
+			const PhaseEstimate a = used.at(test::drag_curve(), NOW_S + ahead_s + later_s),
+								b = fresh.at(test::drag_curve(), NOW_S + ahead_s + later_s);
 			CHECK(a.value == b.value);
 			CHECK(a.velocity == b.velocity);
 			CHECK(a.acceleration == b.acceleration);

@@ -2,6 +2,7 @@
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
 #include "motion/phase_estimator.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -32,7 +33,7 @@ struct Figures {
 
 /// Mean over drags of 0.7 to 1.2 s.
 Figures figures(const Sensor &sensor) {
-	static const GestureModel model = test::trained_drag_model();
+	const GestureModel &model = test::drag_model();
 	constexpr int DRAGS = 20;
 	constexpr int MS = 2600;
 	Figures sum;
@@ -98,7 +99,7 @@ TEST_CASE("phase mode keeps to what sensors of all makes show") {
 }
 
 TEST_CASE("before any sensor a quick gesture with its task known ends where the hand does") {
-	static const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
+	const auto &model = test::shared_drag_model();
 	for (const double rate_hz : { 30.0, 120.0, 500.0, 1000.0, 2000.0, 10000.0 }) {
 		for (const double duration_s : { 0.5, 1.0, 1.5 }) {
 			CAPTURE(rate_hz);

@@ -1,5 +1,6 @@
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +10,6 @@
 using namespace steadyhand;
 
 namespace {
-
-const std::shared_ptr<const GestureModel> &drag_model() {
-	static const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
-	return model;
-}
 
 constexpr std::array DECODINGS{
 	StateDecoding{ StateDecoding::Rule::VITERBI, 3 },
@@ -25,7 +21,7 @@ constexpr std::array DECODINGS{
 } // namespace
 
 TEST_CASE("a state that is known late is dated back: its element is through when it would have been") {
-	const GestureModel &model = *drag_model();
+	const GestureModel &model = *test::shared_drag_model();
 	constexpr double SLOWER = 1.2, LATE_S = 0.05;
 	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
 	const double entered_s = SLOWER * first.duration_mean_s,
@@ -46,7 +42,7 @@ TEST_CASE("a state that is known late is dated back: its element is through when
 }
 
 TEST_CASE("a gesture that is seen late begins there: its first element is through when it would have been") {
-	const GestureModel &model = *drag_model();
+	const GestureModel &model = *test::shared_drag_model();
 	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
 	for (const double share : { 0.0, 0.4, 0.9 }) {
 		PaperSynthesiser synthesiser(model);
@@ -77,7 +73,8 @@ TEST_CASE("the decoder does not say which gesture it is, nor, without a task, wh
 	const Track track =
 			test::drag_track({ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 }, 97.0, 2.5);
 	const auto stages = [&](const StateDecoding &decoding) {
-		GestureRecogniser recogniser({ drag_model() }, std::nullopt, MotionMode::PAPER, {}, 0.0, decoding);
+		GestureRecogniser recogniser(
+				{ test::shared_drag_model() }, std::nullopt, MotionMode::PAPER, {}, 0.0, decoding);
 		std::vector<int> told;
 		for (const HandFrame &frame : track.frames) {
 			recogniser.push(frame);
@@ -98,7 +95,8 @@ TEST_CASE("`paper` mode comes to the end of a drag by every decoder, and those t
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 };
 	const Track track = test::drag_track(drag, 97.0, 3.0);
 	const auto first_seen_s = [&](const StateDecoding &decoding) {
-		GestureRecogniser recogniser({ drag_model() }, Task{}, MotionMode::PAPER, {}, 0.0, decoding);
+		GestureRecogniser recogniser(
+				{ test::shared_drag_model() }, Task{}, MotionMode::PAPER, {}, 0.0, decoding);
 		std::array<double, 4> seen_s{};
 		for (const HandFrame &frame : track.frames) {
 			recogniser.push(frame);

@@ -2,6 +2,7 @@
 
 #include "minimum_jerk_drag.h"
 #include "motion/phase_estimator.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -17,11 +18,6 @@ namespace {
 
 constexpr double PERIOD_S = 0.009;
 constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
-
-const GestureModel &drag_model() {
-	static const GestureModel model = test::trained_drag_model();
-	return model;
-}
 
 bool same(const PhaseEstimate &a, const PhaseEstimate &b) {
 	return a.value == b.value && a.velocity == b.velocity && a.acceleration == b.acceleration &&
@@ -45,7 +41,7 @@ TEST_CASE("a gap that is waited through is one fault, in however many steps it w
 		for (const double lost_s : { 0.75, 0.85, 0.95 }) {
 			CAPTURE(gap_s);
 			CAPTURE(lost_s);
-			PhaseEstimator unaware(drag_model()), once(drag_model()), often(drag_model());
+			PhaseEstimator unaware(test::drag_model()), once(test::drag_model()), often(test::drag_model());
 			for (PhaseEstimator *const estimator : { &unaware, &once, &often }) {
 				show(*estimator, 0.0, lost_s);
 			}
@@ -71,7 +67,7 @@ TEST_CASE("what was reset is as made, whatever it had seen, and whenever it begi
 	for (const auto &error : { std::function<double(double)>(jump), std::function<double(double)>(freeze) }) {
 		for (const double from_s : { 0.0, 1.2 }) {
 			CAPTURE(from_s);
-			PhaseEstimator used(drag_model()), made(drag_model());
+			PhaseEstimator used(test::drag_model()), made(test::drag_model());
 			show(used, 0.0, 1.0, error);
 			used.wait(1.15);
 			used.reset();
@@ -97,7 +93,7 @@ TEST_CASE("what was reset is as made, whatever it had seen, and whenever it begi
 TEST_CASE("a restart moves nothing, and what the hand does it goes on doing") {
 	for (const double restart_s : { 0.8, 0.9, 1.0 }) {
 		CAPTURE(restart_s);
-		PhaseEstimator estimator(drag_model());
+		PhaseEstimator estimator(test::drag_model());
 		show(estimator, 0.0, restart_s);
 		const PhaseEstimate before = estimator.at(restart_s);
 		estimator.restart(restart_s);
@@ -112,7 +108,7 @@ TEST_CASE("a restart moves nothing, and what the hand does it goes on doing") {
 }
 
 TEST_CASE("a frame that is told again within an instant is the one it was") {
-	PhaseEstimator once(drag_model()), twice(drag_model());
+	PhaseEstimator once(test::drag_model()), twice(test::drag_model());
 	for (int i = 0; i < 120; ++i) {
 		const double t_s = i * PERIOD_S, x = DRAG.x_m(t_s) + 1e-3 * std::sin(7.0 * i * i);
 		once.push(t_s, x);

@@ -1,5 +1,6 @@
 #include "minimum_jerk_drag.h"
 #include "motion/phase_estimator.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -17,15 +18,10 @@ namespace {
 constexpr double PERIOD_S = 0.009;
 constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 
-const GestureModel &drag_model() {
-	static const GestureModel model = test::trained_drag_model();
-	return model;
-}
-
 /// A hand at rest before a sensor that trembles as all do.
 class RestingHand {
 public:
-	PhaseEstimator estimator{ drag_model() };
+	PhaseEstimator estimator{ test::drag_model() };
 	double t_s = 0.0;
 	double furthest = 0.0; ///< that the estimate has been off 0
 
@@ -69,7 +65,7 @@ struct Off {
 /// error: of the time since it begins, over when it has been so for over_s.
 template <typename Error> Off furthest_off(bool at_end, double over_s, const Error &error) {
 	constexpr double BEGINS_S = 2.3;
-	PhaseEstimator estimator(drag_model());
+	PhaseEstimator estimator(test::drag_model());
 	std::mt19937_64 random(8);
 	std::normal_distribution<double> normal;
 	Off off;
@@ -88,7 +84,7 @@ template <typename Error> Off furthest_off(bool at_end, double over_s, const Err
 /// What is believed of a hand at until_s that a tracker saw, later and later, up to seen_s.
 PhaseEstimate believed_of_late_tracker(bool knows_of_gap, double seen_s, double until_s) {
 	constexpr double LAG_S = regime_numbers(Regime::UNSOUND).lag_s;
-	PhaseEstimator estimator(drag_model());
+	PhaseEstimator estimator(test::drag_model());
 	for (int i = 0; i * PERIOD_S < seen_s; ++i) {
 		const double t_s = i * PERIOD_S;
 		estimator.push(t_s, DRAG.x_m(t_s - LAG_S * DRAG.x_m(t_s)));
@@ -105,7 +101,7 @@ TEST_CASE("a tracker that is always late is made up for where its latency is kno
 	constexpr double LATENCY_S = 0.03;
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.0, .amplitude_m = 1.0 };
 	const auto largest_error = [&](double known_s) {
-		PhaseEstimator estimator(drag_model(), {}, known_s);
+		PhaseEstimator estimator(test::drag_model(), {}, known_s);
 		double largest = 0.0;
 		follow(
 				estimator, 2.0, [&](double t_s) { return drag.x_m(t_s - LATENCY_S); },
@@ -178,7 +174,7 @@ TEST_CASE(
 	for (const double lost_s : { 0.8, 0.9, 1.0 }) {
 		CAPTURE(lost_s);
 		constexpr double FOUND_S = 2.0;
-		PhaseEstimator estimator(drag_model());
+		PhaseEstimator estimator(test::drag_model());
 		std::mt19937_64 random(8);
 		std::normal_distribution<double> normal;
 		double furthest = 0.0;
@@ -212,7 +208,7 @@ TEST_CASE("a freeze does not move a hand that rests beside the end of its way") 
 			CAPTURE(amplitude);
 			CAPTURE(lost_s);
 			constexpr double FREEZES_S = 2.5;
-			PhaseEstimator estimator(drag_model());
+			PhaseEstimator estimator(test::drag_model());
 			std::mt19937_64 random(8);
 			std::normal_distribution<double> normal;
 			double shown = 0.0;
@@ -261,7 +257,7 @@ TEST_CASE("a gap says nothing of whether the hand has begun") {
 	int undecided = 0;
 	for (int frames = 55; frames < 78; ++frames) {
 		CAPTURE(frames);
-		PhaseEstimator estimator(drag_model());
+		PhaseEstimator estimator(test::drag_model());
 		const double last_s = PERIOD_S * (frames - 1);
 		for (int i = 0; i < frames; ++i) {
 			estimator.push(i * PERIOD_S, DRAG.x_m(i * PERIOD_S));
@@ -279,7 +275,7 @@ TEST_CASE("a gap says nothing of whether the hand has begun") {
 TEST_CASE("phase mode follows a hand through a freeze that trembles as through one that does not") {
 	constexpr double LOST_S = 0.75, FOUND_S = 0.95;
 	const auto largest_error = [&](double tremble) {
-		PhaseEstimator estimator(drag_model());
+		PhaseEstimator estimator(test::drag_model());
 		std::mt19937_64 random(4);
 		std::normal_distribution<double> normal;
 		double largest = 0.0;

@@ -1,6 +1,7 @@
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
 #include "motion/phase_estimator.h"
+#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
@@ -15,11 +16,6 @@ using namespace steadyhand;
 namespace {
 
 constexpr double PERIOD_S = 0.0125;
-
-const std::shared_ptr<const GestureModel> &drag_model() {
-	static const auto model = std::make_shared<const GestureModel>(test::trained_drag_model());
-	return model;
-}
 
 /// There and back again, six times; rests of half a second.
 struct Round {
@@ -44,7 +40,7 @@ TEST_CASE("drags in a row before a tracker that errs are all found, and nearer t
 	double missing = 0.0, missing_shown = 0.0; // sums of squares
 	for (unsigned seed = 0; seed < 6; ++seed) {
 		CAPTURE(seed);
-		GestureRecogniser hmm({ drag_model() }, task, MotionMode::PHASE);
+		GestureRecogniser hmm({ test::shared_drag_model() }, task, MotionMode::PHASE);
 		std::mt19937_64 random(seed);
 		std::uniform_real_distribution<double> uniform;
 		std::normal_distribution<double> noise(0.0, 1e-3);
@@ -90,7 +86,7 @@ TEST_CASE("a hand that comes back unseen is where the tracker finds it") {
 		for (const double faults : { 0.0, 0.3 }) { // seconds in which the tracker had been lost before
 			CAPTURE(freezes);
 			CAPTURE(faults);
-			PhaseEstimator estimator(*drag_model());
+			PhaseEstimator estimator(*test::shared_drag_model());
 			std::mt19937_64 random(5);
 			std::normal_distribution<double> noise(0.0, 1e-3);
 			double seen = 0.0;
@@ -115,7 +111,7 @@ TEST_CASE("a tracker that wanders, and loses the hand, throws none about that st
 	double furthest = 0.0, furthest_shown = 0.0;
 	for (unsigned seed = 140; seed < 210; ++seed) {
 		const test::Drag drag{ .onset_s = 0.7, .duration_s = 0.4, .amplitude_m = task.amplitude_m };
-		GestureRecogniser hmm({ drag_model() }, task, MotionMode::PHASE);
+		GestureRecogniser hmm({ test::shared_drag_model() }, task, MotionMode::PHASE);
 		std::mt19937_64 random(seed);
 		std::normal_distribution<double> normal;
 		double error = 0.0;
