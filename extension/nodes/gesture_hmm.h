@@ -6,6 +6,7 @@
 #include "motion_listener.h"
 
 #include "gesture/task.h"
+#include "motion/motion.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>
@@ -18,7 +19,6 @@
 
 namespace steadyhand {
 class GestureRecogniser;
-struct Motion;
 } // namespace steadyhand
 
 namespace godot {
@@ -128,7 +128,7 @@ private:
 	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
-	double sensor_latency_s_ = 0.007;
+	double sensor_latency_s_ = steadyhand::USUAL_SENSOR_LATENCY_S;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;

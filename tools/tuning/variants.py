@@ -48,12 +48,18 @@ def cache() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "steadyhand"
 
 
+def edited_files(place: Path, edits: list[dict]) -> dict[Path, str]:
+    """By file the new text, of the sources at place. Raises ValueError where an edit does not fit them."""
+    texts = {}
+    for edit in edits:
+        file = place / MOTION / edit["file"]
+        texts[file] = edited(texts.get(file) or file.read_text(), edit)
+    return texts
+
+
 def check() -> None:
-    """Raises ValueError where an edit does not fit the sources."""
     for edits in read_variants().values():
-        texts = {edit["file"]: (ROOT / MOTION / edit["file"]).read_text() for edit in edits}
-        for edit in edits:
-            texts[edit["file"]] = edited(texts[edit["file"]], edit)
+        edited_files(ROOT, edits)
 
 
 def copy_sources(place: Path) -> None:
@@ -80,15 +86,15 @@ def measure(place: Path, sets: dict[str, Path | None]) -> dict[str, list[dict[st
 
 
 def measure_variant(place: Path, edits: list[dict], sets: dict[str, Path | None]) -> dict[str, list[dict[str, str]]]:
-    before = {edit["file"]: (place / MOTION / edit["file"]).read_text() for edit in edits}
+    changed = edited_files(place, edits)
+    before = {file: file.read_text() for file in changed}
     try:
-        for edit in edits:
-            file = place / MOTION / edit["file"]
-            file.write_text(edited(file.read_text(), edit))
+        for file, text in changed.items():
+            file.write_text(text)
         return measure(place, sets)
     finally:
         for file, text in before.items():
-            (place / MOTION / file).write_text(text)
+            file.write_text(text)
 
 
 def column(rows: list[dict[str, str]], name: str, position: str) -> np.ndarray:

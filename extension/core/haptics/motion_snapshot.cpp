@@ -47,20 +47,20 @@ MotionPoint MotionSnapshot::at(double t_s) const {
 	if (count == 0) {
 		return {};
 	}
+	const auto on_piece = [this](std::size_t knot, double s) {
+		const Knot &from = knots[knot], &to = knots[knot + 1];
+		return OwnAcceleration::between(from, to, period_s).of(quintic(from, to, period_s).at(s), s);
+	};
 	const double x = (t_s - time_s) / period_s;
 	const std::size_t last = count - 1;
 	if (x < 0.0 && last > 0) {
-		MotionPoint first = quintic(knots[0], knots[1], period_s).at(0.0);
-		first.correction = knots[0].correction;
-		return before(first, t_s - time_s);
+		return before(on_piece(0, 0.0), t_s - time_s);
 	}
 	if (!(x < static_cast<double>(last))) {
 		return coasting(knots[last], std::max(t_s - end_s(), 0.0));
 	}
 	const auto knot = static_cast<std::size_t>(x);
-	const Knot &from = knots[knot], &to = knots[knot + 1];
-	const double s = t_s - time_s - period_s * static_cast<double>(knot);
-	return OwnAcceleration::between(from, to, period_s).of(quintic(from, to, period_s).at(s), s);
+	return on_piece(knot, t_s - time_s - period_s * static_cast<double>(knot));
 }
 
 void MotionCurve::set(const MotionSnapshot &snapshot) {

@@ -6,6 +6,10 @@ namespace steadyhand {
 /// longer. So a sensor of 10 kHz costs no more than one of 250 Hz, and stamps that repeat do no harm.
 inline constexpr double LEAST_FRAME_S = 0.0035;
 
+/// How old what a frame shows is taken to be unless it is told: less than optical trackers have, as a cue
+/// that comes 15 ms early is noticed, and one that is less than 50 ms late is not.
+inline constexpr double USUAL_SENSOR_LATENCY_S = 0.007;
+
 /// The motion that drives vibration, at one instant. Derivatives are those of the curve that is put out, and
 /// come of the motion elements, not of noisy samples; they are 0 for the conditions that hold a sample
 /// (measured, average, One Euro, Kalman).

@@ -29,8 +29,8 @@ public:
 
 	/// What is left at t_s of a step that fades by itself, from no rate of change on, twice as soon.
 	[[nodiscard]] double share_left(double t_s) const {
-		const double gone = rate_per_s_ * std::max(t_s - began_s_, 0.0), fading = std::exp(-gone);
-		return (1.0 + 2.0 * gone) * fading * fading;
+		const double dt_s = std::max(t_s - began_s_, 0.0), fading = std::exp(-rate_per_s_ * dt_s);
+		return critically_damped(1.0, 0.0, 2.0 * rate_per_s_, dt_s, fading * fading).value;
 	}
 
 	/// At t_s; values in metres.
