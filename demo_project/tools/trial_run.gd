@@ -11,6 +11,9 @@ const REFERENCE := "reference"
 const NO_GESTURE := "none"
 ## Stamps are decimal text: what is this near to a whole millisecond (in ms) is one.
 const ROUNDING_MS := 1e-6
+## A record ends as tracking does that loses the hand: for so long afterwards nothing is seen, and
+## what was under way ends or is given up.
+const AFTER_S := 1.5
 ## What a damaged stamp asks for is more than there is memory.
 const LONGEST_RECORD_S := 6.0 * 3600.0
 
@@ -152,6 +155,7 @@ func _record(tracker: HandTracker, hmm: GestureHMM, unit_m: float) -> void:
 		for motion in motions:
 			samples[place] = hmm.get_motion_value(motion) / unit_m
 			place += count
+	tracker.advance_to((first_ms + count) / RATE_HZ + AFTER_S)
 	for c in motions.size():
 		curves[Conditions.NAMES[c]] = samples.slice(c * count, (c + 1) * count)
 

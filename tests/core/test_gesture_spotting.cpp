@@ -1,7 +1,6 @@
 // Start, end and abort of gestures, with the task known and with nothing known; motion that is none.
 
-#include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
+#include "gesture_events.h"
 #include "simulation/synthetic_trial.h"
 
 #include <doctest/doctest.h>
@@ -13,125 +12,13 @@
 #include <random>
 
 using namespace steadyhand;
+using namespace steadyhand::test;
 
 namespace {
 
-std::shared_ptr<const GestureModel> model(const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
-	GestureModel trained = test::trained_drag_model();
-	trained.gesture = gesture;
-	trained.typical_task.axis = axis;
-	trained.both_ways = both_ways;
-	return std::make_shared<const GestureModel>(std::move(trained));
-}
-
-const std::vector<std::shared_ptr<const GestureModel>> &models() {
-	static const std::vector<std::shared_ptr<const GestureModel>> all = {
-		model("sideways", Eigen::Vector3d::UnitX(), true), model("upright", Eigen::Vector3d::UnitY(), true),
-		model("push", -Eigen::Vector3d::UnitZ(), false)
-	};
-	return all;
-}
-
-struct Events {
-	std::vector<std::string> said; ///< "started sideways" and so on
-	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m
-	double last_confidence = 0.0;  ///< when the last gesture ended
-	double last_value_m = 0.0;     ///< synthesised
-	double first_shown_s = 1e9;    ///< when a gesture was first under way
-	double last_ended_s = 0.0;     ///< when the last gesture ended
-};
-
-using Way = std::function<Eigen::Vector3d(double t_s)>;
-
-/// The hand's way as a tracker sees it; nothing between lost_from_s and lost_to_s.
-Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
-		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
-	Events events;
-	std::mt19937_64 random(5);
-	std::normal_distribution<double> noise(0.0, noise_m);
-	std::string shown;
-	bool had_arrived = false;
-	double last_value_m = 0.0;
-	int frames = 0;
-	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
-		const double t_s = ms / 1000.0;
-		for (; frames / rate_hz <= t_s; ++frames) {
-			const double frame_s = frames / rate_hz;
-			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
-				continue;
-			}
-			HandFrame frame;
-			frame.t_s = frame_s;
-			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
-			frame.set(Joint::INDEX, way(frame_s) + trembling);
-			recogniser.push(frame);
-		}
-		recogniser.advance(t_s);
-		const GestureFollower *const follower = recogniser.follower();
-		const bool is_shown = follower != nullptr && follower->stage() != GestureFollower::Stage::RESTING;
-		const bool has_arrived = is_shown && follower->stage() == GestureFollower::Stage::ARRIVED;
-		const std::string now = is_shown ? follower->model().gesture : "";
-		if (!shown.empty() && !had_arrived && now != shown) {
-			events.said.push_back("aborted " + shown);
-		}
-		if (is_shown) {
-			events.first_shown_s = std::min(events.first_shown_s, t_s);
-		}
-		if (is_shown && now != shown) {
-			events.said.push_back("started " + now);
-		}
-		if (has_arrived && (now != shown || !had_arrived)) {
-			events.said.push_back("ended " + now);
-			events.last_confidence = recogniser.confidence();
-			events.last_ended_s = t_s;
-		}
-		shown = now;
-		had_arrived = has_arrived;
-		const double value_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
-		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
-		last_value_m = value_m;
-	}
-	events.last_value_m = last_value_m;
-	return events;
-}
-
-Events in_the_open(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
-	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
-	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
-}
-
-Events in_a_task(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
-	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
-	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
-}
-
-Way along(const Eigen::Vector3d &axis, const std::vector<test::Drag> &strokes) {
-	return [=](double t_s) {
-		double x_m = 0.0;
-		for (const test::Drag &stroke : strokes) {
-			x_m += stroke.x_m(t_s);
-		}
-		return Eigen::Vector3d(x_m * axis);
-	};
-}
-
-std::vector<std::string> times(int n, const std::string &gesture) {
-	std::vector<std::string> said;
-	for (int i = 0; i < n; ++i) {
-		said.push_back("started " + gesture);
-		said.push_back("ended " + gesture);
-	}
-	return said;
-}
-
 const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
 					  Z = Eigen::Vector3d::UnitZ();
-const test::Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
-
-bool none_ends(const Events &events) {
-	return std::ranges::none_of(
-			events.said, [](const std::string &said) { return said.starts_with("ended"); });
-}
+const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 
 } // namespace
 
@@ -145,7 +32,7 @@ TEST_CASE("with nothing given each gesture is found, whichever way it goes") {
 	const Eigen::Vector3d oblique(std::cos(0.35), 0.0, std::sin(0.35)); // 20 degrees off
 	CHECK(in_the_open(along(oblique, { DRAG }), 2.5).said == times(1, "sideways"));
 	for (const double size : { 0.7, 1.5 }) {
-		const test::Drag other{ .onset_s = 0.6, .duration_s = 0.7, .amplitude_m = 0.2 * size };
+		const Drag other{ .onset_s = 0.6, .duration_s = 0.7, .amplitude_m = 0.2 * size };
 		CHECK(in_the_open(along(X, { other }), 2.5).said == times(1, "sideways"));
 	}
 }
@@ -155,7 +42,7 @@ TEST_CASE("with nothing given the motion is the way along the hand's own directi
 		for (const double amplitude_m : { 0.15, 0.2, 0.35 }) {
 			CAPTURE(angle);
 			CAPTURE(amplitude_m);
-			const test::Drag drag{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = amplitude_m };
+			const Drag drag{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = amplitude_m };
 			const Eigen::Vector3d axis(std::cos(angle), std::sin(angle), 0.0);
 			for (const double sense : { 1.0, -1.0 }) {
 				const Events events = in_the_open(along(sense * axis, { drag }), 2.2);
@@ -179,7 +66,7 @@ TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 TEST_CASE("with nothing given a gesture that ends in full motion ends there, and not where the hand stops") {
 	// A contact at four fifths of the way, passed after 0.6734 of the time: 10 s^3 - 15 s^4 + 6 s^5 = 0.8.
 	constexpr double CONTACT = 0.6734;
-	std::vector<TrainingRecording> recordings = test::drag_recordings();
+	std::vector<TrainingRecording> recordings = drag_recordings();
 	for (TrainingRecording &recording : recordings) {
 		const double duration_s = recording.end_s - 0.5;
 		recording.end_s = 0.5 + CONTACT * duration_s;
@@ -190,7 +77,7 @@ TEST_CASE("with nothing given a gesture that ends in full motion ends there, and
 	for (const double duration_s : { 0.8, 1.0, 1.3 }) {
 		CAPTURE(duration_s);
 		GestureRecogniser recogniser({ contact }, std::nullopt, MotionMode::PHASE);
-		const test::Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+		const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
 		const Events events = watch(recogniser, along(X, { drag }), 2.5);
 		CHECK(events.said == times(1, "contact"));
 		CHECK(std::abs(events.last_ended_s - (0.6 + CONTACT * duration_s)) < 0.05);
@@ -198,14 +85,14 @@ TEST_CASE("with nothing given a gesture that ends in full motion ends there, and
 }
 
 TEST_CASE("with nothing given a hand that goes twice as far ends where it stops, not where others do") {
-	const test::Drag far{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.4 };
+	const Drag far{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.4 };
 	const Events events = in_the_open(along(X, { far }), 2.5);
 	CHECK(events.said == times(1, "sideways"));
 	CHECK(far.x_m(events.last_ended_s) > 0.36);
 }
 
 TEST_CASE("ten taps in a row each start and end once") {
-	std::vector<test::Drag> strokes;
+	std::vector<Drag> strokes;
 	for (int i = 0; i < 10; ++i) {
 		strokes.push_back({ .onset_s = 0.6 + i, .duration_s = 0.45, .amplitude_m = 0.2 });
 		strokes.push_back({ .onset_s = 1.02 + i, .duration_s = 0.4, .amplitude_m = -0.2 });
@@ -215,16 +102,16 @@ TEST_CASE("ten taps in a row each start and end once") {
 }
 
 TEST_CASE("the way back is no gesture, unless the hand has rested at the end") {
-	const test::Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
+	const Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
 	CHECK(in_the_open(along(X, { DRAG, back }), 4.5).said == times(1, "sideways"));
-	const test::Drag late{ .onset_s = 3.5, .duration_s = 1.0, .amplitude_m = -0.2 };
+	const Drag late{ .onset_s = 3.5, .duration_s = 1.0, .amplitude_m = -0.2 };
 	CHECK(in_the_open(along(X, { DRAG, late }), 6.0).said == times(2, "sideways"));
 }
 
 TEST_CASE("the motion of every gesture begins and ends without a step") {
 	// Released at 50 /s from 0.2 m it comes to 0.2 * 50 / e m a second.
 	constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
-	const test::Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
+	const Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
 	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
 		CAPTURE(axis);
 		const Events events = in_the_open(along(axis, { DRAG, back }), 4.0);
@@ -235,25 +122,25 @@ TEST_CASE("the motion of every gesture begins and ends without a step") {
 }
 
 TEST_CASE("a hand that hesitates half-way makes one gesture") {
-	const test::Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
-	const test::Drag second{ .onset_s = 1.4, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const Drag second{ .onset_s = 1.4, .duration_s = 0.6, .amplitude_m = 0.1 };
 	CHECK(in_the_open(along(X, { first, second }), 3.0).said == times(1, "sideways"));
 	CHECK(in_a_task(along(X, { first, second }), 3.0).said == times(1, "sideways"));
 }
 
 TEST_CASE("with the task known a hand that draws back first makes one gesture") {
-	const test::Drag back{ .onset_s = 0.5, .duration_s = 0.35, .amplitude_m = -0.04 };
-	const test::Drag forth{ .onset_s = 0.8, .duration_s = 0.5, .amplitude_m = 0.24 };
+	const Drag back{ .onset_s = 0.5, .duration_s = 0.35, .amplitude_m = -0.04 };
+	const Drag forth{ .onset_s = 0.8, .duration_s = 0.5, .amplitude_m = 0.24 };
 	CHECK(in_a_task(along(X, { back, forth }), 3.0).said == times(1, "sideways"));
 }
 
 TEST_CASE("a hand that stops half-way ends nothing: it is given up, or held where the task is known") {
-	const test::Drag half{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.1 };
+	const Drag half{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.1 };
 	const Events open = in_the_open(along(X, { half }), 4.0);
 	CHECK(open.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
 	CHECK(open.largest_step < 0.003);
 	CHECK(in_a_task(along(X, { half }), 4.0).said == std::vector<std::string>{ "started sideways" });
-	const test::Drag back{ .onset_s = 2.5, .duration_s = 0.8, .amplitude_m = -0.1 };
+	const Drag back{ .onset_s = 2.5, .duration_s = 0.8, .amplitude_m = -0.1 };
 	const Events returned = in_a_task(along(X, { half, back }), 5.0);
 	CHECK(returned.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
 	CHECK(returned.largest_step < 0.003);
@@ -264,14 +151,14 @@ TEST_CASE("with the task known a hand that stops on its way may go on whenever i
 		for (const double share : { 0.3, 0.48, 0.5, 0.52, 0.7 }) {
 			CAPTURE(rest_s);
 			CAPTURE(share);
-			const test::Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.2 * share };
-			const test::Drag second{
+			const Drag first{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.2 * share };
+			const Drag second{
 				.onset_s = 1.2 + rest_s, .duration_s = 0.6, .amplitude_m = 0.2 * (1.0 - share)
 			};
 			CHECK(in_a_task(along(X, { first, second }), 3.0 + rest_s).said == times(1, "sideways"));
 		}
-		test::Drag third{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 / 3.0 };
-		std::vector<test::Drag> thirds;
+		Drag third{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 / 3.0 };
+		std::vector<Drag> thirds;
 		for (int i = 0; i < 3; ++i) {
 			thirds.push_back(third);
 			third.onset_s += 0.5 + rest_s;
@@ -281,9 +168,9 @@ TEST_CASE("with the task known a hand that stops on its way may go on whenever i
 }
 
 TEST_CASE("with the task known a hand that stops on its way and goes elsewhere makes none") {
-	const test::Drag half{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
-	const test::Drag rest{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.1 };
-	const test::Drag aside{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.3 };
+	const Drag half{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const Drag rest{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.1 };
+	const Drag aside{ .onset_s = 2.2, .duration_s = 0.6, .amplitude_m = 0.3 };
 	const Way way = [=](double t_s) {
 		return Eigen::Vector3d(half.x_m(t_s) + rest.x_m(t_s), aside.x_m(t_s), 0.0);
 	};
@@ -291,7 +178,7 @@ TEST_CASE("with the task known a hand that stops on its way and goes elsewhere m
 }
 
 TEST_CASE("with the task known a gesture counts after a tracker that showed the hand elsewhere at first") {
-	const test::Drag late{ .onset_s = 2.0 };
+	const Drag late{ .onset_s = 2.0 };
 	for (const double off_m : { 0.05, 0.15, -0.3 }) {
 		CAPTURE(off_m);
 		const Way way = [=](double t_s) {
@@ -302,15 +189,15 @@ TEST_CASE("with the task known a gesture counts after a tracker that showed the 
 }
 
 TEST_CASE("a hand that overshoots and comes back to the end makes one gesture") {
-	const test::Drag back{ .onset_s = 1.5, .duration_s = 0.3, .amplitude_m = -0.03 };
-	const test::Drag over{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.23 };
+	const Drag back{ .onset_s = 1.5, .duration_s = 0.3, .amplitude_m = -0.03 };
+	const Drag over{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.23 };
 	CHECK(in_the_open(along(X, { over, back }), 3.0).said == times(1, "sideways"));
 	CHECK(in_a_task(along(X, { over, back }), 3.0).said == times(1, "sideways"));
 }
 
 TEST_CASE("a hand that turns back early makes none") {
-	const test::Drag out{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.08 };
-	const test::Drag back{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = -0.08 };
+	const Drag out{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.08 };
+	const Drag back{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = -0.08 };
 	for (const Events &events :
 			{ in_the_open(along(X, { out, back }), 3.0), in_a_task(along(X, { out, back }), 3.0) }) {
 		for (const std::string &said : events.said) {
@@ -383,8 +270,8 @@ TEST_CASE("a stroke that another one leads into is no gesture, unless it is the 
 	// The two strokes of a 1: up obliquely, and at once straight down.
 	const Eigen::Vector3d up(0.7, 0.7, 0.0);
 	const Way one = [&](double t_s) {
-		const test::Drag first{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 };
-		const test::Drag second{ .onset_s = 1.05, .duration_s = 0.5, .amplitude_m = 0.2 };
+		const Drag first{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.2 };
+		const Drag second{ .onset_s = 1.05, .duration_s = 0.5, .amplitude_m = 0.2 };
 		return Eigen::Vector3d(first.x_m(t_s) * up - second.x_m(t_s) * Y);
 	};
 	CHECK(none_ends(in_the_open(one, 3.0)));
@@ -403,7 +290,7 @@ TEST_CASE("a way that winds is no gesture, wherever it ends") {
 TEST_CASE("with nothing given a gesture is found at any pace that is studied") {
 	for (const double duration_s : { 0.15, 0.3, 2.5, 4.0 }) {
 		CAPTURE(duration_s);
-		const test::Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+		const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
 		CHECK(in_the_open(along(X, { drag }), duration_s + 2.0).said == times(1, "sideways"));
 	}
 }
@@ -414,8 +301,8 @@ TEST_CASE("a track that begins with a jump, or in full motion, leaves the gestur
 	};
 	CHECK(in_the_open(jumped, 2.5).said == times(1, "sideways"));
 	const Way arriving = [](double t_s) {
-		const test::Drag come{ .onset_s = -0.15, .duration_s = 0.3, .amplitude_m = 0.3 };
-		const test::Drag late{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
+		const Drag come{ .onset_s = -0.15, .duration_s = 0.3, .amplitude_m = 0.3 };
+		const Drag late{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
 		return Eigen::Vector3d(late.x_m(t_s), 0.0, come.x_m(t_s));
 	};
 	CHECK(in_the_open(arriving, 3.0).said == times(1, "sideways"));

@@ -11,6 +11,7 @@
 #include "motion/phase_estimator.h"
 #include "motion/stroke_finder.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -34,6 +35,8 @@ struct Synthesis {
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
+	/// A gesture goes on unseen for so long, at most, where its end was near, and where it was not.
+	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
 
 	GestureFollower(const GestureFollower &) = delete;
 	GestureFollower &operator=(const GestureFollower &) = delete;
@@ -56,6 +59,9 @@ public:
 	/// A stroke has ended that is likelier the gesture than none: confirm() it, or let it give_way().
 	[[nodiscard]] virtual bool claims() const { return false; }
 	virtual void confirm(double /*t_s*/) {}
+	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims, or gives up, what is under
+	/// way.
+	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
 	/// What is under way, and what of it is still to come, was another gesture's.
 	virtual void give_way(double t_s) = 0;
 	/// log of the posterior odds that the stroke under way leads back after the gesture, against anything

@@ -86,6 +86,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		}
 	}
 	time_s_ = frame.t_s;
+	expect_absence();
 	decide_claims();
 	let_return();
 	choose_leader();
@@ -100,7 +101,31 @@ void GestureRecogniser::advance(double t_s) {
 	choose_leader();
 }
 
+void GestureRecogniser::expect_absence() {
+	next_absence_s_ = INFINITY;
+	for (const WatchedFeature &watched : watched_) {
+		for (const double absence_s : GestureFollower::ABSENCES_S) {
+			const double due_s = watched.strokes.news_s() + absence_s;
+			next_absence_s_ = due_s > time_s_ ? std::min(next_absence_s_, due_s) : next_absence_s_;
+		}
+	}
+}
+
 void GestureRecogniser::advance_followers(double t_s) {
+	while (next_absence_s_ <= t_s) {
+		time_s_ = next_absence_s_;
+		step_followers(time_s_);
+		for (std::size_t i = 0; i < followers_.size(); ++i) {
+			followers_[i]->miss(time_s_, watched(i).strokes);
+		}
+		decide_claims();
+		choose_leader();
+		expect_absence();
+	}
+	step_followers(t_s);
+}
+
+void GestureRecogniser::step_followers(double t_s) {
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		followers_[i]->advance(t_s, watched(i).strokes);
 	}

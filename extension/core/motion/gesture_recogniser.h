@@ -66,11 +66,15 @@ private:
 	int leader_ = -1;
 	OutputBlend blend_; ///< of what would step when another one takes the lead, m
 	double time_s_;
+	double next_absence_s_ = INFINITY; ///< when one of GestureFollower::ABSENCES_S is over next
 
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
 		return watched_[watched_by_[follower]];
 	}
+	/// With what becomes of gestures whose hand is not seen any more.
 	void advance_followers(double t_s);
+	void step_followers(double t_s);
+	void expect_absence();
 	[[nodiscard]] double posterior(const GestureFollower &follower) const;
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;

@@ -102,9 +102,13 @@ double OpenFollower::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
+bool OpenFollower::is_near_end(const Stroke &stroke) const {
+	return amplitudes(stroke) > LOST_AT_END;
+}
+
 /// stroke: one of the finder's. What was lost near the end was over too.
 bool OpenFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
-	return stroke.is_lost ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
+	return stroke.is_lost ? is_near_end(stroke) : strokes.ended();
 }
 
 void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
@@ -149,7 +153,18 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
 
-void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
+void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
+	if (stage() != Stage::MOVING || t_s < strokes.news_s() + ABSENCES_S.front()) {
+		return;
+	}
+	look_for_end(t_s, strokes, true);
+	if (!claims_ && t_s >= strokes.news_s() + ABSENCES_S.back()) {
+		give_way(t_s);
+	}
+}
+
+/// is_missed: nothing more is expected to be seen of it.
+void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
 	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
 	bool is_hopeless = false;
 	for (const Stroke &stroke : strokes.strokes()) {
@@ -172,7 +187,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes) {
 			slowed_at_ = stroke.to;
 		}
 		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task().amplitude_m;
-		if (is_over(stroke, strokes)) {
+		if (is_missed ? is_near_end(stroke) : is_over(stroke, strokes)) {
 			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
 		} else if (ended > SURE && is_arriving(t_s, stroke)) {
 			size = std::max(size, ended);

@@ -17,6 +17,7 @@ public:
 	[[nodiscard]] bool claims() const override { return claims_; }
 	void confirm(double t_s) override;
 	void give_way(double t_s) override;
+	void miss(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
 
 private:
@@ -38,7 +39,7 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
-	void look_for_end(double t_s, const StrokeFinder &strokes);
+	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	void dismiss(double t_s);
 
@@ -48,6 +49,7 @@ private:
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	[[nodiscard]] StrokeEvidence evidence_of(const Stroke &stroke, const FeaturePlace &way) const;
 	void aim(const FeaturePlace &to);
+	[[nodiscard]] bool is_near_end(const Stroke &stroke) const;
 	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
 };

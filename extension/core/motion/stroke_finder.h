@@ -7,6 +7,7 @@
 #include "signal/slope_window.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -67,6 +68,8 @@ public:
 		}
 	}
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
+	/// When a place last was news of the hand; -infinity before the first one.
+	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : last_s_; }
 
 private:
 	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken

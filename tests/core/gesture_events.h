@@ -1,0 +1,130 @@
+#pragma once
+
+#include "minimum_jerk_drag.h"
+#include "motion/gesture_recogniser.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace steadyhand::test {
+
+inline std::shared_ptr<const GestureModel> model(
+		const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
+	GestureModel trained = trained_drag_model();
+	trained.gesture = gesture;
+	trained.typical_task.axis = axis;
+	trained.both_ways = both_ways;
+	return std::make_shared<const GestureModel>(std::move(trained));
+}
+
+inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
+	static const std::vector<std::shared_ptr<const GestureModel>> all = {
+		model("sideways", Eigen::Vector3d::UnitX(), true), model("upright", Eigen::Vector3d::UnitY(), true),
+		model("push", -Eigen::Vector3d::UnitZ(), false)
+	};
+	return all;
+}
+
+struct Events {
+	std::vector<std::string> said; ///< "started sideways" and so on
+	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m
+	double last_confidence = 0.0;  ///< when the last gesture ended
+	double last_value_m = 0.0;     ///< synthesised
+	double first_shown_s = 1e9;    ///< when a gesture was first under way
+	double last_ended_s = 0.0;     ///< when the last gesture ended
+};
+
+using Way = std::function<Eigen::Vector3d(double t_s)>;
+
+/// The hand's way as a tracker sees it; nothing between lost_from_s and lost_to_s.
+inline Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
+		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
+	Events events;
+	std::mt19937_64 random(5);
+	std::normal_distribution<double> noise(0.0, noise_m);
+	std::string shown;
+	bool had_arrived = false;
+	double last_value_m = 0.0;
+	int frames = 0;
+	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
+		const double t_s = ms / 1000.0;
+		for (; frames / rate_hz <= t_s; ++frames) {
+			const double frame_s = frames / rate_hz;
+			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
+				continue;
+			}
+			HandFrame frame;
+			frame.t_s = frame_s;
+			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
+			frame.set(Joint::INDEX, way(frame_s) + trembling);
+			recogniser.push(frame);
+		}
+		recogniser.advance(t_s);
+		const GestureFollower *const follower = recogniser.follower();
+		const bool is_shown = follower != nullptr && follower->stage() != GestureFollower::Stage::RESTING;
+		const bool has_arrived = is_shown && follower->stage() == GestureFollower::Stage::ARRIVED;
+		const std::string now = is_shown ? follower->model().gesture : "";
+		if (!shown.empty() && !had_arrived && now != shown) {
+			events.said.push_back("aborted " + shown);
+		}
+		if (is_shown) {
+			events.first_shown_s = std::min(events.first_shown_s, t_s);
+		}
+		if (is_shown && now != shown) {
+			events.said.push_back("started " + now);
+		}
+		if (has_arrived && (now != shown || !had_arrived)) {
+			events.said.push_back("ended " + now);
+			events.last_confidence = recogniser.confidence();
+			events.last_ended_s = t_s;
+		}
+		shown = now;
+		had_arrived = has_arrived;
+		const double value_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
+		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
+		last_value_m = value_m;
+	}
+	events.last_value_m = last_value_m;
+	return events;
+}
+
+inline Events in_the_open(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+}
+
+inline Events in_a_task(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
+	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+}
+
+inline Way along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
+	return [=](double t_s) {
+		double x_m = 0.0;
+		for (const Drag &stroke : strokes) {
+			x_m += stroke.x_m(t_s);
+		}
+		return Eigen::Vector3d(x_m * axis);
+	};
+}
+
+inline std::vector<std::string> times(int n, const std::string &gesture) {
+	std::vector<std::string> said;
+	for (int i = 0; i < n; ++i) {
+		said.push_back("started " + gesture);
+		said.push_back("ended " + gesture);
+	}
+	return said;
+}
+
+inline bool none_ends(const Events &events) {
+	return std::ranges::none_of(
+			events.said, [](const std::string &said) { return said.starts_with("ended"); });
+}
+
+} // namespace steadyhand::test

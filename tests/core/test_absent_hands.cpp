@@ -1,0 +1,86 @@
+// With nothing given: a hand that leaves, or that the tracker freezes, while its gesture is under way.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
+const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
+/// Of DRAG: 10 s^3 - 15 s^4 + 6 s^5 is 0.93 at s = 0.76, and 0.64 at s = 0.57.
+constexpr double NEAR_END_S = 0.6 + 0.76, HALF_WAY_S = 0.6 + 0.57;
+constexpr double AHEAD_S = 1.0 / 110.0; ///< the last frame before is up to so much older
+
+/// Released at 50 /s from 0.2 m, critically damped.
+constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
+
+/// The tracker repeats what it saw last, to the last bit.
+Events frozen(double from_s, double length_s) {
+	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+	const Way way = [=](double t_s) { return Eigen::Vector3d(DRAG.x_m(std::min(t_s, from_s)) * X); };
+	return watch(recogniser, way, length_s, 1e9, 1e9, 110.0, 0.0);
+}
+
+} // namespace
+
+TEST_CASE("with nothing given a hand that is gone near the end has made the gesture, 0.3 s later") {
+	for (const double back_s : { 1e9, 3.5 }) {
+		const Events events = in_the_open(along(X, { DRAG }), 4.0, NEAR_END_S, back_s);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_ended_s > NEAR_END_S + 0.3 - AHEAD_S);
+		CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
+		CHECK(events.largest_step < 1.01 * FASTEST_M_MS);
+	}
+	const Events events = frozen(NEAR_END_S, 4.0);
+	CHECK(events.said == times(1, "sideways"));
+	CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
+}
+
+TEST_CASE("with nothing given a hand that is gone half-way has made none: that is said a second later") {
+	for (const Events &events :
+			{ in_the_open(along(X, { DRAG }), 4.0, HALF_WAY_S), frozen(HALF_WAY_S, 4.0) }) {
+		CHECK(events.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+		CHECK(events.largest_step < 1.01 * FASTEST_M_MS);
+	}
+	CHECK(none_ends(in_the_open(along(X, { DRAG }), HALF_WAY_S + 1.0 - 2.0 * AHEAD_S, HALF_WAY_S)));
+}
+
+TEST_CASE("with nothing given a gesture goes on after a gap, at the end and half-way") {
+	for (const double lost_s : { HALF_WAY_S, NEAR_END_S - 0.1 }) {
+		const Events events = in_the_open(along(X, { DRAG }), 3.0, lost_s, lost_s + 0.28);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_ended_s > lost_s + 0.28);
+	}
+}
+
+TEST_CASE("when a hand is missed does not depend on how often the motion is asked for") {
+	for (const double lost_s : { HALF_WAY_S, NEAR_END_S }) {
+		GestureRecogniser often(models(), std::nullopt, MotionMode::PHASE),
+				seldom(models(), std::nullopt, MotionMode::PHASE);
+		for (int frames = 0; frames / 110.0 < lost_s; ++frames) {
+			HandFrame frame;
+			frame.t_s = frames / 110.0;
+			frame.set(Joint::INDEX, DRAG.x_m(frame.t_s) * X);
+			often.push(frame);
+			seldom.push(frame);
+		}
+		for (int ms = 0; ms <= 3000; ++ms) {
+			often.advance(ms / 1000.0);
+		}
+		seldom.advance(3.0);
+		REQUIRE((often.follower() != nullptr) == (seldom.follower() != nullptr));
+		CHECK(often.motion(MotionSource::SYNTHESISED).value_m ==
+				seldom.motion(MotionSource::SYNTHESISED).value_m);
+		if (often.follower() != nullptr) {
+			CHECK(often.follower()->stage_began_s() == seldom.follower()->stage_began_s());
+			CHECK(often.confidence() == seldom.confidence());
+		}
+	}
+}
