@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 using namespace steadyhand;
@@ -38,8 +39,14 @@ TEST_CASE("with nothing given a hand that is gone near the end has made the gest
 		CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
 		CHECK(events.largest_step < 1.01 * FASTEST_M_MS);
 	}
+	for (const double length_s : { NEAR_END_S + 0.98, NEAR_END_S + 1.2 }) { // it is held for a second
+		const Events events = in_the_open(along(X, { DRAG }), length_s, NEAR_END_S);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(std::abs(events.last_value_m - (length_s < NEAR_END_S + 1.0 ? 0.2 : 0.0)) < 0.005);
+	}
 	const Events events = frozen(NEAR_END_S, 4.0);
 	CHECK(events.said == times(1, "sideways"));
+	CHECK(events.last_value_m == doctest::Approx(0.0));
 	CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
 }
 

@@ -35,7 +35,7 @@ struct Synthesis {
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
-	/// A gesture goes on unseen for so long, at most, where its end was near, and where it was not.
+	/// Unseen for so long a gesture has ended, if its end was near; and for so long it, or its end, is over.
 	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
 
 	GestureFollower(const GestureFollower &) = delete;
@@ -59,8 +59,8 @@ public:
 	/// A stroke has ended that is likelier the gesture than none: confirm() it, or let it give_way().
 	[[nodiscard]] virtual bool claims() const { return false; }
 	virtual void confirm(double /*t_s*/) {}
-	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims, or gives up, what is under
-	/// way.
+	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
+	/// up.
 	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
 	/// What is under way, and what of it is still to come, was another gesture's.
 	virtual void give_way(double t_s) = 0;

@@ -154,11 +154,11 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 }
 
 void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
-	if (stage() != Stage::MOVING || t_s < strokes.news_s() + ABSENCES_S.front()) {
-		return;
+	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
+	if (stage() == Stage::MOVING && t_s >= strokes.news_s() + ABSENCES_S.front()) {
+		look_for_end(t_s, strokes, true);
 	}
-	look_for_end(t_s, strokes, true);
-	if (!claims_ && t_s >= strokes.news_s() + ABSENCES_S.back()) {
+	if (stage() != Stage::RESTING && !claims_ && is_gone) {
 		give_way(t_s);
 	}
 }
