@@ -46,7 +46,7 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
 	Events events;
 	std::mt19937_64 random(5);
-	std::normal_distribution<double> noise(0.0, noise_m);
+	std::normal_distribution<double> noise;
 	std::string shown;
 	bool had_arrived = false;
 	double last_value_m = 0.0;
@@ -61,7 +61,7 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 			HandFrame frame;
 			frame.t_s = frame_s;
 			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
-			frame.set(Joint::INDEX, way(frame_s) + trembling);
+			frame.set(Joint::INDEX, way(frame_s) + noise_m * trembling);
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);

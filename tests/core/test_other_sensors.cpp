@@ -74,7 +74,7 @@ Figures figures(const Sensor &sensor) {
 
 } // namespace
 
-TEST_CASE("phase mode keeps to what sensors of all makes show") {
+TEST_CASE("phase mode keeps to what sensors of all makes show" * doctest::test_suite("figures")) {
 	for (const Sensor &sensor : {
 				 Sensor{ .name = "white noise of 2 mm in 20 cm", .white = 0.01 },
 				 Sensor{ .name = "of 5 mm", .white = 0.025 },
@@ -98,7 +98,8 @@ TEST_CASE("phase mode keeps to what sensors of all makes show") {
 	}
 }
 
-TEST_CASE("before any sensor a quick gesture with its task known ends where the hand does") {
+TEST_CASE("before any sensor a quick gesture with its task known ends where the hand does" *
+		doctest::test_suite("figures")) {
 	const auto &model = test::shared_drag_model();
 	for (const double rate_hz : { 30.0, 120.0, 500.0, 1000.0, 2000.0, 10000.0 }) {
 		for (const double duration_s : { 0.5, 1.0, 1.5 }) {

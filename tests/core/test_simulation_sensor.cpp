@@ -224,7 +224,8 @@ TEST_SUITE("simulated sensor") {
 		}
 	}
 
-	TEST_CASE("freezes, dropouts and jumps come as often and last as long as the profile says") {
+	TEST_CASE("freezes, dropouts and jumps come as often and last as long as the profile says" *
+			doctest::test_suite("figures")) {
 		const double span_s = 1500.0;
 		const SensorProfile profile = without_drift(profile_named("leap_unstable"));
 		for (const double severity : { 0.0, 1.0 }) {

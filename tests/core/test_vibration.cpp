@@ -165,7 +165,8 @@ TEST_CASE("the strength without the carrier is the envelope of the samples") {
 	CHECK(impulse.frequency_hz == 300.0);
 }
 
-TEST_CASE("an hour of play leaves amplitude and phase where they are to be") {
+TEST_CASE(
+		"an hour of play leaves amplitude and phase where they are to be" * doctest::test_suite("figures")) {
 	Effect spring = spring_effect();
 	spring.trigger = Trigger::ALWAYS;
 	Vibration vibration(RATE_HZ, 1);
