@@ -20,7 +20,7 @@ def run(command: list, kill_s: float = 600, **environment: str) -> tuple[int, st
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        start_new_session=True,
+        process_group=0,  # not a session: where the kernel shares time by sessions, `nice` is of no use between them
     )
     try:
         output, _ = child.communicate(timeout=kill_s)
