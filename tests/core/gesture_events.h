@@ -2,11 +2,13 @@
 
 #include "minimum_jerk_drag.h"
 #include "motion/gesture_recogniser.h"
+#include "trained_drag.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ namespace steadyhand::test {
 
 inline std::shared_ptr<const GestureModel> model(
 		const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
-	GestureModel trained = trained_drag_model();
+	GestureModel trained = drag_model();
 	trained.gesture = gesture;
 	trained.typical_task.axis = axis;
 	trained.both_ways = both_ways;
@@ -29,6 +31,9 @@ inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 	};
 	return all;
 }
+
+/// Released at 50 /s from 0.2 m, critically damped, a value comes to 0.2 * 50 / e m a second.
+inline constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 
 struct Events {
 	std::vector<std::string> said; ///< "started sideways" and so on

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
@@ -18,9 +17,6 @@ const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 /// Of DRAG: 10 s^3 - 15 s^4 + 6 s^5 is 0.93 at s = 0.76, and 0.64 at s = 0.57.
 constexpr double NEAR_END_S = 0.6 + 0.76, HALF_WAY_S = 0.6 + 0.57;
 constexpr double AHEAD_S = 1.0 / 110.0; ///< the last frame before is up to so much older
-
-/// Released at 50 /s from 0.2 m, critically damped.
-constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 
 /// The tracker repeats what it saw last, to the last bit.
 Events frozen(double from_s, double length_s) {

@@ -109,8 +109,6 @@ TEST_CASE("the way back is no gesture, unless the hand has rested at the end") {
 }
 
 TEST_CASE("the motion of every gesture begins and ends without a step") {
-	// Released at 50 /s from 0.2 m it comes to 0.2 * 50 / e m a second.
-	constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 	const Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
 	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
 		CAPTURE(axis);
