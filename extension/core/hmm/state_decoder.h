@@ -24,20 +24,12 @@ struct StateDecoding {
 /// The decoder that a StateDecoding asks for. After construction nothing is allocated.
 class StateDecoder {
 public:
-	explicit StateDecoder(const DiscreteHmm &hmm, const StateDecoding &decoding = {}) :
-			decoder_(decoder(hmm, decoding)),
-			lag_(decoding.rule == StateDecoding::Rule::VITERBI ? decoding.lag : 0) {}
+	explicit StateDecoder(const DiscreteHmm &hmm, const StateDecoding &decoding = {});
 
-	void reset() {
-		std::visit([](auto &decoder) { decoder.reset(); }, decoder_);
-	}
-	void push(Symbol symbol) {
-		std::visit([symbol](auto &decoder) { decoder.push(symbol); }, decoder_);
-	}
+	void reset();
+	void push(Symbol symbol);
 	/// Of the symbol that is lag() before the newest one.
-	[[nodiscard]] int state() const {
-		return std::visit([](const auto &decoder) { return decoder.state(); }, decoder_);
-	}
+	[[nodiscard]] int state() const;
 	[[nodiscard]] int lag() const { return lag_; }
 
 private:
@@ -45,21 +37,6 @@ private:
 			FixedLagViterbi<float>, ForwardFilter<double>, ForwardFilter<float>>;
 	AnyDecoder decoder_;
 	int lag_;
-
-	template <class Scalar>
-	static AnyDecoder decoder_in(const DiscreteHmm &hmm, const StateDecoding &decoding) {
-		if (decoding.rule == StateDecoding::Rule::FILTER) {
-			return ForwardFilter<Scalar>(hmm);
-		}
-		if (decoding.lag > 0) {
-			return FixedLagViterbi<Scalar>(hmm, decoding.lag);
-		}
-		return OnlineViterbi<Scalar>(hmm);
-	}
-	static AnyDecoder decoder(const DiscreteHmm &hmm, const StateDecoding &decoding) {
-		return decoding.precision == StateDecoding::Precision::SINGLE ? decoder_in<float>(hmm, decoding)
-																	  : decoder_in<double>(hmm, decoding);
-	}
 };
 
 } // namespace steadyhand
