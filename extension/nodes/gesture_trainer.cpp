@@ -68,7 +68,7 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
 	steadyhand::GestureModel &core = trained.value();
 	core.provenance.trial_set = to_core(p_trial_set->get_path().get_file());
-	core.provenance.trained_with = std::string("SteadyHand ") + steadyhand::VERSION;
+	core.provenance.trained_with = std::string("SteadyHand ").append(steadyhand::VERSION);
 	Ref<GestureModel> model;
 	model.instantiate();
 	model->set_core(std::make_shared<const steadyhand::GestureModel>(std::move(core)));
