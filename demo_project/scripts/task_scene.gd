@@ -67,6 +67,10 @@ var _practice: Practice = null
 func _ready() -> void:
 	var stamp := Time.get_datetime_string_from_system().replace(":", "-")
 	session_folder = log_folder.path_join(stamp)
+	var sessions := 1
+	while DirAccess.dir_exists_absolute(session_folder):
+		sessions += 1
+		session_folder = log_folder.path_join("%s-%d" % [stamp, sessions])
 	tracker.finished.connect(_on_tracker_finished)
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)

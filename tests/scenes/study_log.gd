@@ -83,6 +83,18 @@ func test_a_trial_that_never_ends_says_so() -> void:
 		check_equal(rows[0][column], "", "no %s" % column)
 
 
+func test_sessions_of_one_second_have_folders_of_their_own() -> void:
+	var folders: Dictionary[String, bool] = {}
+	for session in 3:
+		var player := TaskPlayer.new("tap", _folder.get_current_dir().path_join("thrice"), self)
+		player.scene.follow_live()
+		LiveHand.new().move(player.scene, player.scene.task.get_start())
+		var folder := player.scene.session_folder
+		check_equal(_rows(folder, player).size(), 1, "its one trial")
+		folders[folder] = true
+	check_equal(folders.size(), 3, "a folder each")
+
+
 func test_the_width_of_a_marker_that_is_reached_askew() -> void:
 	var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
 	var stage: DragStage = player.scene.get_node("Stage")
