@@ -1,22 +1,28 @@
-"""What could be had at all: two oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
+"""What could be had at all: three oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
 
     python tools/tuning/oracle.py --trials DIR --evaluation DIR
 
 shape:  the minimum-jerk movement that fits the reference best, its onset, duration and length known.
 faults: the measured curve with each freeze or gap of more than 50 ms bridged by a straight line from before to
         after, as if the future were known, at the constant lag that fits the reference best.
-Mean R2 over the gesture's span and 0.25 s on either side, as in extension/core/metrics/curve_comparison.h.
+hand:   the reference itself, as late as the tracker is in this trial (the lag at which the curve of `faults` fits
+        best) less the mean of such trials: what is left to be wrong where all is known but how late this one is.
+Mean R2 over the gesture's span and 0.25 s on either side, and T_diff with a missed end at the record's, as in
+extension/core/metrics/curve_comparison.h.
 """
 
 import argparse
 import csv
 import itertools
 from collections import defaultdict
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 MARGIN_S = 0.25
+END_LEVEL = 0.95
+ASKED_MS = {"stable": (-50.0, 15.0), "unstable": (-100.0, 100.0)}  # of T_diff
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
 
@@ -46,11 +52,63 @@ def bridged(x: np.ndarray) -> np.ndarray:
     return x
 
 
-def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> float:
-    def shifted(ms: int) -> np.ndarray:
-        return x[np.clip(np.flatnonzero(window) + ms, 0, len(x) - 1)]
+def lagging(x: np.ndarray, window: np.ndarray, ms: int) -> np.ndarray:
+    """x in the window, as a curve that is so late has it."""
+    return x[np.clip(np.flatnonzero(window) - ms, 0, len(x) - 1)]
 
-    return max(r2(reference[window], shifted(ms)) for ms in LAGS_MS)
+
+def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> tuple[float, int]:
+    return max((r2(reference[window], lagging(x, window, -ms)), ms) for ms in LAGS_MS)
+
+
+def end_ms(x: np.ndarray, start: int, level: float) -> int:
+    """The first sample from start on at the level; the record's last one where there is none."""
+    reached = np.flatnonzero(x[start:] >= level)
+    return start + reached[0] if reached.size else len(x) - 1
+
+
+@dataclass
+class Trial:
+    """Curves at 1 kHz, and where R2 is taken."""
+
+    curves: np.ndarray
+    window: np.ndarray
+    start: int
+    end: int
+
+    def __post_init__(self) -> None:
+        self.reference, self.measured = self.curves["reference"], self.curves["measured"]
+        self.best_r2, self.lag_ms = best_lag(self.reference, self.measured, self.window)
+        self.faults = bridged(self.measured)
+        self.faults_r2, self.faults_lag_ms = best_lag(self.reference, self.faults, self.window)
+
+    @classmethod
+    def read(cls, path: Path, start_s: float, end_s: float) -> "Trial":
+        curves = np.genfromtxt(path, delimiter=",", names=True)
+        t = curves["t"]
+        window = (t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S)
+        return cls(curves, window, *np.searchsorted(t, [start_s, end_s]))
+
+    def r2s(self, mean_lag_ms: float) -> tuple[float, ...]:
+        """Of measured, synthesised, measured at the best lag, faults, shape, hand."""
+        seen = self.reference[self.window]
+        return (
+            r2(seen, self.measured[self.window]),
+            r2(seen, self.curves["synthesised"][self.window]),
+            self.best_r2,
+            self.faults_r2,
+            best_shape(self.curves["t"][self.window][::5], seen[::5]),
+            r2(seen, lagging(self.reference, self.window, round(self.faults_lag_ms - mean_lag_ms))),
+        )
+
+    def t_diffs_ms(self) -> tuple[float, ...]:
+        """Of the first four."""
+        level = END_LEVEL * self.reference[self.end]
+        end = end_ms(self.reference, self.start, level)
+        measured = end - end_ms(self.measured, self.start, level)
+        synthesised = end - end_ms(self.curves["synthesised"], self.start, level)
+        faults = end - end_ms(self.faults, self.start, level)
+        return measured, synthesised, measured + self.lag_ms, faults + self.faults_lag_ms
 
 
 def main() -> None:
@@ -62,25 +120,24 @@ def main() -> None:
     with (given.trials / "trials.csv").open() as source:
         for trial in csv.DictReader(source):
             path = given.evaluation / f"{trial['trial']}.curves.csv"
-            if trial["gesture"] == "none" or not path.exists():
-                continue
-            curves = np.genfromtxt(path, delimiter=",", names=True)
-            t, reference = curves["t"], curves["reference"]
-            window = (t >= float(trial["start_s"]) - MARGIN_S) & (t <= float(trial["end_s"]) + MARGIN_S)
-            groups[trial["gesture"], trial["position"]].append(
-                (
-                    r2(reference[window], curves["measured"][window]),
-                    r2(reference[window], curves["synthesised"][window]),
-                    best_lag(reference, curves["measured"], window),
-                    best_lag(reference, bridged(curves["measured"]), window),
-                    best_shape(t[window][::5], reference[window][::5]),
-                )
-            )
-    columns = ("trials", "measured", "synthesised", "measured, best lag", "faults", "shape")
+            if trial["gesture"] != "none" and path.exists():
+                group = groups[trial["gesture"].replace("_", " "), trial["position"]]
+                group.append(Trial.read(path, float(trial["start_s"]), float(trial["end_s"])))
+    curves = ("measured", "synthesised", "measured, best lag", "faults")
+    columns = ("trials", *curves, "shape", "hand", "lag")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
-    for (gesture, position), rows in sorted(groups.items()):
-        means = " | ".join(f"{mean:.3f}" for mean in np.mean(rows, axis=0))
-        print(f"| {gesture.replace('_', ' ')}, {position}: {len(rows)} | {means} |")
+    for (gesture, position), trials in sorted(groups.items()):
+        lags_ms = [trial.faults_lag_ms for trial in trials]
+        means = np.mean([trial.r2s(np.mean(lags_ms)) for trial in trials], axis=0)
+        lag = f"{np.mean(lags_ms):.0f} ± {np.std(lags_ms):.0f} ms"
+        print(f"| {gesture}, {position}: {len(trials)} | {' | '.join(f'{mean:.3f}' for mean in means)} | {lag} |")
+    print(f"\n| T_diff: median, and inside | {' | '.join(curves)} |\n| --- {'| ---: ' * len(curves)}|")
+    for (gesture, position), trials in sorted(groups.items()):
+        t_diffs_ms = np.array([trial.t_diffs_ms() for trial in trials])
+        latest, earliest = ASKED_MS[position]
+        inside = np.mean((latest <= t_diffs_ms) & (t_diffs_ms <= earliest), axis=0)
+        cells = (f"{m:+.0f} ms, {100.0 * i:.0f} %" for m, i in zip(np.median(t_diffs_ms, axis=0), inside, strict=True))
+        print(f"| {gesture}, {position}: {len(trials)} | {' | '.join(cells)} |")
 
 
 if __name__ == "__main__":
