@@ -104,6 +104,38 @@ TEST_CASE("a hand that comes back unseen is where the tracker finds it") {
 	}
 }
 
+TEST_CASE("a hand that left its end during a freeze is followed from where the tracker finds it") {
+	const test::Drag there{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
+	constexpr double LOST_S = 1.35, FOLLOWED_S = 1.0;
+	for (const double back_to : { 0.0, 0.3 }) {
+		const test::Drag back{ .onset_s = 1.4, .duration_s = 0.48, .amplitude_m = 1.0 - back_to };
+		for (const double lost_s : { 0.3, 0.6 }) {
+			CAPTURE(back_to);
+			CAPTURE(lost_s);
+			double missing = 0.0, shown = 0.0;
+			int frames = 0;
+			for (unsigned seed = 0; seed < 4; ++seed) {
+				PhaseEstimator estimator(*test::shared_drag_model());
+				std::mt19937_64 random(seed);
+				std::normal_distribution<double> noise(0.0, 3e-3);
+				for (int i = 0; i * PERIOD_S < LOST_S + lost_s + FOLLOWED_S; ++i) {
+					const double t_s = i * PERIOD_S, hand = there.x_m(t_s) - back.x_m(t_s);
+					const bool errs_on_its_way = t_s > 0.8 && t_s < 0.95;
+					const bool lost = errs_on_its_way || (t_s > LOST_S && t_s < LOST_S + lost_s);
+					shown = lost ? shown : hand + noise(random);
+					estimator.push(t_s, shown);
+					if (t_s > LOST_S + lost_s) {
+						missing += std::abs(estimator.at(t_s).value - hand);
+						++frames;
+					}
+				}
+			}
+			// In the mean of that second, of what it came back unseen.
+			CHECK(missing / frames < 0.2 * (1.0 - back_to));
+		}
+	}
+}
+
 TEST_CASE("a tracker that wanders, and loses the hand, throws none about that stays at its end") {
 	constexpr double DEVIATION = 0.06, SETTLING_S = 0.5; // amplitudes
 	const double kept = std::exp(-PERIOD_S / SETTLING_S);
