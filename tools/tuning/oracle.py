@@ -1,12 +1,10 @@
-"""What could be had at all: three oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
+"""What could be had at all: two oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
 
     python tools/tuning/oracle.py --trials DIR --evaluation DIR
 
 shape:  the minimum-jerk movement that fits the reference best, its onset, duration and length known.
 faults: the measured curve with each freeze or gap of more than 50 ms bridged by a straight line from before to
         after, as if the future were known, at the constant lag that fits the reference best.
-hand:   the reference itself, as late as the tracker is in this trial (the lag at which the curve of `faults` fits
-        best) less the mean of such trials: what is left to be wrong where all is known but how late this one is.
 Mean R2 over the gesture's span and 0.25 s on either side, and T_diff with a missed end at the record's, as in
 extension/core/metrics/curve_comparison.h.
 """
@@ -52,13 +50,13 @@ def bridged(x: np.ndarray) -> np.ndarray:
     return x
 
 
-def lagging(x: np.ndarray, window: np.ndarray, ms: int) -> np.ndarray:
-    """x in the window, as a curve that is so late has it."""
-    return x[np.clip(np.flatnonzero(window) - ms, 0, len(x) - 1)]
-
-
 def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> tuple[float, int]:
-    return max((r2(reference[window], lagging(x, window, -ms)), ms) for ms in LAGS_MS)
+    """R2 there, and the lag, ms: positive, x is late."""
+
+    def earlier(ms: int) -> np.ndarray:
+        return x[np.clip(np.flatnonzero(window) + ms, 0, len(x) - 1)]
+
+    return max((r2(reference[window], earlier(ms)), ms) for ms in LAGS_MS)
 
 
 def end_ms(x: np.ndarray, start: int, level: float) -> int:
@@ -89,8 +87,8 @@ class Trial:
         window = (t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S)
         return cls(curves, window, *np.searchsorted(t, [start_s, end_s]))
 
-    def r2s(self, mean_lag_ms: float) -> tuple[float, ...]:
-        """Of measured, synthesised, measured at the best lag, faults, shape, hand."""
+    def r2s(self) -> tuple[float, ...]:
+        """Of measured, synthesised, measured at the best lag, faults, shape."""
         seen = self.reference[self.window]
         return (
             r2(seen, self.measured[self.window]),
@@ -98,7 +96,6 @@ class Trial:
             self.best_r2,
             self.faults_r2,
             best_shape(self.curves["t"][self.window][::5], seen[::5]),
-            r2(seen, lagging(self.reference, self.window, round(self.faults_lag_ms - mean_lag_ms))),
         )
 
     def t_diffs_ms(self) -> tuple[float, ...]:
@@ -124,11 +121,11 @@ def main() -> None:
                 group = groups[trial["gesture"].replace("_", " "), trial["position"]]
                 group.append(Trial.read(path, float(trial["start_s"]), float(trial["end_s"])))
     curves = ("measured", "synthesised", "measured, best lag", "faults")
-    columns = ("trials", *curves, "shape", "hand", "lag")
+    columns = ("trials", *curves, "shape", "lag of faults")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
     for (gesture, position), trials in sorted(groups.items()):
         lags_ms = [trial.faults_lag_ms for trial in trials]
-        means = np.mean([trial.r2s(np.mean(lags_ms)) for trial in trials], axis=0)
+        means = np.mean([trial.r2s() for trial in trials], axis=0)
         lag = f"{np.mean(lags_ms):.0f} ± {np.std(lags_ms):.0f} ms"
         print(f"| {gesture}, {position}: {len(trials)} | {' | '.join(f'{mean:.3f}' for mean in means)} | {lag} |")
     print(f"\n| T_diff: median, and inside | {' | '.join(curves)} |\n| --- {'| ---: ' * len(curves)}|")
