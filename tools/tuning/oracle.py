@@ -23,6 +23,7 @@ END_LEVEL = 0.95
 ASKED_MS = {"stable": (-50.0, 15.0), "unstable": (-100.0, 100.0)}  # of T_diff
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
+CURVES = ("measured", "synthesised", "measured, best lag", "faults")
 
 
 def r2(reference: np.ndarray, x: np.ndarray) -> float:
@@ -67,45 +68,29 @@ def end_ms(x: np.ndarray, start: int, level: float) -> int:
 
 @dataclass
 class Trial:
-    """Curves at 1 kHz, and where R2 is taken."""
-
-    curves: np.ndarray
-    window: np.ndarray
-    start: int
-    end: int
-
-    def __post_init__(self) -> None:
-        self.reference, self.measured = self.curves["reference"], self.curves["measured"]
-        self.best_r2, self.lag_ms = best_lag(self.reference, self.measured, self.window)
-        self.faults = bridged(self.measured)
-        self.faults_r2, self.faults_lag_ms = best_lag(self.reference, self.faults, self.window)
+    r2s: tuple[float, ...]  # of CURVES at no lag, but for "best lag" and faults, and of shape
+    t_diffs_ms: tuple[float, ...]  # of CURVES
+    lag_ms: int  # of faults
 
     @classmethod
-    def read(cls, path: Path, start_s: float, end_s: float) -> "Trial":
-        curves = np.genfromtxt(path, delimiter=",", names=True)
-        t = curves["t"]
+    def read(cls, row: dict[str, str], curves_path: Path, start_s: float, end_s: float) -> "Trial":
+        """row: the trial's in results.csv, which has what is no oracle's."""
+        curves = np.genfromtxt(curves_path, delimiter=",", names=True)
+        t, reference, faults = curves["t"], curves["reference"], bridged(curves["measured"])
         window = (t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S)
-        return cls(curves, window, *np.searchsorted(t, [start_s, end_s]))
-
-    def r2s(self) -> tuple[float, ...]:
-        """Of measured, synthesised, measured at the best lag, faults, shape."""
-        seen = self.reference[self.window]
-        return (
-            r2(seen, self.measured[self.window]),
-            r2(seen, self.curves["synthesised"][self.window]),
-            self.best_r2,
-            self.faults_r2,
-            best_shape(self.curves["t"][self.window][::5], seen[::5]),
+        faults_r2, lag_ms = best_lag(reference, faults, window)
+        start, end = np.searchsorted(t, [start_s, end_s])
+        level = END_LEVEL * reference[end]
+        measured_ms, synthesised_ms, measured_lag_ms = (
+            1e3 * float(row[column]) for column in ("t_diff_measured", "t_diff_synthesised", "lag_measured")
         )
-
-    def t_diffs_ms(self) -> tuple[float, ...]:
-        """Of the first four."""
-        level = END_LEVEL * self.reference[self.end]
-        end = end_ms(self.reference, self.start, level)
-        measured = end - end_ms(self.measured, self.start, level)
-        synthesised = end - end_ms(self.curves["synthesised"], self.start, level)
-        faults = end - end_ms(self.faults, self.start, level)
-        return measured, synthesised, measured + self.lag_ms, faults + self.faults_lag_ms
+        faults_ms = end_ms(reference, start, level) - end_ms(faults, start, level) + lag_ms
+        known = (float(row[column]) for column in ("r2_zero_measured", "r2_zero_synthesised", "r2_measured"))
+        return cls(
+            (*known, faults_r2, best_shape(t[window][::5], reference[window][::5])),
+            (measured_ms, synthesised_ms, measured_ms + measured_lag_ms, faults_ms),
+            lag_ms,
+        )
 
 
 def main() -> None:
@@ -113,24 +98,25 @@ def main() -> None:
     parser.add_argument("--trials", type=Path, required=True)
     parser.add_argument("--evaluation", type=Path, required=True)
     given = parser.parse_args()
-    groups = defaultdict(list)
     with (given.trials / "trials.csv").open() as source:
-        for trial in csv.DictReader(source):
-            path = given.evaluation / f"{trial['trial']}.curves.csv"
-            if trial["gesture"] != "none" and path.exists():
-                group = groups[trial["gesture"].replace("_", " "), trial["position"]]
-                group.append(Trial.read(path, float(trial["start_s"]), float(trial["end_s"])))
-    curves = ("measured", "synthesised", "measured, best lag", "faults")
-    columns = ("trials", *curves, "shape", "lag of faults")
+        spans = {trial["trial"]: (float(trial["start_s"]), float(trial["end_s"])) for trial in csv.DictReader(source)}
+    groups = defaultdict(list)
+    with (given.evaluation / "results.csv").open() as source:
+        for row in csv.DictReader(source):
+            curves_path = given.evaluation / f"{row['trial']}.curves.csv"
+            if row["gesture"] != "none":
+                group = groups[row["gesture"].replace("_", " "), row["position"]]
+                group.append(Trial.read(row, curves_path, *spans[row["trial"]]))
+    columns = ("trials", *CURVES, "shape", "lag of faults")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
     for (gesture, position), trials in sorted(groups.items()):
-        lags_ms = [trial.faults_lag_ms for trial in trials]
-        means = np.mean([trial.r2s() for trial in trials], axis=0)
+        lags_ms = [trial.lag_ms for trial in trials]
+        means = " | ".join(f"{mean:.3f}" for mean in np.mean([trial.r2s for trial in trials], axis=0))
         lag = f"{np.mean(lags_ms):.0f} ± {np.std(lags_ms):.0f} ms"
-        print(f"| {gesture}, {position}: {len(trials)} | {' | '.join(f'{mean:.3f}' for mean in means)} | {lag} |")
-    print(f"\n| T_diff: median, and inside | {' | '.join(curves)} |\n| --- {'| ---: ' * len(curves)}|")
+        print(f"| {gesture}, {position}: {len(trials)} | {means} | {lag} |")
+    print(f"\n| T_diff: median, and inside | {' | '.join(CURVES)} |\n| --- {'| ---: ' * len(CURVES)}|")
     for (gesture, position), trials in sorted(groups.items()):
-        t_diffs_ms = np.array([trial.t_diffs_ms() for trial in trials])
+        t_diffs_ms = np.array([trial.t_diffs_ms for trial in trials])
         latest, earliest = ASKED_MS[position]
         inside = np.mean((latest <= t_diffs_ms) & (t_diffs_ms <= earliest), axis=0)
         cells = (f"{m:+.0f} ms, {100.0 * i:.0f} %" for m, i in zip(np.median(t_diffs_ms, axis=0), inside, strict=True))
