@@ -5,7 +5,21 @@ import re
 import sys
 from pathlib import Path
 
-LAYERS = ["base", "signal", "hmm", "tracking", "gesture", "motion", "haptics", "metrics", "simulation"]
+LAYERS = [
+    "base",
+    "signal",
+    "hmm",
+    "tracking",
+    "gesture",
+    "soundness",
+    "motion",
+    "phase",
+    "strokes",
+    "recognition",
+    "haptics",
+    "metrics",
+    "simulation",
+]
 
 # The core reads no file, knows no clock and no engine: those belong to the nodes.
 FOREIGN = {"chrono", "ctime", "filesystem", "fstream", "iostream", "thread"}

@@ -1,6 +1,6 @@
 #include "gesture_hmm.h"
 
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>

@@ -5,7 +5,7 @@
 #include "gesture_task.h"
 #include "hand_tracker.h"
 
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 
 #include <godot_cpp/core/class_db.hpp>
 

@@ -6,7 +6,7 @@
 #include "gesture_task.h"
 
 #include "gesture/feature.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 
 #include <godot_cpp/core/error_macros.hpp>
 

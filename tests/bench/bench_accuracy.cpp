@@ -3,7 +3,7 @@
 // of the tuning population, asked for 1, 0.6, 0.4 and 1.6 times the duration that they would choose.
 
 #include "models.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "trials.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
 #include "models.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
 

@@ -2,7 +2,7 @@
 
 #include "hmm/state_decoder.h"
 #include "motion/motion.h"
-#include "motion/phase_effort.h"
+#include "phase/phase_effort.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 #include "gesture/motion_element.h"
 #include "metrics/curve_comparison.h"
 #include "models.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "signal/resample.h"
 #include "simulation/synthetic_trial.h"
 #include "tracking/track_csv.h"

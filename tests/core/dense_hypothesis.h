@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/hypothesis_group.h"
+#include "phase/hypothesis_group.h"
 #include "signal/minimum_jerk.h"
 
 #include <Eigen/Core>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
 #include <algorithm>

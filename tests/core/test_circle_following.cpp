@@ -1,6 +1,6 @@
 #include "gesture/trainer.h"
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "motion/element_curve.h"
+#include "phase/element_curve.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "minimum_jerk_drag.h"
-#include "motion/motion_outlook.h"
+#include "phase/motion_outlook.h"
 #include "signal/minimum_jerk.h"
 #include "trained_drag.h"
 

@@ -1,7 +1,7 @@
 // Hands that stop on their way, before a tracker that is right.
 
 #include "minimum_jerk_drag.h"
-#include "motion/phase_estimator.h"
+#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "haptics/effect.h"
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 #include "vibration_rig.h"
 

@@ -2,7 +2,7 @@
 
 #include "dense_hypothesis.h"
 #include "minimum_jerk_drag.h"
-#include "motion/hypothesis_bank.h"
+#include "phase/hypothesis_bank.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

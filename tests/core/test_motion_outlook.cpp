@@ -1,6 +1,6 @@
 // What hypotheses together expect of the hand until the next frame, and while none comes.
 
-#include "motion/motion_outlook.h"
+#include "phase/motion_outlook.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

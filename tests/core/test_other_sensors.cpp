@@ -1,7 +1,7 @@
 #include "metrics/curve_comparison.h"
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
-#include "motion/phase_estimator.h"
+#include "phase/phase_estimator.h"
+#include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

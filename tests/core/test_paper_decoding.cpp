@@ -1,5 +1,5 @@
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
+#include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 // What the phase estimator counts once, remembers, and forgets.
 
 #include "minimum_jerk_drag.h"
-#include "motion/phase_estimator.h"
+#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

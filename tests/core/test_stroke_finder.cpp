@@ -1,8 +1,8 @@
 // Strokes, and what they speak for.
 
 #include "minimum_jerk_drag.h"
-#include "motion/stroke_evidence.h"
-#include "motion/stroke_finder.h"
+#include "strokes/stroke_evidence.h"
+#include "strokes/stroke_finder.h"
 
 #include <doctest/doctest.h>
 

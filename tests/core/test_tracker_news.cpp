@@ -1,8 +1,8 @@
 // What of a tracker's frames is news, and since when.
 
 #include "minimum_jerk_drag.h"
-#include "motion/tracker_standstill.h"
-#include "motion/tracking_soundness.h"
+#include "soundness/tracker_standstill.h"
+#include "soundness/tracking_soundness.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "minimum_jerk_drag.h"
-#include "motion/tracker_standstill.h"
+#include "soundness/tracker_standstill.h"
 
 #include <doctest/doctest.h>
 

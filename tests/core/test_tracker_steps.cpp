@@ -1,7 +1,7 @@
 // Steps that a tracker makes and no hand.
 
 #include "minimum_jerk_drag.h"
-#include "motion/tracker_steps.h"
+#include "soundness/tracker_steps.h"
 
 #include <doctest/doctest.h>
 

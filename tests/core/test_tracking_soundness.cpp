@@ -1,4 +1,4 @@
-#include "motion/tracking_soundness.h"
+#include "soundness/tracking_soundness.h"
 
 #include <doctest/doctest.h>
 

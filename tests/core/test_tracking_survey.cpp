@@ -1,6 +1,6 @@
-#include "motion/tracking_survey.h"
 #include "simulation/sensor.h"
 #include "simulation/sensor_profile.h"
+#include "soundness/tracking_survey.h"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
 // Trembling of a tracker: how much there is, and strokes without it.
 
 #include "minimum_jerk_drag.h"
-#include "motion/stroke_finder.h"
-#include "motion/tremble_filter.h"
+#include "soundness/tremble_filter.h"
+#include "strokes/stroke_finder.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 #include "minimum_jerk_drag.h"
-#include "motion/phase_estimator.h"
+#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "minimum_jerk_drag.h"
-#include "motion/gesture_recogniser.h"
-#include "motion/phase_estimator.h"
+#include "phase/phase_estimator.h"
+#include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "minimum_jerk_drag.h"
-#include "motion/element_curve.h"
+#include "phase/element_curve.h"
 
 #include <memory>
 

@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-MOTION = Path("extension/core/motion")
+CORE = Path("extension/core")
 SOURCES = ["SConstruct", "extension/core", "models", "tests", "tools"]
 PROGRAM = "bench_accuracy"
 AS_IT_IS = "as it is"
@@ -52,7 +52,7 @@ def edited_files(place: Path, edits: list[dict]) -> dict[Path, str]:
     """By file the new text, of the sources at place. Raises ValueError where an edit does not fit them."""
     texts = {}
     for edit in edits:
-        file = place / MOTION / edit["file"]
+        file = place / CORE / edit["file"]
         texts[file] = edited(texts.get(file) or file.read_text(), edit)
     return texts
 

@@ -1,0 +1,249 @@
+#include "phase/hypothesis_group.h"
+
+#include "signal/minimum_jerk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// As in lanes.h: what passes vectors is inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace steadyhand {
+namespace {
+
+constexpr double NOISE = 0.0032; ///< white part of a tracker's error, amplitudes
+/// Of an outlier, amplitudes: jumps of some centimetres.
+constexpr double OUTLIER_DEVIATION = 0.21;
+const double LOG_IMPOSSIBLE = std::log(1e-30);
+/// Durations that a hypothesis may come to.
+const double LOG_SHORTEST = std::log(0.12);
+const double LOG_LONGEST = std::log(6.0);
+
+// By index_of.
+constexpr Lanes HANDS{ REGIME_NUMBERS[0].hand.amplitudes, REGIME_NUMBERS[1].hand.amplitudes,
+	REGIME_NUMBERS[2].hand.amplitudes, REGIME_NUMBERS[3].hand.amplitudes };
+constexpr Lanes ERRORS_AT_START{ ERROR_NUMBERS[0].at_start.amplitudes, ERROR_NUMBERS[1].at_start.amplitudes,
+	ERROR_NUMBERS[2].at_start.amplitudes };
+constexpr Lanes ERRORS_ON_WAY{ ERROR_NUMBERS[0].on_way, ERROR_NUMBERS[1].on_way, ERROR_NUMBERS[2].on_way };
+
+using Group = HypothesisGroup;
+using Hypothesis = GestureHypothesis;
+/// Of a deviation and its rate, lane by lane.
+struct LaneDamping {
+	LaneVector xx, xv, vx, vv, noise_x, noise_xv, noise_v;
+
+	/// Each as in its regime, or of its error; variance: of what is damped, where it comes to rest.
+	STEADYHAND_INLINE LaneDamping(
+			const Dampings &by, const std::array<std::uint8_t, LANES> &kinds, const LaneVector &variance) :
+			xx(pick(by.xx, kinds)),
+			xv(pick(by.xv, kinds)), vx(pick(by.vx, kinds)), vv(pick(by.vv, kinds)),
+			noise_x(variance * pick(by.noise_x, kinds)), noise_xv(variance * pick(by.noise_xv, kinds)),
+			noise_v(variance * pick(by.noise_v, kinds)) {}
+	/// [x, v] becomes F [x, v].
+	STEADYHAND_INLINE void apply(Lanes &r_x, Lanes &r_v) const {
+		const LaneVector x = load(r_x), v = load(r_v);
+		store(r_x, xx * x + xv * v);
+		store(r_v, vx * x + vv * v);
+	}
+	/// The covariance of x and v becomes F P F' + Q.
+	STEADYHAND_INLINE void apply(Lanes &r_x, Lanes &r_xv, Lanes &r_v) const {
+		const LaneVector x = load(r_x), both = load(r_xv), v = load(r_v);
+		const LaneVector x_x = xx * x + xv * both, x_v = xx * both + xv * v;
+		const LaneVector v_x = vx * x + vv * both, v_v = vx * both + vv * v;
+		store(r_x, xx * x_x + xv * x_v + noise_x);
+		store(r_xv, vx * x_x + vv * x_v + noise_xv);
+		store(r_v, vx * v_x + vv * v_v + noise_v);
+	}
+};
+
+} // namespace
+
+struct HypothesisGroup::Filter {
+	Group &group;
+	const ElementCurve &curve;
+	double t_s;
+
+	Lanes &covariance(std::size_t i, std::size_t j) const {
+		return group.covariance_[Hypothesis::entry(i, j)];
+	}
+	/// f(phase) in 0..1
+	[[nodiscard]] STEADYHAND_INLINE LaneVector way(const LaneVector &phase) const {
+		const LaneVector elements = curve.at(phase).value;
+		const LaneVector shape = load(group.mean_[Hypothesis::SHAPE]);
+		return within_one(elements + shape * (LaneMinimumJerk(within_one(phase)).value - elements));
+	}
+	[[nodiscard]] STEADYHAND_INLINE LaneVector phase() const {
+		return (t_s - load(group.mean_[Hypothesis::ONSET])) * load(group.rate_per_s_);
+	}
+
+	/// F differs from unity in two pairs of states alone: a deviation and its rate, of the hand and of the
+	/// tracker.
+	STEADYHAND_INLINE void predict(const Passages &passages) const {
+		const LaneVector hands = pick(HANDS, group.regime_);
+		LaneVector errors = pick(ERRORS_AT_START, group.error_);
+		const LaneVector on_way = load(group.on_its_way_) * pick(ERRORS_ON_WAY, group.error_);
+		group.is_way_known_ = any(on_way > 0.0);
+		if (group.is_way_known_) {
+			const LaneVector gone = way(phase());
+			store(group.way_, gone);
+			errors += on_way * gone;
+		}
+		const LaneDamping hand(passages.hand, group.regime_, hands * hands),
+				error(passages.error, group.error_, errors * errors);
+		using H = Hypothesis;
+		hand.apply(group.mean_[H::HAND], group.mean_[H::HAND_RATE]);
+		error.apply(group.mean_[H::ERROR], group.mean_[H::ERROR_RATE]);
+		hand.apply(covariance(H::HAND, H::HAND), covariance(H::HAND_RATE, H::HAND),
+				covariance(H::HAND_RATE, H::HAND_RATE));
+		error.apply(covariance(H::ERROR, H::ERROR), covariance(H::ERROR_RATE, H::ERROR),
+				covariance(H::ERROR_RATE, H::ERROR_RATE));
+		for (const std::size_t i : { H::HAND, H::HAND_RATE }) {
+			error.apply(covariance(H::ERROR, i), covariance(H::ERROR_RATE, i));
+		}
+		unrolled<H::STATES - H::ERROR>([&](auto i) STEADYHAND_INLINE_LAMBDA {
+			hand.apply(covariance(H::ERROR + i, H::HAND), covariance(H::ERROR + i, H::HAND_RATE));
+		});
+		unrolled<H::STATES - H::ONSET>([&](auto i) STEADYHAND_INLINE_LAMBDA {
+			error.apply(covariance(H::ONSET + i, H::ERROR), covariance(H::ONSET + i, H::ERROR_RATE));
+		});
+	}
+
+	STEADYHAND_INLINE void absorb(double x, const Trust &trust, Lanes &r_log_weights) const {
+		using H = Hypothesis;
+		constexpr std::size_t FIRST = H::ONSET, SLOPES = H::STATES - FIRST;
+		// What the tracker should show, and by how much that changes with each state.
+		const LaneVector rate = load(group.rate_per_s_), shape = load(group.mean_[H::SHAPE]);
+		const LaneVector is_under_way = load(group.on_its_way_),
+						 now = is_under_way > 0.0 ? phase() : LaneVector{};
+		const LaneVector lags = is_under_way > 0.0 ? load(group.mean_[H::LAG]) : LaneVector{};
+		LaneVector way_now{};
+		if (any(lags > 0.0)) {
+			way_now = lags > 0.0 ? (group.is_way_known_ ? load(group.way_) : way(now)) : LaneVector{};
+		}
+		const LaneVector then = now - lags * way_now * rate, phases = then > 0.0 ? then : LaneVector{};
+		const LaneVector gone = then > 0.0 ? way_now : LaneVector{};
+		const LaneCurvePoint element = curve.at(phases);
+		const LaneVector elements = element.value, element_slopes = element.slope;
+		const LaneMinimumJerk smooth(within_one(phases));
+		const LaneVector gain = 1.0 + load(group.mean_[H::GAIN]);
+		const LaneVector value = elements + shape * (smooth.value - elements);
+		const LaneVector slope = gain * (element_slopes + shape * (smooth.first - element_slopes));
+		std::array<LaneVector, SLOPES> slopes;
+		slopes[H::ONSET - FIRST] = -slope * rate;
+		slopes[H::LOG_DURATION - FIRST] = -slope * phases;
+		slopes[H::GAIN - FIRST] = value;
+		slopes[H::SHAPE - FIRST] = gain * (smooth.value - elements);
+		slopes[H::LAG - FIRST] = -slope * gone * rate;
+		const LaneVector innovation =
+				x - (gain * value + load(group.mean_[H::HAND]) + load(group.mean_[H::ERROR]));
+
+		std::array<LaneVector, H::STATES> seen;
+		unrolled<H::STATES>([&](auto i) STEADYHAND_INLINE_LAMBDA {
+			seen[i] = load(covariance(std::max<std::size_t>(i, H::HAND), H::HAND)) +
+					load(covariance(std::max<std::size_t>(i, H::ERROR), std::min<std::size_t>(i, H::ERROR)));
+			unrolled<SLOPES>([&](auto j) STEADYHAND_INLINE_LAMBDA {
+				constexpr std::size_t K = FIRST + j;
+				seen[i] += slopes[j] *
+						load(covariance(std::max<std::size_t>(i, K), std::min<std::size_t>(i, K)));
+			});
+		});
+		LaneVector variance = seen[H::HAND] + seen[H::ERROR] + (NOISE * NOISE + trust.jitter * trust.jitter);
+		for (std::size_t j = FIRST; j < H::STATES; ++j) {
+			variance += slopes[j - FIRST] * seen[j];
+		}
+		const LaneVector precision = 1.0 / variance;
+		const LaneVector broad_precision = 1.0 / (variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION);
+		const LaneVector half_squared = 0.5 * innovation * innovation;
+		// Beside the broad density's exponential, which alone is left of what is far off.
+		const LaneVector good = exponential(half_squared * (broad_precision - precision)) *
+				(1.0 - trust.outlier) * square_root(precision);
+		const LaneVector bad = trust.outlier * square_root(broad_precision);
+		const LaneVector sum = good + bad + std::numeric_limits<double>::min();
+		const LaneVector good_share = good / sum;
+		const LaneVector log_likelihood = logarithm(sum) - half_squared * broad_precision;
+		for (std::size_t l = 0; l < LANES; ++l) {
+			r_log_weights[l] += trust.weight * std::max(log_likelihood[l], LOG_IMPOSSIBLE);
+		}
+
+		const LaneVector step = good_share * innovation * precision;
+		const LaneVector less =
+				good_share * precision * (1.0 - 2.0 * (1.0 - good_share) * half_squared * precision);
+		unrolled<H::STATES>([&](auto i) STEADYHAND_INLINE_LAMBDA {
+			store(group.mean_[i], load(group.mean_[i]) + seen[i] * step);
+			const LaneVector share = seen[i] * less;
+			unrolled<i + 1>([&](auto j) STEADYHAND_INLINE_LAMBDA {
+				store(covariance(i, j), load(covariance(i, j)) - share * seen[j]);
+			});
+		});
+		LaneVector log_duration = load(group.mean_[H::LOG_DURATION]), lag = load(group.mean_[H::LAG]);
+		log_duration = log_duration < LOG_SHORTEST ? all(LOG_SHORTEST) : log_duration;
+		log_duration = log_duration > LOG_LONGEST ? all(LOG_LONGEST) : log_duration;
+		lag = lag < 0.0 ? LaneVector{} : lag;
+		store(group.mean_[H::LOG_DURATION], log_duration);
+		store(group.mean_[H::LAG], lag);
+		store(group.rate_per_s_, exponential(-log_duration));
+	}
+};
+
+STEADYHAND_WIDE void HypothesisGroup::predict(
+		const ElementCurve &curve, double t_s, const Passages &passages) {
+	Filter{ *this, curve, t_s }.predict(passages);
+}
+
+STEADYHAND_WIDE void HypothesisGroup::absorb(
+		const ElementCurve &curve, double t_s, double x, const Trust &trust, Lanes &r_log_weights) {
+	Filter{ *this, curve, t_s }.absorb(x, trust, r_log_weights);
+}
+
+void HypothesisGroup::set(std::size_t lane, const GestureHypothesis &hypothesis) {
+	for (std::size_t i = 0; i < GestureHypothesis::STATES; ++i) {
+		mean_[i][lane] = hypothesis.mean_[i];
+	}
+	for (std::size_t i = 0; i < GestureHypothesis::ENTRIES; ++i) {
+		covariance_[i][lane] = hypothesis.covariance_[i];
+	}
+	rate_per_s_[lane] = hypothesis.rate_per_s_;
+	regime_[lane] = static_cast<std::uint8_t>(index_of(hypothesis.regime_));
+	error_[lane] = static_cast<std::uint8_t>(index_of(hypothesis.error_));
+	on_its_way_[lane] = hypothesis.on_its_way_ ? 1.0 : 0.0;
+	is_way_known_ = false;
+}
+
+void HypothesisGroup::copy(std::size_t lane, const HypothesisGroup &from, std::size_t from_lane) {
+	for (std::size_t i = 0; i < GestureHypothesis::STATES; ++i) {
+		mean_[i][lane] = from.mean_[i][from_lane];
+	}
+	for (std::size_t i = 0; i < GestureHypothesis::ENTRIES; ++i) {
+		covariance_[i][lane] = from.covariance_[i][from_lane];
+	}
+	rate_per_s_[lane] = from.rate_per_s_[from_lane];
+	regime_[lane] = from.regime_[from_lane];
+	error_[lane] = from.error_[from_lane];
+	on_its_way_[lane] = from.on_its_way_[from_lane];
+	is_way_known_ = false;
+}
+
+void HypothesisGroup::mark_beyond(double t_s, double phase, std::span<bool, LANES> r_marks) const {
+	for (std::size_t l = 0; l < LANES; ++l) {
+		const double now = (t_s - mean_[GestureHypothesis::ONSET][l]) * rate_per_s_[l];
+		r_marks[l] = (on_its_way_[l] > 0.0) & (now > phase);
+	}
+}
+
+GestureHypothesis HypothesisGroup::hypothesis(std::size_t lane) const {
+	GestureHypothesis h;
+	for (std::size_t i = 0; i < GestureHypothesis::STATES; ++i) {
+		h.mean_[i] = mean_[i][lane];
+	}
+	for (std::size_t i = 0; i < GestureHypothesis::ENTRIES; ++i) {
+		h.covariance_[i] = covariance_[i][lane];
+	}
+	h.rate_per_s_ = rate_per_s_[lane];
+	h.regime_ = regime(lane);
+	h.error_ = error(lane);
+	h.on_its_way_ = on_its_way(lane);
+	return h;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,130 @@
+#include "phase/motion_outlook.h"
+
+#include "signal/lanes.h"
+
+#include <algorithm>
+#include <cmath>
+
+// As in lanes.h: what passes vectors is inlined.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace steadyhand {
+namespace {
+
+/// A motion that had not come this far when it was last seen could as well not have begun.
+constexpr double VISIBLE_PHASE = 0.06;
+constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
+constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
+
+constexpr std::size_t FREE = index_of(Regime::FREE);
+
+STEADYHAND_INLINE LaneVector hand_rates_per_s() {
+	return each([](std::size_t i) STEADYHAND_INLINE_LAMBDA {
+		return regime_numbers(static_cast<Regime>(i)).hand.rate_per_s;
+	});
+}
+
+} // namespace
+
+Lanes MotionOutlook::fading(double dt_s) {
+	Lanes all;
+	store(all, exponential(-hand_rates_per_s() * dt_s));
+	all[FREE] = std::exp(-FREE_SLOWING_PER_S * dt_s);
+	return all;
+}
+
+/// dt_s: since the hypotheses' time
+STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
+		const ElementCurve &curve, double dt_s, const Lanes &fading) const {
+	const LaneVector rates = hand_rates_per_s(), fades = load(fading);
+	const LaneVector c = load(hand_.v) + rates * load(hand_.x), left = load(hand_.x) + c * dt_s;
+	LaneVector value = left * fades, velocity = (c - rates * left) * fades;
+	LaneVector acceleration = rates * (rates * left - 2.0 * c) * fades;
+	const double free_velocity = hand_.v[FREE] * fading[FREE];
+	value[FREE] = hand_.x[FREE] + (hand_.v[FREE] - free_velocity) / FREE_SLOWING_PER_S;
+	velocity[FREE] = free_velocity;
+	acceleration[FREE] = -FREE_SLOWING_PER_S * free_velocity;
+	LaneVector expected_phase{}, phase_rate{};
+	for (std::size_t g = 0; g * LANES < count_; ++g) {
+		const Courses &courses = courses_[g];
+		LaneVector rate = load(courses.rate_per_s), rate_change{};
+		LaneVector phase = (filtered_s_ + dt_s - load(courses.onset_s)) * rate;
+		const LaneVector waits_from = load(courses.waits_from), over = phase - waits_from;
+		if (any(over > 0.0)) {
+			const LaneVector slowed = exponential(over > 0.0 ? over / -WAITING_LENGTH : LaneVector{});
+			phase = over > 0.0 ? waits_from + WAITING_LENGTH * (1.0 - slowed) : phase;
+			rate_change = over > 0.0 ? rate * rate * slowed / -WAITING_LENGTH : LaneVector{};
+			rate *= slowed;
+		}
+		const LaneCurvePoint point = curve.at(phase);
+		const LaneVector s = within_one(phase);
+		const LaneMinimumJerk jerk(s);
+		const LaneVector elements = load(courses.elements), smooth = load(courses.smooth);
+		const LaneVector weight = load(courses.weight);
+		value += elements * point.value + smooth * jerk.value;
+		const LaneVector slope = elements * point.slope + smooth * jerk.first;
+		velocity += rate * slope;
+		acceleration +=
+				rate * rate * (elements * point.curvature + smooth * jerk.second) + rate_change * slope;
+		expected_phase += weight * s;
+		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
+	}
+	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase), moving_ },
+		sum(phase_rate) };
+}
+
+PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s) const {
+	const double dt_s = std::max(t_s - filtered_s_, 0.0);
+	return mean(curve, dt_s, fading(dt_s)).estimate;
+}
+
+void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s,
+		double ahead_s, double seen_s) {
+	filtered_s_ = filtered_s;
+	if (ahead_s != ahead_s_) {
+		ahead_s_ = ahead_s;
+		fading_from_ = fading(ahead_s);
+		fading_to_ = fading(ahead_s + PIECE_S);
+	}
+	count_ = 0;
+	hand_ = {};
+	moving_ = 0.0;
+	double total = 0.0;
+	for (std::size_t i = 0; i < bank.size(); ++i) {
+		total += bank.weight(i) > NEGLIGIBLE ? bank.weight(i) : 0.0;
+	}
+	for (std::size_t i = 0; i < bank.size(); ++i) {
+		if (bank.weight(i) <= NEGLIGIBLE) {
+			continue;
+		}
+		const double weight = bank.weight(i) / total;
+		const Regime regime = bank.regime(i);
+		hand_.x[index_of(regime)] += weight * bank.hand_deviation(i);
+		hand_.v[index_of(regime)] += weight * bank.hand_deviation_rate(i);
+		if (bank.on_its_way(i)) {
+			const HypothesisGroup::Course course = bank.course(i);
+			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;
+			const bool waits = seen_phase < VISIBLE_PHASE || regime == Regime::FREE;
+			const double way = weight * course.gain;
+			Courses &courses = courses_[count_ / LANES];
+			const std::size_t lane = count_++ % LANES;
+			courses = lane == 0 ? Courses{} : courses;
+			courses.onset_s[lane] = course.onset_s;
+			courses.rate_per_s[lane] = course.rate_per_s;
+			courses.elements[lane] = way * (1.0 - course.shape);
+			courses.smooth[lane] = way * course.shape;
+			courses.weight[lane] = weight;
+			courses.waits_from[lane] = waits ? std::max(seen_phase, 0.0) : INFINITY;
+			moving_ += weight;
+		}
+	}
+	const auto [from, rate_per_s] = mean(curve, ahead_s_, fading_from_);
+	const PhaseEstimate to = mean(curve, ahead_s_ + PIECE_S, fading_to_).estimate;
+	piece_ = QuinticPiece::between({ from.value, from.velocity, from.acceleration },
+			{ to.value, to.velocity, to.acceleration }, PIECE_S);
+	piece_from_s_ = filtered_s + ahead_s_;
+	const double bend = (to.phase - from.phase) / PIECE_S - rate_per_s;
+	phase_ = { from.phase, rate_per_s, bend / PIECE_S };
+}
+
+} // namespace steadyhand

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "gesture/gesture_model.h"
+#include "motion/output_blend.h"
+#include "phase/element_curve.h"
+#include "phase/hypothesis_bank.h"
+#include "phase/motion_outlook.h"
+#include "soundness/tracking_soundness.h"
+
+#include <array>
+#include <cmath>
+
+namespace steadyhand {
+
+/// `phase` mode: a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) of hypotheses about
+/// when the gesture began, how long it takes, and in which regime hand and tracker are; each is an extended
+/// Kalman filter of its own (gesture_hypothesis.h). What is put out is their weighted mean.
+///
+/// - Hypotheses branch off the one at rest at a constant rate while the hand is seen, and are seeded from
+///   what is seen when the tracker comes back from a gap, a freeze or a jump: a gesture that begins unseen
+///   is caught.
+/// - A jump is the tracker's: it may lead away from the hand or back to it (tracker_jump.h).
+/// - Faults of the tracker (tracking_soundness.h) speak for the regime in which it errs.
+/// - The output never steps: what a frame changes is blended in, in value and in velocity.
+///
+/// docs/method.md has the equations and the numbers. After construction nothing is allocated.
+class PhaseEstimator {
+public:
+	/// model must outlive the estimator. latency_s: how old what a frame shows always is; the estimate is
+	/// that much ahead of the frames.
+	explicit PhaseEstimator(
+			const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0);
+
+	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
+	/// takes it. In amplitudes.
+	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
+	/// The same of frames of the past, for half of the cost: until catch_up() at() does not know of them, and
+	/// changes without a transition then.
+	void recall(double t_s, double x, const FeaturePlace &place);
+	void catch_up() { look(filtered_s_); }
+	/// No frame came until t_s: one that should have is a fault already while it is missing.
+	void wait(double t_s);
+	/// The gesture is over at t_s, not before the last frame: what comes next may be another one.
+	void restart(double t_s);
+	/// As made: nothing of what was seen connects with what comes next.
+	void reset() {
+		bank_.clear();
+		soundness_ = {};
+		falling_behind_s_ = missing_ = 0.0;
+		blend_ = {};
+		acceleration_step_ = 0.0;
+	}
+
+	/// At t_s, not before the last push.
+	[[nodiscard]] PhaseEstimate at(double t_s) const;
+
+private:
+	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
+	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
+							HypothesisBank::MOST_SLIDING_BACK + 2 * MOST_DURATIONS <=
+					HypothesisBank::MOST_ADDED,
+			"a jump doubles each, trebles those that are free and on a way, may set one free, lets some "
+			"slide "
+			"back, and seeds; a branching adds fewer");
+
+	const GestureModel *model_;
+	PhaseEffort effort_;
+	ElementCurve curve_;
+	double latency_s_;
+	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
+	std::array<double, MOST_DURATIONS> log_durations_{};
+	std::array<double, MOST_DURATIONS> log_prior_{};
+	double log_duration_deviation_ = 0.0; ///< of each
+	TrackingSoundness soundness_;
+	HypothesisBank bank_;
+	MotionOutlook outlook_;         ///< of the bank
+	double filtered_s_ = 0.0;       ///< the filters are at this time
+	double back_s_ = INFINITY;      ///< by then a tracker that slides back from a jump is back
+	double absorbed_s_ = -INFINITY; ///< when a frame was last used
+	double seen_s_ = 0.0;           ///< the tracker was last not frozen
+	double told_s_ = 0.0;           ///< a frame last told where the hand is
+	double next_branch_s_ = 0.0;
+	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
+	OutputBlend blend_;              ///< of what the last change of the estimate would step by
+	double acceleration_step_ = 0.0; ///< the same of the acceleration
+
+	void begin(double t_s, double d);
+	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }
+	void branch_until(double t_s);
+	void branch(double t_s);
+	void come_to_rest();
+	void come_to_end(double t_s);
+	void set_free(double t_s);
+	void set_free_unseen(double t_s);
+	[[nodiscard]] std::size_t likeliest_on_its_way() const;
+	void choose_rest();
+	void rest_anew(double x);
+	void seed(double t_s, double x);
+	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,
+			double onset_deviation_s, double log_probability);
+	void prune();
+	void absorb(double t_s, double x);
+	void count_fault(double fault, bool jumped);
+	/// What a frame shows is so old.
+	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
+	/// The estimate at t_s without what is blended in.
+	[[nodiscard]] PhaseEstimate expected(double t_s) const;
+	[[nodiscard]] double probability(Regime regime) const;
+	/// Keeps the output where `before` had it.
+	void blend_from(const PhaseEstimate &before, double t_s);
+};
+
+} // namespace steadyhand

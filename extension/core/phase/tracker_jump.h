@@ -1,0 +1,17 @@
+#pragma once
+
+#include "phase/hypothesis_bank.h"
+
+namespace steadyhand {
+
+/// The tracker has jumped at the time of the hypotheses. A jump is the tracker's, and leads away from where
+/// the hand is, or back to it: each likely hypothesis becomes two or more, of which the frames that follow
+/// choose.
+void branch_at_jump(HypothesisBank &r_bank);
+
+/// So long after its latest jump a tracker that slides back from it has arrived,
+inline constexpr double SLIDES_FOR_S = 0.2;
+/// and errs as any other from then on.
+void arrive_from_jump(HypothesisBank &r_bank);
+
+} // namespace steadyhand

@@ -1,0 +1,136 @@
+#include "recognition/gesture_follower.h"
+
+#include "strokes/stroke_evidence.h"
+
+namespace steadyhand {
+namespace {
+
+/// `phase` mode: expected value from which on the gesture is at its end.
+constexpr double ARRIVED_VALUE = 0.9;
+/// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
+/// hang.
+constexpr double LONGEST_GAP_S = 10.0;
+constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: within a tenth of a second
+
+} // namespace
+
+GestureFollower::GestureFollower(
+		const GestureModel &model, const Task &task, const Synthesis &synthesis, bool follows_rest) :
+		model_(&model),
+		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
+		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_OPEN), decoder_(model.hmm, synthesis.decoding),
+		paper_(model), phase_(model, synthesis.effort, synthesis.latency_s) {}
+
+bool GestureFollower::push(
+		const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes) {
+	if (!clock_started_) {
+		clock_.start(frame.t_s);
+		clock_started_ = true;
+	}
+	place_ = place.value_or(place_);
+	const std::optional<double> x_m = see(frame, place.has_value(), strokes);
+	if (!x_m) {
+		return false;
+	}
+	window_.push(frame.t_s, *x_m);
+	if (follows_phase()) {
+		phase_.push(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
+	}
+	fresh_ = true;
+	return true;
+}
+
+void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
+	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
+		clock_.start(t_s - LONGEST_GAP_S);
+	}
+	while (clock_started_ && clock_.due(t_s)) {
+		step(clock_.next_s(), strokes);
+		clock_.advance();
+	}
+}
+
+void GestureFollower::step(double t_s, const StrokeFinder &strokes) {
+	if (!fresh_ && follows_phase()) {
+		phase_.wait(t_s);
+	}
+	if (stage_ == Stage::MOVING) {
+		decode(t_s);
+	}
+	decide(t_s, strokes);
+	fresh_ = false;
+}
+
+void GestureFollower::begin(double t_s, double value) {
+	decoder_.reset();
+	state_played_ = 0;
+	if (mode_ == MotionMode::PAPER) {
+		paper_.begin(t_s, phase_of_value(*model_, value));
+	}
+	enter(Stage::MOVING, t_s);
+}
+
+void GestureFollower::rest(double t_s) {
+	const Motion before = motion(t_s);
+	enter(Stage::RESTING, t_s);
+	if (!follows_phase()) { // the estimator blends by itself
+		blend_from(before, t_s, RELEASE_RATE_PER_S);
+	}
+}
+
+void GestureFollower::enter(Stage stage, double t_s) {
+	stage_ = stage;
+	stage_began_s_ = t_s;
+}
+
+void GestureFollower::decode(double t_s) {
+	decoder_.push(fresh_ ? model_->quantiser.symbol(observation()) : UNSEEN);
+	if (decoder_.state() > state_played_) {
+		state_played_ = decoder_.state();
+		if (mode_ == MotionMode::PAPER) {
+			paper_.enter_state(state_played_, t_s - decoder_.lag() * SymbolClock::PERIOD_S, t_s);
+		}
+	}
+}
+
+bool GestureFollower::is_at_end(double t_s) const {
+	if (mode_ == MotionMode::PAPER) {
+		return paper_.phase(t_s) >= 1.0;
+	}
+	const PhaseEstimate now = estimate(t_s);
+	// A hand that does something else is where it is.
+	return now.phase + 1.0 - now.moving > ARRIVED_PHASE && now.value > ARRIVED_VALUE;
+}
+
+void GestureFollower::forget_frames() {
+	window_.reset();
+	phase_.reset();
+}
+
+void GestureFollower::recall(double t_s, double x_m, const FeaturePlace &place) {
+	window_.push(t_s, x_m);
+	if (mode_ == MotionMode::PHASE) {
+		phase_.recall(t_s, x_m / task_.amplitude_m, place / task_.amplitude_m);
+	}
+}
+
+void GestureFollower::blend_from(const Motion &before, double t_s, double rate_per_s) {
+	const Motion after = synthesised(t_s);
+	blend_.start(t_s, before.value_m - after.value_m, before.velocity_m_s - after.velocity_m_s, rate_per_s);
+}
+
+Motion GestureFollower::synthesised(double t_s) const {
+	if (follows_phase()) {
+		const PhaseEstimate now = estimate(t_s);
+		return { task_.amplitude_m * now.value, task_.amplitude_m * now.velocity,
+			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase,
+			task_.amplitude_m * now.correction };
+	}
+	return stage_ == Stage::RESTING ? Motion{} : paper_.motion(t_s, task_.amplitude_m);
+}
+
+Motion GestureFollower::motion(double t_s) const {
+	return blend_.completed(synthesised(t_s), t_s);
+}
+
+} // namespace steadyhand

@@ -1,0 +1,155 @@
+#pragma once
+
+#include "gesture/gesture_model.h"
+#include "gesture/observation.h"
+#include "gesture/symbol_clock.h"
+#include "gesture/task.h"
+#include "hmm/state_decoder.h"
+#include "motion/motion.h"
+#include "motion/output_blend.h"
+#include "motion/paper_synthesiser.h"
+#include "phase/phase_estimator.h"
+#include "strokes/stroke_finder.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace steadyhand {
+
+/// How motion is made of what is seen. effort, latency_s: as PhaseEstimator's; decoding: of the states that
+/// `paper` mode plays.
+struct Synthesis {
+	MotionMode mode = MotionMode::PHASE;
+	PhaseEffort effort = {};
+	double latency_s = 0.0;
+	StateDecoding decoding = {};
+};
+
+/// Follows one gesture through a stream of frames: waits at rest, spots the start, decodes the states, plays
+/// the motion out, holds its end until the hand has come back. Strokes that do not look like the gesture are
+/// let alone. Time is the frames' own; after construction nothing is allocated.
+///
+/// What is seen and what is put out is the same for all; when a gesture begins and ends a TaskFollower says
+/// where the task is known, an OpenFollower where it is not.
+class GestureFollower {
+public:
+	enum class Stage { RESTING, MOVING, ARRIVED };
+	/// Unseen for so long a gesture has ended, if its end was near; and for so long it, or its end, is over.
+	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
+
+	GestureFollower(const GestureFollower &) = delete;
+	GestureFollower &operator=(const GestureFollower &) = delete;
+	virtual ~GestureFollower() = default;
+
+	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
+	/// must have been done. False where it does not hold what the feature needs. place: the feature's,
+	/// finite; strokes: of the feature, with this frame in it.
+	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes);
+	/// All that is due by t_s; strokes: as of the last frame.
+	void advance(double t_s, const StrokeFinder &strokes);
+
+	[[nodiscard]] Motion motion(double t_s) const;
+	[[nodiscard]] Stage stage() const { return stage_; }
+	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
+	[[nodiscard]] int state() const { return decoder_.state(); }
+	/// log of the posterior odds of the gesture against none by what has been seen of it, nats; the measure
+	/// by which gestures compete.
+	[[nodiscard]] double log_odds() const { return log_odds_; }
+	/// A stroke has ended that is likelier the gesture than none: confirm() it, or let it give_way().
+	[[nodiscard]] virtual bool claims() const { return false; }
+	virtual void confirm(double /*t_s*/) {}
+	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
+	/// up.
+	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	/// What is under way, and what of it is still to come, was another gesture's.
+	virtual void give_way(double t_s) = 0;
+	/// log of the posterior odds that the stroke under way leads back after the gesture, against anything
+	/// else, nats; -infinity while there is none, and where the task is known.
+	[[nodiscard]] virtual double log_odds_of_return() const { return -INFINITY; }
+	/// The motion element as it is seen, m; 0 before the first frame.
+	[[nodiscard]] double measured_m() const { return window_.position_m(); }
+	[[nodiscard]] const Task &task() const { return task_; }
+	[[nodiscard]] const GestureModel &model() const { return *model_; }
+
+protected:
+	/// Expected phase from which on the gesture is at its end.
+	static constexpr double ARRIVED_PHASE = 0.97;
+
+	/// model must outlive the follower; its feature must exist. follows_rest: `phase` mode follows the hand,
+	/// and shows it, at rest too.
+	GestureFollower(
+			const GestureModel &model, const Task &task, const Synthesis &synthesis, bool follows_rest);
+
+	/// The motion element in a frame, m; nothing where the frame does not hold what it needs. has_place:
+	/// last_place() is the frame's.
+	virtual std::optional<double> see(
+			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) = 0;
+	/// At each instant of the symbols, after what was due of them.
+	virtual void decide(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+
+	[[nodiscard]] const Feature &feature() const { return *feature_; }
+	[[nodiscard]] MotionMode mode() const { return mode_; }
+	/// The feature's, in the newest frame that had one.
+	[[nodiscard]] const FeaturePlace &last_place() const { return place_; }
+	/// What is measured, in amplitudes.
+	[[nodiscard]] double value() const { return window_.position_m() / task_.amplitude_m; }
+	[[nodiscard]] Observation observation() const {
+		return window_.normalised(task_.amplitude_m, model_->duration_mean_s);
+	}
+	/// Of `phase` mode.
+	[[nodiscard]] PhaseEstimate estimate(double t_s) const { return phase_.at(t_s); }
+	/// No later state than the first has been decoded.
+	[[nodiscard]] bool is_in_first_state() const { return state_played_ == 0; }
+	/// What is put out is at the gesture's end.
+	[[nodiscard]] bool is_at_end(double t_s) const;
+
+	void set_log_odds(double log_odds) { log_odds_ = log_odds; }
+	/// value: where the hand is, in amplitudes.
+	void begin(double t_s, double value);
+	void decode(double t_s);
+	void arrive(double t_s) { enter(Stage::ARRIVED, t_s); }
+	void rest(double t_s);
+	/// The estimator is to expect another gesture from where the hand is.
+	void restart_estimate(double t_s) { phase_.restart(t_s); }
+	void forget_estimate() { phase_.reset(); }
+	/// What is put out goes on from `before`, at t_s, and fades to what it is by now; rate: 1/s, of the
+	/// fading.
+	void blend_from(const Motion &before, double t_s, double rate_per_s);
+	/// As if the frames recalled from now on, until catch_up(), had been all so far.
+	void forget_frames();
+	void recall(double t_s, double x_m, const FeaturePlace &place);
+	void catch_up() { phase_.catch_up(); }
+
+private:
+	const GestureModel *model_;
+	const Feature *feature_;
+	Task task_;
+	MotionMode mode_;
+	bool follows_rest_;
+
+	ObservationWindow window_;
+	SymbolClock clock_;
+	bool clock_started_ = false;
+	bool fresh_ = false; ///< a frame came since the last symbol
+	FeaturePlace place_ = FeaturePlace::Zero();
+
+	Stage stage_ = Stage::RESTING;
+	double stage_began_s_ = -INFINITY;
+	double log_odds_;
+	StateDecoder decoder_;
+	int state_played_ = 0;
+	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
+	PhaseEstimator phase_;
+	OutputBlend blend_; ///< of what would step otherwise, m
+
+	void step(double t_s, const StrokeFinder &strokes);
+	void enter(Stage stage, double t_s);
+	/// Frames go to the estimator.
+	[[nodiscard]] bool follows_phase() const {
+		return mode_ == MotionMode::PHASE && (follows_rest_ || stage_ != Stage::RESTING);
+	}
+	[[nodiscard]] Motion synthesised(double t_s) const;
+};
+
+} // namespace steadyhand

@@ -1,0 +1,240 @@
+#include "recognition/gesture_recogniser.h"
+
+#include "recognition/open_follower.h"
+#include "recognition/task_follower.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace steadyhand {
+namespace {
+
+/// No clock counts further: beyond, a symbol's period is lost in rounding.
+constexpr double LARGEST_TIME_S = 1e12;
+/// The gesture shown changes for one that is likelier by this factor, in nats.
+constexpr double SWITCH_MARGIN = 1.0;
+/// Of the smallest amplitude: what is shorter is no stroke of its own.
+constexpr double SMALLEST_STROKE = 0.06;
+constexpr double LEAD_RATE_PER_S =
+		50.0; ///< from one gesture's motion to another's within a tenth of a second
+
+std::vector<ExpectedGesture> at_one_place(
+		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
+	std::vector<ExpectedGesture> gestures;
+	gestures.reserve(models.size());
+	for (const std::shared_ptr<const GestureModel> &model : models) {
+		gestures.push_back({ model, task });
+	}
+	return gestures;
+}
+
+std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, const Synthesis &synthesis) {
+	if (gesture.task) {
+		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
+	}
+	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
+}
+
+} // namespace
+
+GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
+		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s,
+		const StateDecoding &decoding) :
+		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
+
+GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
+		const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
+		gestures_(std::move(gestures)),
+		filtered_(gestures_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
+	followers_.reserve(gestures_.size());
+	const Synthesis synthesis{ mode, effort, latency_s, decoding };
+	for (const ExpectedGesture &gesture : gestures_) {
+		followers_.push_back(follower_of(gesture, synthesis));
+		const Feature *const feature = find_feature(gesture.model->feature);
+		const double smallest_m = SMALLEST_STROKE * followers_.back()->task().amplitude_m;
+		const auto known = std::find_if(watched_.begin(), watched_.end(),
+				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
+		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
+		if (known == watched_.end()) {
+			const double share = feature->place_share;
+			watched_.push_back({ feature, StrokeFinder({ share, share, share, 1.0 }, smallest_m), {} });
+		} else {
+			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
+		}
+	}
+}
+
+void GestureRecogniser::push(const HandFrame &frame) {
+	if (!(std::abs(frame.t_s) <= LARGEST_TIME_S) || frame.t_s < time_s_) {
+		return;
+	}
+	// What is due before this frame must not see the stroke that it makes.
+	advance_followers(std::nextafter(frame.t_s, -INFINITY));
+	for (WatchedFeature &watched : watched_) {
+		watched.place = watched.feature->place != nullptr ? watched.feature->place(frame) : std::nullopt;
+		if (watched.place && !watched.place->allFinite()) {
+			watched.place.reset();
+		}
+		if (watched.place) {
+			watched.strokes.push(frame.t_s, *watched.place);
+		}
+	}
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes)) {
+			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
+		}
+	}
+	time_s_ = frame.t_s;
+	expect_absence();
+	decide_claims();
+	let_return();
+	choose_leader();
+}
+
+void GestureRecogniser::advance(double t_s) {
+	if (!(t_s > time_s_) || t_s > LARGEST_TIME_S) {
+		return;
+	}
+	advance_followers(t_s);
+	time_s_ = t_s;
+	choose_leader();
+}
+
+void GestureRecogniser::expect_absence() {
+	next_absence_s_ = INFINITY;
+	for (const WatchedFeature &watched : watched_) {
+		for (const double absence_s : GestureFollower::ABSENCES_S) {
+			const double due_s = watched.strokes.news_s() + absence_s;
+			next_absence_s_ = due_s > time_s_ ? std::min(next_absence_s_, due_s) : next_absence_s_;
+		}
+	}
+}
+
+void GestureRecogniser::advance_followers(double t_s) {
+	while (next_absence_s_ <= t_s) {
+		time_s_ = next_absence_s_;
+		step_followers(time_s_);
+		for (std::size_t i = 0; i < followers_.size(); ++i) {
+			followers_[i]->miss(time_s_, watched(i).strokes);
+		}
+		decide_claims();
+		choose_leader();
+		expect_absence();
+	}
+	step_followers(t_s);
+}
+
+void GestureRecogniser::step_followers(double t_s) {
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		followers_[i]->advance(t_s, watched(i).strokes);
+	}
+}
+
+double GestureRecogniser::posterior(const GestureFollower &follower) const {
+	// Odds against none, the largest taken out of the sum so that none overflows.
+	const double largest = std::max(follower.log_odds(), 0.0);
+	double all = std::exp(-largest);
+	for (const std::unique_ptr<GestureFollower> &other : followers_) {
+		if (other.get() == &follower || other->stage() == GestureFollower::Stage::MOVING) {
+			all += std::exp(other->log_odds() - largest);
+		}
+	}
+	return std::exp(follower.log_odds() - largest) / all;
+}
+
+double GestureRecogniser::confidence() const {
+	return follower() != nullptr && follower()->stage() != GestureFollower::Stage::RESTING
+			? posterior(*follower())
+			: 0.0;
+}
+
+template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
+	int best = -1;
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (is_candidate(*followers_[i]) &&
+				(best < 0 ||
+						followers_[i]->log_odds() > followers_[static_cast<std::size_t>(best)]->log_odds())) {
+			best = static_cast<int>(i);
+		}
+	}
+	return best;
+}
+
+void GestureRecogniser::decide_claims() {
+	const int best = likeliest([](const GestureFollower &follower) { return follower.claims(); });
+	if (best < 0) {
+		return;
+	}
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (static_cast<int>(i) == best) {
+			followers_[i]->confirm(time_s_);
+		} else if (followers_[i]->stage() != GestureFollower::Stage::RESTING) {
+			followers_[i]->give_way(time_s_);
+		}
+	}
+	lead(best);
+}
+
+/// A hand on its way back after a gesture may look like another one's: fingers that close after a zoom, like
+/// a drag of the index.
+void GestureRecogniser::let_return() {
+	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED) {
+		return;
+	}
+	for (const std::unique_ptr<GestureFollower> &other : followers_) {
+		if (other.get() != follower() &&
+				follower()->log_odds_of_return() > std::max(other->log_odds(), 0.0)) {
+			other->give_way(time_s_);
+		}
+	}
+}
+
+void GestureRecogniser::choose_leader() {
+	using Stage = GestureFollower::Stage;
+	const auto is_moving = [](const GestureFollower &other) { return other.stage() == Stage::MOVING; };
+	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
+		lead(likeliest(is_moving));
+		return;
+	}
+	// What has arrived keeps its end until the hand does something else: of tasks on one way the one that the
+	// hand comes to first ends first, and the next one's end is told when the hand gets there.
+	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
+	const double odds = follower()->log_odds(), since_s = follower()->stage_began_s();
+	const int best = likeliest([&](const GestureFollower &other) {
+		const bool is_news = other.stage() != Stage::RESTING && other.stage_began_s() > since_s;
+		if (has_arrived) {
+			return is_news;
+		}
+		return is_moving(other) ? other.log_odds() > odds + SWITCH_MARGIN
+								: is_news && other.log_odds() > odds - SWITCH_MARGIN;
+	});
+	if (best >= 0) {
+		lead(best);
+	}
+}
+
+void GestureRecogniser::lead(int follower) {
+	if (follower == leader_) {
+		return;
+	}
+	const Motion before = motion(MotionSource::SYNTHESISED);
+	leader_ = follower;
+	const Motion now = followers_[shown()]->motion(time_s_);
+	blend_.start(
+			time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, LEAD_RATE_PER_S);
+}
+
+Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
+	if (followers_.empty()) {
+		return {};
+	}
+	const GestureFollower &follower = *followers_[shown()];
+	if (source == MotionSource::SYNTHESISED) {
+		return blend_.completed(follower.motion(t_s), t_s);
+	}
+	const double value_m = filtered_[shown()].value_m(source);
+	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };
+}
+
+} // namespace steadyhand

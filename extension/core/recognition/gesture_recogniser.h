@@ -1,0 +1,89 @@
+#pragma once
+
+#include "motion/filtered_motion.h"
+#include "motion/output_blend.h"
+#include "recognition/gesture_follower.h"
+#include "strokes/stroke_finder.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace steadyhand {
+
+/// A gesture that a scene asks for. A model may be expected at several places.
+struct ExpectedGesture {
+	std::shared_ptr<const GestureModel> model;
+	std::optional<Task> task; ///< its place; nothing where the start is to be found by the hand's rest
+};
+
+/// All gestures that a scene asked for, side by side on one stream of frames: says which one is under way, in
+/// which state, and what motion it makes. Costs nothing for a gesture that was not asked for. After
+/// construction nothing is allocated.
+class GestureRecogniser {
+public:
+	/// effort, latency_s: as PhaseEstimator's; decoding: as Synthesis'.
+	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
+			const PhaseEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
+	/// All at one place, or none of them.
+	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
+			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
+			double latency_s = 0.0, const StateDecoding &decoding = {});
+
+	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
+	void push(const HandFrame &frame);
+	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
+	void advance(double t_s);
+
+	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else.
+	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
+	/// What it will be at t_s, not before that time, if nothing is seen until then.
+	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
+
+	/// Index of the gesture under way or just finished; -1 while all of them rest.
+	[[nodiscard]] int gesture() const { return leader_; }
+	[[nodiscard]] const GestureFollower *follower() const {
+		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
+	}
+	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
+	/// none: 0..1; 0 while all of them rest.
+	[[nodiscard]] double confidence() const;
+	[[nodiscard]] double time_s() const { return time_s_; }
+
+private:
+	std::vector<ExpectedGesture> gestures_;
+	struct WatchedFeature {
+		const Feature *feature;
+		StrokeFinder strokes;
+		std::optional<FeaturePlace> place; ///< in the newest frame
+	};
+
+	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
+	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
+	std::vector<std::unique_ptr<GestureFollower>> followers_;
+	std::vector<FilteredMotion> filtered_; ///< one per follower
+	int leader_ = -1;
+	OutputBlend blend_; ///< of what would step when another one takes the lead, m
+	double time_s_;
+	double next_absence_s_ = INFINITY; ///< when one of GestureFollower::ABSENCES_S is over next
+
+	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
+		return watched_[watched_by_[follower]];
+	}
+	/// With what becomes of gestures whose hand is not seen any more.
+	void advance_followers(double t_s);
+	void step_followers(double t_s);
+	void expect_absence();
+	[[nodiscard]] double posterior(const GestureFollower &follower) const;
+	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
+	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
+	void decide_claims();
+	void let_return();
+	void choose_leader();
+	void lead(int follower);
+	/// While all rest, the first one's motion is what is shown.
+	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
+};
+
+} // namespace steadyhand

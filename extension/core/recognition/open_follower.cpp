@@ -1,0 +1,249 @@
+#include "recognition/open_follower.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace steadyhand {
+namespace {
+
+constexpr double IMPOSSIBLE = -std::numeric_limits<double>::infinity(); ///< log odds
+/// Shorter strokes (in amplitudes) do not say where they go.
+constexpr double SHORTEST = 0.12;
+/// How far off the model's axis people go, radians, and how well a tracker sees where they go, amplitudes.
+constexpr double AIM = 0.14;
+constexpr double AIM_SEEN = 0.03;
+/// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
+/// how far that is.
+constexpr double HOPELESS = -8.0;
+constexpr double WELL_UNDER_WAY = 0.3;
+/// log odds from which on an end is taken before the hand has come to it.
+constexpr double SURE = 1.5;
+/// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
+/// than this, amplitudes: what follows is the tracker's error.
+constexpr double SLOWED = 0.5;
+constexpr double TAIL = 0.25;
+/// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
+/// start.
+constexpr double HOLD_S = 1.0;
+/// A gesture that comes again this soon after its own way back needs no rest before it.
+constexpr double AGAIN_S = 1.0;
+/// The hand has turned back once it is at this share of the furthest that it went.
+constexpr double RETURNED = 0.5;
+/// Where tracking is lost this near to the end, that was the end.
+constexpr double LOST_AT_END = 0.85;
+constexpr double STARTING_RATE_PER_S = 100.0;
+constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
+
+/// The model's speed at this phase, its end, in shares of its peak, and what people slow down less.
+double end_speed_share(const GestureModel &model, double end_phase) {
+	constexpr double SLOWED_LESS = 0.25;
+	constexpr int POINTS = 50;
+	double peak = 0.0;
+	for (int i = 0; i <= POINTS; ++i) {
+		peak = std::max(peak, evaluate(model, static_cast<double>(i) / POINTS).slope);
+	}
+	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
+}
+
+} // namespace
+
+OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis) :
+		GestureFollower(model, model.typical_task, synthesis, false),
+		end_speed_share_(end_speed_share(model, ARRIVED_PHASE)) {}
+
+std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
+	if (!has_place) {
+		return std::nullopt;
+	}
+	claims_ = false;
+	log_odds_of_return_ = IMPOSSIBLE;
+	switch (stage()) {
+		case Stage::RESTING:
+			look_for_start(frame.t_s, strokes);
+			break;
+		case Stage::MOVING:
+			look_for_end(frame.t_s, strokes);
+			break;
+		case Stage::ARRIVED:
+			look_for_return(frame.t_s, strokes);
+			break;
+	}
+	return along(last_place());
+}
+
+FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
+	const FeaturePlace direction = feature().direction(task());
+	const bool is_reverse = model().both_ways && (stroke.to - stroke.from).dot(direction) < 0.0;
+	return is_reverse ? FeaturePlace(-direction) : direction;
+}
+
+/// way: in the stroke's sense.
+StrokeEvidence OpenFollower::evidence_of(const Stroke &stroke, const FeaturePlace &way) const {
+	StrokeEvidence evidence = stroke_evidence(stroke, way, task().amplitude_m, model().duration_mean_s);
+	if (stroke.onset_s - returned_s_ < AGAIN_S) {
+		evidence.rest = std::max(evidence.rest, 0.0);
+	}
+	return evidence;
+}
+
+/// The motion is the way along the hand's own direction; while that is short, between it and the axis.
+void OpenFollower::aim(const FeaturePlace &to) {
+	const FeaturePlace chord = to - from_;
+	const double length = chord.norm() / task().amplitude_m;
+	if (feature().is_radius || length < SHORTEST) {
+		return;
+	}
+	const double seen = AIM_SEEN / length;
+	const double share = AIM * AIM / (AIM * AIM + seen * seen);
+	way_ = (axis_ + share * (chord.normalized() - axis_)).normalized();
+}
+
+double OpenFollower::amplitudes(const Stroke &stroke) const {
+	return (stroke.to - stroke.from).norm() / task().amplitude_m;
+}
+
+bool OpenFollower::is_near_end(const Stroke &stroke) const {
+	return amplitudes(stroke) > LOST_AT_END;
+}
+
+/// stroke: one of the finder's. What was lost near the end was over too.
+bool OpenFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
+	return stroke.is_lost ? is_near_end(stroke) : strokes.ended();
+}
+
+void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
+	const bool has_stroke = !strokes.strokes().empty();
+	start_ = has_stroke ? strokes.strokes().front().seen_from : last_place();
+	way_ = feature().direction(task());
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
+			continue;
+		}
+		const FeaturePlace way = way_of(stroke);
+		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task().amplitude_m) < 0.0) {
+			continue;
+		}
+		const StrokeEvidence evidence = evidence_of(stroke, way);
+		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
+		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
+			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
+			start_ = stroke.seen_from;
+			from_ = stroke.from;
+			way_ = axis_ = way;
+			aim(stroke.to);
+			start_from(t_s, stroke, strokes);
+			look_for_end(t_s, strokes); // it may be over already
+			return;
+		}
+	}
+}
+
+void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
+	const Motion before = motion(t_s);
+	forget_frames();
+	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
+		if (frame_s < t_s) {
+			recall(frame_s, along(place), place);
+		}
+	});
+	catch_up();
+	begin(t_s, along(last_place()) / task().amplitude_m);
+	likely_s_ = t_s;
+	slowed_odds_ = IMPOSSIBLE;
+	blend_from(before, t_s, STARTING_RATE_PER_S);
+}
+
+void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
+	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
+	if (stage() == Stage::MOVING && t_s >= strokes.news_s() + ABSENCES_S.front()) {
+		look_for_end(t_s, strokes, true);
+	}
+	if (stage() != Stage::RESTING && !claims_ && is_gone) {
+		give_way(t_s);
+	}
+}
+
+/// is_missed: nothing more is expected to be seen of it.
+void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
+	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
+	bool is_hopeless = false;
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
+			continue;
+		}
+		const StrokeEvidence evidence = evidence_of(stroke, axis_);
+		const double path = LOG_PRIOR_OPEN + evidence.so_far();
+		aim(stroke.to);
+		if (path + evidence.outlook > 0.0) {
+			likely_s_ = t_s;
+			under_way = std::max(under_way, path);
+			set_log_odds(under_way);
+		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
+			is_hopeless = true;
+		}
+		const double ended = LOG_PRIOR_OPEN + evidence.sum();
+		if (ended > slowed_odds_ && strokes.speed_m_s() < SLOWED * stroke.peak_m_s) {
+			slowed_odds_ = ended;
+			slowed_at_ = stroke.to;
+		}
+		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task().amplitude_m;
+		if (is_missed ? is_near_end(stroke) : is_over(stroke, strokes)) {
+			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
+		} else if (ended > SURE && is_arriving(t_s, stroke)) {
+			size = std::max(size, ended);
+		}
+	}
+	if (size > 0.0) {
+		set_log_odds(size);
+		claims_ = true;
+	} else if (t_s - likely_s_ > (is_hopeless ? 0.1 : HOLD_S)) {
+		dismiss(t_s);
+	}
+}
+
+/// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
+/// slowed down too.
+bool OpenFollower::is_arriving(double t_s, const Stroke &stroke) const {
+	return mode() == MotionMode::PHASE && is_at_end(t_s) &&
+			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
+}
+
+void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
+	const double now = along(last_place()) / task().amplitude_m;
+	furthest_ = std::max(furthest_, now);
+	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
+	if (is_on_its_way) {
+		likely_s_ = t_s;
+		log_odds_of_return_ = LOG_PRIOR_TASK +
+				stroke_evidence(
+						strokes.strokes().front(), -axis_, task().amplitude_m, model().duration_mean_s)
+						.path;
+	}
+	if (now < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
+		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
+		dismiss(t_s);
+	}
+}
+
+void OpenFollower::confirm(double t_s) {
+	claims_ = false;
+	furthest_ = along(last_place()) / task().amplitude_m;
+	likely_s_ = t_s;
+	arrive(t_s);
+}
+
+void OpenFollower::give_way(double t_s) {
+	not_before_s_ = t_s;
+	if (stage() != Stage::RESTING) {
+		dismiss(t_s);
+	}
+}
+
+void OpenFollower::dismiss(double t_s) {
+	claims_ = false;
+	set_log_odds(LOG_PRIOR_OPEN);
+	rest(t_s);
+	restart_estimate(t_s);
+}
+
+} // namespace steadyhand

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "recognition/gesture_follower.h"
+#include "strokes/stroke_evidence.h"
+
+#include <cmath>
+
+namespace steadyhand {
+
+/// Follows a gesture whose task is not known. Strokes say all: the start is where one began, either way of
+/// the model's axis may be meant, and the follower claims a stroke when it ends, for the recogniser to decide
+/// between claims. The model's mean amplitude stands in for the task's.
+class OpenFollower final : public GestureFollower {
+public:
+	OpenFollower(const GestureModel &model, const Synthesis &synthesis);
+
+	[[nodiscard]] bool claims() const override { return claims_; }
+	void confirm(double t_s) override;
+	void give_way(double t_s) override;
+	void miss(double t_s, const StrokeFinder &strokes) override;
+	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
+
+private:
+	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
+	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
+	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
+	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
+	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
+
+	bool claims_ = false;
+	double log_odds_of_return_ = -INFINITY;
+	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
+	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
+	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
+	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
+	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
+	double furthest_ = 0.0;                         ///< since it arrived, in amplitudes
+
+	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
+	void look_for_start(double t_s, const StrokeFinder &strokes);
+	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
+	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
+	void look_for_return(double t_s, const StrokeFinder &strokes);
+	void dismiss(double t_s);
+
+	/// How far a place is along the way, m.
+	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
+	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
+	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
+	[[nodiscard]] StrokeEvidence evidence_of(const Stroke &stroke, const FeaturePlace &way) const;
+	void aim(const FeaturePlace &to);
+	[[nodiscard]] bool is_near_end(const Stroke &stroke) const;
+	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
+};
+
+} // namespace steadyhand

@@ -1,0 +1,126 @@
+#include "recognition/task_follower.h"
+
+#include "strokes/stroke_evidence.h"
+
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+// All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
+constexpr double ONSET_VALUE = 0.03;
+constexpr double ONSET_VELOCITY = 0.3;
+constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever it did before
+/// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
+/// next round from this far beyond its end on.
+constexpr double BACK_VALUE = 0.15;
+/// A movement that is still at its start after so many times its mean first state was none.
+constexpr double ABORT_AFTER = 3.0;
+constexpr double DOUBT_S = 0.3; ///< at its end a stroke may still turn out to have been the gesture
+
+} // namespace
+
+TaskFollower::TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
+		GestureFollower(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
+
+std::optional<double> TaskFollower::see(
+		const HandFrame &frame, bool /*has_place*/, const StrokeFinder &strokes) {
+	if (stage() == Stage::RESTING) {
+		element_.restart();
+	}
+	const std::optional<double> x_m = element_.measure(frame, task());
+	if (!x_m || !std::isfinite(*x_m)) {
+		return std::nullopt;
+	}
+	strokes_.look(strokes);
+	if (stage() != Stage::RESTING) {
+		strokes_.add(strokes);
+		set_log_odds(strokes_.judge(strokes));
+	}
+	return x_m;
+}
+
+void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
+	switch (stage()) {
+		case Stage::RESTING:
+			if (is_rejected_ && is_back(t_s)) {
+				is_rejected_ = false;
+				restart_estimate(t_s);
+			} else if (!is_rejected_ && has_begun(t_s)) {
+				set_log_odds(strokes_.judge(strokes));
+				strokes_.begin();
+				at_end_since_s_ = t_s;
+				begin(t_s, value());
+				decode(t_s);
+			}
+			break;
+		case Stage::MOVING:
+			if (was_nothing(t_s)) {
+				come_to_rest(t_s);
+			} else if (is_at_end(t_s)) {
+				come_to_end(t_s);
+			} else {
+				at_end_since_s_ = t_s;
+			}
+			break;
+		case Stage::ARRIVED:
+			if (is_back(t_s)) {
+				come_to_rest(t_s);
+			}
+			break;
+	}
+}
+
+bool TaskFollower::has_begun(double t_s) const {
+	if (mode() == MotionMode::PAPER) {
+		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
+	}
+	if (!strokes_.has_set_out()) {
+		return false;
+	}
+	const PhaseEstimate now = estimate(t_s);
+	return now.value > (now.moving > 0.5 ? ONSET_VALUE : HALF_WAY);
+}
+
+bool TaskFollower::was_nothing(double t_s) const {
+	if (mode() == MotionMode::PAPER) {
+		return is_in_first_state() && value() < BACK_VALUE &&
+				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
+	}
+	const PhaseEstimate now = estimate(t_s);
+	return now.value < BACK_VALUE && (now.moving < 0.5 || now.phase > ARRIVED_PHASE);
+}
+
+bool TaskFollower::is_back(double t_s) const {
+	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
+	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
+}
+
+void TaskFollower::come_to_end(double t_s) {
+	if (mode() == MotionMode::PAPER || strokes_.best_log_odds() >= 0.0) {
+		arrive(t_s);
+	} else if (t_s - at_end_since_s_ > DOUBT_S) {
+		is_rejected_ = true;
+		come_to_rest(t_s);
+	}
+}
+
+void TaskFollower::come_to_rest(double t_s) {
+	rest(t_s);
+	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
+		if (element_.is_periodic()) {
+			forget_estimate(); // the same place is another value from now on
+		} else {
+			restart_estimate(t_s);
+		}
+	}
+}
+
+void TaskFollower::give_way(double t_s) {
+	if (stage() != Stage::RESTING) {
+		set_log_odds(LOG_PRIOR_OPEN);
+		come_to_rest(t_s);
+	}
+}
+
+} // namespace steadyhand

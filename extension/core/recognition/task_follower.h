@@ -1,0 +1,32 @@
+#pragma once
+
+#include "gesture/motion_element.h"
+#include "recognition/gesture_follower.h"
+#include "strokes/task_strokes.h"
+
+namespace steadyhand {
+
+/// Follows a gesture whose task is known: what is put out says when it begins and arrives, and the strokes
+/// whether it was the gesture.
+class TaskFollower final : public GestureFollower {
+public:
+	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
+
+	void give_way(double t_s) override;
+
+private:
+	MotionElement element_;
+	TaskStrokes strokes_;
+	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
+	double at_end_since_s_ = 0.0;
+
+	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
+	void decide(double t_s, const StrokeFinder &strokes) override;
+	[[nodiscard]] bool has_begun(double t_s) const;
+	[[nodiscard]] bool was_nothing(double t_s) const;
+	[[nodiscard]] bool is_back(double t_s) const;
+	void come_to_end(double t_s);
+	void come_to_rest(double t_s);
+};
+
+} // namespace steadyhand

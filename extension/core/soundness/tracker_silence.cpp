@@ -1,0 +1,74 @@
+#include "soundness/tracker_silence.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace steadyhand {
+namespace {
+
+constexpr double SHORTEST_S = 1e-4;
+constexpr double SILENT_INTERVALS = 3.5;
+constexpr double RESTING_PER_S = 0.25;
+/// Of the last 64 steps, those against the one before in a coordinate.
+constexpr int TREMBLING_TURNS = 6;
+constexpr double SPEED_SHARE = 0.4;    ///< a step's share in the recent speed
+constexpr double ROUNDED_SHARE = 0.25; ///< of the steps that are the least one, of a tracker that rounds
+/// Of one least step a frame: a hand that is slower shows none in some frames all the same.
+constexpr double ROUNDED_SPEED = 0.9;
+/// In least steps: a hand at rest before a tracker that rounds makes one, now and then.
+constexpr double LEAST_WAY = 1.5;
+constexpr double LEAST_SHARE = 0.05; ///< a step's share in that share
+constexpr double SAME = 0.01;        ///< relative difference of steps that are the same
+constexpr double PERIOD_GROWTH = 1.2;
+constexpr double PERIOD_SHARE = 0.1;
+
+} // namespace
+
+void TrackerSilence::change(double t_s, double step, const FeaturePlace &place_step) {
+	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
+	interval_s_ = followed(interval_s_, t_s - changed_s_);
+	come_to(t_s);
+	changed_s_ = t_s;
+	speed_ += SPEED_SHARE * (velocity - speed_);
+	const bool turned = step * step_ < 0.0 || (place_step.cwiseProduct(place_step_).array() < 0.0).any();
+	look_for_resolution(step, place_step);
+	turns_ = (turns_ << 1U) | (turned ? 1U : 0U);
+	way_ = step_ + step;
+	step_ = step;
+	place_step_ = place_step;
+}
+
+bool TrackerSilence::is_silent() const {
+	return t_s_ - changed_s_ > SILENT_INTERVALS * interval_s_;
+}
+
+bool TrackerSilence::is_frozen() const {
+	const bool rounds = least_share_ > ROUNDED_SHARE;
+	const double resting_per_s =
+			std::max(RESTING_PER_S, rounds ? ROUNDED_SPEED * least_step_ / frame_s_ : 0.0);
+	const bool moved = std::abs(speed_) > resting_per_s && std::abs(way_) > LEAST_WAY * least_step_;
+	return is_silent() && (moved || (std::popcount(turns_) >= TREMBLING_TURNS && !rounds));
+}
+
+double TrackerSilence::followed(double period_s, double latest_s) {
+	return latest_s > period_s ? std::min(period_s * PERIOD_GROWTH, latest_s)
+							   : period_s + PERIOD_SHARE * (latest_s - period_s);
+}
+
+void TrackerSilence::come_to(double t_s) {
+	frame_s_ = std::max(t_s - t_s_, SHORTEST_S);
+	t_s_ = t_s;
+}
+
+/// Steps of a tracker that rounds are multiples of its resolution, and at rest no more than that.
+void TrackerSilence::look_for_resolution(double step, const FeaturePlace &place_step) {
+	// Along an oblique way coordinates cancel to rounding errors of their own.
+	const bool has_place = !place_step.isZero(0.0);
+	const Eigen::Array<double, FeaturePlace::RowsAtCompileTime, 1> sizes = place_step.array().abs();
+	const double least = has_place ? (sizes > 0.0).select(sizes, INFINITY).minCoeff() : std::abs(step);
+	const bool is_least = std::abs(least - least_step_) <= SAME * least_step_;
+	least_share_ += LEAST_SHARE * ((is_least ? 1.0 : 0.0) - least_share_);
+	least_step_ = std::min(least_step_, least);
+}
+
+} // namespace steadyhand

@@ -1,0 +1,138 @@
+#include "soundness/tracker_steps.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+/// Smaller steps spoil no stroke; nor are those told from trembling that are smaller than so many times its
+/// mean.
+constexpr double SMALLEST_M = 0.002;
+constexpr double TREMBLES = 4.0;
+constexpr double TREMBLE_SHARE = 0.02;
+/// A single bend counts as no more than so many times the mean and this: jumps are no trembling.
+constexpr double LARGEST_TREMBLES = 3.0;
+constexpr double LARGEST_TREMBLE_M = 0.002;
+/// The quickest strokes that are studied, 19 cm in 0.2 s, speed up by 27 m/s^2 (Flash & Hogan 1985), for less
+/// than a frame's time on either side of their steepest.
+constexpr double ACCELERATION_M_S2 = 20.0;
+/// A tracker that slides back as fast as this would be back within so long, and is given twice that.
+constexpr double SLIDES_BACK_S = 0.15;
+/// Those strokes peak at 1.8 m/s.
+constexpr double FASTEST_M_S = 3.0;
+
+} // namespace
+
+void TrackerSteps::restart() {
+	has_last_ = is_waiting_ = false;
+	velocity_m_s_ = step_m_ = FeaturePlace::Zero();
+	slide_ = {};
+	interval_s_ = 0.0;
+}
+
+double TrackerSteps::floor_m() const {
+	return SMALLEST_M + TREMBLES * bend_m_;
+}
+
+void TrackerSteps::remember_bend(double bend_m) {
+	bends_ = std::min(bends_ + 1, static_cast<int>(1.0 / TREMBLE_SHARE));
+	bend_m_ += (std::min(bend_m, LARGEST_TREMBLES * bend_m_ + LARGEST_TREMBLE_M) - bend_m_) / bends_;
+}
+
+/// What goes back along the step, beside the hand's own velocity before it, is the tracker's.
+void TrackerSteps::slide_to(const Frame &frame) {
+	const double left_m = slide_.left_m.norm();
+	if (left_m == 0.0) {
+		return;
+	}
+	const FeaturePlace direction = slide_.left_m / left_m;
+	const double dt_s = frame.t_s - last_.t_s;
+	const double back_m = -direction.dot(frame.place_m - last_.place_m - slide_.hand_m_s * dt_s);
+	const FeaturePlace back = std::clamp(back_m, 0.0, left_m) * direction;
+	step_m_ -= back;
+	slide_.left_m -= back;
+	if (back_m >= left_m || frame.t_s > slide_.until_s) {
+		slide_ = {};
+	}
+}
+
+void TrackerSteps::pass(const Frame &frame) {
+	if (has_last_) {
+		slide_to(frame);
+		interval_s_ = frame.t_s - last_.t_s;
+		velocity_m_s_ = (frame.place_m - last_.place_m) / interval_s_;
+	}
+	last_ = frame;
+	has_last_ = true;
+	passed_[passed_count_++] = { frame.t_s, frame.place_m - step_m_, frame.place_m };
+}
+
+/// next: the frame after the one that is waiting.
+void TrackerSteps::resolve(const Frame &next) {
+	is_waiting_ = false;
+	const double dt_s = waiting_.t_s - last_.t_s, next_s = next.t_s - waiting_.t_s;
+	FeaturePlace velocity_after_m_s = (next.place_m - waiting_.place_m) / next_s;
+	if (interval_s_ > 0.0 && velocity_after_m_s.norm() > FASTEST_M_S) {
+		velocity_after_m_s = velocity_m_s_; // a step again
+	}
+	if (interval_s_ > 0.0) {
+		// As if it had not been.
+		const double both_s = dt_s + next_s;
+		const double off_m = (next.place_m - last_.place_m - velocity_m_s_ * both_s).norm();
+		if (off_m < floor_m() + 0.25 * ACCELERATION_M_S2 * both_s * both_s) {
+			return;
+		}
+	}
+	// The hand's own way between two places at known velocities; those are half an interval too old and new.
+	const FeaturePlace before_m_s = interval_s_ > 0.0 ? velocity_m_s_ : velocity_after_m_s;
+	const FeaturePlace step_m =
+			waiting_.place_m - last_.place_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
+	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + interval_s_ + next_s);
+	const double length_m = step_m.norm();
+	const bool is_step = length_m > floor_m() + hands_m;
+	if (is_step) {
+		// A step ends the slide before it, which is not taken for the hand's motion either.
+		const bool slides = !slide_.left_m.isZero(0.0);
+		const FeaturePlace hand_m_s = slides ? slide_.hand_m_s : before_m_s;
+		slide_ = {};
+		pass(waiting_);
+		step_m_ += step_m;
+		const double back_m_s = -step_m.normalized().dot(velocity_after_m_s - hand_m_s);
+		// Beside what a hand speeds up by between two intervals, and unlike trembling.
+		const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
+		if (back_m_s > least_m_s && length_m > 2.0 * floor_m()) {
+			slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, hand_m_s };
+		}
+		passed_[passed_count_ - 1].place_m -= step_m;
+		velocity_m_s_ = velocity_after_m_s;
+		interval_s_ = next_s;
+	} else {
+		pass(waiting_);
+	}
+}
+
+std::span<const TrackerSteps::Passed> TrackerSteps::push(double t_s, const FeaturePlace &place_m) {
+	passed_count_ = 0;
+	const Frame frame{ t_s, place_m };
+	if (is_waiting_) {
+		resolve(frame);
+	}
+	if (!has_last_) {
+		pass(frame);
+		return { passed_.data(), passed_count_ };
+	}
+	const double dt_s = t_s - last_.t_s;
+	const double bend_m = (place_m - last_.place_m - velocity_m_s_ * dt_s).norm();
+	if (bend_m > floor_m() + 0.25 * ACCELERATION_M_S2 * dt_s * dt_s) {
+		waiting_ = frame;
+		is_waiting_ = true;
+	} else {
+		pass(frame);
+	}
+	if (interval_s_ > 0.0) {
+		remember_bend(bend_m);
+	}
+	return { passed_.data(), passed_count_ };
+}
+
+} // namespace steadyhand

@@ -1,0 +1,188 @@
+#include "soundness/tracking_soundness.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+constexpr double MEMORY_S = 1.0;
+constexpr double LASTING_MEMORY_S = 5.0;
+constexpr double SHORTEST_S = 1e-4;
+/// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
+constexpr double GAP_PERIODS = 4.0;
+constexpr double FULL_GAP_S = 0.061; ///< a gap of this length is as bad as a jump
+/// Amplitudes: a 0.15 s drag, the fastest that is studied, peaks at 1.875 / 0.15.
+constexpr double FASTEST_PER_S = 12.5;
+constexpr double SMALLEST_JUMP = 0.03;
+/// And speeds up by at most 5.77 / 0.15^2 (Flash & Hogan 1985).
+constexpr double SHARPEST_PER_S2 = 250.0;
+constexpr double SMALLEST_BEND = 0.02;  ///< of a jump; less is the tracker's shaking
+constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not held to the way
+/// What shakes further is judged by its own noise, in standard deviations: that of a bend is 2.4, of a
+/// step 1.4. A stray counts for long: not even the tails of a circle's radius, whose noise is the
+/// posture's, are to be one.
+constexpr double SHAKEN_BEND = 8.0;
+constexpr double SHAKEN_STRAY = 40.0;
+constexpr double SHAKEN_STEP = 6.0;
+/// A tracker that strays beside the way has erred; along the way it may be right.
+constexpr double STRAY_FAULT = 0.3;
+/// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
+constexpr double NEARER = 0.5;
+constexpr double BLIND_S = 0.05;
+constexpr double BLIND_STEP = 0.04;
+constexpr double FROZEN_FRAME = 0.5;
+/// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
+constexpr double JITTER_PER_BEND = 0.5117;
+constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
+constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
+
+double size(double step) {
+	return std::abs(step);
+}
+
+double size(const FeaturePlace &step) {
+	return step.norm();
+}
+
+} // namespace
+
+void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
+	fault_ = {};
+	jumped_ = returned_ = strayed_ = false;
+	const double frame_s = std::max(t_s - t_s_, SHORTEST_S);
+	t_s_ = t_s;
+	if (frames_ > 0) {
+		weigh(frame_s, x, place);
+	} else {
+		silence_.start(t_s);
+		standstill_.start(t_s, x);
+		news_s_ = way_s_ = t_s;
+		x_ = x;
+		place_ = place;
+	}
+	frames_ = std::min(frames_ + 1, 2);
+}
+
+double TrackingSoundness::gap_fault(double frame_s) const {
+	return frame_s > GAP_PERIODS * period_s_ ? std::min(1.0, (frame_s - 2.0 * period_s_) / FULL_GAP_S) : 0.0;
+}
+
+/// By how much a step differs from going on.
+template <typename Step>
+double TrackingSoundness::bend_of(const Way<Step> &way, const Step &step, double dt_s) const {
+	return frames_ < 2
+			? 0.0
+			: std::min(size(Step(step - way.before_leap * dt_s)), size(Step(step - way.latest * dt_s)));
+}
+
+void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &place) {
+	if (frames_ == 1) {
+		period_s_ = std::clamp(frame_s, FIRST_PERIOD_S, LAST_PERIOD_S);
+		silence_.expect(period_s_);
+	}
+	fault_.now = gap_fault(frame_s);
+	Evidence taken_back;
+	const bool repeats = x == x_ && place == place_;
+	if (!repeats && !standstill_.stands(t_s_, x, jitter_)) {
+		if (leapt_ && was_outlier(x, place)) {
+			taken_back = leap_.fault;
+			forget_outlier();
+		}
+		follow(x, place);
+	} else {
+		if (repeats) {
+			standstill_.repeat();
+		}
+		silence_.repeat(t_s_);
+		if (silence_.is_silent()) {
+			stand();
+		}
+	}
+	if (silence_.is_frozen()) {
+		fault_.now += FROZEN_FRAME;
+	}
+	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
+	leap_.fault = fault_;
+	fault_.now -= taken_back.now;
+	fault_.lasting -= taken_back.lasting;
+	evidence_.now = std::max(evidence_.now * std::exp(-frame_s / MEMORY_S) + fault_.now, 0.0);
+	evidence_.lasting =
+			std::max(evidence_.lasting * std::exp(-frame_s / LASTING_MEMORY_S) + fault_.lasting, 0.0);
+	period_s_ = TrackerSilence::followed(period_s_, frame_s);
+}
+
+/// A repeated value that stands for a hand, or a tracker, that does not move.
+void TrackingSoundness::stand() {
+	if (!silence_.is_frozen()) {
+		noise_.push(0.0);
+	}
+	step_way_.go(0.0, false);
+	place_way_.go(FeaturePlace::Zero(), false);
+	way_s_ = t_s_;
+	leapt_ = false;
+}
+
+/// The frame before was the only one off the way.
+bool TrackingSoundness::was_outlier(double x, const FeaturePlace &place) const {
+	const double dt_s = t_s_ - leap_.t_s;
+	const FeaturePlace place_off = place - leap_.place - place_way_.before_leap * dt_s;
+	const double off = std::hypot(x - leap_.x - step_way_.before_leap * dt_s, place_off.norm());
+	return off < NEARER * std::hypot(x - x_, (place - place_).norm());
+}
+
+/// It is as if it had not been.
+void TrackingSoundness::forget_outlier() {
+	x_ = leap_.x;
+	place_ = leap_.place;
+	way_s_ = leap_.t_s;
+	step_way_.latest = step_way_.before_leap;
+	place_way_.latest = place_way_.before_leap;
+	standstill_.forget();
+}
+
+void TrackingSoundness::follow(double x, const FeaturePlace &place) {
+	const double dt_s = std::max(t_s_ - way_s_, SHORTEST_S);
+	const double step = x - x_;
+	const FeaturePlace place_step = place - place_;
+	judge(dt_s, step, place_step);
+	leapt_ = jumped_ || strayed_;
+	leap_.t_s = way_s_;
+	leap_.x = x_;
+	leap_.place = place_;
+	step_way_.go(step / dt_s, jumped_ || returned_);
+	place_way_.go(place_step / dt_s, strayed_ || returned_);
+	way_s_ = t_s_;
+	if (!jumped_) {
+		news_s_ = returned_ ? news_s_ : t_s_;
+	}
+	silence_.change(t_s_, step, place_step);
+	standstill_.tell(t_s_, x, jitter_);
+	x_ = x;
+	place_ = place;
+}
+
+/// Steps: in dt_s.
+void TrackingSoundness::judge(double dt_s, double step, const FeaturePlace &place_step) {
+	const double bend = bend_of(step_way_, step, dt_s);
+	const double stray = bend_of(place_way_, place_step, dt_s);
+	if (frames_ > 1) {
+		noise_.push(step - step_way_.latest * dt_s);
+	}
+	const bool may_shake = bend > SMALLEST_BEND || stray > SMALLEST_STRAY;
+	const double noise = may_shake ? noise_.deviation() : 0.0;
+	const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
+	jumped_ = bend > sharpest + std::max(SMALLEST_BEND, SHAKEN_BEND * noise);
+	strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * noise);
+	returned_ = t_s_ - news_s_ > BLIND_S && std::abs(step) > std::max(BLIND_STEP, SHAKEN_STEP * noise);
+	if (frames_ > 1) {
+		const double shake = std::min(bend, std::max(SMALLEST_BEND, SHAKEN_STEP * noise));
+		jitter_ += JITTER_SHARE * (JITTER_PER_BEND * shake - jitter_);
+	}
+	if (std::abs(step) > FASTEST_PER_S * dt_s + std::max(SMALLEST_JUMP, SHAKEN_STEP * noise)) {
+		fault_.now += 1.0;
+	} else if (strayed_) {
+		fault_.now += STRAY_FAULT;
+	}
+}
+
+} // namespace steadyhand

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "gesture/feature.h"
+#include "soundness/tracker_noise.h"
+#include "soundness/tracker_silence.h"
+#include "soundness/tracker_standstill.h"
+
+#include <cmath>
+
+namespace steadyhand {
+
+/// How far a tracker is to be believed, judged by the motion alone, because it says little about its own
+/// errors: gaps between stamps, values that repeat or stop dead, steps that no hand makes, in whichever
+/// direction. Evidence fades over seconds.
+class TrackingSoundness {
+public:
+	/// x: the motion element; place: where the hand is, from any origin that stays, always zero where the
+	/// feature has no place. Both in amplitudes.
+	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
+
+	/// 0: nothing wrong has been seen .. 1.
+	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_.now); }
+	/// The same, remembered for longer: what is known of this tracker, not of this moment.
+	[[nodiscard]] double lasting_unsoundness() const { return 1.0 - std::exp(-evidence_.lasting); }
+	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
+	/// which was a single frame elsewhere.
+	[[nodiscard]] double fault() const { return fault_.now; }
+	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
+	/// The newest frame shows where the hand is.
+	[[nodiscard]] bool told() const { return silence_.told(); }
+	/// The newest value is off the way that the ones before it were on, further than a hand can bend it.
+	[[nodiscard]] bool jumped() const { return jumped_; }
+	/// The newest frame is the first in a while that tells where the hand is: what it did since news_s() is
+	/// not known.
+	[[nodiscard]] bool returned() const { return returned_; }
+	/// How much the values shake from frame to frame: standard deviation of the white noise that would do so.
+	[[nodiscard]] double jitter() const { return jitter_; }
+	/// Evidence of the gap since the newest frame, if none came until t_s: what fault() would then say of it.
+	[[nodiscard]] double missing(double t_s) const { return frames_ > 0 ? gap_fault(t_s - t_s_) : 0.0; }
+	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
+	[[nodiscard]] double news_s() const { return news_s_; }
+
+private:
+	/// The velocity that a hand would go on with.
+	template <typename Velocity> struct Way {
+		Velocity before_leap; ///< a leap says nothing of the hand's velocity,
+		Velocity latest;      ///< but two in a row that agree do
+
+		void go(const Velocity &velocity, bool leapt) {
+			latest = velocity;
+			before_leap = leapt ? before_leap : velocity;
+		}
+	};
+	/// Of a fault, or of all so far.
+	struct Evidence {
+		double now = 0.0;
+		double lasting = 0.0;
+	};
+	/// A frame from which one leapt away.
+	struct Leap {
+		double t_s = 0.0;
+		double x = 0.0;
+		FeaturePlace place = FeaturePlace::Zero();
+		Evidence fault;
+	};
+
+	double t_s_ = 0.0;
+	double x_ = 0.0; ///< of the newest frame that does not repeat the one before
+	FeaturePlace place_ = FeaturePlace::Zero();
+	TrackerSilence silence_;
+	TrackerStandstill standstill_;
+	TrackerNoise noise_;
+	double news_s_ = 0.0;
+	double period_s_ = 0.01; ///< between frames
+	Evidence evidence_;
+	Evidence fault_;
+	double way_s_ = 0.0; ///< of the newest frame that the ways took in
+	Way<double> step_way_{ 0.0, 0.0 };
+	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
+	Leap leap_;
+	bool leapt_ = false; ///< the newest frame that told something did
+	double jitter_ = 0.0;
+	int frames_ = 0;
+	bool jumped_ = false;
+	bool returned_ = false;
+	bool strayed_ = false; ///< as jumped_, in any direction
+
+	[[nodiscard]] double gap_fault(double frame_s) const;
+	template <typename Step>
+	[[nodiscard]] double bend_of(const Way<Step> &way, const Step &step, double dt_s) const;
+	void weigh(double frame_s, double x, const FeaturePlace &place);
+	void stand();
+	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
+	void forget_outlier();
+	void follow(double x, const FeaturePlace &place);
+	void judge(double dt_s, double step, const FeaturePlace &place_step);
+};
+
+} // namespace steadyhand

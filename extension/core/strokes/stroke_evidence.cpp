@@ -1,0 +1,178 @@
+#include "strokes/stroke_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace steadyhand {
+namespace {
+
+// Set on synthetic subjects of the tuning population and on recorded hands; docs/evidence.md says how.
+
+// In the open: radians off the model's axis within which tasks lie, and by which a way may yet turn from its
+// beginning on.
+constexpr double TURNED = 0.35;
+constexpr double YET_TO_TURN = 0.35;
+constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
+/// About a task's axis: radians, each of two; aim and the tracker's error.
+constexpr double ANGLE = 0.14;
+constexpr double BOW = 0.05; ///< mean distance from the chord, in its lengths; half-normal
+constexpr double LARGEST_BOW = 0.5;
+// Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m, and m for
+// each second that it takes. Of gestures, a share goes astray by so many times that, because the tracker
+// does.
+constexpr double DETOUR = 0.03;
+constexpr double DETOUR_M = 0.01;
+constexpr double DETOUR_M_S = 0.003;
+constexpr double ASTRAY = 0.1;
+constexpr double ASTRAY_TIMES = 3.0;
+constexpr double OTHER_DETOUR = 0.85;
+// How far a hand strays before the onset: at rest, in amplitudes, and what a tracker's error adds to it, m;
+// any hand, in amplitudes for each second that it is watched. Of gestures, those that begin without a rest;
+// nats against one whose rest nobody saw, as the hand must have come from elsewhere.
+constexpr double UNREST = 0.07;
+constexpr double UNREST_M = 0.002;
+constexpr double OTHER_UNREST_PER_S = 1.5;
+constexpr double ON_THE_GO = 0.003;
+constexpr double UNSEEN = 1.5;
+constexpr double LOG_SHORTER = 0.15; ///< of the logarithm of length / amplitude
+constexpr double LOG_LONGER = 0.5;   ///< a hand that reaches further than it was asked is common
+constexpr double LOG_LENGTHS = 3.7;  ///< the null model's: 5 % to twice the amplitude
+constexpr double LOG_DURATION = 0.55;
+constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
+/// Of gestures, those that are done at any pace.
+constexpr double OWN_PACE = 0.25;
+/// Nats against a gesture of several strokes: few are.
+constexpr double HESITATED = 0.5;
+constexpr double START = 0.12; ///< amplitudes: how far from a task's start a hand begins
+/// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
+/// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
+constexpr double LOG_STARTS = 6.25;
+constexpr double IMPOSSIBLE = -1e3;
+
+/// Of the density of a normal whose deviation differs below and above its mode, 0.
+double log_two_piece_normal(double x, double below, double above) {
+	const double z = x / (x < 0.0 ? below : above);
+	return -0.5 * z * z - std::log(0.5 * (below + above) * std::sqrt(2.0 * std::numbers::pi));
+}
+
+/// off: distance on the unit sphere from the axis, by which areas there are those of the plane. As likely
+/// anywhere within TURNED, hardly beyond: exp(-(off / TURNED)^6) against the uniform 1 / (4 pi).
+double direction_in_the_open(double off) {
+	const double cube = off * off * off / (TURNED * TURNED * TURNED);
+	return std::log(12.0 / (TURNED * TURNED * GAMMA_THIRD)) - cube * cube;
+}
+
+/// The same where the axis is known: a normal.
+double direction_in_task(double off) {
+	return std::log(2.0 / (ANGLE * ANGLE)) - 0.5 * off * off / (ANGLE * ANGLE);
+}
+
+/// stroke: of length_m > 0.
+double straightness(const Stroke &stroke, double length_m) {
+	const FeaturePlace chord = stroke.to - stroke.from;
+	const FeaturePlace off = stroke.middle - 0.5 * (stroke.from + stroke.to);
+	const double bow = (off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m;
+	return std::log(2.0) + log_two_piece_normal(bow, BOW, BOW) + std::log(LARGEST_BOW);
+}
+
+/// stroke: of length_m > 0.
+double usual_detour(const Stroke &stroke, double length_m) {
+	return DETOUR + (DETOUR_M + DETOUR_M_S * (stroke.now_s - stroke.onset_s)) / length_m;
+}
+
+double detour_evidence(double detour, double mean) {
+	const double astray = ASTRAY_TIMES * mean;
+	// The slower of the two exponentials is taken out, so that no detour is too long for a logarithm.
+	const double plain = (1.0 - ASTRAY) / mean * std::exp(-detour * (1.0 / mean - 1.0 / astray));
+	return std::log(plain + ASTRAY / astray) - detour / astray + detour / OTHER_DETOUR +
+			std::log(OTHER_DETOUR);
+}
+
+double rest_evidence(const Stroke &stroke, double amplitude_m) {
+	const double unrest = stroke.unrest_m / amplitude_m, still = UNREST + UNREST_M / amplitude_m;
+	const double other = std::hypot(still, OTHER_UNREST_PER_S * stroke.watched_s);
+	const double ratio = std::exp(-0.5 * unrest * unrest * (1.0 / (still * still) - 1.0 / (other * other)));
+	return std::log((1.0 - ON_THE_GO) * ratio * other / still + ON_THE_GO) -
+			UNSEEN * (1.0 - stroke.watched_s / Stroke::REST_S);
+}
+
+double size_evidence(double log_length, double log_time) {
+	const double usual = std::exp(log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION)) * LOG_DURATIONS;
+	return log_two_piece_normal(log_length, LOG_SHORTER, LOG_LONGER) + std::log(LOG_LENGTHS) +
+			std::log((1.0 - OWN_PACE) * usual + OWN_PACE);
+}
+
+/// By which a stroke may go off the way at its end, as it has gone so far.
+double best_off(double off, double length_m, double amplitude_m) {
+	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
+	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
+}
+
+/// Square of the distance from the start, m^2, by what the tracker showed or without its steps, whichever is
+/// less: it may show the hand beside its place for a while, and steps that it takes back slowly add up.
+double start_error(const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way) {
+	const auto error = [&](const FeaturePlace &from) {
+		// A radius has no place.
+		return way(3) != 0.0 ? std::pow((from - start).dot(way), 2) : (from - start).squaredNorm();
+	};
+	return std::min(error(stroke.from), error(stroke.seen_from));
+}
+
+bool leads_somewhere(double length_m) {
+	return length_m > 0.0 && std::isfinite(length_m);
+}
+
+} // namespace
+
+StrokeEvidence stroke_evidence(
+		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s) {
+	const FeaturePlace chord = stroke.to - stroke.from;
+	const double length_m = chord.norm(), time_s = stroke.now_s - stroke.onset_s;
+	if (!leads_somewhere(length_m) || !(time_s > 0.0)) {
+		return { .path = IMPOSSIBLE };
+	}
+	const double off = (chord / length_m - way).norm();
+	const double direction = direction_in_the_open(off);
+	StrokeEvidence evidence;
+	evidence.path = direction + straightness(stroke, length_m);
+	evidence.detour =
+			detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), usual_detour(stroke, length_m)) -
+			(stroke.is_joined ? HESITATED : 0.0);
+	evidence.rest = rest_evidence(stroke, amplitude_m);
+	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
+	evidence.outlook =
+			direction_in_the_open(best_off(off, length_m, amplitude_m)) - direction + size_evidence(0.0, 0.0);
+	return evidence;
+}
+
+double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {
+	static const double at_most = std::log(2.0) + log_two_piece_normal(0.0, BOW, BOW) +
+			std::log(LARGEST_BOW) + std::log((1.0 - ASTRAY + ASTRAY / ASTRAY_TIMES) / DETOUR * OTHER_DETOUR) +
+			std::log((1.0 - ON_THE_GO) * std::hypot(1.0, OTHER_UNREST_PER_S * Stroke::REST_S / UNREST) +
+					ON_THE_GO) +
+			size_evidence(0.0, 0.0);
+	const FeaturePlace chord = stroke.to - stroke.from;
+	const double length_m = chord.norm();
+	if (!leads_somewhere(length_m)) {
+		return IMPOSSIBLE;
+	}
+	const double off = (chord / length_m - way).norm();
+	// Of a detour that is long beside the tracker's error the null model's density may be the smaller one.
+	const double rise = 1.0 / OTHER_DETOUR - 1.0 / (ASTRAY_TIMES * usual_detour(stroke, length_m));
+	return direction_in_the_open(best_off(off, length_m, amplitude_m)) +
+			std::max(rise, 0.0) * std::max(stroke.way_m / length_m - 1.0, 0.0) + at_most;
+}
+
+double task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
+	const FeaturePlace chord = stroke.to - stroke.from;
+	const double length_m = chord.norm();
+	if (!leads_somewhere(length_m)) {
+		return IMPOSSIBLE;
+	}
+	return direction_in_task((chord / length_m - way).norm()) + straightness(stroke, length_m) -
+			0.5 * start_error(stroke, start, way) / (START * START * amplitude_m * amplitude_m) + LOG_STARTS;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gesture/gesture_model.h"
+#include "strokes/stroke_finder.h"
+
+namespace steadyhand {
+
+/// How much a stroke of the hand speaks for a gesture and against the null model, in nats:
+/// log P(stroke | gesture) - log P(stroke | none). The null model is a hand that goes anywhere: each
+/// direction as likely as any other, lengths and durations log-uniform, any bow and detour, from one stroke
+/// into the next. A gesture goes about along its axis, straight, about as far and as long as it was trained,
+/// and begins at rest. docs/method.md has the densities and their numbers.
+struct StrokeEvidence {
+	double path = 0.0;    ///< of direction and straightness: known while the stroke is under way
+	double detour = 0.0;  ///< of turns on its way: known as well
+	double rest = 0.0;    ///< of the rest before it: known from its onset on
+	double size = 0.0;    ///< of length and duration: once it has ended
+	double outlook = 0.0; ///< the most that the rest of the way, and size, could yet add
+
+	[[nodiscard]] double so_far() const { return path + detour + rest; }
+	[[nodiscard]] double sum() const { return so_far() + size; }
+};
+
+/// way: unit vector of the motion element's growth.
+[[nodiscard]] StrokeEvidence stroke_evidence(
+		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
+
+/// What so_far() and the rest of the way, or size, come to at most, nats: quickly told of strokes that go
+/// elsewhere.
+[[nodiscard]] double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m);
+
+/// The same for a task that says where the stroke should begin, and exactly which way it should go, instead
+/// of how long it should be: of direction, straightness and start, nats.
+[[nodiscard]] double task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
+
+/// Of strokes, those that are a gesture while all kinds of motion may come: nats. Posterior odds of a gesture
+/// are exp(evidence + this).
+inline constexpr double LOG_PRIOR_OPEN = -5.0;
+/// The same while a task waits for this gesture at a known place.
+inline constexpr double LOG_PRIOR_TASK = 1.0;
+
+} // namespace steadyhand

@@ -1,0 +1,252 @@
+#include "strokes/stroke_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// Longer than ObservationWindow's: a tracker's slow error moves by a centimetre in a tenth of a second.
+constexpr double WINDOW_S = 0.1;
+constexpr double ONSET_SHARE = 0.25; ///< of the peak speed
+constexpr double END_SHARE = 0.25;
+constexpr double SLOWEST_M_S = 1e-3;
+constexpr double SPEED_RATIO = 1.1;
+/// Slopes that trembling may make, smallest strokes a second.
+constexpr double STILL_PER_S = 6.5;
+constexpr double LOSS_S = 0.15;
+constexpr double PIECE_S = 0.05; ///< of the way
+constexpr double LONGEST_GAP_S = 1.0;
+/// Between two halves of one gesture the hand rests no longer than this.
+constexpr double HESITATION_S = 0.6;
+
+} // namespace
+
+Stroke joined(const Stroke &first, const Stroke &second) {
+	const double first_s = first.now_s - first.onset_s, second_s = second.now_s - second.onset_s;
+	Stroke both = first;
+	both.now_s = second.now_s;
+	both.to = second.to;
+	if (first_s + second_s > 0.0) {
+		both.middle = (first_s * first.middle + second_s * second.middle) / (first_s + second_s);
+	}
+	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
+	both.way_m = first.way_m + (second.from - first.to).norm() + second.way_m;
+	both.is_joined = true;
+	return both;
+}
+
+void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
+	newest_ = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
+	places_.clear();
+	places_.push(t_s, newest_.place_m, WINDOW_S);
+	rest_count_ = 0;
+	piece_ = newest_;
+	knots_.clear();
+	knots_.push(newest_);
+	last_s_ = t_s;
+	last_m_ = place_m;
+	steps_.restart();
+	steps_.push(t_s, place_m);
+	trembles_.restart();
+	trembles_.push({ t_s, newest_.place_m, place_m }, WINDOW_S, 0.0);
+	speed_m_s_ = 0.0;
+	onset_.reset();
+	begin_anew(newest_);
+	earlier_count_ = 0;
+}
+
+void StrokeFinder::remember_rest(const Sample &sample) {
+	while (rest_count_ > 0 && rests_[rest_count_ - 1].speed_m_s >= sample.speed_m_s) {
+		--rest_count_;
+	}
+	const bool is_faster =
+			rest_count_ == 0 || sample.speed_m_s > SPEED_RATIO * rests_[rest_count_ - 1].speed_m_s;
+	if (is_faster && rest_count_ < RESTS) {
+		rests_[rest_count_++] = sample;
+	}
+}
+
+const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) const {
+	for (std::size_t i = rest_count_; i > 0; --i) {
+		if (rests_[i - 1].speed_m_s < speed_m_s) {
+			return &rests_[i - 1];
+		}
+	}
+	return nullptr;
+}
+
+Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak_m_s) {
+	Stroke stroke{ .onset_s = onset.t_s,
+		.now_s = now.t_s,
+		.from = onset.place_m,
+		.to = now.place_m,
+		.middle = now.place_m,
+		.peak_m_s = peak_m_s,
+		.seen_from = onset.seen_m,
+		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
+		.unrest_m = onset.unrest_m,
+		.watched_s = onset.watched_s };
+	if (now.t_s > onset.t_s) {
+		stroke.middle = (now.sum - onset.sum) / (now.t_s - onset.t_s);
+	}
+	return stroke;
+}
+
+void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
+	if (lost_) {
+		lost_.reset();
+		--stroke_count_;
+	}
+	if (!place_m.allFinite()) {
+		return;
+	}
+	const double since_s = past_.empty() ? INFINITY : t_s - past_.newest().t_s;
+	if (since_s > LONGEST_GAP_S) {
+		seen_since_s_ = t_s;
+	}
+	if (since_s >= LEAST_FRAME_S) {
+		past_.push({ t_s, place_m });
+	}
+	if (places_.empty() || t_s - newest_.t_s > LONGEST_GAP_S) {
+		restart(t_s, place_m);
+		return;
+	}
+	if (ended_) {
+		begin_anew(newest_);
+	}
+	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
+		return;
+	}
+	last_s_ = t_s;
+	last_m_ = place_m;
+	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m);
+	for (const TrackerSteps::Passed &frame : passed) {
+		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
+					   STILL_PER_S * smallest_m_),
+				&frame == &passed.back());
+	}
+	if (stroke_count_ == 0) {
+		lost_.reset();
+	} else if (lost_) {
+		strokes_[stroke_count_++] = *lost_;
+	}
+}
+
+/// may_end: false where another frame follows at once.
+void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
+	const double dt_s = place.t_s - newest_.t_s;
+	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
+	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
+	measure_way(now);
+	if (dt_s > LOSS_S && stroke_count_ > 0) {
+		lost_ = strokes_[0];
+		lost_->is_lost = true;
+	}
+	newest_ = now;
+	places_.push(now.t_s, now.place_m, WINDOW_S);
+	const FeaturePlace velocity_m_s = places_.slope();
+	speed_m_s_ = velocity_m_s.norm();
+	now.speed_m_s = std::max(speed_m_s_, SLOWEST_M_S);
+
+	if (now.speed_m_s > peak_m_s_) {
+		peak_m_s_ = now.speed_m_s;
+		find_onset();
+	}
+	remember_rest(now);
+	if (!onset_) {
+		stroke_count_ = 0;
+		if (now.speed_m_s < END_SHARE * peak_m_s_) {
+			begin_anew(now);
+		}
+		return;
+	}
+	const Sample onset = *onset_;
+	list_strokes(onset, now);
+	ended_ = may_end &&
+			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s.dot(now.place_m - onset.place_m) < 0.0);
+}
+
+void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
+	strokes_[0] = between(onset, now, peak_m_s_);
+	stroke_count_ = 1;
+	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
+	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
+		for (std::size_t i = earlier_count_; i > 0; --i) {
+			const Earlier &earlier = earlier_[i - 1];
+			strokes_[stroke_count_] = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
+			strokes_[stroke_count_++].is_joined = goes_on || i < earlier_count_;
+		}
+	}
+}
+
+/// For the next stroke's onset too, should it be here.
+void StrokeFinder::measure_way(Sample &r_sample) {
+	const double piece_m = (r_sample.place_m - piece_.place_m).norm();
+	r_sample.way_m = piece_.way_m + piece_m;
+	if (r_sample.t_s - piece_.t_s >= PIECE_S && piece_m >= smallest_m_) {
+		piece_ = r_sample;
+	}
+	// The speed by which an onset is found is that of half a window ago.
+	const double then_s = r_sample.t_s - 0.5 * WINDOW_S;
+	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
+	const Sample *still = nullptr;
+	for (std::size_t i = knots_.size(); i > 0; --i) {
+		const Sample &before = knots_[i - 1];
+		if (then_s - before.t_s > Stroke::REST_S) {
+			break;
+		}
+		if (then_s >= before.t_s) {
+			still = still != nullptr ? still : &before;
+			r_sample.unrest_m = std::max(r_sample.unrest_m, (still->place_m - before.place_m).norm());
+		}
+	}
+	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
+		knots_.push(r_sample);
+	}
+}
+
+/// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
+void StrokeFinder::find_onset() {
+	const Sample *const rest = last_slower_than(ONSET_SHARE * peak_m_s_);
+	if (rest == nullptr) {
+		onset_.reset();
+	} else if (!onset_ || rest->t_s > onset_->t_s) {
+		const Sample onset = *rest;
+		if (onset_ && (onset.place_m - onset_->place_m).norm() > smallest_m_) {
+			remember_stroke(*onset_, onset);
+		}
+		onset_ = onset;
+	}
+}
+
+/// What comes is another stroke.
+void StrokeFinder::begin_anew(const Sample &end) {
+	if (onset_ && (end.place_m - onset_->place_m).norm() > smallest_m_) {
+		remember_stroke(*onset_, end);
+		rest_count_ = 0;
+		remember_rest(end);
+	}
+	onset_.reset();
+	stroke_count_ = 0;
+	ended_ = false;
+	peak_m_s_ = 0.0;
+}
+
+/// The next one begins after it. Where the hand only trembled, it may have begun before.
+void StrokeFinder::remember_stroke(const Sample &onset, const Sample &end) {
+	if (onset.t_s - earlier_end_s_ >= HESITATION_S) {
+		earlier_count_ = 0;
+	}
+	if (earlier_count_ == EARLIER) {
+		std::rotate(earlier_.begin(), earlier_.begin() + 1, earlier_.end());
+		--earlier_count_;
+	}
+	earlier_[earlier_count_++] = { onset, 0.0 };
+	for (std::size_t i = 0; i < earlier_count_; ++i) {
+		earlier_[i].peak_m_s = std::max(earlier_[i].peak_m_s, peak_m_s_);
+	}
+	earlier_end_s_ = end.t_s;
+}
+
+} // namespace steadyhand

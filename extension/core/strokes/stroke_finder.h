@@ -1,0 +1,140 @@
+#pragma once
+
+#include "motion/motion.h"
+#include "signal/ring.h"
+#include "signal/slope_window.h"
+#include "soundness/tracker_steps.h"
+#include "soundness/tremble_filter.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace steadyhand {
+
+/// What a hand did from where it was last as good as still to where it is.
+struct Stroke {
+	double onset_s = 0.0;
+	double now_s = 0.0;
+	FeaturePlace from = FeaturePlace::Zero();
+	FeaturePlace to = FeaturePlace::Zero();
+	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its time
+	double peak_m_s = 0.0;
+	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
+	FeaturePlace seen_from = FeaturePlace::Zero();
+	double way_m = 0.0;    ///< length of the way from `from` to `to`, >= their distance
+	double unrest_m = 0.0; ///< how far from `from` the hand was before the onset, at most
+	double watched_s =
+			0.0; ///< for how long before the onset: no more than REST_S, less where it was not seen
+	bool is_joined = false; ///< of several, between which the hand hesitated
+	bool is_lost = false;   ///< it was under way before a gap that the newest frame has ended
+
+	static constexpr double REST_S = 0.5;
+};
+
+/// Both as one, as far as a task's evidence asks: what the hand did between them adds its way only.
+[[nodiscard]] Stroke joined(const Stroke &first, const Stroke &second);
+
+/// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
+/// so that neither the gesture's size nor its pace matters, nor how much a tracker trembles. What is kept of
+/// the past is bounded; after construction nothing is allocated.
+class StrokeFinder {
+public:
+	/// scale: what a metre of each coordinate counts. smallest_m: what is shorter, so counted, is no stroke
+	/// of its own: the hand only trembled.
+	explicit StrokeFinder(const FeaturePlace &scale = FeaturePlace::Ones(), double smallest_m = 0.0) :
+			scale_(scale), smallest_m_(smallest_m) {}
+	void set_smallest(double smallest_m) { smallest_m_ = smallest_m; }
+	[[nodiscard]] double smallest_m() const { return smallest_m_; }
+
+	/// t_s must not decrease; a place that is not finite, comes sooner than LEAST_FRAME_S after the last one,
+	/// or repeats it to the last bit (a tracker that is frozen), is no news of the hand.
+	void push(double t_s, const FeaturePlace &place_m);
+
+	/// The one under way, or the one that has just ended, first; that one and those before it as one, where
+	/// the hand only hesitated between them, newest first; at last one that was lost. None while nothing is
+	/// known of the hand.
+	[[nodiscard]] std::span<const Stroke> strokes() const { return { strokes_.data(), stroke_count_ }; }
+	/// The last frame ended the first, and with it those that it is part of.
+	[[nodiscard]] bool ended() const { return ended_; }
+	/// f(t_s, place) for the frames since then, as they were given; as many as are kept.
+	template <class Function> void frames_since(double t_s, const Function &f) const {
+		for (std::size_t i = 0; i < past_.size(); ++i) {
+			if (past_[i].t_s >= t_s) {
+				f(past_[i].t_s, past_[i].place_m);
+			}
+		}
+	}
+	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
+	/// When a place last was news of the hand; -infinity before the first one.
+	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : last_s_; }
+
+private:
+	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken
+	static constexpr std::size_t PAST = 256;
+	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
+	static constexpr std::size_t KNOTS = 16;  ///< more than REST_S of them
+	static constexpr std::size_t EARLIER = 5;
+
+	struct Sample {
+		double t_s = 0.0;
+		FeaturePlace place_m = FeaturePlace::Zero();
+		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over time, m s
+		double speed_m_s = 0.0;
+		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
+		double way_m = 0.0;                         ///< gone so far
+		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke
+	};
+
+	struct Earlier {
+		Sample onset;
+		double peak_m_s = 0.0; ///< since then, until the end of the newest of them
+	};
+
+	struct Frame {
+		double t_s = 0.0;
+		FeaturePlace place_m = FeaturePlace::Zero();
+	};
+
+	FeaturePlace scale_;
+	double smallest_m_;
+	TrackerSteps steps_;
+	TrembleFilter trembles_;
+	Ring<Frame, PAST> past_;
+	SlopeWindow<FeaturePlace, FRAMES> places_;
+	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
+	Sample piece_;  ///< where the newest straight piece of the way begins; no trembling lengthens the way
+	Ring<Sample, KNOTS> knots_; ///< places some time apart
+	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
+	std::array<Sample, RESTS> rests_{};
+	std::size_t rest_count_ = 0;
+
+	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
+	double last_s_ = 0.0;                        ///< when a place was last news
+	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
+	double speed_m_s_ = 0.0;
+	double peak_m_s_ = 0.0;
+	std::optional<Sample> onset_;
+	std::array<Earlier, EARLIER> earlier_{}; ///< strokes that the hand went on from, oldest first
+	std::size_t earlier_count_ = 0;
+	double earlier_end_s_ = 0.0;
+	bool ended_ = false;
+	std::array<Stroke, 2 + EARLIER> strokes_{};
+	std::size_t stroke_count_ = 0;
+	std::optional<Stroke> lost_; ///< the last of them, where it is
+
+	void restart(double t_s, const FeaturePlace &place_m);
+	void follow(const TrembleFilter::Place &place, bool may_end);
+	void find_onset();
+	void begin_anew(const Sample &end);
+	void remember_stroke(const Sample &onset, const Sample &end);
+	void list_strokes(const Sample &onset, const Sample &now);
+	void measure_way(Sample &r_sample);
+	void remember_rest(const Sample &sample);
+	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
+	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);
+};
+
+} // namespace steadyhand

@@ -1,0 +1,78 @@
+#include "strokes/task_strokes.h"
+
+#include "strokes/stroke_evidence.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside the start has not begun
+/// Shorter strokes (in amplitudes) do not say where they go.
+constexpr double LONG_ENOUGH = 0.5;
+
+} // namespace
+
+TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m_(task.amplitude_m) {
+	if (feature.place == nullptr) {
+		unseen_ = { .has_set_out = true, .log_odds = 0.0 };
+		return;
+	}
+	way_ = feature.direction(task);
+	start_ = feature.is_radius ? FeaturePlace(0.0, 0.0, 0.0, task.start_m.x())
+							   : FeaturePlace(task.start_m.x(), task.start_m.y(), task.start_m.z(), 0.0);
+}
+
+void TaskStrokes::look(const StrokeFinder &strokes) {
+	has_set_out_ = unseen_.has_set_out;
+	for (const Stroke &stroke : strokes.strokes()) {
+		has_set_out_ = has_set_out_ ||
+				(!stroke.is_lost && (stroke.to - stroke.from).dot(way_) > SMALLEST_MOVE * amplitude_m_);
+	}
+}
+
+void TaskStrokes::begin() {
+	best_of_one_ = of_all_ = NO_STROKE;
+	before_last_.reset();
+	last_.reset();
+}
+
+void TaskStrokes::add(const StrokeFinder &strokes) {
+	if (strokes.strokes().empty() || strokes.strokes().front().is_lost) {
+		return;
+	}
+	const Stroke &now = strokes.strokes().front();
+	if (last_ && now.onset_s != last_->onset_s) {
+		before_last_ = before_last_ ? joined(*before_last_, *last_) : *last_;
+	}
+	last_ = now;
+}
+
+double TaskStrokes::log_odds(const Stroke &stroke) const {
+	return LOG_PRIOR_TASK + task_evidence(stroke, start_, way_, amplitude_m_);
+}
+
+double TaskStrokes::judge(const StrokeFinder &strokes) {
+	double best = unseen_.log_odds;
+	best_of_one_ = std::max(best_of_one_, best);
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.is_lost) {
+			continue;
+		}
+		best = std::max(best, log_odds(stroke));
+		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * amplitude_m_) {
+			best_of_one_ = std::max(best_of_one_, best);
+		}
+	}
+	if (before_last_ && last_) {
+		of_all_ = log_odds(joined(*before_last_, *last_));
+		best = std::max(best, of_all_);
+	}
+	return best;
+}
+
+double TaskStrokes::best_log_odds() const {
+	return std::max(best_of_one_, of_all_);
+}
+
+} // namespace steadyhand

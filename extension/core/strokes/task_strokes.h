@@ -1,0 +1,54 @@
+#pragma once
+
+#include "strokes/stroke_finder.h"
+
+#include <optional>
+
+namespace steadyhand {
+
+struct Task;
+
+/// What strokes of the hand say of a gesture whose task is known: whether it has set out, and whether it
+/// makes the gesture. The gesture may be made of several, however long the hand rested between them.
+class TaskStrokes {
+public:
+	/// A feature that has no place, because its way is no stroke, is taken at its word: the hand always has
+	/// set out, and the odds are even.
+	TaskStrokes(const Feature &feature, const Task &task);
+
+	/// Whether the hand goes, or went, along the task's way.
+	void look(const StrokeFinder &strokes);
+	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
+
+	/// A gesture begins: it is made of what is added from now on.
+	void begin();
+	/// The newest, as of now.
+	void add(const StrokeFinder &strokes);
+	/// log of the posterior odds of the gesture against none, nats: the best of any, and of all as one.
+	double judge(const StrokeFinder &strokes);
+	/// The best since it began, of strokes that are long enough to say where they go, or of all as one now.
+	[[nodiscard]] double best_log_odds() const;
+
+private:
+	/// log odds while the hand has not been still yet, from where a stroke could have begun.
+	static constexpr double NO_STROKE = -10.0;
+
+	/// What is said without a stroke.
+	struct Unseen {
+		bool has_set_out = false;
+		double log_odds = NO_STROKE;
+	};
+	Unseen unseen_;
+	double amplitude_m_;
+	FeaturePlace start_ = FeaturePlace::Zero();
+	FeaturePlace way_ = FeaturePlace::Zero(); ///< unit vector of the motion element's growth
+	bool has_set_out_ = false;
+	double best_of_one_ = 0.0;
+	double of_all_ = 0.0;
+	std::optional<Stroke> before_last_; ///< as one
+	std::optional<Stroke> last_;
+
+	[[nodiscard]] double log_odds(const Stroke &stroke) const;
+};
+
+} // namespace steadyhand
