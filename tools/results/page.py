@@ -38,8 +38,8 @@ TARGETS = """## What is to be reached
 
 {table}
 
-What a frame costs, training, bridging and the vibration are measured elsewhere, not by this command. What two
-oracles come to, which know the lag and the faults, or how the hand moves: [method.md](method.md), "What could be had".
+What a frame costs, training, bridging and the vibration are measured elsewhere, not by this command. What
+oracles come to that know the lag and the faults, or how the hand moves: [evidence.md](evidence.md#what-could-be-had).
 """
 
 SET = """## {title}

@@ -1,10 +1,11 @@
-"""What could be had at all: two oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
+"""What could be had at all: three oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
 
     python tools/tuning/oracle.py --trials DIR --evaluation DIR
 
 shape:  the minimum-jerk movement that fits the reference best, its onset, duration and length known.
 faults: the measured curve with each freeze or gap of more than 50 ms bridged by a straight line from before to
         after, as if the future were known, at the constant lag that fits the reference best.
+late:   the reference itself, as late as the lag of one tracker differs from the next one's: normal, LATE_MS.
 Mean R2 over the gesture's span and 0.25 s on either side, and T_diff with a missed end at the record's, as in
 extension/core/metrics/curve_comparison.h.
 """
@@ -15,6 +16,7 @@ import itertools
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
+from statistics import NormalDist
 
 import numpy as np
 
@@ -23,6 +25,8 @@ END_LEVEL = 0.95
 ASKED_MS = {"stable": (-50.0, 15.0), "unstable": (-100.0, 100.0)}  # of T_diff
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
+LATE_MS = 30.0  # what the lags of simulated trackers differ by from trial to trial at the unstable position
+LATENESSES_MS = [round(LATE_MS * NormalDist().inv_cdf((i + 0.5) / 9)) for i in range(9)]  # equally likely
 CURVES = ("measured", "synthesised", "measured, best lag", "faults")
 
 
@@ -51,13 +55,14 @@ def bridged(x: np.ndarray) -> np.ndarray:
     return x
 
 
+def r2_at(reference: np.ndarray, x: np.ndarray, window: np.ndarray, lag_ms: int) -> float:
+    """Of x, 1 kHz, put earlier by lag_ms."""
+    return r2(reference[window], x[np.clip(np.flatnonzero(window) + lag_ms, 0, len(x) - 1)])
+
+
 def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> tuple[float, int]:
     """R2 there, and the lag, ms: positive, x is late."""
-
-    def earlier(ms: int) -> np.ndarray:
-        return x[np.clip(np.flatnonzero(window) + ms, 0, len(x) - 1)]
-
-    return max((r2(reference[window], earlier(ms)), ms) for ms in LAGS_MS)
+    return max((r2_at(reference, x, window, ms), ms) for ms in LAGS_MS)
 
 
 def end_ms(x: np.ndarray, start: int, level: float) -> int:
@@ -68,7 +73,7 @@ def end_ms(x: np.ndarray, start: int, level: float) -> int:
 
 @dataclass
 class Trial:
-    r2s: tuple[float, ...]  # of CURVES at no lag, but for "best lag" and faults, and of shape
+    r2s: tuple[float, ...]  # of CURVES at no lag, but for "best lag" and faults; of shape and late
     t_diffs_ms: tuple[float, ...]  # of CURVES
     lag_ms: int  # of faults
 
@@ -85,9 +90,10 @@ class Trial:
             1e3 * float(row[column]) for column in ("t_diff_measured", "t_diff_synthesised", "lag_measured")
         )
         faults_ms = end_ms(reference, start, level) - end_ms(faults, start, level) + lag_ms
+        late_r2 = np.mean([r2_at(reference, reference, window, -ms) for ms in LATENESSES_MS])
         known = (float(row[column]) for column in ("r2_zero_measured", "r2_zero_synthesised", "r2_measured"))
         return cls(
-            (*known, faults_r2, best_shape(t[window][::5], reference[window][::5])),
+            (*known, faults_r2, best_shape(t[window][::5], reference[window][::5]), late_r2),
             (measured_ms, synthesised_ms, measured_ms + measured_lag_ms, faults_ms),
             lag_ms,
         )
@@ -107,7 +113,7 @@ def main() -> None:
             if row["gesture"] != "none":
                 group = groups[row["gesture"].replace("_", " "), row["position"]]
                 group.append(Trial.read(row, curves_path, *spans[row["trial"]]))
-    columns = ("trials", *CURVES, "shape", "lag of faults")
+    columns = ("trials", *CURVES, "shape", "late", "lag of faults")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
     for (gesture, position), trials in sorted(groups.items()):
         lags_ms = [trial.lag_ms for trial in trials]
