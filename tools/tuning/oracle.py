@@ -19,6 +19,7 @@ from pathlib import Path
 from statistics import NormalDist
 
 import numpy as np
+from hybrid_trials import minimum_jerk
 
 MARGIN_S = 0.25
 END_LEVEL = 0.95
@@ -38,8 +39,7 @@ def best_shape(t: np.ndarray, reference: np.ndarray) -> float:
     best = -np.inf
     for duration_s in np.arange(0.15, 2.5, 0.05):
         for onset_s in np.arange(t[0], t[-1], 0.02):
-            s = np.clip((t - onset_s) / duration_s, 0.0, 1.0)
-            curve = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+            curve = minimum_jerk((t - onset_s) / duration_s)
             gain = curve @ reference / max(curve @ curve, 1e-12)
             best = max(best, r2(reference, gain * curve))
     return best
@@ -56,8 +56,8 @@ def bridged(x: np.ndarray) -> np.ndarray:
 
 
 def r2_at(reference: np.ndarray, x: np.ndarray, window: np.ndarray, lag_ms: int) -> float:
-    """Of x, 1 kHz, put earlier by lag_ms."""
-    return r2(reference[window], x[np.clip(np.flatnonzero(window) + lag_ms, 0, len(x) - 1)])
+    """Over the samples of window, of x, 1 kHz, put earlier by lag_ms."""
+    return r2(reference[window], x[np.clip(window + lag_ms, 0, len(x) - 1)])
 
 
 def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> tuple[float, int]:
@@ -82,7 +82,7 @@ class Trial:
         """row: the trial's in results.csv, which has what is no oracle's."""
         curves = np.genfromtxt(curves_path, delimiter=",", names=True)
         t, reference, faults = curves["t"], curves["reference"], bridged(curves["measured"])
-        window = (t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S)
+        window = np.flatnonzero((t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S))
         faults_r2, lag_ms = best_lag(reference, faults, window)
         start, end = np.searchsorted(t, [start_s, end_s])
         level = END_LEVEL * reference[end]
