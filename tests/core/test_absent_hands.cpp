@@ -1,4 +1,4 @@
-// With nothing given: a hand that leaves, or that the tracker freezes, while its gesture is under way.
+// A hand that leaves, or that the tracker freezes, while its gesture is under way.
 
 #include "gesture_events.h"
 
@@ -86,4 +86,57 @@ TEST_CASE("when a hand is missed does not depend on how often the motion is aske
 			CHECK(often.confidence() == seldom.confidence());
 		}
 	}
+}
+
+TEST_CASE(
+		"with a task a hand that is gone for a second has given its gesture up, and no end is held for it") {
+	const Drag half_way{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.1 };
+	const double lost_s = 2.5;
+	const Events halted = in_a_task(along(X, { half_way }), 4.0, lost_s);
+	CHECK(halted.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	CHECK(halted.last_value_m == doctest::Approx(0.0));
+	CHECK(halted.largest_step < 1.01 * FASTEST_M_MS);
+	for (const double length_s : { lost_s + 0.98, lost_s + 1.2 }) {
+		const Events halting = in_a_task(along(X, { half_way }), length_s, lost_s);
+		CHECK(halting.said.size() == (length_s < lost_s + 1.0 ? 1 : 2));
+		const Events arrived = in_a_task(along(X, { DRAG }), length_s, lost_s);
+		CHECK(arrived.said == times(1, "sideways"));
+		CHECK(std::abs(arrived.last_value_m - (length_s < lost_s + 1.0 ? 0.2 : 0.0)) < 0.005);
+		CHECK(arrived.largest_step < 1.01 * FASTEST_M_MS);
+	}
+}
+
+TEST_CASE("with a task a hand that was gone and is back is followed from there, without a step") {
+	// At the end, as it was left; at rest half-way; and at the start, for another drag.
+	const Events at_end = in_a_task(along(X, { DRAG }), 5.0, 2.5, 4.0);
+	CHECK(at_end.said == times(1, "sideways"));
+	CHECK(at_end.last_value_m == doctest::Approx(0.2).epsilon(0.01));
+	CHECK(at_end.largest_step < 1.01 * FASTEST_M_MS);
+	const Drag away{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = -0.1 };
+	const Events half_way = in_a_task(along(X, { DRAG, away }), 5.0, 2.5, 4.0);
+	CHECK(half_way.said == times(1, "sideways"));
+	CHECK(half_way.last_value_m == doctest::Approx(0.1).epsilon(0.01));
+	CHECK(half_way.largest_step < 1.01 * FASTEST_M_MS);
+	const Drag back{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = -0.2 };
+	const Drag again{ .onset_s = 4.6, .duration_s = 1.0, .amplitude_m = 0.2 };
+	const Events twice = in_a_task(along(X, { DRAG, back, again }), 7.0, 2.5, 4.0);
+	CHECK(twice.said == times(2, "sideways"));
+	CHECK(std::abs(twice.last_ended_s - 5.6) < 0.25);
+}
+
+TEST_CASE("as in `paper` mode, where nothing begins before it is back") {
+	for (const double length_s : { 3.48, 3.7, 6.0 }) {
+		GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
+		const Events events = watch(recogniser, along(X, { DRAG }), length_s, 2.5);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(std::abs(events.last_value_m - (length_s < 3.5 ? 0.2 : 0.0)) < 0.005);
+	}
+}
+
+TEST_CASE("with a task a hand before a tracker that repeats itself is not gone") {
+	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
+	const Way way = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s) * X); };
+	const Events events = watch(recogniser, way, 6.0, 1e9, 1e9, 110.0, 0.0);
+	CHECK(events.said == times(1, "sideways"));
+	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.01));
 }

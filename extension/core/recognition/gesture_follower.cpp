@@ -32,9 +32,14 @@ bool GestureFollower::push(
 	if (!x_m) {
 		return false;
 	}
+	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
 		phase_.push(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
+	}
+	if (is_forgotten_) {
+		is_forgotten_ = false;
+		blend_from(before, frame.t_s, RELEASE_RATE_PER_S);
 	}
 	fresh_ = true;
 	return true;
@@ -76,6 +81,14 @@ void GestureFollower::rest(double t_s) {
 	if (!follows_phase()) { // the estimator blends by itself
 		blend_from(before, t_s, RELEASE_RATE_PER_S);
 	}
+}
+
+void GestureFollower::forget_hand(double t_s) {
+	const Motion before = motion(t_s);
+	enter(Stage::RESTING, t_s);
+	forget_frames();
+	is_forgotten_ = true;
+	blend_from(before, t_s, RELEASE_RATE_PER_S);
 }
 
 void GestureFollower::enter(Stage stage, double t_s) {

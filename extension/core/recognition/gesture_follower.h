@@ -35,7 +35,8 @@ struct Synthesis {
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
-	/// Unseen for so long a gesture has ended, if its end was near; and for so long it, or its end, is over.
+	/// Without a task: unseen for so long a gesture has ended, if its end was near. In any case: unseen for
+	/// so long it, or its end, is over.
 	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
 
 	GestureFollower(const GestureFollower &) = delete;
@@ -110,6 +111,9 @@ protected:
 	void decode(double t_s);
 	void arrive(double t_s) { enter(Stage::ARRIVED, t_s); }
 	void rest(double t_s);
+	/// At rest as before the first frame, and no longer shows where the hand was, nor at once where it then
+	/// is.
+	void forget_hand(double t_s);
 	/// The estimator is to expect another gesture from where the hand is.
 	void restart_estimate(double t_s) { phase_.restart(t_s); }
 	void forget_estimate() { phase_.reset(); }
@@ -141,7 +145,8 @@ private:
 	int state_played_ = 0;
 	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
 	PhaseEstimator phase_;
-	OutputBlend blend_; ///< of what would step otherwise, m
+	bool is_forgotten_ = false; ///< the hand is, and has not been seen again
+	OutputBlend blend_;         ///< of what would step otherwise, m
 
 	void step(double t_s, const StrokeFinder &strokes);
 	void enter(Stage stage, double t_s);

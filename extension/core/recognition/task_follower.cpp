@@ -32,6 +32,7 @@ std::optional<double> TaskFollower::see(
 	if (!x_m || !std::isfinite(*x_m)) {
 		return std::nullopt;
 	}
+	seen_s_ = frame.t_s;
 	strokes_.look(strokes);
 	if (stage() != Stage::RESTING) {
 		strokes_.add(strokes);
@@ -41,6 +42,9 @@ std::optional<double> TaskFollower::see(
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
+	if (stage() != Stage::RESTING && t_s - seen_s_ > ABSENCES_S.back()) {
+		lose(t_s);
+	}
 	switch (stage()) {
 		case Stage::RESTING:
 			if (is_rejected_ && is_back(t_s)) {
@@ -114,6 +118,12 @@ void TaskFollower::come_to_rest(double t_s) {
 			restart_estimate(t_s);
 		}
 	}
+}
+
+/// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
+void TaskFollower::lose(double t_s) {
+	set_log_odds(LOG_PRIOR_OPEN);
+	forget_hand(t_s);
 }
 
 void TaskFollower::give_way(double t_s) {

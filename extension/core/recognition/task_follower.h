@@ -4,6 +4,8 @@
 #include "recognition/gesture_follower.h"
 #include "strokes/task_strokes.h"
 
+#include <cmath>
+
 namespace steadyhand {
 
 /// Follows a gesture whose task is known: what is put out says when it begins and arrives, and the strokes
@@ -19,6 +21,7 @@ private:
 	TaskStrokes strokes_;
 	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
 	double at_end_since_s_ = 0.0;
+	double seen_s_ = -INFINITY; ///< of the newest frame that held what the feature needs
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
@@ -27,6 +30,7 @@ private:
 	[[nodiscard]] bool is_back(double t_s) const;
 	void come_to_end(double t_s);
 	void come_to_rest(double t_s);
+	void lose(double t_s);
 };
 
 } // namespace steadyhand
