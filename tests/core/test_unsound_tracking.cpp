@@ -136,6 +136,26 @@ TEST_CASE("a tracker that jumps away from a hand at rest, and back, moves it no 
 	}
 }
 
+TEST_CASE("a hand that was at rest before a displaced tracker is followed from there on") {
+	constexpr double JUMP = 0.4, JUMPS_S = 0.1; // before DRAG by as much as that in seconds, too
+	for (const int seed : { 1, 2, 3, 4, 5 }) {
+		CAPTURE(seed);
+		PhaseEstimator estimator(test::drag_model());
+		std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+		std::normal_distribution<double> normal;
+		const auto show = [&](double t_s) {
+			return DRAG.x_m(t_s) + (t_s < JUMPS_S ? 0.0 : JUMP) + 1e-3 * normal(random);
+		};
+		double sum = 0.0;
+		int instants = 0;
+		follow(estimator, DRAG.onset_s + DRAG.duration_s, show, [&](double t_s, double value) {
+			sum += t_s > DRAG.onset_s ? std::abs(value - DRAG.x_m(t_s)) : 0.0;
+			instants += t_s > DRAG.onset_s ? 1 : 0;
+		});
+		CHECK(sum / instants < 0.7 * JUMP);
+	}
+}
+
 TEST_CASE("a tracker that jumps and slides back takes no hand along that is at rest") {
 	for (const double jump : { -0.3, 0.3, 0.6 }) {
 		for (const double time_constant_s : { 0.03, 0.05, 0.08 }) {
