@@ -109,10 +109,21 @@ struct HypothesisGroup::Filter {
 		});
 	}
 
-	STEADYHAND_INLINE void absorb(double x, const Trust &trust, Lanes &r_log_weights) const {
+	/// The states that the way depends on; of the others the tracker shows HAND + ERROR.
+	static constexpr std::size_t FIRST_OF_WAY = Hypothesis::ONSET;
+	static constexpr std::size_t STATES_OF_WAY = Hypothesis::STATES - FIRST_OF_WAY;
+	struct Sight {
+		LaneVector innovation;                            ///< x less what the tracker should show
+		std::array<LaneVector, STATES_OF_WAY> slopes;     ///< by how much that changes with each state
+		std::array<LaneVector, Hypothesis::STATES> cross; ///< P H', its covariance with each state
+		LaneVector variance;                              ///< H P H' + R, of the innovation
+	};
+
+	/// What x says, and how well it is foretold: the tracker shows (1 + g) f(p - lag f(p) / duration) + d +
+	/// b.
+	STEADYHAND_INLINE Sight sight_of(double x, double jitter) const {
 		using H = Hypothesis;
-		constexpr std::size_t FIRST = H::ONSET, SLOPES = H::STATES - FIRST;
-		// What the tracker should show, and by how much that changes with each state.
+		Sight sight;
 		const LaneVector rate = load(group.rate_per_s_), shape = load(group.mean_[H::SHAPE]);
 		const LaneVector is_under_way = load(group.on_its_way_),
 						 now = is_under_way > 0.0 ? phase() : LaneVector{};
@@ -129,32 +140,36 @@ struct HypothesisGroup::Filter {
 		const LaneVector gain = 1.0 + load(group.mean_[H::GAIN]);
 		const LaneVector value = elements + shape * (smooth.value - elements);
 		const LaneVector slope = gain * (element_slopes + shape * (smooth.first - element_slopes));
-		std::array<LaneVector, SLOPES> slopes;
-		slopes[H::ONSET - FIRST] = -slope * rate;
-		slopes[H::LOG_DURATION - FIRST] = -slope * phases;
-		slopes[H::GAIN - FIRST] = value;
-		slopes[H::SHAPE - FIRST] = gain * (smooth.value - elements);
-		slopes[H::LAG - FIRST] = -slope * gone * rate;
-		const LaneVector innovation =
-				x - (gain * value + load(group.mean_[H::HAND]) + load(group.mean_[H::ERROR]));
+		sight.slopes[H::ONSET - FIRST_OF_WAY] = -slope * rate;
+		sight.slopes[H::LOG_DURATION - FIRST_OF_WAY] = -slope * phases;
+		sight.slopes[H::GAIN - FIRST_OF_WAY] = value;
+		sight.slopes[H::SHAPE - FIRST_OF_WAY] = gain * (smooth.value - elements);
+		sight.slopes[H::LAG - FIRST_OF_WAY] = -slope * gone * rate;
+		sight.innovation = x - (gain * value + load(group.mean_[H::HAND]) + load(group.mean_[H::ERROR]));
 
-		std::array<LaneVector, H::STATES> seen;
 		unrolled<H::STATES>([&](auto i) STEADYHAND_INLINE_LAMBDA {
-			seen[i] = load(covariance(std::max<std::size_t>(i, H::HAND), H::HAND)) +
+			sight.cross[i] = load(covariance(std::max<std::size_t>(i, H::HAND), H::HAND)) +
 					load(covariance(std::max<std::size_t>(i, H::ERROR), std::min<std::size_t>(i, H::ERROR)));
-			unrolled<SLOPES>([&](auto j) STEADYHAND_INLINE_LAMBDA {
-				constexpr std::size_t K = FIRST + j;
-				seen[i] += slopes[j] *
+			unrolled<STATES_OF_WAY>([&](auto j) STEADYHAND_INLINE_LAMBDA {
+				constexpr std::size_t K = FIRST_OF_WAY + j;
+				sight.cross[i] += sight.slopes[j] *
 						load(covariance(std::max<std::size_t>(i, K), std::min<std::size_t>(i, K)));
 			});
 		});
-		LaneVector variance = seen[H::HAND] + seen[H::ERROR] + (NOISE * NOISE + trust.jitter * trust.jitter);
-		for (std::size_t j = FIRST; j < H::STATES; ++j) {
-			variance += slopes[j - FIRST] * seen[j];
+		sight.variance = sight.cross[H::HAND] + sight.cross[H::ERROR] + (NOISE * NOISE + jitter * jitter);
+		for (std::size_t j = 0; j < STATES_OF_WAY; ++j) {
+			sight.variance += sight.slopes[j] * sight.cross[FIRST_OF_WAY + j];
 		}
-		const LaneVector precision = 1.0 / variance;
-		const LaneVector broad_precision = 1.0 / (variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION);
-		const LaneVector half_squared = 0.5 * innovation * innovation;
+		return sight;
+	}
+
+	/// Probabilistic data association (Bar-Shalom, Li, Kirubarajan 2001): the frame is good, or an outlier,
+	/// whose density is broad.
+	STEADYHAND_INLINE void absorb(double x, const Trust &trust, Lanes &r_log_weights) const {
+		const Sight sight = sight_of(x, trust.jitter);
+		const LaneVector precision = 1.0 / sight.variance;
+		const LaneVector broad_precision = 1.0 / (sight.variance + OUTLIER_DEVIATION * OUTLIER_DEVIATION);
+		const LaneVector half_squared = 0.5 * sight.innovation * sight.innovation;
 		// Beside the broad density's exponential, which alone is left of what is far off.
 		const LaneVector good = exponential(half_squared * (broad_precision - precision)) *
 				(1.0 - trust.outlier) * square_root(precision);
@@ -165,17 +180,24 @@ struct HypothesisGroup::Filter {
 		for (std::size_t l = 0; l < LANES; ++l) {
 			r_log_weights[l] += trust.weight * std::max(log_likelihood[l], LOG_IMPOSSIBLE);
 		}
+		correct(sight, good_share * sight.innovation * precision,
+				good_share * precision * (1.0 - 2.0 * (1.0 - good_share) * half_squared * precision));
+		keep_possible();
+	}
 
-		const LaneVector step = good_share * innovation * precision;
-		const LaneVector less =
-				good_share * precision * (1.0 - 2.0 * (1.0 - good_share) * half_squared * precision);
-		unrolled<H::STATES>([&](auto i) STEADYHAND_INLINE_LAMBDA {
-			store(group.mean_[i], load(group.mean_[i]) + seen[i] * step);
-			const LaneVector share = seen[i] * less;
+	/// The means take a step of that many P H', the covariance loses that much of P H' H P.
+	STEADYHAND_INLINE void correct(const Sight &sight, const LaneVector &step, const LaneVector &less) const {
+		unrolled<Hypothesis::STATES>([&](auto i) STEADYHAND_INLINE_LAMBDA {
+			store(group.mean_[i], load(group.mean_[i]) + sight.cross[i] * step);
+			const LaneVector share = sight.cross[i] * less;
 			unrolled<i + 1>([&](auto j) STEADYHAND_INLINE_LAMBDA {
-				store(covariance(i, j), load(covariance(i, j)) - share * seen[j]);
+				store(covariance(i, j), load(covariance(i, j)) - share * sight.cross[j]);
 			});
 		});
+	}
+
+	STEADYHAND_INLINE void keep_possible() const {
+		using H = Hypothesis;
 		LaneVector log_duration = load(group.mean_[H::LOG_DURATION]), lag = load(group.mean_[H::LAG]);
 		log_duration = log_duration < LOG_SHORTEST ? all(LOG_SHORTEST) : log_duration;
 		log_duration = log_duration > LOG_LONGEST ? all(LOG_LONGEST) : log_duration;
