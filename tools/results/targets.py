@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from results.asked import T_DIFF_S, is_inside
 from results.other_hands import OtherHands
 from results.study import OTHERS, Study
 
@@ -47,18 +48,8 @@ def rows_of(gesture: str):
         for position in ("stable", "unstable"):
             wanted = "within 20 ms"
             yield f"median T_diff, {position}", "200 ms early", wanted, median_t_diff(gesture, position, 0.02)
-        yield (
-            "T_diff of 95 % of the trials, stable",
-            "-",
-            "15 ms early to 50 ms late",
-            t_diff_range(gesture, "stable", -0.05, 0.015),
-        )
-        yield (
-            "T_diff of 95 % of the trials, unstable",
-            "-",
-            "within 100 ms",
-            t_diff_range(gesture, "unstable", -0.1, 0.1),
-        )
+        for position, wanted in (("stable", "15 ms early to 50 ms late"), ("unstable", "within 100 ms")):
+            yield f"T_diff of 95 % of the trials, {position}", "-", wanted, t_diff_range(gesture, position)
     if gesture == "tap":
         for position in ("stable", "unstable"):
             wanted = "within 15 ms"
@@ -112,13 +103,15 @@ def median_t_diff(gesture: str, position: str, limit_s: float):
     return judge
 
 
-def t_diff_range(gesture: str, position: str, low_s: float, high_s: float):
+def t_diff_range(gesture: str, position: str):
+    low_s, high_s = T_DIFF_S[position]
+
     def judge(study: Study) -> Verdict | None:
         group = study.group(gesture, position)
         if group is None:
             return None
         t_diff = group["phase"]["t_diff"]
-        inside = [low_s <= value <= high_s for value in study.values(gesture, position, "t_diff", "phase")]
+        inside = [is_inside(value, position) for value in study.values(gesture, position, "t_diff", "phase")]
         share = f"{percent(sum(inside) / len(inside))} inside"
         text = f"{1000 * t_diff['p2_5']:+.0f} .. {1000 * t_diff['p97_5']:+.0f} ms, {share}"
         return Verdict(text, t_diff["p2_5"] >= low_s and t_diff["p97_5"] <= high_s)

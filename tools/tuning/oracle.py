@@ -13,6 +13,7 @@ extension/core/metrics/curve_comparison.h.
 import argparse
 import csv
 import itertools
+import sys
 from collections import defaultdict
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,9 +22,11 @@ from statistics import NormalDist
 import numpy as np
 from hybrid_trials import minimum_jerk
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from results.asked import is_inside
+
 MARGIN_S = 0.25
 END_LEVEL = 0.95
-ASKED_MS = {"stable": (-50.0, 15.0), "unstable": (-100.0, 100.0)}  # of T_diff
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
 LATE_MS = 30.0  # what the lags of simulated trackers differ by from trial to trial at the unstable position
@@ -123,8 +126,7 @@ def main() -> None:
     print(f"\n| T_diff: median, and inside | {' | '.join(CURVES)} |\n| --- {'| ---: ' * len(CURVES)}|")
     for (gesture, position), trials in sorted(groups.items()):
         t_diffs_ms = np.array([trial.t_diffs_ms for trial in trials])
-        latest, earliest = ASKED_MS[position]
-        inside = np.mean((latest <= t_diffs_ms) & (t_diffs_ms <= earliest), axis=0)
+        inside = np.mean(np.vectorize(is_inside)(t_diffs_ms / 1000.0, position), axis=0)
         cells = (f"{m:+.0f} ms, {100.0 * i:.0f} %" for m, i in zip(np.median(t_diffs_ms, axis=0), inside, strict=True))
         print(f"| {gesture}, {position}: {len(trials)} | {' | '.join(cells)} |")
 

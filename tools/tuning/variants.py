@@ -6,8 +6,8 @@
 Builds what tools/tuning/variants.toml lists in a copy of the sources, in the cache, and runs each on synthetic
 people of the tuning population and on each of the trial sets. Writes variants.csv (one row a trial and variant)
 and table.md: by how many thousandths the mean R2 at no lag differs from that of the sources as they are, on the
-same trials, with the standard error of that difference as if trials were independent. --check: only whether
-each change still fits the sources.
+same trials, with the standard error of that difference as if trials were independent; and, by set, how many of a
+hundred stable trials end within the bounds of T_diff. --check: only whether each change still fits the sources.
 """
 
 import argparse
@@ -21,6 +21,9 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from results.asked import is_inside
 
 ROOT = Path(__file__).resolve().parents[2]
 CORE = Path("extension/core")
@@ -113,7 +116,9 @@ def together(sets: dict[str, list[dict[str, str]]]) -> list[dict[str, str]]:
 def ends(sets: dict[str, list[dict[str, str]]]) -> str:
     rows = together(sets)
     off_s = np.abs(column(rows, "t_diff_s", "unstable")).mean()
-    return f"{1000.0 * off_s:.0f} ms | {sum(int(row['missed']) for row in rows)}"
+    inside = [np.mean([is_inside(t, "stable") for t in column(of, "t_diff_s", "stable")]) for of in sets.values()]
+    shares = ", ".join(f"{100.0 * share:.0f}" for share in inside)
+    return f"{shares} | {1000.0 * off_s:.0f} ms | {sum(int(row['missed']) for row in rows)}"
 
 
 def table(results: dict[str, dict[str, list[dict[str, str]]]]) -> str:
@@ -122,8 +127,8 @@ def table(results: dict[str, dict[str, list[dict[str, str]]]]) -> str:
     means = [column(rows, "r2_zero", "unstable").mean() for rows in base.values()]
     means.append(column(together(base), "r2_zero", "stable").mean())
     lines = [
-        f"| what is changed | {' | '.join(head)} | size of T_diff, unstable | missed |",
-        "| --- |" + " ---: |" * (len(head) + 2),
+        f"| what is changed | {' | '.join(head)} | stable ends inside, % | size of T_diff, unstable | missed |",
+        "| --- |" + " ---: |" * (len(head) + 3),
         f"| nothing: mean R2 at no lag | {' | '.join(f'{mean:.4f}' for mean in means)} | {ends(base)} |",
     ]
     for name, sets in results.items():
