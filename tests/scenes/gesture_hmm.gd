@@ -34,37 +34,43 @@ func test_signals_of_a_drag() -> void:
 
 
 func test_a_drag_that_is_given_up_is_aborted() -> void:
-	var events: Array[String] = []
-	var rig := _make_rig(STABLE)
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
-	rig.gesture_hmm.gesture_started.connect(
-		func(gesture: StringName) -> void: events.append("started %s" % gesture)
-	)
-	rig.gesture_hmm.gesture_aborted.connect(
-		func(gesture: StringName) -> void: events.append("aborted %s" % gesture)
-	)
-	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float) -> void: events.append("ended %s" % gesture)
-	)
-	var is_probability := true
-	var trial: Dictionary = _trials.get_trial(STABLE)
-	rig.tracker.start()
-	for frame in 400:
-		# Half of the way and back, as cosines.
-		var phase := clampf((frame * 0.01 - 0.5) / 2.0, 0.0, 1.0)
-		var part := 0.25 * (1.0 - cos(TAU * phase)) * float(trial["amplitude_m"])
-		var tip: Vector3 = trial["start"] + part * trial["axis"]
-		rig.tracker.push_frame(frame * 0.01, {HandTracker.JOINT_INDEX: tip})
-		var confidence := rig.gesture_hmm.confidence
-		is_probability = is_probability and confidence >= 0.0 and confidence <= 1.0
-	check_equal(
-		events,
-		["started horizontal_drag", "aborted horizontal_drag"] as Array[String],
-		"half a drag starts and is given up"
-	)
-	check(is_probability, "confidence stays within 0..1")
-	check_equal(rig.gesture_hmm.confidence, 0.0, "none is under way: no confidence")
-	rig.free_nodes()
+	for leaves: bool in [false, true]:
+		var events: Array[String] = []
+		var rig := _make_rig(STABLE)
+		rig.tracker.source = HandTracker.SOURCE_SCRIPT
+		rig.gesture_hmm.gesture_started.connect(
+			func(gesture: StringName) -> void: events.append("started %s" % gesture)
+		)
+		rig.gesture_hmm.gesture_aborted.connect(
+			func(gesture: StringName) -> void: events.append("aborted %s" % gesture)
+		)
+		rig.gesture_hmm.gesture_ended.connect(
+			func(gesture: StringName, _time_s: float) -> void: events.append("ended %s" % gesture)
+		)
+		var is_probability := true
+		var random := RandomNumberGenerator.new()
+		random.seed = 7
+		var trial: Dictionary = _trials.get_trial(STABLE)
+		rig.tracker.start()
+		for frame in 400:
+			# Half of the way, and back or out of sight, as cosines.
+			var phase := clampf((frame * 0.01 - 0.5) / 2.0, 0.0, 0.5 if leaves else 1.0)
+			var part := 0.25 * (1.0 - cos(TAU * phase)) * float(trial["amplitude_m"])
+			var tremble := random.randfn(0.0, 1e-4)
+			var tip: Vector3 = trial["start"] + (part + tremble) * trial["axis"]
+			var is_seen := not leaves or frame <= 200
+			rig.tracker.push_frame(frame * 0.01, {HandTracker.JOINT_INDEX: tip} if is_seen else {})
+			var confidence := rig.gesture_hmm.confidence
+			is_probability = is_probability and confidence >= 0.0 and confidence <= 1.0
+		check_equal(
+			events,
+			["started horizontal_drag", "aborted horizontal_drag"] as Array[String],
+			"half a drag starts and is given up"
+		)
+		check(is_probability, "confidence stays within 0..1")
+		check_equal(rig.gesture_hmm.confidence, 0.0, "none is under way: no confidence")
+		check_near(rig.gesture_hmm.value, 0.0, 0.002, "the motion is back at the start")
+		rig.free_nodes()
 
 
 func test_condition_is_switched_live() -> void:

@@ -79,7 +79,7 @@ PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s)
 }
 
 void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s,
-		double ahead_s, double seen_s) {
+		double ahead_s, double seen_s, bool is_halted) {
 	filtered_s_ = filtered_s;
 	if (ahead_s != ahead_s_) {
 		ahead_s_ = ahead_s;
@@ -98,7 +98,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			continue;
 		}
 		const double weight = bank.weight(i) / total;
-		const Regime regime = bank.regime(i);
+		const Regime regime = is_halted ? Regime::FREE : bank.regime(i);
 		hand_.x[index_of(regime)] += weight * bank.hand_deviation(i);
 		hand_.v[index_of(regime)] += weight * bank.hand_deviation_rate(i);
 		if (bank.on_its_way(i)) {

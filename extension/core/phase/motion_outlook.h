@@ -24,14 +24,14 @@ struct PhaseEstimate {
 /// usually away it is a quintic, which differs from the mean by less than 1e-4 amplitudes.
 ///
 /// A gesture that was seen to begin goes on while nothing is seen. One that was not, and a hand that did
-/// something else, wait: nothing moves on a mere chance.
+/// something else, wait, as one that halted does: nothing moves on a mere chance.
 class MotionOutlook {
 public:
 	/// filtered_s: the time that the hypotheses were predicted to; ahead_s: how long after that the mean is
-	/// asked for first; seen_s: when a frame last told where the hand is. To be called after
-	/// HypothesisBank::prune.
+	/// asked for first; seen_s: when a frame last told where the hand is; is_halted: it stands, whatever a
+	/// hypothesis says of it. To be called after HypothesisBank::prune.
 	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double ahead_s,
-			double seen_s);
+			double seen_s, bool is_halted = false);
 
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {

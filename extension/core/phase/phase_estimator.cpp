@@ -30,6 +30,8 @@ constexpr double OUTLIERS = 0.011;
 constexpr double ALIKE_S = 0.013;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
+constexpr double HALTED_S = 0.2; ///< a hand stands that has been slow for so long
+
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.037;
 constexpr double ERRING_SETTLING_S = 0.15;
@@ -83,9 +85,9 @@ void PhaseEstimator::prune() {
 
 /// A fault speaks against a tracker that is right, and says nothing of whether the hand has begun, or of one
 /// that has left the gesture's end: those keep their share. Where the gesture is over, only a jump says where
-/// the hand is.
+/// the hand is. Nor does it say of a hand that was seen to halt that it has gone on.
 void PhaseEstimator::count_fault(double fault, bool jumped) {
-	if (fault == 0.0) {
+	if (fault == 0.0 || (is_halted_ && !jumped)) {
 		return;
 	}
 	const auto is_judged = [&](std::size_t i) {
@@ -119,7 +121,17 @@ void PhaseEstimator::wait(double t_s) {
 	blend_from(before, t_s);
 }
 
+void PhaseEstimator::look_for_halt(double x) {
+	if (soundness_.told() && soundness_.fault() == 0.0) {
+		is_halted_ = soundness_.slow_for_s() > HALTED_S && x > AT_START && x < 1.0 - AT_END;
+	}
+}
+
 void PhaseEstimator::absorb(double t_s, double x) {
+	look_for_halt(x);
+	if (is_halted_ && !soundness_.told()) {
+		return; // it stays where it was seen
+	}
 	const double dt_s = std::min(std::max(t_s - filtered_s_, 0.0), LONGEST_STEP_S);
 	const HypothesisGroup::Trust trust{ OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) };
 	const double step_s = std::max(t_s - filtered_s_, 0.0);

@@ -47,6 +47,7 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		falling_behind_s_ = missing_ = 0.0;
+		is_halted_ = false;
 		blend_ = {};
 		acceleration_step_ = 0.0;
 	}
@@ -55,6 +56,8 @@ public:
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
+	static constexpr double AT_START = 0.15; ///< a hand that is no further is where it started, amplitudes
+	static constexpr double AT_END = 0.1;    ///< one that is so near to the end is there
 	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
 	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
 							HypothesisBank::MOST_SLIDING_BACK + 2 * MOST_DURATIONS <=
@@ -80,12 +83,13 @@ private:
 	double seen_s_ = 0.0;           ///< the tracker was last not frozen
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
+	bool is_halted_ = false;         ///< the hand stands half-way, as it was last seen
 	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d);
-	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_); }
+	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, is_halted_); }
 	void branch_until(double t_s);
 	void branch(double t_s);
 	void come_to_rest();
@@ -100,6 +104,7 @@ private:
 			double onset_deviation_s, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
+	void look_for_halt(double x);
 	void count_fault(double fault, bool jumped);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }

@@ -65,6 +65,8 @@ public:
 		frames_ = std::min(frames_ + 1, FIRST_FRAMES);
 		repeated_ = false;
 	}
+	/// How long the hand has been slower than one that goes anywhere, as it was last told.
+	[[nodiscard]] double slow_for_s() const { return told_.t_s - slow_since_s_; }
 	/// The last frame is as if it had not been.
 	void forget() { told_ = before_; }
 

@@ -35,6 +35,8 @@ public:
 	[[nodiscard]] bool returned() const { return returned_; }
 	/// How much the values shake from frame to frame: standard deviation of the white noise that would do so.
 	[[nodiscard]] double jitter() const { return jitter_; }
+	/// How long the hand has been slower than one that goes anywhere, by the frames that told where it is.
+	[[nodiscard]] double slow_for_s() const { return standstill_.slow_for_s(); }
 	/// Evidence of the gap since the newest frame, if none came until t_s: what fault() would then say of it.
 	[[nodiscard]] double missing(double t_s) const { return frames_ > 0 ? gap_fault(t_s - t_s_) : 0.0; }
 	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().

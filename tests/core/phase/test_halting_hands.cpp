@@ -78,3 +78,69 @@ TEST_CASE("a hand that went its way in two halves stays at its end") {
 		}
 	}
 }
+
+TEST_CASE("a hand that halted half-way is where it was while nothing is seen, and when it is seen again") {
+	constexpr double PERIOD_S = 0.009;
+	for (const bool freezes : { false, true }) {
+		for (const double share : { 0.3, 0.5, 0.7 }) {
+			for (const double rest_s : { 0.3, 0.6, 1.2 }) {
+				for (const double unseen_s : { 0.05, 0.1, 0.3, 0.6 }) {
+					CAPTURE(freezes);
+					CAPTURE(share);
+					CAPTURE(rest_s);
+					CAPTURE(unseen_s);
+					const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.6, .amplitude_m = share };
+					const double lost_s = drag.onset_s + drag.duration_s + rest_s,
+								 found_s = lost_s + unseen_s;
+					PhaseEstimator estimator(test::drag_model());
+					std::mt19937_64 random(2);
+					std::normal_distribution<double> trembling(0.0, 5e-4);
+					double shown = 0.0, off = 0.0, off_again = 0.0;
+					int frames = 0;
+					for (int ms = 0; ms / 1000.0 < found_s + 0.5; ++ms) {
+						const double t_s = ms / 1000.0;
+						const bool is_lost = t_s > lost_s && t_s < found_s;
+						for (; frames * PERIOD_S <= t_s; ++frames) {
+							shown = is_lost ? shown : drag.x_m(frames * PERIOD_S) + trembling(random);
+							if (!is_lost || freezes) {
+								estimator.push(frames * PERIOD_S, shown);
+							}
+						}
+						if (ms % 10 == 0) {
+							estimator.wait(t_s);
+						}
+						double &furthest = t_s < found_s ? off : off_again;
+						furthest = t_s > lost_s
+								? std::max(furthest, std::abs(estimator.at(t_s).value - share))
+								: 0.0;
+					}
+					CHECK(off < 0.08);
+					CHECK(off_again < 0.2);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("a hand that halted unseen and goes on is followed to its end") {
+	for (const double share : { 0.3, 0.5, 0.7 }) {
+		for (const double unseen_s : { 0.1, 0.3 }) {
+			CAPTURE(share);
+			CAPTURE(unseen_s);
+			const test::Drag first{ .onset_s = 0.5, .duration_s = 0.6, .amplitude_m = share };
+			const test::Drag second{ .onset_s = 2.0, .duration_s = 0.6, .amplitude_m = 1.0 - share };
+			PhaseEstimator estimator(test::drag_model());
+			std::mt19937_64 random(2);
+			std::normal_distribution<double> trembling(0.0, 5e-4);
+			double off = 0.0;
+			for (int frame = 0; frame < 350; ++frame) {
+				const double t_s = 0.009 * frame, hand = first.x_m(t_s) + second.x_m(t_s);
+				if (t_s < 2.0 - unseen_s || t_s > 2.0) {
+					estimator.push(t_s, hand + trembling(random));
+				}
+				off = t_s > 2.1 ? std::max(off, std::abs(estimator.at(t_s).value - hand)) : 0.0;
+			}
+			CHECK(off < 0.1);
+		}
+	}
+}
