@@ -30,7 +30,10 @@ constexpr double OUTLIERS = 0.011;
 constexpr double ALIKE_S = 0.013;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
-constexpr double HALTED_S = 0.2; ///< a hand stands that has been slow for so long
+/// A hand stands that has been slow for so long, as a tracker sees it that has not, or has, erred of late.
+constexpr double HALTED_S = 0.02;
+constexpr double HALTED_UNSOUND_S = 0.1;
+constexpr double ERRED = 0.2; ///< unsoundness from which on it has
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.037;
@@ -85,9 +88,9 @@ void PhaseEstimator::prune() {
 
 /// A fault speaks against a tracker that is right, and says nothing of whether the hand has begun, or of one
 /// that has left the gesture's end: those keep their share. Where the gesture is over, only a jump says where
-/// the hand is. Nor does it say of a hand that was seen to halt that it has gone on.
+/// the hand is.
 void PhaseEstimator::count_fault(double fault, bool jumped) {
-	if (fault == 0.0 || (is_halted_ && !jumped)) {
+	if (fault == 0.0) {
 		return;
 	}
 	const auto is_judged = [&](std::size_t i) {
@@ -110,7 +113,7 @@ void PhaseEstimator::count_fault(double fault, bool jumped) {
 
 void PhaseEstimator::wait(double t_s) {
 	const double missing = soundness_.missing(t_s);
-	if (bank_.empty() || missing <= missing_) {
+	if (bank_.empty() || is_halted_ || missing <= missing_) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s);
@@ -123,7 +126,8 @@ void PhaseEstimator::wait(double t_s) {
 
 void PhaseEstimator::look_for_halt(double x) {
 	if (soundness_.told() && soundness_.fault() == 0.0) {
-		is_halted_ = soundness_.slow_for_s() > HALTED_S && x > AT_START && x < 1.0 - AT_END;
+		const double slow_s = soundness_.unsoundness() < ERRED ? HALTED_S : HALTED_UNSOUND_S;
+		is_halted_ = soundness_.slow_for_s() > slow_s && x > AT_START && x < 1.0 - AT_END;
 	}
 }
 
@@ -150,7 +154,11 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		rest_anew(x);
 		seed(t_s, x);
 	}
-	count_fault(soundness_.fault() - missing_, soundness_.jumped());
+	// That a tracker errs from now on says nothing of whether a hand that had halted has gone on; that it
+	// jumps to the end does.
+	if (!is_halted_ || (soundness_.jumped() && std::abs(x - 1.0) < AT_END)) {
+		count_fault(soundness_.fault() - missing_, soundness_.jumped());
+	}
 	missing_ = 0.0;
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	for (std::size_t i = 1; i < bank_.size(); ++i) {

@@ -25,7 +25,7 @@ public:
 	/// be, by their likelihoods. noise: the tracker's, standard deviation.
 	[[nodiscard]] bool stands(double t_s, double x, double noise) const {
 		if (repeated_ || frames_ < FIRST_FRAMES || t_s - told_.t_s > LONGEST_S || !is_moving() ||
-				std::abs(x - rested_) < BACK_AT_REST || std::abs(x - 1.0) < AT_END) {
+				std::min(std::abs(x - rested_), std::abs(x)) < BACK_AT_REST || std::abs(x - 1.0) < AT_END) {
 			return false;
 		}
 		const double noise_variance = variance(noise);
@@ -46,7 +46,9 @@ public:
 		const double noise_variance = variance(noise);
 		ConstantVelocityState hand = told_.hand_at(t_s);
 		const double off = x - hand.position;
-		if (off * off > OFF_WAY_DEVIATIONS * OFF_WAY_DEVIATIONS * (hand.p00 + noise_variance)) {
+		const bool is_off_way =
+				off * off > OFF_WAY_DEVIATIONS * OFF_WAY_DEVIATIONS * (hand.p00 + noise_variance);
+		if (is_off_way) {
 			hand.position = x;
 			hand.p00 = noise_variance;
 			hand.p01 = 0.0;
@@ -57,7 +59,7 @@ public:
 		top_speed_ = std::max(std::abs(hand.velocity), top_speed_ * std::exp((told_.t_s - t_s) / BRAKES_S));
 		if (std::abs(hand.velocity) > RESTING_PER_S) {
 			slow_since_s_ = t_s;
-		} else if (t_s - slow_since_s_ > RESTING_S) {
+		} else if (t_s - slow_since_s_ > RESTING_S && !is_off_way) {
 			rested_ = x;
 		}
 		before_ = told_;
@@ -77,7 +79,7 @@ private:
 	static constexpr double LONGEST_S = 0.5;
 	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
 	static constexpr double RESTING_S = 0.1;      ///< and are at rest after so long
-	/// A tracker that stops so near to where a hand rested has come back to it.
+	/// A tracker that stops so near to where a hand rested, or starts, has come back to it.
 	static constexpr double BACK_AT_REST = 0.03;
 	static constexpr double AT_END = 0.05; ///< of the way, where hands stop
 	static constexpr double MOVING_DEVIATIONS = 2.0;

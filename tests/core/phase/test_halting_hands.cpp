@@ -144,3 +144,32 @@ TEST_CASE("a hand that halted unseen and goes on is followed to its end") {
 		}
 	}
 }
+
+TEST_CASE("a tracker that jumps and comes back takes no hand along that has halted") {
+	constexpr double PERIOD_S = 0.009, JUMPS_S = 1.6;
+	for (const double share : { 0.3, 0.4, 0.5 }) {
+		for (const double jump : { -0.1, 0.15, 0.25 }) {
+			for (const int frames : { 1, 3, 10, 20 }) {
+				CAPTURE(share);
+				CAPTURE(jump);
+				CAPTURE(frames);
+				const double back_s = JUMPS_S + PERIOD_S * frames;
+				const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.6, .amplitude_m = share };
+				PhaseEstimator estimator(test::drag_model());
+				std::mt19937_64 random(2);
+				std::normal_distribution<double> trembling(0.0, 5e-4);
+				double off = 0.0, off_afterwards = 0.0;
+				for (int frame = 0; PERIOD_S * frame < back_s + 0.5; ++frame) {
+					const double t_s = PERIOD_S * frame;
+					const bool is_off = t_s > JUMPS_S && t_s < back_s;
+					estimator.push(t_s, drag.x_m(t_s) + trembling(random) + (is_off ? jump : 0.0));
+					const double now = std::abs(estimator.at(t_s + 0.5 * PERIOD_S).value - share);
+					off = t_s > JUMPS_S ? std::max(off, now) : 0.0;
+					off_afterwards = t_s > back_s + 0.1 ? std::max(off_afterwards, now) : 0.0;
+				}
+				CHECK(off < 1.1 * std::abs(jump));
+				CHECK(off_afterwards < 0.1);
+			}
+		}
+	}
+}

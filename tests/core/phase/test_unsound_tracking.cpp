@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <utility>
 
@@ -167,6 +168,25 @@ TEST_CASE("a tracker that jumps and slides back takes no hand along that is at r
 					return since_s < 0.0 ? 0.0 : jump * std::exp(-since_s / time_constant_s);
 				});
 				CHECK(off.meanwhile < (at_end ? 0.3 : 0.6) * std::abs(jump));
+				CHECK(off.afterwards < 0.05);
+			}
+		}
+	}
+}
+
+TEST_CASE("a bump of the tracker moves a hand at rest hardly further than it is high") {
+	constexpr double BUMP = 0.2;
+	for (const bool at_end : { false, true }) {
+		for (const double bump_s : { 0.05, 0.1, 0.15, 0.2, 0.3, 0.4 }) {
+			for (const double phase_s : { 0.0, 0.002, 0.004, 0.006, 0.008 }) { // of the frames
+				CAPTURE(at_end);
+				CAPTURE(bump_s);
+				CAPTURE(phase_s);
+				const auto off = furthest_off(at_end, bump_s + 0.2, [&](double since_s) {
+					const double part = (since_s + phase_s) / bump_s;
+					return part < 0.0 || part > 1.0 ? 0.0 : BUMP * std::sin(std::numbers::pi * part);
+				});
+				CHECK(off.meanwhile < 1.5 * BUMP);
 				CHECK(off.afterwards < 0.05);
 			}
 		}
