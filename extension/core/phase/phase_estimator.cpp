@@ -30,10 +30,13 @@ constexpr double OUTLIERS = 0.011;
 constexpr double ALIKE_S = 0.013;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
-/// A hand stands that has been slow for so long, as a tracker sees it that has not, or has, erred of late.
+/// A hand stands that has been slow for so long, as a tracker sees it that has neither erred of late nor
+/// shakes; as another one sees it.
 constexpr double HALTED_S = 0.02;
-constexpr double HALTED_UNSOUND_S = 0.1;
-constexpr double ERRED = 0.2; ///< unsoundness from which on it has
+constexpr double HALTED_UNSURE_S = 0.1;
+constexpr double ERRED = 0.2;    ///< unsoundness from which on it has
+constexpr double SHAKES = 0.003; ///< jitter from which on it does
+constexpr double MOVES_S = 0.05; ///< a hand that moves so soon after a fault moved all the while
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.037;
@@ -126,9 +129,26 @@ void PhaseEstimator::wait(double t_s) {
 
 void PhaseEstimator::look_for_halt(double x) {
 	if (soundness_.told() && soundness_.fault() == 0.0) {
-		const double slow_s = soundness_.unsoundness() < ERRED ? HALTED_S : HALTED_UNSOUND_S;
-		is_halted_ = soundness_.slow_for_s() > slow_s && x > AT_START && x < 1.0 - AT_END;
+		const bool is_sure = soundness_.unsoundness() < ERRED && soundness_.jitter() < SHAKES;
+		is_halted_ = soundness_.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S) && x > AT_START &&
+				x < 1.0 - AT_END;
 	}
+}
+
+/// That a tracker errs from now on says nothing of whether a hand that had halted has gone on; that it then
+/// jumps to the end does, or that it finds a hand which moves.
+void PhaseEstimator::judge_fault(double t_s, double x) {
+	const double fault = soundness_.fault() - missing_;
+	missing_ = 0.0;
+	const bool is_at_end = soundness_.jumped() && std::abs(x - 1.0) < AT_END;
+	if (is_halted_ && !is_at_end) {
+		withheld_ = std::max(withheld_ + fault, 0.0);
+		withheld_s_ = fault > 0.0 ? t_s : withheld_s_;
+		return;
+	}
+	const double withheld = t_s - withheld_s_ < MOVES_S ? withheld_ : 0.0;
+	withheld_ = 0.0;
+	count_fault(fault + withheld, soundness_.jumped());
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
@@ -154,12 +174,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		rest_anew(x);
 		seed(t_s, x);
 	}
-	// That a tracker errs from now on says nothing of whether a hand that had halted has gone on; that it
-	// jumps to the end does.
-	if (!is_halted_ || (soundness_.jumped() && std::abs(x - 1.0) < AT_END)) {
-		count_fault(soundness_.fault() - missing_, soundness_.jumped());
-	}
-	missing_ = 0.0;
+	judge_fault(t_s, x);
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
 		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -no_fault : 0.0);

@@ -46,7 +46,7 @@ public:
 	void reset() {
 		bank_.clear();
 		soundness_ = {};
-		falling_behind_s_ = missing_ = 0.0;
+		falling_behind_s_ = missing_ = withheld_ = 0.0;
 		is_halted_ = false;
 		blend_ = {};
 		acceleration_step_ = 0.0;
@@ -84,6 +84,8 @@ private:
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
 	bool is_halted_ = false;         ///< the hand stands half-way, as it was last seen
+	double withheld_ = 0.0;          ///< faults since then that have not been counted
+	double withheld_s_ = 0.0;        ///< the last of them
 	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
@@ -105,6 +107,7 @@ private:
 	void prune();
 	void absorb(double t_s, double x);
 	void look_for_halt(double x);
+	void judge_fault(double t_s, double x);
 	void count_fault(double fault, bool jumped);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
