@@ -206,11 +206,12 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (t_s - absorbed_s_ < LEAST_FRAME_S) {
 		return;
 	}
+	const double frame_s = t_s - std::max(absorbed_s_, filtered_s_);
 	absorbed_s_ = t_s;
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *
-			-std::expm1((filtered_s_ - t_s) / ERRING_SETTLING_S);
+			-std::expm1(-frame_s / ERRING_SETTLING_S);
 	absorb(t_s, x);
 	prune();
 }
