@@ -1,16 +1,18 @@
 // Hands that stop on their way, before a tracker that is right.
 
+#include "follow.h"
 #include "minimum_jerk_drag.h"
-#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 using namespace steadyhand;
+using test::follow, test::PERIOD_S;
 
 namespace {
 
@@ -35,17 +37,14 @@ Furthest furthest(const Halt &halt, double rate_hz, double noise) {
 	std::mt19937_64 random(2);
 	std::normal_distribution<double> trembling(0.0, noise);
 	Furthest furthest;
-	int frames = 0;
-	for (int ms = 0; ms / 1000.0 < end_s + 1.0; ++ms) {
-		const double t_s = ms / 1000.0;
-		const auto hand = [&](double at_s) { return first.x_m(at_s) + second.x_m(at_s); };
-		for (; frames / rate_hz <= t_s; ++frames) {
-			estimator.push(frames / rate_hz, hand(frames / rate_hz) + trembling(random));
-		}
-		const double off = std::abs(estimator.at(t_s).value - hand(t_s));
+	const auto hand = [&](double t_s) { return first.x_m(t_s) + second.x_m(t_s); };
+	const auto show = [&](double t_s) { return hand(t_s) + trembling(random); };
+	const auto look = [&](double t_s, double value) {
+		const double off = std::abs(value - hand(t_s));
 		furthest.off = std::max(furthest.off, off);
 		furthest.off_last = t_s > end_s + 0.2 ? std::max(furthest.off_last, off) : 0.0;
-	}
+	};
+	follow(estimator, end_s + 1.0, show, look, 1.0 / rate_hz);
 	return furthest;
 }
 
@@ -80,7 +79,6 @@ TEST_CASE("a hand that went its way in two halves stays at its end") {
 }
 
 TEST_CASE("a hand that halted half-way is where it was while nothing is seen, and when it is seen again") {
-	constexpr double PERIOD_S = 0.009;
 	for (const bool freezes : { false, true }) {
 		for (const double share : { 0.3, 0.5, 0.7 }) {
 			for (const double rest_s : { 0.3, 0.6, 1.2 }) {
@@ -96,24 +94,15 @@ TEST_CASE("a hand that halted half-way is where it was while nothing is seen, an
 					std::mt19937_64 random(2);
 					std::normal_distribution<double> trembling(0.0, 5e-4);
 					double shown = 0.0, off = 0.0, off_again = 0.0;
-					int frames = 0;
-					for (int ms = 0; ms / 1000.0 < found_s + 0.5; ++ms) {
-						const double t_s = ms / 1000.0;
+					const auto show = [&](double t_s) -> std::optional<double> {
 						const bool is_lost = t_s > lost_s && t_s < found_s;
-						for (; frames * PERIOD_S <= t_s; ++frames) {
-							shown = is_lost ? shown : drag.x_m(frames * PERIOD_S) + trembling(random);
-							if (!is_lost || freezes) {
-								estimator.push(frames * PERIOD_S, shown);
-							}
-						}
-						if (ms % 10 == 0) {
-							estimator.wait(t_s);
-						}
+						shown = is_lost ? shown : drag.x_m(t_s) + trembling(random);
+						return is_lost && !freezes ? std::nullopt : std::optional(shown);
+					};
+					follow(estimator, found_s + 0.5, show, [&](double t_s, double value) {
 						double &furthest = t_s < found_s ? off : off_again;
-						furthest = t_s > lost_s
-								? std::max(furthest, std::abs(estimator.at(t_s).value - share))
-								: 0.0;
-					}
+						furthest = t_s > lost_s ? std::max(furthest, std::abs(value - share)) : 0.0;
+					});
 					CHECK(off < 0.08);
 					CHECK(off_again < 0.2);
 				}
@@ -133,20 +122,21 @@ TEST_CASE("a hand that halted unseen and goes on is followed to its end") {
 			std::mt19937_64 random(2);
 			std::normal_distribution<double> trembling(0.0, 5e-4);
 			double off = 0.0;
-			for (int frame = 0; frame < 350; ++frame) {
-				const double t_s = 0.009 * frame, hand = first.x_m(t_s) + second.x_m(t_s);
-				if (t_s < 2.0 - unseen_s || t_s > 2.0) {
-					estimator.push(t_s, hand + trembling(random));
-				}
-				off = t_s > 2.1 ? std::max(off, std::abs(estimator.at(t_s).value - hand)) : 0.0;
-			}
+			const auto hand = [&](double t_s) { return first.x_m(t_s) + second.x_m(t_s); };
+			const auto show = [&](double t_s) -> std::optional<double> {
+				const bool is_seen = t_s < 2.0 - unseen_s || t_s > 2.0;
+				return is_seen ? std::optional(hand(t_s) + trembling(random)) : std::nullopt;
+			};
+			follow(estimator, 3.15, show, [&](double t_s, double value) {
+				off = t_s > 2.1 ? std::max(off, std::abs(value - hand(t_s))) : 0.0;
+			});
 			CHECK(off < 0.1);
 		}
 	}
 }
 
 TEST_CASE("a tracker that jumps and comes back takes no hand along that has halted") {
-	constexpr double PERIOD_S = 0.009, JUMPS_S = 1.6;
+	constexpr double JUMPS_S = 1.6;
 	for (const double share : { 0.3, 0.4, 0.5 }) {
 		for (const double jump : { -0.1, 0.15, 0.25 }) {
 			for (const int frames : { 1, 3, 10, 20 }) {
@@ -159,14 +149,15 @@ TEST_CASE("a tracker that jumps and comes back takes no hand along that has halt
 				std::mt19937_64 random(2);
 				std::normal_distribution<double> trembling(0.0, 5e-4);
 				double off = 0.0, off_afterwards = 0.0;
-				for (int frame = 0; PERIOD_S * frame < back_s + 0.5; ++frame) {
-					const double t_s = PERIOD_S * frame;
+				const auto show = [&](double t_s) {
 					const bool is_off = t_s > JUMPS_S && t_s < back_s;
-					estimator.push(t_s, drag.x_m(t_s) + trembling(random) + (is_off ? jump : 0.0));
-					const double now = std::abs(estimator.at(t_s + 0.5 * PERIOD_S).value - share);
+					return drag.x_m(t_s) + trembling(random) + (is_off ? jump : 0.0);
+				};
+				follow(estimator, back_s + 0.5, show, [&](double t_s, double value) {
+					const double now = std::abs(value - share);
 					off = t_s > JUMPS_S ? std::max(off, now) : 0.0;
 					off_afterwards = t_s > back_s + 0.1 ? std::max(off_afterwards, now) : 0.0;
-				}
+				});
 				CHECK(off < 1.1 * std::abs(jump));
 				CHECK(off_afterwards < 0.1);
 			}

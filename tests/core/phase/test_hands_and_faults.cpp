@@ -1,7 +1,7 @@
 // Every kind of hand before every kind of fault, at every point of its way.
 
+#include "follow.h"
 #include "minimum_jerk_drag.h"
-#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ using test::Drag;
 namespace {
 
 // Values in amplitudes.
-constexpr double PERIOD_S = 0.009, LATENCY_S = 0.007, NOISE = 7e-4;
+constexpr double LATENCY_S = 0.007, NOISE = 7e-4;
 constexpr double AFTERWARDS_S = 0.4; ///< the fault is judged for so much longer than it lasts
 
 struct Hand {
@@ -65,35 +66,29 @@ Off off(const Hand &hand, Fault fault, double from_s, double for_s) {
 	std::normal_distribution<double> trembling(0.0, NOISE);
 	double shown = 0.0;
 	Off squares;
-	int frames = 0, instants = 0;
-	for (int ms = 0; ms / 1000.0 < from_s + for_s + AFTERWARDS_S; ++ms) {
-		const double t_s = ms / 1000.0;
-		for (; frames * PERIOD_S <= t_s; ++frames) {
-			const double frame_s = frames * PERIOD_S;
-			const bool errs = frame_s > from_s && frame_s <= from_s + for_s;
-			if (errs && fault == Fault::GAP) {
-				continue;
-			}
-			double x = hand.x(frame_s - LATENCY_S) + trembling(random);
-			if (errs) {
-				x = fault == Fault::FREEZE ? shown : x;
-				x += fault == Fault::JUMP_AHEAD ? 0.25 : (fault == Fault::JUMP_BACK ? -0.25 : 0.0);
-				x += fault == Fault::BUMP ? 0.2 * std::sin(std::numbers::pi * (frame_s - from_s) / for_s)
-										  : 0.0;
-			}
-			shown = x;
-			estimator.push(frame_s, x);
+	int instants = 0;
+	const auto show = [&](double t_s) -> std::optional<double> {
+		const bool errs = t_s > from_s && t_s <= from_s + for_s;
+		if (errs && fault == Fault::GAP) {
+			return std::nullopt;
 		}
-		if (ms % 10 == 0) {
-			estimator.wait(t_s);
+		double x = hand.x(t_s - LATENCY_S) + trembling(random);
+		if (errs) {
+			x = fault == Fault::FREEZE ? shown : x;
+			x += fault == Fault::JUMP_AHEAD ? 0.25 : (fault == Fault::JUMP_BACK ? -0.25 : 0.0);
+			x += fault == Fault::BUMP ? 0.2 * std::sin(std::numbers::pi * (t_s - from_s) / for_s) : 0.0;
 		}
+		shown = x;
+		return x;
+	};
+	test::follow(estimator, from_s + for_s + AFTERWARDS_S, show, [&](double t_s, double value) {
 		if (t_s > from_s) {
-			const double estimated = estimator.at(t_s).value - hand.x(t_s), measured = shown - hand.x(t_s);
+			const double estimated = value - hand.x(t_s), measured = shown - hand.x(t_s);
 			squares.estimate += estimated * estimated;
 			squares.measured += measured * measured;
 			++instants;
 		}
-	}
+	});
 	return { std::sqrt(squares.estimate / instants), std::sqrt(squares.measured / instants) };
 }
 

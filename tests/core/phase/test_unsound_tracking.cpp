@@ -1,5 +1,5 @@
+#include "follow.h"
 #include "minimum_jerk_drag.h"
-#include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ using namespace steadyhand;
 
 namespace {
 
-constexpr double PERIOD_S = 0.009;
+using test::follow, test::PERIOD_S;
 constexpr test::Drag DRAG{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 1.0 };
 
 /// A hand at rest before a sensor that trembles as all do.
@@ -43,20 +43,6 @@ private:
 	std::mt19937_64 random_{ 8 };
 	std::normal_distribution<double> normal_;
 };
-
-/// Shows the estimator what `show` says of each frame, by its time, and tells `look` what it makes of that at
-/// each millisecond.
-template <typename Show, typename Look>
-void follow(PhaseEstimator &r_estimator, double until_s, const Show &show, const Look &look) {
-	int frames = 0;
-	for (int ms = 0; ms < static_cast<int>(std::lround(1000.0 * until_s)); ++ms) {
-		const double t_s = ms / 1000.0;
-		for (; frames * PERIOD_S <= t_s; ++frames) {
-			r_estimator.push(frames * PERIOD_S, show(frames * PERIOD_S));
-		}
-		look(t_s, r_estimator.at(t_s).value);
-	}
-}
 
 /// Of the estimate from a hand at rest, in the second from when its tracker errs.
 struct Off {
