@@ -56,6 +56,20 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	earlier_count_ = 0;
 }
 
+/// Between knots, and after them to now, straight on: also where frames are missing.
+FeaturePlace StrokeFinder::place_on_way(double t_s, const Sample &now) const {
+	const Sample *after = &now;
+	for (std::size_t i = knots_.size(); i > 0; --i) {
+		const Sample &before = knots_[i - 1];
+		if (before.t_s <= t_s) {
+			const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
+			return before.place_m + share * (after->place_m - before.place_m);
+		}
+		after = &before;
+	}
+	return after->place_m;
+}
+
 void StrokeFinder::remember_rest(const Sample &sample) {
 	while (rest_count_ > 0 && rests_[rest_count_ - 1].speed_m_s >= sample.speed_m_s) {
 		--rest_count_;
@@ -113,7 +127,7 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		return;
 	}
 	if (ended_) {
-		begin_anew(newest_);
+		begin_anew(end_);
 	}
 	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
 		return;
@@ -143,6 +157,8 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 		lost_ = strokes_[0];
 		lost_->is_lost = true;
 	}
+	// Where the hand turned unseen, it was last seen nearest to where.
+	end_ = dt_s > PIECE_S ? newest_ : now;
 	newest_ = now;
 	places_.push(now.t_s, now.place_m, WINDOW_S);
 	const FeaturePlace velocity_m_s = places_.slope();
@@ -188,17 +204,17 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 		piece_ = r_sample;
 	}
 	// The speed by which an onset is found is that of half a window ago.
-	const double then_s = r_sample.t_s - 0.5 * WINDOW_S;
+	const double window_s = std::max(WINDOW_S, r_sample.t_s - newest_.t_s);
+	const double then_s = r_sample.t_s - 0.5 * window_s, since_s = then_s - Stroke::REST_S;
 	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
-	const Sample *still = nullptr;
-	for (std::size_t i = knots_.size(); i > 0; --i) {
-		const Sample &before = knots_[i - 1];
-		if (then_s - before.t_s > Stroke::REST_S) {
-			break;
-		}
-		if (then_s >= before.t_s) {
-			still = still != nullptr ? still : &before;
-			r_sample.unrest_m = std::max(r_sample.unrest_m, (still->place_m - before.place_m).norm());
+	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S, r_sample);
+	const auto stray = [&](const FeaturePlace &place_m) {
+		r_sample.unrest_m = std::max(r_sample.unrest_m, (still - place_m).norm());
+	};
+	stray(place_on_way(since_s, r_sample));
+	for (std::size_t i = knots_.size(); i > 0 && knots_[i - 1].t_s >= since_s; --i) {
+		if (knots_[i - 1].t_s <= then_s) {
+			stray(knots_[i - 1].place_m);
 		}
 	}
 	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {

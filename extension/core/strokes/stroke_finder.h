@@ -104,6 +104,7 @@ private:
 	TrembleFilter trembles_;
 	Ring<Frame, PAST> past_;
 	SlopeWindow<FeaturePlace, FRAMES> places_;
+	Sample end_;    ///< of the one under way, should the newest frame end it
 	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
 	Sample piece_;  ///< where the newest straight piece of the way begins; no trembling lengthens the way
 	Ring<Sample, KNOTS> knots_; ///< places some time apart
@@ -132,6 +133,7 @@ private:
 	void remember_stroke(const Sample &onset, const Sample &end);
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
+	[[nodiscard]] FeaturePlace place_on_way(double t_s, const Sample &now) const;
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);
