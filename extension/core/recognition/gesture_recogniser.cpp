@@ -197,14 +197,15 @@ void GestureRecogniser::choose_leader() {
 		lead(likeliest(is_moving));
 		return;
 	}
-	// What has arrived keeps its end until the hand does something else: of tasks on one way the one that the
-	// hand comes to first ends first, and the next one's end is told when the hand gets there.
+	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
+	// on one way the one that the hand comes to first ends first, and the next one's end is told when the
+	// hand gets there.
 	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
 	const double odds = follower()->log_odds(), since_s = follower()->stage_began_s();
 	const int best = likeliest([&](const GestureFollower &other) {
 		const bool is_news = other.stage() != Stage::RESTING && other.stage_began_s() > since_s;
 		if (has_arrived) {
-			return is_news;
+			return is_news && (other.stage() == Stage::ARRIVED || other.log_odds() > 0.0);
 		}
 		return is_moving(other) ? other.log_odds() > odds + SWITCH_MARGIN
 								: is_news && other.log_odds() > odds - SWITCH_MARGIN;

@@ -108,6 +108,25 @@ TEST_CASE("the way back is no gesture, unless the hand has rested at the end") {
 	CHECK(in_the_open(along(X, { DRAG, late }), 6.0).said == times(2, "sideways"));
 }
 
+TEST_CASE("a gesture that has arrived is shown until the hand does what is likelier another one than none") {
+	const Drag next{ .onset_s = 2.0, .duration_s = 0.5, .amplitude_m = 0.1 };
+	for (const double angle : { 0.0, 0.5, 0.6, 0.7 }) { // from upright
+		CAPTURE(angle);
+		const Eigen::Vector3d direction(0.0, std::cos(angle), std::sin(angle));
+		const Way way = [&](double t_s) {
+			return Eigen::Vector3d(DRAG.x_m(t_s) * X + next.x_m(t_s) * direction);
+		};
+		const Events events = in_the_open(way, 2.6);
+		if (angle == 0.0) {
+			CHECK(events.said.back() == "started upright");
+			CHECK(events.last_value_m == doctest::Approx(0.1).epsilon(0.05));
+		} else {
+			CHECK(events.said == times(1, "sideways"));
+			CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
+		}
+	}
+}
+
 TEST_CASE("the motion of every gesture begins and ends without a step") {
 	const Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
 	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
