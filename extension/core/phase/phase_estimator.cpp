@@ -34,9 +34,10 @@ constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as
 /// shakes; as another one sees it.
 constexpr double HALTED_S = 0.02;
 constexpr double HALTED_UNSURE_S = 0.1;
-constexpr double ERRED = 0.2;    ///< unsoundness from which on it has
-constexpr double SHAKES = 0.003; ///< jitter from which on it does
-constexpr double MOVES_S = 0.05; ///< a hand that moves so soon after a fault moved all the while
+constexpr double HALTED_FROM = 0.1; ///< one that is no further may not have begun
+constexpr double ERRED = 0.2;       ///< unsoundness from which on it has
+constexpr double SHAKES = 0.003;    ///< jitter from which on it does
+constexpr double MOVES_S = 0.05;    ///< a hand that moves so soon after a fault moved all the while
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.037;
@@ -130,7 +131,7 @@ void PhaseEstimator::wait(double t_s) {
 void PhaseEstimator::look_for_halt(double x) {
 	if (soundness_.told() && soundness_.fault() == 0.0) {
 		const bool is_sure = soundness_.unsoundness() < ERRED && soundness_.jitter() < SHAKES;
-		is_halted_ = soundness_.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S) && x > AT_START &&
+		is_halted_ = soundness_.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S) && x > HALTED_FROM &&
 				x < 1.0 - AT_END;
 	}
 }
