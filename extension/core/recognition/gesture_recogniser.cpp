@@ -169,7 +169,7 @@ void GestureRecogniser::decide_claims() {
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		if (static_cast<int>(i) == best) {
 			followers_[i]->confirm(time_s_);
-		} else if (followers_[i]->stage() != GestureFollower::Stage::RESTING) {
+		} else {
 			followers_[i]->give_way(time_s_);
 		}
 	}

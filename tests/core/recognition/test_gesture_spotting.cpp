@@ -127,6 +127,22 @@ TEST_CASE("a gesture that has arrived is shown until the hand does what is likel
 	}
 }
 
+TEST_CASE("a stroke that has ended as one gesture is not the beginning of another one") {
+	// An eighth of the longer one, which a hand that stays there could still go on to make.
+	GestureModel shorter = *model("short", X, true);
+	shorter.typical_task.amplitude_m = 0.025;
+	const auto short_model = std::make_shared<const GestureModel>(shorter);
+	for (const double duration_s : { 0.2, 0.35, 0.5, 1.0 }) {
+		CAPTURE(duration_s);
+		GestureRecogniser recogniser({ short_model, models()[0] }, std::nullopt, MotionMode::PHASE);
+		const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.025 };
+		const Events events = watch(recogniser, along(X, { drag }), 1.7);
+		CHECK(std::ranges::count(events.said, "ended short") == 1);
+		CHECK(events.said.back() == "ended short");
+		CHECK(events.last_value_m == doctest::Approx(0.025).epsilon(0.02));
+	}
+}
+
 TEST_CASE("the motion of every gesture begins and ends without a step") {
 	const Drag back{ .onset_s = 2.1, .duration_s = 1.0, .amplitude_m = -0.2 };
 	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
