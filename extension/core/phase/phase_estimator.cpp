@@ -23,6 +23,8 @@ constexpr double FREE_AT_LEAST = 0.0038;
 constexpr double FAULT_LOG_RATIO = 6.0;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
+/// The same of one that errs half-way: to show the hand standing, which it is not.
+constexpr double STANDS_PER_S = 30.0;
 
 constexpr double OUTLIERS = 0.011;
 /// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
@@ -128,11 +130,15 @@ void PhaseEstimator::wait(double t_s) {
 	blend_from(before, t_s);
 }
 
+/// On its way the hand has been seen slow for longer than for_s.
+bool PhaseEstimator::stands(double x, double for_s) const {
+	return soundness_.told() && soundness_.slow_for_s() > for_s && x > HALTED_FROM && x < 1.0 - AT_END;
+}
+
 void PhaseEstimator::look_for_halt(double x) {
 	if (soundness_.told() && soundness_.fault() == 0.0) {
 		const bool is_sure = soundness_.unsoundness() < ERRED && soundness_.jitter() < SHAKES;
-		is_halted_ = soundness_.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S) && x > HALTED_FROM &&
-				x < 1.0 - AT_END;
+		is_halted_ = stands(x, is_sure ? HALTED_S : HALTED_UNSURE_S);
 	}
 }
 
@@ -176,9 +182,10 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		seed(t_s, x);
 	}
 	judge_fault(t_s, x);
-	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
+	const double sound_per_s =
+			FAULTS_PER_S * std::clamp(x, 0.0, 1.0) + (stands(x, HALTED_UNSURE_S) ? STANDS_PER_S : 0.0);
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -no_fault : 0.0);
+		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -sound_per_s * dt_s : 0.0);
 	}
 	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, trust);

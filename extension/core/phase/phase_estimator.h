@@ -106,6 +106,7 @@ private:
 			double onset_deviation_s, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
+	[[nodiscard]] bool stands(double x, double for_s) const;
 	void look_for_halt(double x);
 	void judge_fault(double t_s, double x);
 	void count_fault(double fault, bool jumped);

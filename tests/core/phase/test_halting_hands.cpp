@@ -10,6 +10,7 @@
 #include <cmath>
 #include <optional>
 #include <random>
+#include <string>
 
 using namespace steadyhand;
 using test::follow, test::PERIOD_S;
@@ -161,6 +162,39 @@ TEST_CASE("a tracker that jumps and comes back takes no hand along that has halt
 				CHECK(off < 1.1 * std::abs(jump));
 				CHECK(off_afterwards < 0.1);
 			}
+		}
+	}
+}
+
+TEST_CASE("a hand that halts on its way after a fault stands where it is shown") {
+	struct Fault {
+		std::string name;
+		double length_s;
+		double off; ///< NAN: the tracker repeats itself
+	};
+	for (const Fault &fault : { Fault{ "jump", 0.05, 0.25 }, Fault{ "jump back", 0.05, -0.25 },
+				 Fault{ "short freeze", 0.05, NAN }, Fault{ "freeze", 0.15, NAN } }) {
+		for (const double share : { 0.3, 0.5, 0.6 }) {
+			CAPTURE(fault.name);
+			CAPTURE(share);
+			const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.3 + 0.6 * share, .amplitude_m = share };
+			const double from_s = drag.onset_s + 0.5 * drag.duration_s,
+						 halted_s = drag.onset_s + drag.duration_s;
+			PhaseEstimator estimator(test::drag_model());
+			std::mt19937_64 random(1);
+			std::normal_distribution<double> trembling(0.0, 1e-3);
+			double shown = 0.0, off = 0.0;
+			const auto show = [&](double t_s) -> std::optional<double> {
+				const bool errs = t_s > from_s && t_s < from_s + fault.length_s;
+				if (!errs || !std::isnan(fault.off)) {
+					shown = drag.x_m(t_s) + trembling(random) + (errs ? fault.off : 0.0);
+				}
+				return shown;
+			};
+			follow(estimator, halted_s + 1.0, show, [&](double t_s, double value) {
+				off = t_s > halted_s + 0.5 ? std::max(off, std::abs(value - share)) : 0.0;
+			});
+			CHECK(off < 0.12);
 		}
 	}
 }
