@@ -23,7 +23,7 @@ constexpr double FREE_AT_LEAST = 0.0038;
 constexpr double FAULT_LOG_RATIO = 6.0;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
-/// The same of one that errs half-way: to show the hand standing, which it is not.
+/// The same of one that errs half-way: to show a hand that goes on standing.
 constexpr double STANDS_PER_S = 30.0;
 
 constexpr double OUTLIERS = 0.011;
@@ -182,10 +182,12 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		seed(t_s, x);
 	}
 	judge_fault(t_s, x);
-	const double sound_per_s =
-			FAULTS_PER_S * std::clamp(x, 0.0, 1.0) + (stands(x, HALTED_UNSURE_S) ? STANDS_PER_S : 0.0);
+	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
+	const double standing = stands(x, HALTED_UNSURE_S) ? STANDS_PER_S * dt_s : 0.0;
 	for (std::size_t i = 1; i < bank_.size(); ++i) {
-		bank_.weigh(i, bank_.regime(i) == Regime::UNSOUND ? -sound_per_s * dt_s : 0.0);
+		if (bank_.regime(i) == Regime::UNSOUND) {
+			bank_.weigh(i, -no_fault - (bank_.is_over(i, t_s) ? 0.0 : standing));
+		}
 	}
 	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, trust);
