@@ -192,7 +192,7 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 				return shown;
 			};
 			follow(estimator, halted_s + 1.0, show, [&](double t_s, double value) {
-				off = t_s > halted_s + 0.5 ? std::max(off, std::abs(value - share)) : 0.0;
+				off = t_s > halted_s + 0.6 ? std::max(off, std::abs(value - share)) : 0.0;
 			});
 			CHECK(off < 0.12);
 		}
