@@ -36,7 +36,8 @@ template <class Lose> void check_losses(double rate_hz, const Lose &lose) {
 
 } // namespace
 
-TEST_CASE("a hand that waves makes no gesture, also where frames are missing or frozen") {
+TEST_CASE("a hand that waves makes no gesture, also where frames are missing or frozen" *
+		doctest::test_suite("figures")) {
 	for (const double rate_hz : { 0.5, 0.7, 1.0 }) {
 		const Way way = [&](double t_s) { return waving(rate_hz, t_s); };
 		check_losses(
