@@ -23,7 +23,7 @@ constexpr double FREE_AT_LEAST = 0.0038;
 constexpr double FAULT_LOG_RATIO = 6.0;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
-/// The same of one that errs half-way: to show a hand that goes on standing.
+/// The same of one that errs half-way: to show a hand as standing that goes on.
 constexpr double STANDS_PER_S = 30.0;
 
 constexpr double OUTLIERS = 0.011;

@@ -184,7 +184,7 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 			std::mt19937_64 random(1);
 			std::normal_distribution<double> trembling(0.0, 1e-3);
 			double shown = 0.0, off = 0.0;
-			const auto show = [&](double t_s) -> std::optional<double> {
+			const auto show = [&](double t_s) {
 				const bool errs = t_s > from_s && t_s < from_s + fault.length_s;
 				if (!errs || !std::isnan(fault.off)) {
 					shown = drag.x_m(t_s) + trembling(random) + (errs ? fault.off : 0.0);
