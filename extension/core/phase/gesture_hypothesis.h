@@ -7,6 +7,11 @@
 
 namespace steadyhand {
 
+/// Along the way, in amplitudes: a hand that is no further is where it started,
+inline constexpr double AT_START = 0.15;
+/// and one that is so near to the end is there.
+inline constexpr double AT_END = 0.1;
+
 /// One way in which the frames may have come about: the state of an extended Kalman filter (Bar-Shalom, Li,
 /// Kirubarajan 2001) of
 ///

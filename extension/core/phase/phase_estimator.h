@@ -3,7 +3,9 @@
 #include "gesture/gesture_model.h"
 #include "motion/output_blend.h"
 #include "phase/element_curve.h"
+#include "phase/halted_hand.h"
 #include "phase/hypothesis_bank.h"
+#include "phase/hypothesis_births.h"
 #include "phase/motion_outlook.h"
 #include "soundness/tracking_soundness.h"
 
@@ -46,8 +48,8 @@ public:
 	void reset() {
 		bank_.clear();
 		soundness_ = {};
-		falling_behind_s_ = missing_ = withheld_ = 0.0;
-		is_halted_ = false;
+		halted_ = {};
+		falling_behind_s_ = missing_ = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
 	}
@@ -56,25 +58,20 @@ public:
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
-	static constexpr double AT_START = 0.15; ///< a hand that is no further is where it started, amplitudes
-	static constexpr double AT_END = 0.1;    ///< one that is so near to the end is there
-	static constexpr std::size_t MOST_DURATIONS = PhaseEffort::MOST_DURATIONS;
 	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
-							HypothesisBank::MOST_SLIDING_BACK + 2 * MOST_DURATIONS <=
+							HypothesisBank::MOST_SLIDING_BACK + 2 * PhaseEffort::MOST_DURATIONS <=
 					HypothesisBank::MOST_ADDED,
 			"a jump doubles each, trebles those that are free and on a way, may set one free, lets some "
 			"slide "
 			"back, and seeds; a branching adds fewer");
 
-	const GestureModel *model_;
-	PhaseEffort effort_;
 	ElementCurve curve_;
+	HypothesisBirths births_;
+	double branch_period_s_;
 	double latency_s_;
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
-	std::array<double, MOST_DURATIONS> log_durations_{};
-	std::array<double, MOST_DURATIONS> log_prior_{};
-	double log_duration_deviation_ = 0.0; ///< of each
 	TrackingSoundness soundness_;
+	HaltedHand halted_;
 	HypothesisBank bank_;
 	MotionOutlook outlook_;         ///< of the bank
 	double filtered_s_ = 0.0;       ///< the filters are at this time
@@ -83,38 +80,20 @@ private:
 	double seen_s_ = 0.0;           ///< the tracker was last not frozen
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double next_branch_s_ = 0.0;
-	bool is_halted_ = false;         ///< the hand stands half-way, as it was last seen
-	double withheld_ = 0.0;          ///< faults since then that have not been counted
-	double withheld_s_ = 0.0;        ///< the last of them
-	double missing_ = 0.0;           ///< fault of the gap since then that has been counted
+	double missing_ = 0.0;           ///< fault of the gap since the last frame that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d);
-	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, is_halted_); }
+	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, halted_.is_halted()); }
 	void branch_until(double t_s);
-	void branch(double t_s);
-	void come_to_rest();
-	void come_to_end(double t_s);
-	void set_free(double t_s);
-	void set_free_unseen(double t_s);
-	[[nodiscard]] std::size_t likeliest_on_its_way() const;
-	void choose_rest();
-	void rest_anew(double x);
-	void seed(double t_s, double x);
-	void start(const GestureHypothesis &at_rest, std::size_t duration, Regime regime, double onset_s,
-			double onset_deviation_s, double log_probability);
 	void prune();
 	void absorb(double t_s, double x);
-	[[nodiscard]] bool stands(double x, double for_s) const;
-	void look_for_halt(double x);
-	void judge_fault(double t_s, double x);
-	void count_fault(double fault, bool jumped);
+	void count_frame(double t_s, double dt_s, double x);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
 	/// The estimate at t_s without what is blended in.
 	[[nodiscard]] PhaseEstimate expected(double t_s) const;
-	[[nodiscard]] double probability(Regime regime) const;
 	/// Keeps the output where `before` had it.
 	void blend_from(const PhaseEstimate &before, double t_s);
 };

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "phase/gesture_hypothesis.h"
+#include "soundness/tracking_soundness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+
+/// Whether the hand has halted half-way, as it was last seen, and which faults speak of it then: that a
+/// tracker errs from now on says nothing of whether the hand has gone on; that it jumps to the end does, or
+/// that it soon finds a hand which moves.
+class HaltedHand {
+public:
+	/// x: what the newest frame shows, in amplitudes.
+	void look(const TrackingSoundness &soundness, double x) {
+		is_halted_ = soundness.told() && soundness.fault() == 0.0 ? has_halted(soundness, x) : is_halted_;
+	}
+	/// It stays where it was seen, whatever is not seen.
+	[[nodiscard]] bool is_halted() const { return is_halted_; }
+	/// On its way the hand has been slow for so long that no tracker's error makes it seem so.
+	[[nodiscard]] static bool is_standing(const TrackingSoundness &soundness, double x) {
+		return is_slow(soundness, x, HALTED_UNSURE_S);
+	}
+
+	/// What counts by now of a frame's fault and of those that did not count before.
+	double counted(double t_s, double fault, bool is_jump_to_end) {
+		if (is_halted_ && !is_jump_to_end) {
+			withheld_ = std::max(withheld_ + fault, 0.0);
+			withheld_s_ = fault > 0.0 ? t_s : withheld_s_;
+			return 0.0;
+		}
+		const double withheld = t_s - withheld_s_ < MOVES_S ? withheld_ : 0.0;
+		withheld_ = 0.0;
+		return fault + withheld;
+	}
+
+private:
+	/// A hand stands that has been slow for so long, as a tracker sees it that has neither erred of late nor
+	/// shakes; as another one sees it.
+	static constexpr double HALTED_S = 0.02;
+	static constexpr double HALTED_UNSURE_S = 0.1;
+	static constexpr double HALTED_FROM = 0.1; ///< one that is no further may not have begun
+	static constexpr double ERRED = 0.2;       ///< unsoundness from which on it has
+	static constexpr double SHAKES = 0.003;    ///< jitter from which on it does
+	static constexpr double MOVES_S = 0.05; ///< a hand that moves so soon after a fault moved all the while
+
+	bool is_halted_ = false;
+	double withheld_ = 0.0;   ///< faults since it halted that have not been counted
+	double withheld_s_ = 0.0; ///< the last of them
+
+	static bool is_slow(const TrackingSoundness &soundness, double x, double for_s) {
+		return soundness.told() && soundness.slow_for_s() > for_s && x > HALTED_FROM && x < 1.0 - AT_END;
+	}
+	static bool has_halted(const TrackingSoundness &soundness, double x) {
+		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;
+		return is_slow(soundness, x, is_sure ? HALTED_S : HALTED_UNSURE_S);
+	}
+};
+
+} // namespace steadyhand

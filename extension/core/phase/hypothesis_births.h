@@ -1,0 +1,43 @@
+#pragma once
+
+#include "gesture/gesture_model.h"
+#include "phase/hypothesis_bank.h"
+#include "soundness/tracking_soundness.h"
+
+#include <array>
+#include <cstddef>
+
+namespace steadyhand {
+
+/// Which hypotheses come from which: how a hand begins, turns to something else, leaves the gesture's end and
+/// comes to rest, and what of that it may have done while it was not seen.
+class HypothesisBirths {
+public:
+	/// model must outlive this.
+	HypothesisBirths(const GestureModel &model, const PhaseEffort &effort);
+
+	/// The hand was seen, and may have changed what it does, in the branch period that ends at t_s.
+	void branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
+	/// The tracker has come back at t_s: a hand that had made the gesture may have left the end meanwhile.
+	void leave_unseen(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
+	/// The tracker has come back, or has jumped, and shows x at t_s: the hand may have begun since it was
+	/// last seen, or been at rest until then, whatever the tracker showed.
+	void seed(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s, double x) const;
+
+private:
+	const GestureModel *model_;
+	double period_s_;
+	std::size_t durations_;
+	std::array<double, PhaseEffort::MOST_DURATIONS> log_durations_{};
+	std::array<double, PhaseEffort::MOST_DURATIONS> log_prior_{};
+	double log_duration_deviation_ = 0.0; ///< of each
+
+	void start(HypothesisBank &r_bank, const GestureHypothesis &at_rest, std::size_t duration, Regime regime,
+			double onset_s, double onset_deviation_s, double log_probability) const;
+	void begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
+	void come_to_rest(HypothesisBank &r_bank) const;
+	void come_to_end(HypothesisBank &r_bank, double t_s) const;
+	void set_free(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
+};
+
+} // namespace steadyhand
