@@ -21,7 +21,6 @@ constexpr double ENDED_PER_S = 2.0;    ///< how soon one that is at the end has 
 constexpr double ENDED_PHASE = 2.0;    ///< over for long
 constexpr double LONGEST_S = 8.0;      ///< that a hand which was not seen may have been free
 constexpr double UNSOUND_PRIOR = 0.16; ///< of the regime UNSOUND where nothing wrong has been seen
-constexpr double SEEDED_FROM = 0.08;   ///< nearer to the start than that, a hand at rest explains it as well
 constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
@@ -64,17 +63,6 @@ void choose_rest(HypothesisBank &r_bank) {
 				r_bank.log_weight(i) > r_bank.log_weight(HypothesisBank::AT_REST)) {
 			r_bank.swap(i, HypothesisBank::AT_REST);
 		}
-	}
-}
-
-/// The tracker may have been astray until now, and the hand at rest: where that had been given up for what
-/// the tracker showed, gestures and rest begin with it again.
-void rest_anew(HypothesisBank &r_bank, double x) {
-	const double log_weight = r_bank.greatest_log_weight() + LED_ASTRAY;
-	if (r_bank.log_weight(HypothesisBank::AT_REST) < log_weight) {
-		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < AT_START ? x : 0.0);
-		at_rest.log_weight = log_weight;
-		r_bank.set(HypothesisBank::AT_REST, at_rest);
 	}
 }
 
@@ -182,10 +170,18 @@ void HypothesisBirths::leave_unseen(
 	}
 }
 
+void HypothesisBirths::rest_anew(HypothesisBank &r_bank, double x) {
+	const double log_weight = r_bank.greatest_log_weight() + LED_ASTRAY;
+	if (r_bank.log_weight(HypothesisBank::AT_REST) < log_weight) {
+		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < AT_START ? x : 0.0);
+		at_rest.log_weight = log_weight;
+		r_bank.set(HypothesisBank::AT_REST, at_rest);
+	}
+}
+
 /// Hypotheses that began since the hand was last seen have come as far as x.
 void HypothesisBirths::seed(
 		HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s, double x) const {
-	rest_anew(r_bank, x);
 	if (x < SEEDED_FROM) {
 		return;
 	}

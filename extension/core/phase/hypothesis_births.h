@@ -16,12 +16,16 @@ public:
 	/// model must outlive this.
 	HypothesisBirths(const GestureModel &model, const PhaseEffort &effort);
 
+	/// The tracker has come back or jumped, and shows x: it may have been astray until now, and the hand at
+	/// rest. Where that had been given up for what the tracker showed, it counts again.
+	static void rest_anew(HypothesisBank &r_bank, double x);
 	/// The hand was seen, and may have changed what it does, in the branch period that ends at t_s.
 	void branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
 	/// The tracker has come back at t_s: a hand that had made the gesture may have left the end meanwhile.
 	void leave_unseen(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
-	/// The tracker has come back, or has jumped, and shows x at t_s: the hand may have begun since it was
-	/// last seen, or been at rest until then, whatever the tracker showed.
+	/// A hand at rest that is seen no nearer to the start than this had begun before.
+	static constexpr double SEEDED_FROM = 0.08;
+	/// At t_s the hand is seen at x: it may have begun since it was last seen.
 	void seed(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s, double x) const;
 
 private:

@@ -24,7 +24,8 @@ constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as
 
 /// Without news of the hand for so long nothing branches off: what it begins is seeded.
 constexpr double BLIND_S = 0.05;
-constexpr double LONGEST_S = 8.0; ///< what branched off before that no longer matters
+constexpr double SPARSE_S = 0.015; ///< closer frames see every hand set out
+constexpr double LONGEST_S = 8.0;  ///< what branched off before that no longer matters
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.037;
@@ -39,6 +40,7 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &eff
 void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = told_s_ = t_s;
+	told_x_ = d;
 	filtered_s_ = t_s;
 	absorbed_s_ = -std::numeric_limits<double>::infinity();
 	back_s_ = INFINITY;
@@ -103,13 +105,24 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	}
 	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
 	told_s_ = soundness_.told() ? t_s : told_s_;
-	if (soundness_.jumped() || soundness_.returned()) {
+	const bool is_back = soundness_.jumped() || soundness_.returned();
+	if (is_back) {
+		HypothesisBirths::rest_anew(bank_, x);
+	}
+	if (is_back || sets_out_unseen(step_s, x)) {
 		births_.seed(bank_, soundness_, t_s, x);
 	}
+	told_x_ = soundness_.told() ? x : told_x_;
 	count_frame(t_s, dt_s, x);
 	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, { OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) });
 	}
+}
+
+/// Between two frames of a slow camera a quick hand gets further than any that had just begun.
+bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
+	constexpr double FROM = HypothesisBirths::SEEDED_FROM;
+	return soundness_.told() && step_s > SPARSE_S && told_x_ < FROM && x - told_x_ > FROM;
 }
 
 /// What a frame says by being at fault, or not.

@@ -79,6 +79,7 @@ private:
 	double absorbed_s_ = -INFINITY; ///< when a frame was last used
 	double seen_s_ = 0.0;           ///< the tracker was last not frozen
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
+	double told_x_ = 0.0;           ///< where that was
 	double next_branch_s_ = 0.0;
 	double missing_ = 0.0;           ///< fault of the gap since the last frame that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
@@ -89,6 +90,7 @@ private:
 	void branch_until(double t_s);
 	void prune();
 	void absorb(double t_s, double x);
+	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
 	void count_frame(double t_s, double dt_s, double x);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }

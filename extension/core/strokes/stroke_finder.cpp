@@ -17,6 +17,9 @@ constexpr double STILL_PER_S = 6.5;
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
+/// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
+constexpr double WATCH_SHARE = 0.8;
+constexpr double LONGEST_WATCH_S = 1.5;
 /// Between two halves of one gesture the hand rests no longer than this.
 constexpr double HESITATION_S = 0.6;
 
@@ -43,7 +46,7 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	rest_count_ = 0;
 	piece_ = newest_;
 	knots_.clear();
-	knots_.push(newest_);
+	knots_.push({ t_s, newest_.place_m });
 	last_s_ = t_s;
 	last_m_ = place_m;
 	steps_.restart();
@@ -57,10 +60,10 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 }
 
 /// Between knots, and after them to now, straight on: also where frames are missing.
-FeaturePlace StrokeFinder::place_on_way(double t_s, const Sample &now) const {
-	const Sample *after = &now;
+FeaturePlace StrokeFinder::place_on_way(double t_s, const Frame &now) const {
+	const Frame *after = &now;
 	for (std::size_t i = knots_.size(); i > 0; --i) {
-		const Sample &before = knots_[i - 1];
+		const Frame &before = knots_[i - 1];
 		if (before.t_s <= t_s) {
 			const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
 			return before.place_m + share * (after->place_m - before.place_m);
@@ -185,13 +188,16 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 
 void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 	strokes_[0] = between(onset, now, peak_m_s_);
+	watch_longer(strokes_[0]);
 	stroke_count_ = 1;
 	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
 	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
 		for (std::size_t i = earlier_count_; i > 0; --i) {
 			const Earlier &earlier = earlier_[i - 1];
-			strokes_[stroke_count_] = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
-			strokes_[stroke_count_++].is_joined = goes_on || i < earlier_count_;
+			Stroke &stroke = strokes_[stroke_count_++];
+			stroke = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
+			stroke.is_joined = goes_on || i < earlier_count_;
+			watch_longer(stroke);
 		}
 	}
 }
@@ -207,18 +213,33 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 	const double window_s = std::max(WINDOW_S, r_sample.t_s - newest_.t_s);
 	const double then_s = r_sample.t_s - 0.5 * window_s, since_s = then_s - Stroke::REST_S;
 	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
-	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S, r_sample);
-	const auto stray = [&](const FeaturePlace &place_m) {
-		r_sample.unrest_m = std::max(r_sample.unrest_m, (still - place_m).norm());
-	};
-	stray(place_on_way(since_s, r_sample));
+	const Frame now{ r_sample.t_s, r_sample.place_m };
+	r_sample.unrest_m = unrest_m(since_s, then_s, now);
+	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
+		knots_.push(now);
+	}
+}
+
+/// How far the hand was from where it was at then_s, at most, since then.
+double StrokeFinder::unrest_m(double since_s, double then_s, const Frame &now) const {
+	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S, now);
+	double stray_m2 = (still - place_on_way(since_s, now)).squaredNorm();
 	for (std::size_t i = knots_.size(); i > 0 && knots_[i - 1].t_s >= since_s; --i) {
 		if (knots_[i - 1].t_s <= then_s) {
-			stray(knots_[i - 1].place_m);
+			stray_m2 = std::max(stray_m2, (still - knots_[i - 1].place_m).squaredNorm());
 		}
 	}
-	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
-		knots_.push(r_sample);
+	return std::sqrt(stray_m2);
+}
+
+/// A hand that wanders slowly hardly moves for a while where it turns.
+void StrokeFinder::watch_longer(Stroke &r_stroke) const {
+	const double watch_s = std::min(WATCH_SHARE * (r_stroke.now_s - r_stroke.onset_s), LONGEST_WATCH_S);
+	if (watch_s > Stroke::REST_S) {
+		const double then_s = r_stroke.onset_s - 0.5 * WINDOW_S;
+		const double since_s = std::max(then_s - watch_s, seen_since_s_);
+		r_stroke.unrest_m =
+				std::max(r_stroke.unrest_m, unrest_m(since_s, then_s, { newest_.t_s, newest_.place_m }));
 	}
 }
 

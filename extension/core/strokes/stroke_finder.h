@@ -75,7 +75,7 @@ private:
 	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken
 	static constexpr std::size_t PAST = 256;
 	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
-	static constexpr std::size_t KNOTS = 16;  ///< more than REST_S of them
+	static constexpr std::size_t KNOTS = 128; ///< of slow strokes too, with what was before them
 	static constexpr std::size_t EARLIER = 5;
 
 	struct Sample {
@@ -107,7 +107,7 @@ private:
 	Sample end_;    ///< of the one under way, should the newest frame end it
 	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
 	Sample piece_;  ///< where the newest straight piece of the way begins; no trembling lengthens the way
-	Ring<Sample, KNOTS> knots_; ///< places some time apart
+	Ring<Frame, KNOTS> knots_; ///< places some time apart, scaled
 	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
 	std::array<Sample, RESTS> rests_{};
 	std::size_t rest_count_ = 0;
@@ -133,7 +133,9 @@ private:
 	void remember_stroke(const Sample &onset, const Sample &end);
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
-	[[nodiscard]] FeaturePlace place_on_way(double t_s, const Sample &now) const;
+	void watch_longer(Stroke &r_stroke) const;
+	[[nodiscard]] double unrest_m(double since_s, double then_s, const Frame &now) const;
+	[[nodiscard]] FeaturePlace place_on_way(double t_s, const Frame &now) const;
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);

@@ -12,6 +12,8 @@ namespace steadyhand {
 enum class Joint : std::uint8_t { THUMB, INDEX, MIDDLE, RING, PINKY, PALM, WRIST };
 
 inline constexpr std::size_t JOINT_COUNT = 7;
+/// No coordinate of a file is further from its origin, m: what is, is no place.
+inline constexpr double FARTHEST_M = 1e9;
 
 /// One moment of a tracked hand. Positions in metres, x right, y up, -z forward (Godot's convention); time in
 /// seconds on the device's own clock.

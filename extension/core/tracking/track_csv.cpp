@@ -16,7 +16,6 @@ constexpr std::array<std::string_view, JOINT_COUNT> JOINT_NAMES = { "thumb", "in
 constexpr std::string_view AXES = "xyz";
 
 // Beyond these a number is no hand's: a column of another unit or a damaged file.
-constexpr double POSITION_MAX_M = 1e9;
 constexpr double TIME_MAX_S = 1e12;
 
 enum class ColumnKind : std::uint8_t { TIME, COORDINATE, CONFIDENCE, UNKNOWN };
@@ -159,7 +158,7 @@ private:
 				continue;
 			}
 			const bool is_time = column.kind == ColumnKind::TIME;
-			const Result<double> number = parse_number(cells_[i], is_time ? TIME_MAX_S : POSITION_MAX_M);
+			const Result<double> number = parse_number(cells_[i], is_time ? TIME_MAX_S : FARTHEST_M);
 			if (!number) {
 				return error(header_.names[i], number.error());
 			}

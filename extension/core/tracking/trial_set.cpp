@@ -1,6 +1,7 @@
 #include "tracking/trial_set.h"
 
 #include "tracking/csv_text.h"
+#include "tracking/frame.h"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +36,6 @@ constexpr std::array<std::string_view, COLUMN_COUNT> COLUMN_NAMES = { "trial", "
 	"amplitude_m" };
 
 constexpr double TIME_MAX_S = 1e12;
-constexpr double POSITION_MAX_M = 1e9;
 constexpr double UNIT_LENGTH_TOLERANCE = 1e-3; // files print axes to a few decimals
 constexpr std::size_t FILE_NAME_MAX = 200;     // leaves room for ".reference.csv" in the usual 255 bytes
 
@@ -183,7 +183,7 @@ private:
 		for (std::size_t i = 0; i < numbers.size(); ++i) {
 			const auto column = static_cast<ColumnIndex>(START_X + i);
 			if (is_filled_by(column, cells)) {
-				if (auto wrong = read_number(column, POSITION_MAX_M, *numbers[i])) {
+				if (auto wrong = read_number(column, FARTHEST_M, *numbers[i])) {
 					return wrong;
 				}
 			} else if (!cell(column).empty()) {

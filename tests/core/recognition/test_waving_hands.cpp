@@ -1,7 +1,10 @@
 // A hand that waves makes strokes as straight and as long as a drag, one into the next: only that it never
-// rests says that they are none. Frames that are missing must not look like rest.
+// rests says that they are none. Frames that are missing must not look like rest, nor the turns of a hand
+// that wanders slowly.
 
 #include "gesture_events.h"
+
+#include "simulation/oscillation.h"
 
 #include <doctest/doctest.h>
 
@@ -46,5 +49,24 @@ TEST_CASE("a hand that waves makes no gesture, also where frames are missing or 
 			GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
 			return watch(recogniser, frozen, 6.0, 1e9, 1e9, 110.0, 0.0);
 		});
+	}
+}
+
+TEST_CASE("a hand that wanders slowly makes hardly a gesture" * doctest::test_suite("figures")) {
+	constexpr int HANDS = 24;
+	constexpr double SECONDS = 30.0;
+	for (const double deviation_m : { 0.05, 0.1 }) {
+		CAPTURE(deviation_m);
+		std::size_t ends = 0;
+		for (int hand = 0; hand < HANDS; ++hand) {
+			Random random(static_cast<std::uint64_t>(hand));
+			const Oscillation wandering(0.1, 0.3, deviation_m, random);
+			const Way way = [&](double t_s) -> Eigen::Vector3d { return wandering.at(t_s); };
+			for (const std::string &said : in_the_open(way, SECONDS).said) {
+				ends += said.starts_with("ended") ? 1 : 0;
+			}
+		}
+		// 0.2 a minute are asked for of motion at random.
+		CHECK(static_cast<double>(ends) <= 0.2 * HANDS * SECONDS / 60.0);
 	}
 }
