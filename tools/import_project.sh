@@ -2,7 +2,7 @@
 # import_project.sh GODOT PROJECT: has the editor import PROJECT and find its extension, if a file of it has changed.
 set -euo pipefail
 godot=$1 project=$2
-stamp=$project/.godot/imported
+stamp=$project/.godot/steadyhand_imported # `imported` is the engine's own folder
 if [[ -f $stamp ]] && [[ -z $(find "$project" -path "$project/.godot" -prune -o -newer "$stamp" -type f -print -quit) ]]; then
 	exit 0
 fi

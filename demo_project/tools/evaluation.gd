@@ -59,6 +59,8 @@ func run(
 			broken += 1
 		else:
 			report.add(trial, trial_run)
+			if not trial_run.note.is_empty():
+				printerr("trial %s: %s" % [trial["trial"], trial_run.note])
 			if trial["gesture"] != TrialRun.NO_GESTURE and trial_run.figures.is_empty():
 				var missing := [trial["trial"], trial["gesture"], settings["models"]]
 				printerr("trial %s has no figures: no model of '%s' in %s" % missing)

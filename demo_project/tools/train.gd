@@ -92,7 +92,28 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	if saved != OK:
 		printerr("train: cannot write %s: %s" % [out_file, error_string(saved)])
 		return false
-	print("wrote %s, by %s" % [out_file, model.get_feature()])
+	var kept := trainer.get_recordings().filter(
+		func(recording: Dictionary) -> bool: return recording["kept"]
+	)
+	var of := 0
+	for i in trial_set.get_count():
+		of += 1 if trial_set.get_trial(i)["gesture"] == gesture else 0
+	print(
+		(
+			"wrote %s, by %s, from %d of %d recordings"
+			% [out_file, model.get_feature(), kept.size(), of]
+		)
+	)
+	if 2 * kept.size() < of:
+		printerr(
+			(
+				(
+					"train: most recordings of '%s' are not like their mean, or do not move; "
+					+ "check their times, and the feature"
+				)
+				% gesture
+			)
+		)
 	return true
 
 

@@ -19,6 +19,8 @@ const LONGEST_RECORD_S := 6.0 * 3600.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
+## What is odd about the trial, which is judged all the same; empty when nothing is.
+var note := ""
 ## The gesture that was recognised to its end, NO_GESTURE where there was none.
 var recognised := NO_GESTURE
 ## Each gesture that was recognised to its end, right or wrong: {gesture, time_s}.
@@ -69,6 +71,9 @@ func run(
 	var tracker := _make_tracker(measured_path)
 	if tracker == null:
 		return
+	if not _overlaps(tracker, measured_path):
+		tracker.free()
+		return
 	var task := _make_task() if has_task else null
 	var hmm := GestureHMM.new()
 	hmm.mode = mode
@@ -87,6 +92,8 @@ func run(
 		recognised = hmm.recognised
 	if not own.is_empty():
 		_compare()
+		if curves["measured"].count(0.0) == count:
+			note = "the hand is never seen by %s: %s" % [own[0].feature, measured_path]
 
 	for node: Node in [hmm, task, tracker]:
 		if node != null:
@@ -131,6 +138,21 @@ func _span(reference_path: String) -> bool:
 			% [start_s, end_s, begin_ms / RATE_HZ, end_ms / RATE_HZ, reference_path]
 		)
 	return error.is_empty()
+
+
+## Another clock's frames would count as a hand that is never there.
+func _overlaps(tracker: HandTracker, measured_path: String) -> bool:
+	var begin_s := tracker.get_start_time()
+	var end_s := begin_s + tracker.get_duration()
+	var from_s := first_ms / RATE_HZ
+	var to_s := from_s + count / RATE_HZ
+	if begin_s <= to_s and end_s >= from_s:
+		return true
+	error = (
+		"its measured track, %.6f .. %.6f s, is not on the clock of its reference, %.6f .. %.6f s: %s"
+		% [begin_s, end_s, from_s, to_s, measured_path]
+	)
+	return false
 
 
 func _measure_reference(reference_path: String, feature: String) -> bool:

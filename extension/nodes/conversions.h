@@ -46,6 +46,12 @@ inline Eigen::Vector3d to_core(const Vector3 &p_vector) {
 		static_cast<double>(p_vector.z) };
 }
 
+/// Whether it is one of an enum of 0..p_last: scripts can give any number.
+template <class Enum> constexpr bool is_enumerator(Enum p_value, Enum p_last) {
+	const auto number = static_cast<int64_t>(p_value);
+	return number >= 0 && number <= static_cast<int64_t>(p_last);
+}
+
 /// Valid as long as the array is unchanged.
 inline std::span<const double> to_core(const PackedFloat64Array &p_numbers) {
 	return { p_numbers.ptr(), static_cast<std::size_t>(p_numbers.size()) };

@@ -1,5 +1,7 @@
 #include "gesture_hmm.h"
 
+#include "conversions.h"
+
 #include "recognition/gesture_recogniser.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -123,26 +125,29 @@ void GestureHMM::publish() {
 	if (!listeners_.empty()) {
 		listeners_.call(&MotionListener::on_motion, motion_at(instant_s));
 	}
+	// What was recognised before a script changed settings is no news after that.
+	const uint64_t this_build = build_;
+	const auto is_valid = [&] { return build_ == this_build && !outdated_; };
 	if (aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
-	if (started) {
+	if (started && is_valid()) {
 		emit_signal(names_.gesture_started, gesture);
 	}
-	if (state_changed) {
+	if (state_changed && is_valid()) {
 		emit_signal(names_.state_changed, state);
 	}
-	if (ended) {
+	if (ended && is_valid()) {
 		emit_signal(names_.gesture_ended, gesture, instant_s);
 	}
-	if (has_connections(names_.motion_updated)) {
+	if (is_valid() && has_connections(names_.motion_updated)) {
 		emit_signal(names_.motion_updated, instant_s);
 	}
 }
 
 steadyhand::Motion GestureHMM::current(Motion p_motion, double p_time_s) const {
 	return recogniser_ && !outdated_ ? recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion),
-											   std::max(p_time_s, recogniser_->time_s()))
+											   std::max(recogniser_->time_s(), p_time_s))
 									 : steadyhand::Motion{};
 }
 
@@ -200,7 +205,7 @@ double GestureHMM::get_confidence() const {
 }
 
 double GestureHMM::get_motion_value(Motion p_motion) const {
-	ERR_FAIL_INDEX_V(static_cast<int>(p_motion), MOTION_KALMAN + 1, 0.0);
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_motion, MOTION_KALMAN), 0.0, "GestureHMM: there is no such motion");
 	return current(p_motion).value_m;
 }
 

@@ -46,13 +46,15 @@ public:
 	void set_tracker(HandTracker *p_tracker);
 	HandTracker *get_tracker() const { return tracker_; }
 	void set_tasks(const TypedArray<GestureTask> &p_tasks);
-	TypedArray<GestureTask> get_tasks() const { return tasks_; }
+	/// A copy: what a script changes in it takes effect when it is set.
+	TypedArray<GestureTask> get_tasks() const;
 	/// The only one, or none.
 	void set_task(GestureTask *p_task);
 	/// The first, or none.
 	GestureTask *get_task() const { return tasks_.is_empty() ? nullptr : task_at(0); }
 	void set_models(const TypedArray<GestureModel> &p_models);
-	TypedArray<GestureModel> get_models() const { return models_; }
+	/// A copy as well.
+	TypedArray<GestureModel> get_models() const { return models_.duplicate(); }
 	void set_mode(Mode p_mode);
 	Mode get_mode() const { return mode_; }
 	void set_quality(Quality p_quality);
@@ -155,6 +157,8 @@ private:
 	void warn_of_silence();
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
 	String place_fault(const GestureTask &p_task) const;
+	/// Of a gesture that needs a task and has none; empty where there is no such.
+	String taskless_fault() const;
 	void run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.

@@ -2,6 +2,7 @@
 
 #include "gesture_hmm.h"
 
+#include "conversions.h"
 #include "gesture_task.h"
 #include "hand_tracker.h"
 
@@ -44,7 +45,7 @@ void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		connect_changed(models_[i], callable, false);
 	}
-	models_ = p_models;
+	models_ = p_models.duplicate();
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		connect_changed(models_[i], callable, true);
 	}
@@ -68,7 +69,7 @@ void GestureHMM::on_settings_changed() {
 }
 
 void GestureHMM::set_mode(Mode p_mode) {
-	ERR_FAIL_INDEX(static_cast<int>(p_mode), MODE_PAPER + 1);
+	ERR_FAIL_COND_MSG(!is_enumerator(p_mode, MODE_PAPER), "GestureHMM: mode must be a Mode");
 	if (mode_ != p_mode) {
 		mode_ = p_mode;
 		on_settings_changed();
@@ -76,7 +77,7 @@ void GestureHMM::set_mode(Mode p_mode) {
 }
 
 void GestureHMM::set_quality(Quality p_quality) {
-	ERR_FAIL_INDEX(static_cast<int>(p_quality), QUALITY_ACCURATE + 1);
+	ERR_FAIL_COND_MSG(!is_enumerator(p_quality, QUALITY_ACCURATE), "GestureHMM: quality must be a Quality");
 	if (quality_ != p_quality) {
 		quality_ = p_quality;
 		on_settings_changed();
@@ -84,7 +85,7 @@ void GestureHMM::set_quality(Quality p_quality) {
 }
 
 void GestureHMM::set_motion(Motion p_motion) {
-	ERR_FAIL_INDEX(static_cast<int>(p_motion), MOTION_KALMAN + 1);
+	ERR_FAIL_COND_MSG(!is_enumerator(p_motion, MOTION_KALMAN), "GestureHMM: motion must be a Motion");
 	motion_ = p_motion;
 }
 
@@ -122,6 +123,9 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 		} else if (const String fault = place_fault(*task); fault != String()) {
 			warnings.push_back(fault);
 		}
+	}
+	if (const String fault = taskless_fault(); fault != String()) {
+		warnings.push_back(fault);
 	}
 	if (has_empty) {
 		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
@@ -164,7 +168,8 @@ void GestureHMM::_bind_methods() {
 			"set_tracker", "get_tracker");
 	const String task_hint =
 			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_NODE_TYPE) + ":GestureTask";
-	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "tasks", PROPERTY_HINT_ARRAY_TYPE, task_hint), "set_tasks",
+	// Of an array of nodes a scene file holds the paths, where this hint says so.
+	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "tasks", PROPERTY_HINT_TYPE_STRING, task_hint), "set_tasks",
 			"get_tasks");
 	const String model_hint =
 			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_RESOURCE_TYPE) + ":GestureModel";

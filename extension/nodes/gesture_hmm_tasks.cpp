@@ -124,6 +124,9 @@ void GestureHMM::warn_of_silence() {
 			warning = String("GestureHMM: ") + fault;
 		}
 	}
+	if (warning == String() && taskless_fault() != String()) {
+		warning = String("GestureHMM: ") + taskless_fault();
+	}
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(warning);
 	}
@@ -153,6 +156,18 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 	return String();
 }
 
+String GestureHMM::taskless_fault() const {
+	for (const Expected &one : find_expected()) {
+		if (!one.place && steadyhand::find_feature(one.model->feature)->place == nullptr) {
+			return String("Add a GestureTask of '") + String(one.gesture) +
+					String("' to \"tasks\": its motion is measured about the task's start, and without one "
+						   "it "
+						   "is not recognised.");
+		}
+	}
+	return String();
+}
+
 bool GestureHMM::has_model_of(const StringName &p_gesture) const {
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
@@ -171,12 +186,16 @@ void GestureHMM::set_task(GestureTask *p_task) {
 	set_tasks(tasks);
 }
 
+TypedArray<GestureTask> GestureHMM::get_tasks() const {
+	return tasks_.duplicate();
+}
+
 void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
 	const Callable callable = callable_mp(this, &GestureHMM::on_task_changed);
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
 		connect_changed(task_at(i), callable, false);
 	}
-	tasks_ = p_tasks;
+	tasks_ = p_tasks.duplicate();
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
 		connect_changed(task_at(i), callable, true);
 	}

@@ -49,7 +49,7 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
 		ERR_FAIL_NULL_V_MSG(chosen, Ref<GestureModel>(),
 				p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
-						String(p_gesture) + String("'; check their start, axis and amplitude"));
+						String(p_gesture) + String("'; check their times, start, axis and amplitude"));
 		feature = chosen->name;
 	}
 	steadyhand::TrainingOptions options;

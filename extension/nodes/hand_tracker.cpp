@@ -27,6 +27,25 @@ bool is_usable_time(double p_time_s) {
 	return std::abs(p_time_s) <= TIME_MAX_S;
 }
 
+/// Otherwise the joint is not tracked: no track CSV could hold it.
+bool is_usable_place(const Eigen::Vector3d &p_position_m) {
+	return p_position_m.allFinite() && p_position_m.cwiseAbs().maxCoeff() <= steadyhand::FARTHEST_M;
+}
+
+/// Why joints that were pushed cannot be taken.
+String fault_of(const Dictionary &p_joints) {
+	const Array keys = p_joints.keys();
+	for (int64_t i = 0; i < keys.size(); ++i) {
+		if (keys[i].get_type() == Variant::INT) {
+			const int64_t joint = keys[i];
+			if (joint < 0 || joint >= static_cast<int64_t>(steadyhand::JOINT_COUNT)) {
+				return String("there is no joint ") + itos(joint);
+			}
+		}
+	}
+	return "joints must map a Joint to a Vector3";
+}
+
 } // namespace
 
 HandTracker::HandTracker() = default;
@@ -56,7 +75,11 @@ void HandTracker::_notification(int p_what) {
 Error HandTracker::start() {
 	ERR_FAIL_COND_V_MSG(Engine::get_singleton()->is_editor_hint(), ERR_UNAVAILABLE,
 			"HandTracker: nothing is opened inside the editor; run the scene");
+	const Watch watch(listeners_);
 	stop();
+	if (watch.is_gone()) {
+		return ERR_UNAVAILABLE;
+	}
 	playback_.reset();
 	synthetic_trial_ = Dictionary();
 	finished_ = false;
@@ -76,9 +99,12 @@ Error HandTracker::start() {
 		duration_s_ = playback_->duration_s();
 	}
 	running_ = true;
-	listeners_.call(&FrameListener::on_stream_started);
 	update_processing();
-	emit_signal("source_ready");
+	const uint64_t this_run = run_;
+	listeners_.call(&FrameListener::on_stream_started);
+	if (goes_on(watch, this_run)) {
+		emit_signal("source_ready");
+	}
 	return OK;
 }
 
@@ -137,6 +163,7 @@ void HandTracker::advance_to(double p_time_s) {
 		return;
 	}
 	clock_set_ = true;
+	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
 	if (playback_) {
 		TrackPlayback &playback = *playback_;
@@ -146,24 +173,31 @@ void HandTracker::advance_to(double p_time_s) {
 			if (new_round) {
 				listeners_.call(&FrameListener::on_stream_started);
 			}
-			if (run_ == this_run) {
+			if (goes_on(watch, this_run)) {
 				deliver(frame);
 			}
-			if (run_ != this_run) {
+			if (!goes_on(watch, this_run)) {
 				return; // playback is gone, or another one's
 			}
 			new_round = playback.begins_round();
 		}
 	}
-	time_s_ = p_time_s;
-	listeners_.call(&FrameListener::on_time_advanced, time_s_);
-	if (run_ == this_run && time_s_ - hand_seen_s_ > LOST_AFTER_S) {
+	tell_time(p_time_s);
+	if (goes_on(watch, this_run) && time_s_ - hand_seen_s_ > LOST_AFTER_S) {
 		set_hand_present(false);
 	}
-	if (run_ == this_run && playback_ && playback_->finished() && !finished_) {
+	if (goes_on(watch, this_run) && playback_ && playback_->finished() && !finished_) {
 		finished_ = true;
 		update_processing();
 		emit_signal("finished");
+	}
+}
+
+/// Who is told of a frame may have advanced the clock further.
+void HandTracker::tell_time(double p_time_s) {
+	if (p_time_s >= time_s_) {
+		time_s_ = p_time_s;
+		listeners_.call(&FrameListener::on_time_advanced, time_s_);
 	}
 }
 
@@ -171,7 +205,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 	if (source_ != SOURCE_SCRIPT) {
 		return refuse_frame("set source to SOURCE_SCRIPT first");
 	}
-	if (!running_) {
+	if (!running_ || playback_) {
 		return refuse_frame("start() the tracker first");
 	}
 	if (!is_usable_time(p_time_s)) {
@@ -184,31 +218,30 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 	steadyhand::HandFrame frame;
 	frame.t_s = p_time_s;
 	frame.confidence = std::isfinite(p_confidence) ? std::clamp(p_confidence, 0.0, 1.0) : 0.0;
-	const Array keys = p_joints.keys();
-	for (int64_t i = 0; i < keys.size(); ++i) {
-		const Variant &position = p_joints[keys[i]];
-		if (keys[i].get_type() != Variant::INT || position.get_type() != Variant::VECTOR3) {
-			return refuse_frame("joints must map a Joint to a Vector3");
+	int64_t known = 0;
+	for (std::size_t joint = 0; joint < steadyhand::JOINT_COUNT; ++joint) {
+		const Variant position = p_joints.get(static_cast<int64_t>(joint), Variant());
+		if (position.get_type() == Variant::VECTOR3) {
+			++known;
+			const Eigen::Vector3d position_m = to_core(static_cast<Vector3>(position));
+			if (is_usable_place(position_m)) {
+				frame.set(static_cast<steadyhand::Joint>(joint), position_m);
+			}
 		}
-		const int64_t joint = keys[i];
-		if (joint < 0 || joint >= static_cast<int64_t>(steadyhand::JOINT_COUNT)) {
-			return refuse_frame(String("there is no joint ") + itos(joint));
-		}
-		const Vector3 position_m = position;
-		if (position_m.is_finite()) {
-			frame.set(static_cast<steadyhand::Joint>(joint), to_core(position_m));
-		}
+	}
+	if (known != p_joints.size()) {
+		return refuse_frame(fault_of(p_joints));
 	}
 	if (!clock_set_) {
 		start_time_s_ = p_time_s;
 	}
 	clock_set_ = true;
+	duration_s_ = p_time_s - start_time_s_;
+	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
 	deliver(frame);
-	if (run_ == this_run) {
-		time_s_ = p_time_s;
-		duration_s_ = time_s_ - start_time_s_;
-		listeners_.call(&FrameListener::on_time_advanced, time_s_);
+	if (goes_on(watch, this_run)) {
+		tell_time(p_time_s);
 	}
 	return OK;
 }
@@ -222,6 +255,7 @@ Error HandTracker::refuse_frame(const String &p_reason) {
 }
 
 void HandTracker::deliver(const steadyhand::HandFrame &p_frame) {
+	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
 	time_s_ = p_frame.t_s;
 	tracked_ = p_frame.tracked;
@@ -237,10 +271,10 @@ void HandTracker::deliver(const steadyhand::HandFrame &p_frame) {
 		hand_seen_s_ = time_s_;
 	}
 	set_hand_present(tracked_ != 0);
-	if (run_ == this_run) {
+	if (goes_on(watch, this_run)) {
 		listeners_.call(&FrameListener::on_frame, p_frame);
 	}
-	if (run_ == this_run && has_connections(names_.frame_received)) {
+	if (goes_on(watch, this_run) && has_connections(names_.frame_received)) {
 		emit_signal(names_.frame_received, p_frame.t_s);
 	}
 }
@@ -259,12 +293,13 @@ void HandTracker::update_processing() {
 }
 
 Vector3 HandTracker::get_joint_position(Joint p_joint) const {
-	ERR_FAIL_INDEX_V(static_cast<int>(p_joint), static_cast<int>(steadyhand::JOINT_COUNT), Vector3());
+	ERR_FAIL_COND_V_MSG(
+			!is_enumerator(p_joint, JOINT_WRIST), Vector3(), "HandTracker: there is no such joint");
 	return positions_m_[static_cast<std::size_t>(p_joint)];
 }
 
 bool HandTracker::is_joint_tracked(Joint p_joint) const {
-	ERR_FAIL_INDEX_V(static_cast<int>(p_joint), static_cast<int>(steadyhand::JOINT_COUNT), false);
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_WRIST), false, "HandTracker: there is no such joint");
 	return ((tracked_ >> static_cast<unsigned>(p_joint)) & 1U) != 0;
 }
 

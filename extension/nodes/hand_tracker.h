@@ -42,7 +42,7 @@ public:
 	bool get_loop() const { return loop_; }
 	void set_synthetic_gesture(const String &p_gesture) { synthetic_gesture_ = p_gesture; }
 	String get_synthetic_gesture() const { return synthetic_gesture_; }
-	void set_synthetic_position(SyntheticPosition p_position) { synthetic_position_ = p_position; }
+	void set_synthetic_position(SyntheticPosition p_position);
 	SyntheticPosition get_synthetic_position() const { return synthetic_position_; }
 	void set_synthetic_seed(int p_seed) { synthetic_seed_ = p_seed; }
 	int get_synthetic_seed() const { return synthetic_seed_; }
@@ -116,9 +116,15 @@ private:
 	double hand_seen_s_ = 0.0;
 	bool complained_ = false; ///< of a bad pushed frame, in this run
 
+	/// What is told of a frame may free this node.
+	using Watch = ListenerList<FrameListener>::Watch;
+	/// Neither freed nor stopped since.
+	bool goes_on(const Watch &p_watch, uint64_t p_run) const { return !p_watch.is_gone() && run_ == p_run; }
+
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
 	Error refuse_frame(const String &p_reason);
 	void deliver(const steadyhand::HandFrame &p_frame);
+	void tell_time(double p_time_s);
 	void set_hand_present(bool p_present);
 	void update_processing();
 };

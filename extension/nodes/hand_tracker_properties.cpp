@@ -12,12 +12,15 @@
 namespace godot {
 
 void HandTracker::set_source(Source p_source) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_source, SOURCE_SYNTHETIC), "HandTracker: source must be a Source");
 	source_ = p_source;
 	notify_property_list_changed();
 	update_configuration_warnings();
 }
 
 void HandTracker::set_update_mode(UpdateMode p_mode) {
+	ERR_FAIL_COND_MSG(
+			!is_enumerator(p_mode, UPDATE_MANUAL), "HandTracker: update_mode must be an UpdateMode");
 	update_mode_ = p_mode;
 	update_processing();
 }
@@ -25,6 +28,12 @@ void HandTracker::set_update_mode(UpdateMode p_mode) {
 void HandTracker::set_recording_path(const String &p_path) {
 	recording_path_ = p_path;
 	update_configuration_warnings();
+}
+
+void HandTracker::set_synthetic_position(SyntheticPosition p_position) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_position, POSITION_UNSTABLE),
+			"HandTracker: synthetic_position must be a SyntheticPosition");
+	synthetic_position_ = p_position;
 }
 
 void HandTracker::set_synthetic_subject(int p_subject) {

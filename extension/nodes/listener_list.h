@@ -2,13 +2,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace godot {
 
-/// Listeners that may come and go while they are being called.
+/// Listeners that may come and go while they are being called, and so may the list.
 template <class Listener> class ListenerList {
+	struct Life {};
+
 public:
+	/// Tells whether the list has been destroyed since, and with it the object that it is a member of: what
+	/// is called or told may free that object.
+	class Watch {
+	public:
+		explicit Watch(const ListenerList &p_list) : life_(p_list.life_) {}
+		bool is_gone() const { return life_.expired(); }
+
+	private:
+		std::weak_ptr<Life> life_;
+	};
+
 	bool empty() const { return listeners_.empty(); }
 	void add(Listener *p_listener) { listeners_.push_back(p_listener); }
 
@@ -20,18 +34,22 @@ public:
 
 	template <class... Arguments, class... Values>
 	void call(void (Listener::*p_method)(Arguments...), const Values &...p_values) {
+		const Watch watch(*this);
 		++calls_;
-		for (std::size_t i = 0; i < listeners_.size(); ++i) {
+		for (std::size_t i = 0; !watch.is_gone() && i < listeners_.size(); ++i) {
 			if (listeners_[i] != nullptr) {
 				(listeners_[i]->*p_method)(p_values...);
 			}
 		}
-		--calls_;
-		drop_removed();
+		if (!watch.is_gone()) {
+			--calls_;
+			drop_removed();
+		}
 	}
 
 private:
 	std::vector<Listener *> listeners_;
+	std::shared_ptr<Life> life_ = std::make_shared<Life>();
 	int calls_ = 0; ///< nested: a listener may make the caller call again
 
 	void drop_removed() {

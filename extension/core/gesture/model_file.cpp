@@ -142,6 +142,9 @@ Json element_to_json(const PrimitiveMotionElement &element) {
 		{ "duration_deviation_s", element.duration_deviation_s } };
 }
 
+/// Of curves from 0 to 1 over a state: with larger ones their squares are no numbers.
+constexpr double LARGEST_COEFFICIENT = 1e6;
+
 PrimitiveMotionElement element_from_json(const Json &json) {
 	PrimitiveMotionElement element;
 	element.phase_begin = number(json, "phase_begin");
@@ -156,6 +159,9 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 	if (coefficients.size() > static_cast<Eigen::Index>(element.curve.coefficients.size())) {
 		throw Fault("polynomial: more than " + std::to_string(element.curve.coefficients.size()) +
 				" coefficients");
+	}
+	if ((coefficients.array().abs() > LARGEST_COEFFICIENT).any()) {
+		throw Fault("polynomial: a coefficient is beyond 1e6");
 	}
 	for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
 		element.curve.coefficients[static_cast<std::size_t>(i)] = coefficients(i);
@@ -238,6 +244,16 @@ GestureModel model_from_json(const Json &json) {
 	if (static_cast<Eigen::Index>(model.elements.size()) != model.hmm.states() ||
 			model.quantiser.symbols() != model.hmm.symbols()) {
 		throw Fault("the counts of states (elements) and symbols (codebook) differ from the hmm's");
+	}
+	double reached = 0.0;
+	for (const PrimitiveMotionElement &element : model.elements) {
+		if (element.phase_begin != reached) {
+			throw Fault("elements: each phase_begin must be the phase_end before it, and the first 0");
+		}
+		reached = element.phase_end;
+	}
+	if (reached != 1.0) {
+		throw Fault("elements: the last phase_end must be 1");
 	}
 	model.provenance = provenance_from_json(member(json, "provenance"));
 	return model;

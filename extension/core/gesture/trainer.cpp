@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 namespace steadyhand {
 namespace {
@@ -83,7 +85,26 @@ std::string range_error(const TrainingOptions &options) {
 	if (options.symbols < 1 || options.symbols > 1024) {
 		return "symbols: " + std::to_string(options.symbols) + " is not in 1..1024";
 	}
+	if (!(options.r2_threshold >= 0.0 && options.r2_threshold <= 1.0)) {
+		return "r2_threshold: " + std::to_string(options.r2_threshold) + " is not in 0..1";
+	}
 	return {};
+}
+
+/// Of a recording whose gesture is not, or not wholly, where its reference can show it.
+std::optional<std::string> span_error(const TrainingRecording &recording) {
+	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
+	const std::vector<HandFrame> &frames = recording.reference.frames;
+	if (frames.empty()) {
+		return recording.name + ": its reference has no frames";
+	}
+	if (recording.start_s < recording.end_s && recording.start_s >= frames.front().t_s - ROUNDING_S &&
+			recording.end_s <= frames.back().t_s + ROUNDING_S) {
+		return std::nullopt;
+	}
+	return recording.name + ": start_s " + std::to_string(recording.start_s) + " .. end_s " +
+			std::to_string(recording.end_s) + " is not within its reference, " +
+			std::to_string(frames.front().t_s) + " .. " + std::to_string(frames.back().t_s) + " s";
 }
 
 } // namespace
@@ -112,6 +133,9 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	std::vector<Movement> movements;
 	std::vector<Eigen::VectorXd> curves;
 	for (const TrainingRecording &recording : recordings) {
+		if (std::optional<std::string> fault = span_error(recording)) {
+			return Error{ gesture + ": " + *fault };
+		}
 		const RecordedCurve curve = reference_motion(*feature, recording);
 		if (curve.t_s.size() < 2) {
 			continue;

@@ -17,7 +17,7 @@ namespace steadyhand {
 struct TrainingRecording {
 	std::string name;
 	Task task;
-	double start_s = 0.0; ///< within the tracks
+	double start_s = 0.0; ///< start and end: within the reference
 	double end_s = 0.0;
 	Track measured;  ///< what the HMM learns from: the sensor as it will be in use
 	Track reference; ///< what the motion elements are taken from: the stable sensor
@@ -44,7 +44,8 @@ struct TrainingOptions {
 /// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
 /// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
 /// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
-/// unknown feature, no recording in which the feature moves, options out of range, stopped by progress.
+/// unknown feature, a span that is not within its reference, no recording in which the feature moves, options
+/// out of range, stopped by progress.
 /// r_recordings, if given: the recordings in which it moves, in their order.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,

@@ -153,9 +153,10 @@ private:
 		if (auto wrong = read_number(END_S, TIME_MAX_S, r_trial.end_s)) {
 			return wrong;
 		}
-		if (r_trial.end_s < r_trial.start_s) {
+		const bool takes_time = r_trial.gesture != "none";
+		if (r_trial.end_s < r_trial.start_s || (takes_time && r_trial.end_s == r_trial.start_s)) {
 			return error(
-					END_S, std::string(cell(END_S)) + " is before start_s " + std::string(cell(START_S)));
+					END_S, std::string(cell(END_S)) + " is not after start_s " + std::string(cell(START_S)));
 		}
 		return std::nullopt;
 	}

@@ -9,7 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 using namespace steadyhand;
 
@@ -210,6 +213,18 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	TrainingOptions options;
 	options.states = 0;
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: states: 0 is not in 1..20");
+	for (const double threshold : { -0.1, 5.0, std::numeric_limits<double>::quiet_NaN() }) {
+		options = {};
+		options.r2_threshold = threshold;
+		CHECK(train("drag", "index_along_axis", drags, options).error().ends_with("is not in 0..1"));
+	}
+	for (const double end_s : { 1e5, 1e12, drags[1].start_s }) {
+		std::vector<TrainingRecording> damaged = drags;
+		damaged[1].end_s = end_s;
+		const std::string error = train("drag", "index_along_axis", damaged, {}).error();
+		CHECK(error.starts_with("drag: " + drags[1].name + ": start_s "));
+		CHECK(error.find("is not within its reference, ") != std::string::npos);
+	}
 	options = {};
 	options.progress = [](double) { return false; };
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");

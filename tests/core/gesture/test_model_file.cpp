@@ -67,6 +67,12 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 		Json &polynomial = r_file["elements"][1]["polynomial"];
 		polynomial.push_back(0.0);
 	}) == "a.gesture: polynomial: more than 8 coefficients");
+	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = -1e300; }) ==
+			"a.gesture: polynomial: a coefficient is beyond 1e6");
+	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["phase_begin"] = 0.0; }) ==
+			"a.gesture: elements: each phase_begin must be the phase_end before it, and the first 0");
+	CHECK(error_of([](Json &r_file) { r_file["elements"].back()["phase_end"] = 1e20; }) ==
+			"a.gesture: elements: the last phase_end must be 1");
 	CHECK(error_of([](Json &r_file) {
 		Json &elements = r_file["elements"];
 		while (elements.size() <= 256) {

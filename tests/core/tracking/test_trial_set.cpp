@@ -132,7 +132,9 @@ TEST_SUITE("trial set") {
 				"trials.csv:2: position: 'shaky' is neither stable nor unstable");
 		CHECK(error_of("t1,tap,stable,s,,1,1,2,3,0,0,-1,0.15\n") == "trials.csv:2: start_s: empty");
 		CHECK(error_of("t1,tap,stable,s,2,1,1,2,3,0,0,-1,0.15\n") ==
-				"trials.csv:2: end_s: 1 is before start_s 2");
+				"trials.csv:2: end_s: 1 is not after start_s 2");
+		CHECK(error_of("t1,tap,stable,s,1,1,1,2,3,0,0,-1,0.15\n") ==
+				"trials.csv:2: end_s: 1 is not after start_s 1");
 		CHECK(error_of("t1,tap,stable,s,0,inf,1,2,3,0,0,-1,0.15\n") ==
 				"trials.csv:2: end_s: 'inf' is not finite");
 		CHECK(error_of("t1,tap,stable,s,0,1,1,,3,0,0,-1,0.15\n") == "trials.csv:2: start_y: empty");

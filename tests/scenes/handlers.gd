@@ -1,0 +1,162 @@
+extends "support/scene_test.gd"
+## What a script may do in a signal handler, to a property's array, and to a scene that it saves.
+
+const Rig := preload("support/rig.gd")
+
+const STABLE := 0
+
+var _folder := DirAccess.create_temp("steadyhand_handlers")
+var _trials := Rig.write_trials(_folder.get_current_dir())
+
+
+func test_a_handler_may_free_the_tracker() -> void:
+	for does_push: bool in [false, true]:
+		var rig := _make_rig()
+		var tracker := rig.tracker
+		rig.gesture_hmm.gesture_started.connect(func(_gesture: StringName) -> void: tracker.free())
+		if does_push:
+			_push_drag(rig)
+		else:
+			tracker.start()
+			for step in range(0, 2400):
+				if is_instance_valid(tracker):
+					tracker.advance_to(step * Rig.STEP_S)
+		check(not is_instance_valid(tracker), "freed while it delivered a frame")
+		check(rig.gesture_hmm.tracker == null, "and nobody's any more")
+		rig.gesture_hmm.free()
+		rig.task.free()
+
+
+func test_a_handler_may_push_the_next_frame() -> void:
+	var tracker := HandTracker.new()
+	tracker.autostart = false
+	root.add_child(tracker)
+	tracker.start()
+	var stamps: Array[float] = []
+	tracker.frame_received.connect(
+		func(time_s: float) -> void:
+			stamps.append(time_s)
+			if time_s < 0.25:
+				tracker.push_frame(time_s + 0.1, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+	)
+	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+	check_equal(stamps.size(), 4, "each in the handler of the one before")
+	check_near(tracker.get_time(), 0.3, 1e-12, "the clock stays at the newest")
+	# expects error: is before 0.3 s
+	check(tracker.push_frame(0.05, {}) != OK, "an older frame is refused")
+	tracker.free()
+
+
+func test_after_a_reset_in_a_handler_nothing_stale_is_told() -> void:
+	var rig := _make_rig()
+	var hmm := rig.gesture_hmm
+	var states: Array[int] = []
+	var has_reset: Array[bool] = [false]
+	hmm.state_changed.connect(func(state: int) -> void: states.append(state))
+	hmm.gesture_started.connect(
+		func(_gesture: StringName) -> void:
+			if not has_reset[0]:
+				has_reset[0] = true
+				hmm.reset()
+				check_equal(states[-1], -1, "no state after the reset")
+				states.clear()
+	)
+	rig.tracker.start()
+	for step in range(0, 2400):
+		rig.tracker.advance_to(step * Rig.STEP_S)
+		if not states.is_empty():
+			check_equal(states[-1], hmm.state, "told last: the state it is in")
+			break
+	rig.free_nodes()
+
+
+func test_the_arrays_are_copies() -> void:
+	var rig := _make_rig()
+	var hmm := rig.gesture_hmm
+	hmm.models.append(null)
+	hmm.tasks.clear()
+	check_equal(hmm.models.size(), 1, "what is added to the array is not added to the models")
+	check_equal(hmm.tasks.size(), 1, "nor taken from the tasks")
+	var models: Array[GestureModel] = [hmm.models[0], hmm.models[0]]
+	hmm.models = models
+	models.clear()
+	check_equal(hmm.models.size(), 2, "nor is the array that was set")
+	rig.free_nodes()
+
+
+func test_tasks_are_saved_with_their_scene() -> void:
+	var scene := Node.new()
+	var hmm := GestureHMM.new()
+	var task := GestureTask.new()
+	task.name = "Task"
+	for node: Node in [task, hmm]:
+		scene.add_child(node)
+		node.owner = scene
+	hmm.tasks = [task]
+	var packed := PackedScene.new()
+	check_equal(packed.pack(scene), OK, "the scene is packed")
+	var copy := packed.instantiate()
+	var copied := copy.get_child(1) as GestureHMM
+	check(copied.tasks[0] == copy.get_node("Task"), "its tasks are the scene's own nodes")
+	copy.free()
+	scene.free()
+
+
+func test_numbers_that_are_none() -> void:
+	var rig := _make_rig()
+	var hmm := rig.gesture_hmm
+	rig.record(0, 1000)
+	check_equal(hmm.get_value_at(NAN), hmm.value, "at no time: now")
+	# expects error: HandTracker: source must be a Source
+	rig.tracker.source = 9 as HandTracker.Source
+	check_equal(rig.tracker.source, HandTracker.SOURCE_RECORDED, "a source that there is none of")
+	# expects error: GestureHMM: motion must be a Motion
+	hmm.motion = 7 as GestureHMM.Motion
+	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "nor of a motion")
+	rig.free_nodes()
+
+	var tracker := HandTracker.new()
+	tracker.autostart = false
+	root.add_child(tracker)
+	tracker.start()
+	var far := {HandTracker.JOINT_INDEX: Vector3(3e38, 0.0, 0.0)}
+	check_equal(tracker.push_frame(0.0, far), OK, "a place that is none is taken")
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "as not tracked")
+	tracker.free()
+
+
+func test_a_gesture_that_needs_its_task_says_so() -> void:
+	var hmm := GestureHMM.new()
+	var circle := FileAccess.get_file_as_string(Rig.MODEL % "horizontal_drag").replace(
+		'"index_along_axis"', '"index_along_circle"'
+	)
+	var path := _folder.get_current_dir().path_join("circle.gesture")
+	FileAccess.open(path, FileAccess.WRITE).store_string(circle)
+	hmm.models = [load(path) as GestureModel]
+	var tracker := HandTracker.new()
+	tracker.autostart = false
+	hmm.tracker = tracker
+	for node: Node in [tracker, hmm]:
+		root.add_child(node)
+	tracker.start()
+	# expects warning: its motion is measured about the task's start
+	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+	check(hmm.gesture == &"", "without one it is not recognised")
+	for node: Node in [hmm, tracker]:
+		node.free()
+
+
+func _push_drag(rig: Rig) -> void:
+	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.start()
+	var trial := _trials.get_trial(STABLE)
+	for frame in 200:
+		if not is_instance_valid(rig.tracker):
+			return
+		var part := smoothstep(60.0, 130.0, frame)
+		var tip: Vector3 = trial["start"] + part * trial["amplitude_m"] * trial["axis"]
+		rig.tracker.push_frame(frame * 0.01, {HandTracker.JOINT_INDEX: tip})
+
+
+func _make_rig() -> Rig:
+	return Rig.new(_trials.get_trial(STABLE), _trials.get_measured_path(STABLE), root)
