@@ -85,7 +85,8 @@ std::string range_error(const TrainingOptions &options) {
 	if (options.symbols < 1 || options.symbols > 1024) {
 		return "symbols: " + std::to_string(options.symbols) + " is not in 1..1024";
 	}
-	if (!(options.r2_threshold >= 0.0 && options.r2_threshold <= 1.0)) {
+	const bool is_share = options.r2_threshold >= 0.0 && options.r2_threshold <= 1.0;
+	if (!is_share) {
 		return "r2_threshold: " + std::to_string(options.r2_threshold) + " is not in 0..1";
 	}
 	return {};
