@@ -74,7 +74,7 @@ HypothesisBirths::HypothesisBirths(const GestureModel &model, const PhaseEffort 
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
 	const double step = 2.0 * WIDEST / static_cast<double>(durations_ - 1);
-	log_duration_deviation_ = 0.6 * step * spread;
+	log_duration_deviation_ = 0.8 * step * spread;
 	double total = 0.0;
 	for (std::size_t k = 0; k < durations_; ++k) {
 		const double z = step * static_cast<double>(k) - WIDEST;

@@ -18,7 +18,7 @@ constexpr double OUTLIER_DEVIATION = 0.21;
 const double LOG_IMPOSSIBLE = std::log(1e-30);
 /// Durations that a hypothesis may come to.
 const double LOG_SHORTEST = std::log(0.12);
-const double LOG_LONGEST = std::log(6.0);
+const double LOG_LONGEST = std::log(8.0);
 
 // By index_of.
 constexpr Lanes HANDS{ REGIME_NUMBERS[0].hand.amplitudes, REGIME_NUMBERS[1].hand.amplitudes,
@@ -78,7 +78,7 @@ struct HypothesisGroup::Filter {
 	}
 
 	/// F differs from unity in two pairs of states alone: a deviation and its rate, of the hand and of the
-	/// tracker.
+	/// tracker. Noise comes to these, and to the pace.
 	STEADYHAND_INLINE void predict(const Passages &passages) const {
 		const LaneVector hands = pick(HANDS, group.regime_);
 		LaneVector errors = pick(ERRORS_AT_START, group.error_);
@@ -107,6 +107,22 @@ struct HypothesisGroup::Filter {
 		unrolled<H::STATES - H::ONSET>([&](auto i) STEADYHAND_INLINE_LAMBDA {
 			error.apply(covariance(H::ONSET + i, H::ERROR), covariance(H::ONSET + i, H::ERROR_RATE));
 		});
+		change_pace(passages.pace_variance);
+	}
+
+	/// The pace changes, the phase does not: as the log duration grows by e, the onset goes back by
+	/// (t - onset) e.
+	STEADYHAND_INLINE void change_pace(double variance) const {
+		using H = Hypothesis;
+		const LaneVector added = load(group.on_its_way_) * variance;
+		const LaneVector duration = 1.0 / load(group.rate_per_s_), gone = t_s - load(group.mean_[H::ONSET]);
+		const LaneVector under_way = gone > duration ? duration : gone;
+		const auto add = [&](std::size_t i, std::size_t j, const LaneVector &more) STEADYHAND_INLINE_LAMBDA {
+			store(covariance(i, j), load(covariance(i, j)) + more);
+		};
+		add(H::ONSET, H::ONSET, under_way * under_way * added);
+		add(H::LOG_DURATION, H::ONSET, -under_way * added);
+		add(H::LOG_DURATION, H::LOG_DURATION, added);
 	}
 
 	/// The states that the way depends on; of the others the tracker shows HAND + ERROR.
@@ -128,9 +144,10 @@ struct HypothesisGroup::Filter {
 		const LaneVector is_under_way = load(group.on_its_way_),
 						 now = is_under_way > 0.0 ? phase() : LaneVector{};
 		const LaneVector lags = is_under_way > 0.0 ? load(group.mean_[H::LAG]) : LaneVector{};
+		const LaneVector may_lag = is_under_way > 0.0 ? load(covariance(H::LAG, H::LAG)) : LaneVector{};
 		LaneVector way_now{};
-		if (any(lags > 0.0)) {
-			way_now = lags > 0.0 ? (group.is_way_known_ ? load(group.way_) : way(now)) : LaneVector{};
+		if (any(may_lag > 0.0)) {
+			way_now = may_lag > 0.0 ? (group.is_way_known_ ? load(group.way_) : way(now)) : LaneVector{};
 		}
 		const LaneVector then = now - lags * way_now * rate, phases = then > 0.0 ? then : LaneVector{};
 		const LaneVector gone = then > 0.0 ? way_now : LaneVector{};

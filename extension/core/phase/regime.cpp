@@ -1,5 +1,6 @@
 #include "phase/regime.h"
 
+#include <algorithm>
 #include <cmath>
 
 // As in lanes.h: what passes vectors is inlined.
@@ -49,6 +50,7 @@ STEADYHAND_WIDE Passages passages(double dt_s) {
 	}
 	Passages all{ dampings(hand, dt_s), dampings(error, dt_s) };
 	slow_down(all.hand, regime_numbers(Regime::FREE).hand.rate_per_s, dt_s);
+	all.pace_variance = PACE_WALK * PACE_WALK * std::clamp(dt_s, 0.0, LONGEST_PACE_WALK_S);
 	return all;
 }
 

@@ -73,6 +73,12 @@ inline constexpr std::array<ErrorNumbers, TRACKER_ERRORS> ERROR_NUMBERS{
 /// A free hand comes to rest wherever it is, x'' = -c x' + white (an integrated Ornstein-Uhlenbeck process).
 inline constexpr double FREE_SLOWING_PER_S = 6.0;
 
+/// How freely a hand changes its pace on its way: a random walk of the log duration, standard deviation per
+/// square root of s.
+inline constexpr double PACE_WALK = 0.2;
+/// What a longer time without frames adds no more.
+inline constexpr double LONGEST_PACE_WALK_S = 1.0;
+
 /// Critically damped motion x'' = -2 a x' - a^2 x over a time, of each regime's hand (FREE slows down) or of
 /// each tracker error: [x, x'] is multiplied by [xx xv; vx vv].
 struct Dampings {
@@ -86,6 +92,7 @@ struct Dampings {
 /// What a time does to the deviations: the same for all hypotheses in a regime, and of an error.
 struct Passages {
 	Dampings hand, error;
+	double pace_variance = 0.0; ///< added to that of log durations
 };
 [[nodiscard]] Passages passages(double dt_s);
 

@@ -130,6 +130,12 @@ struct DenseHypothesis {
 			transition.block<2, 2>(D, D) = slowing(dt_s);
 			noise.block<2, 2>(D, D) = free_noise(dt_s);
 		}
+		if (on_its_way) {
+			// That phase (t - onset) / duration stays: d onset = -(t - onset) d log duration.
+			Vector pace = Vector::Unit(LOG_DURATION);
+			pace[ONSET] = -std::min(t_s - mean[ONSET], std::exp(mean[LOG_DURATION]));
+			noise += 0.2 * 0.2 * dt_s * pace * pace.transpose();
+		}
 		mean = transition * mean;
 		covariance = transition * covariance * transition.transpose() + noise;
 	}
@@ -182,7 +188,7 @@ struct DenseHypothesis {
 				(1.0 - share) * (covariance + share * step * (share * step).transpose());
 		mean += share * step;
 		mean[LAG] = std::max(mean[LAG], 0.0);
-		mean[LOG_DURATION] = std::clamp(mean[LOG_DURATION], std::log(0.12), std::log(6.0));
+		mean[LOG_DURATION] = std::clamp(mean[LOG_DURATION], std::log(0.12), std::log(8.0));
 	}
 };
 
