@@ -27,9 +27,9 @@ class Style:
 # In the order in which they are drawn, the last on top.
 STYLES = {
     "one_euro": Style("One Euro filter", GREEN, 1.1),
-    "kalman": Style("Kalman filter", PURPLE, 1.1),
     "average": Style("41-point moving average", ORANGE, 2.0),
     "measured": Style("measured", VERMILION, 1.4),
+    "kalman": Style("Kalman filter", PURPLE, 1.4, (0, (2, 2))),
     "reference": Style("reference", BLACK, 2.6, (0, (4, 1.5))),
     "paper": Style("synthesised, paper", SKY, 2.0),
     "phase": Style("synthesised, phase", BLUE, 2.6),

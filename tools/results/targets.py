@@ -138,11 +138,12 @@ def false_alarms(study: Study) -> Verdict | None:
     summary = study.open["phase"].summary
     if summary["none_minutes"] == 0:
         return None
-    rate = summary["false_alarms_per_minute"]
-    return Verdict(f"{rate:.2f} ({summary['none_minutes']:.0f} min)", rate < 0.2)
+    rate, alarms = summary["false_alarms_per_minute"], len(summary["false_alarms"])
+    return Verdict(f"{rate:.2f} ({alarms} in {summary['none_minutes']:.0f} min)", rate < 0.2)
 
 
 def false_alarms_of_others(others: list[OtherHands]) -> Verdict:
     minutes = sum(other.minutes for other in others)
     alarms = sum(len(other.evaluation.summary["false_alarms"]) for other in others)
-    return Verdict(f"{alarms / minutes:.2f} ({minutes:.1f} min of hands at other tasks)", alarms < 0.2 * minutes)
+    text = f"{alarms / minutes:.2f} ({alarms} in {minutes:.1f} min of hands at other tasks)"
+    return Verdict(text, alarms < 0.2 * minutes)

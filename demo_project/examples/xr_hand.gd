@@ -1,0 +1,37 @@
+extends HandTracker
+## The script of a HandTracker whose frames are a hand's that XRServer tracks, over OpenXR for one.
+## To be copied into a project.
+
+## Joints that gestures are made of, and what Godot calls them.
+const JOINTS: Dictionary[int, int] = {
+	JOINT_THUMB: XRHandTracker.HAND_JOINT_THUMB_TIP,
+	JOINT_INDEX: XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP,
+	JOINT_MIDDLE: XRHandTracker.HAND_JOINT_MIDDLE_FINGER_TIP,
+}
+
+## The tracker's name in XRServer.
+@export var xr_hand: StringName = &"/user/hand_tracker/right"
+
+
+func _init() -> void:
+	source = SOURCE_SCRIPT
+
+
+func _process(_delta: float) -> void:
+	push_frame(1e-6 * Time.get_ticks_usec(), _tracked_joints())
+
+
+## In the space of the world, as the tasks are; empty where the hand is lost.
+func _tracked_joints() -> Dictionary:
+	var hand := XRServer.get_tracker(xr_hand) as XRHandTracker
+	var to_world := XRServer.world_origin * XRServer.get_reference_frame()
+	var joints := {}
+	if hand != null and hand.has_tracking_data:
+		for joint: int in JOINTS:
+			if (
+				hand.get_hand_joint_flags(JOINTS[joint])
+				& XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED
+			):
+				var place := hand.get_hand_joint_transform(JOINTS[joint]).origin
+				joints[joint] = to_world * (XRServer.world_scale * place)
+	return joints
