@@ -64,7 +64,8 @@ Off off(const Hand &hand, double until_s, Fault fault, double at) {
 		if (errs && fault == Fault::GAP) {
 			return std::nullopt;
 		}
-		if (!(errs && fault == Fault::FREEZE)) {
+		const bool repeats = errs && fault == Fault::FREEZE;
+		if (!repeats) {
 			shown = hand.x(t_s) + (errs ? (fault == Fault::JUMP_AHEAD ? 0.25 : -0.25) : 0.0);
 		}
 		return shown;
@@ -91,7 +92,7 @@ TEST_CASE("one fault does not make the estimate of a slow hand run ahead of it")
 		for (const int strokes : { 1, 5 }) {
 			const Hand hand(duration_s, strokes);
 			for (const Fault fault : { Fault::GAP, Fault::FREEZE, Fault::JUMP_AHEAD, Fault::JUMP_BACK }) {
-				for (const double at : { 0.2, 0.35, 0.5, 0.65, 0.8 }) {
+				for (const double at : { 0.2, 0.5, 0.8 }) {
 					CAPTURE(duration_s);
 					CAPTURE(strokes);
 					CAPTURE(static_cast<int>(fault));
