@@ -1,7 +1,7 @@
 // Every kind of hand before every kind of fault, at every point of its way.
 
 #include "follow.h"
-#include "minimum_jerk_drag.h"
+#include "overlapping_drags.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -28,13 +28,7 @@ struct Hand {
 	std::vector<Drag> drags;
 	std::vector<double> faults_s; ///< when a tracker errs before it
 
-	[[nodiscard]] double x(double t_s) const {
-		double sum = 0.0;
-		for (const Drag &drag : drags) {
-			sum += drag.x_m(t_s);
-		}
-		return sum;
-	}
+	[[nodiscard]] double x(double t_s) const { return test::x_m(drags, t_s); }
 };
 
 const std::vector<Hand> &hands() {

@@ -1,7 +1,7 @@
 // Hands several times as slow as those that the model was trained on, before a tracker that errs once.
 
 #include "follow.h"
-#include "minimum_jerk_drag.h"
+#include "overlapping_drags.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -29,13 +29,7 @@ struct Hand {
 			strokes.push_back({ ONSET_S + i * step_s, stroke_s, 1.0 / count });
 		}
 	}
-	[[nodiscard]] double x(double t_s) const {
-		double sum = 0.0;
-		for (const Drag &stroke : strokes) {
-			sum += stroke.x_m(t_s);
-		}
-		return sum;
-	}
+	[[nodiscard]] double x(double t_s) const { return test::x_m(strokes, t_s); }
 	[[nodiscard]] double reaches_s(double share) const {
 		double t_s = ONSET_S;
 		while (x(t_s) < share) {

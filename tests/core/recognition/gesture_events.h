@@ -1,6 +1,6 @@
 #pragma once
 
-#include "minimum_jerk_drag.h"
+#include "overlapping_drags.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
@@ -109,13 +109,7 @@ inline Events in_a_task(const Way &way, double length_s, double lost_from_s = 1e
 }
 
 inline Way along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
-	return [=](double t_s) {
-		double x_m = 0.0;
-		for (const Drag &stroke : strokes) {
-			x_m += stroke.x_m(t_s);
-		}
-		return Eigen::Vector3d(x_m * axis);
-	};
+	return [=](double t_s) { return Eigen::Vector3d(x_m(strokes, t_s) * axis); };
 }
 
 inline std::vector<std::string> times(int n, const std::string &gesture) {
