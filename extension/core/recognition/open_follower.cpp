@@ -77,9 +77,12 @@ FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
 	return is_reverse ? FeaturePlace(-direction) : direction;
 }
 
-/// way: in the stroke's sense.
-StrokeEvidence OpenFollower::evidence_of(const Stroke &stroke, const FeaturePlace &way) const {
-	StrokeEvidence evidence = stroke_evidence(stroke, way, task().amplitude_m, model().duration_mean_s);
+/// stroke: one of the finder's; way: in its sense.
+StrokeEvidence OpenFollower::evidence_of(
+		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
+	Stroke watched = stroke;
+	watched.unrest_m = strokes.unrest_m(stroke);
+	StrokeEvidence evidence = stroke_evidence(watched, way, task().amplitude_m, model().duration_mean_s);
 	if (stroke.onset_s - returned_s_ < AGAIN_S) {
 		evidence.rest = std::max(evidence.rest, 0.0);
 	}
@@ -123,7 +126,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task().amplitude_m) < 0.0) {
 			continue;
 		}
-		const StrokeEvidence evidence = evidence_of(stroke, way);
+		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
 		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
 		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
 			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
@@ -171,7 +174,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
 		}
-		const StrokeEvidence evidence = evidence_of(stroke, axis_);
+		const StrokeEvidence evidence = evidence_of(stroke, strokes, axis_);
 		const double path = LOG_PRIOR_OPEN + evidence.so_far();
 		aim(stroke.to);
 		if (path + evidence.outlook > 0.0) {

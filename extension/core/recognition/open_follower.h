@@ -47,7 +47,8 @@ private:
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
-	[[nodiscard]] StrokeEvidence evidence_of(const Stroke &stroke, const FeaturePlace &way) const;
+	[[nodiscard]] StrokeEvidence evidence_of(
+			const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const;
 	void aim(const FeaturePlace &to);
 	[[nodiscard]] bool is_near_end(const Stroke &stroke) const;
 	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;

@@ -59,8 +59,9 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	earlier_count_ = 0;
 }
 
-/// Between knots, and after them to now, straight on: also where frames are missing.
-FeaturePlace StrokeFinder::place_on_way(double t_s, const Frame &now) const {
+/// Between knots, and after them to the newest place, straight on: also where frames are missing.
+FeaturePlace StrokeFinder::place_on_way(double t_s) const {
+	const Frame now{ newest_.t_s, newest_.place_m };
 	const Frame *after = &now;
 	for (std::size_t i = knots_.size(); i > 0; --i) {
 		const Frame &before = knots_[i - 1];
@@ -153,13 +154,15 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 /// may_end: false where another frame follows at once.
 void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	const double dt_s = place.t_s - newest_.t_s;
-	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
-	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
-	measure_way(now);
 	if (dt_s > LOSS_S && stroke_count_ > 0) {
 		lost_ = strokes_[0];
+		lost_->unrest_m = unrest_m(*lost_);
 		lost_->is_lost = true;
 	}
+	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
+	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
+	now.speed_s = place.t_s - 0.5 * std::max(WINDOW_S, dt_s);
+	measure_way(now);
 	// Where the hand turned unseen, it was last seen nearest to where.
 	end_ = dt_s > PIECE_S ? newest_ : now;
 	newest_ = now;
@@ -188,7 +191,6 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 
 void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 	strokes_[0] = between(onset, now, peak_m_s_);
-	watch_longer(strokes_[0]);
 	stroke_count_ = 1;
 	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
 	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
@@ -197,33 +199,30 @@ void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 			Stroke &stroke = strokes_[stroke_count_++];
 			stroke = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
 			stroke.is_joined = goes_on || i < earlier_count_;
-			watch_longer(stroke);
 		}
 	}
 }
 
-/// For the next stroke's onset too, should it be here.
 void StrokeFinder::measure_way(Sample &r_sample) {
 	const double piece_m = (r_sample.place_m - piece_.place_m).norm();
 	r_sample.way_m = piece_.way_m + piece_m;
 	if (r_sample.t_s - piece_.t_s >= PIECE_S && piece_m >= smallest_m_) {
 		piece_ = r_sample;
 	}
-	// The speed by which an onset is found is that of half a window ago.
-	const double window_s = std::max(WINDOW_S, r_sample.t_s - newest_.t_s);
-	const double then_s = r_sample.t_s - 0.5 * window_s, since_s = then_s - Stroke::REST_S;
-	r_sample.watched_s = std::clamp(then_s - seen_since_s_, 0.0, Stroke::REST_S);
-	const Frame now{ r_sample.t_s, r_sample.place_m };
-	r_sample.unrest_m = unrest_m(since_s, then_s, now);
 	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
-		knots_.push(now);
+		knots_.push({ r_sample.t_s, r_sample.place_m });
 	}
 }
 
+void StrokeFinder::measure_rest(Sample &r_onset) const {
+	r_onset.watched_s = std::clamp(r_onset.speed_s - seen_since_s_, 0.0, Stroke::REST_S);
+	r_onset.unrest_m = stray_m(r_onset.speed_s - Stroke::REST_S, r_onset.speed_s);
+}
+
 /// How far the hand was from where it was at then_s, at most, since then.
-double StrokeFinder::unrest_m(double since_s, double then_s, const Frame &now) const {
-	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S, now);
-	double stray_m2 = (still - place_on_way(since_s, now)).squaredNorm();
+double StrokeFinder::stray_m(double since_s, double then_s) const {
+	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S);
+	double stray_m2 = (still - place_on_way(since_s)).squaredNorm();
 	for (std::size_t i = knots_.size(); i > 0 && knots_[i - 1].t_s >= since_s; --i) {
 		if (knots_[i - 1].t_s <= then_s) {
 			stray_m2 = std::max(stray_m2, (still - knots_[i - 1].place_m).squaredNorm());
@@ -232,15 +231,14 @@ double StrokeFinder::unrest_m(double since_s, double then_s, const Frame &now) c
 	return std::sqrt(stray_m2);
 }
 
-/// A hand that wanders slowly hardly moves for a while where it turns.
-void StrokeFinder::watch_longer(Stroke &r_stroke) const {
-	const double watch_s = std::min(WATCH_SHARE * (r_stroke.now_s - r_stroke.onset_s), LONGEST_WATCH_S);
-	if (watch_s > Stroke::REST_S) {
-		const double then_s = r_stroke.onset_s - 0.5 * WINDOW_S;
-		const double since_s = std::max(then_s - watch_s, seen_since_s_);
-		r_stroke.unrest_m =
-				std::max(r_stroke.unrest_m, unrest_m(since_s, then_s, { newest_.t_s, newest_.place_m }));
+double StrokeFinder::unrest_m(const Stroke &stroke) const {
+	const double watch_s = std::min(WATCH_SHARE * (stroke.now_s - stroke.onset_s), LONGEST_WATCH_S);
+	if (stroke.is_lost || watch_s <= Stroke::REST_S) {
+		return stroke.unrest_m;
 	}
+	const double then_s = stroke.onset_s - 0.5 * WINDOW_S;
+	const double since_s = std::max(then_s - watch_s, seen_since_s_);
+	return std::max(stroke.unrest_m, stray_m(since_s, then_s));
 }
 
 /// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
@@ -249,7 +247,8 @@ void StrokeFinder::find_onset() {
 	if (rest == nullptr) {
 		onset_.reset();
 	} else if (!onset_ || rest->t_s > onset_->t_s) {
-		const Sample onset = *rest;
+		Sample onset = *rest;
+		measure_rest(onset);
 		if (onset_ && (onset.place_m - onset_->place_m).norm() > smallest_m_) {
 			remember_stroke(*onset_, onset);
 		}

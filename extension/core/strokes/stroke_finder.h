@@ -24,8 +24,10 @@ struct Stroke {
 	double peak_m_s = 0.0;
 	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
 	FeaturePlace seen_from = FeaturePlace::Zero();
-	double way_m = 0.0;    ///< length of the way from `from` to `to`, >= their distance
-	double unrest_m = 0.0; ///< how far from `from` the hand was before the onset, at most
+	double way_m = 0.0; ///< length of the way from `from` to `to`, >= their distance
+	/// How far from `from` the hand was before the onset, at most; before slow strokes there is more to it:
+	/// StrokeFinder::unrest_m.
+	double unrest_m = 0.0;
 	double watched_s =
 			0.0; ///< for how long before the onset: no more than REST_S, less where it was not seen
 	bool is_joined = false; ///< of several, between which the hand hesitated
@@ -67,6 +69,9 @@ public:
 			}
 		}
 	}
+	/// How far from `from` the hand was before the onset of one of strokes(), at most, m: before slow strokes
+	/// it is looked at for longer, as a hand that wanders slowly hardly moves for a while where it turns.
+	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
 	/// When a place last was news of the hand; -infinity before the first one.
 	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : last_s_; }
@@ -85,7 +90,8 @@ private:
 		double speed_m_s = 0.0;
 		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
 		double way_m = 0.0;                         ///< gone so far
-		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke
+		double speed_s = -INFINITY;                 ///< when the hand had the speed
+		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke; of onsets
 	};
 
 	struct Earlier {
@@ -133,9 +139,9 @@ private:
 	void remember_stroke(const Sample &onset, const Sample &end);
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
-	void watch_longer(Stroke &r_stroke) const;
-	[[nodiscard]] double unrest_m(double since_s, double then_s, const Frame &now) const;
-	[[nodiscard]] FeaturePlace place_on_way(double t_s, const Frame &now) const;
+	void measure_rest(Sample &r_onset) const;
+	[[nodiscard]] double stray_m(double since_s, double then_s) const;
+	[[nodiscard]] FeaturePlace place_on_way(double t_s) const;
 	void remember_rest(const Sample &sample);
 	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);
