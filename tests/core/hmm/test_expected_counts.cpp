@@ -146,7 +146,7 @@ TEST_CASE("states that have vanished beside others come back") {
 	}
 }
 
-TEST_CASE("a million frames: all paths of a two-state model one by one") {
+TEST_CASE("a million frames: all paths of a two-state model one by one" * doctest::test_suite("figures")) {
 	const DiscreteHmm hmm = peaked_left_right(2, 1e-3);
 	for (const std::size_t tenth : { 1'000, 10'000, 100'000 }) {
 		// Frames of the second state first: the first one wins in the end, or, in the last tenth, the second.

@@ -227,7 +227,8 @@ TEST_CASE("fixed-lag Viterbi has the states that Viterbi over the symbols so far
 }
 
 TEST_CASE("over a million symbols double and float tell the same states, and float's likelihood keeps 7 "
-		  "digits") {
+		  "digits" *
+		doctest::test_suite("figures")) {
 	std::mt19937_64 random(13);
 	const DiscreteHmm hmm = test::random_hmm(random, 4, 16);
 	const SymbolSequence symbols = test::random_symbols(random, 1'000'000, 16);

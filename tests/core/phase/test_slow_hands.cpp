@@ -80,7 +80,8 @@ Off off(const Hand &hand, double until_s, Fault fault, double at) {
 
 } // namespace
 
-TEST_CASE("one fault does not make the estimate of a slow hand run ahead of it") {
+TEST_CASE("one fault does not make the estimate of a slow hand run ahead of it" *
+		doctest::test_suite("figures")) {
 	double estimate = 0.0, measured = 0.0;
 	for (const double duration_s : { 2.0, 3.0, 4.0, 5.0 }) {
 		for (const int strokes : { 1, 5 }) {
