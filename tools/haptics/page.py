@@ -77,7 +77,7 @@ def live_tables(measured: Live) -> str:
     return (
         f"A hand held at half the amplitude, 180 Hz:\n\n{held}\n"
         "Changes while a hand is held at full amplitude; the largest step from a sample to the next, over that of a "
-        f"sine of the recording's own peak:\n\n{changes}\n"
+        f"sine of the\nrecording's own peak:\n\n{changes}\n"
         f"A hand's track in real time, beside the same on the motion's own clock; the engine mixes "
         f"{measured.block_frames} frames at a time here:\n\n{followed}"
     )
