@@ -14,7 +14,7 @@ const FRAMES_PER_S := 90
 const FREQUENCY_HZ := 180.0
 const AMPLITUDE_M := 0.2
 const HELD_S := 2.5
-const SETTLING_S := 0.4
+const SETTLING_S := 0.4  ## or two blocks, where that is longer
 const CHANGE_S := 0.5
 const STALL_S := 0.4
 ## Of headless Godot, at any rate.
@@ -71,9 +71,14 @@ func _measure(arguments: PackedStringArray) -> void:
 	quit(exit_code)
 
 
+## A block that is mixed before the vibration has begun is silent.
+func _settling_s() -> float:
+	return maxf(SETTLING_S, 2.0 * MIXED_AT_ONCE / AudioServer.get_mix_rate())
+
+
 func _measure_held() -> void:
 	_build_held()
-	await _hold_for(SETTLING_S, 0.5)
+	await _hold_for(_settling_s(), 0.5)
 	_bus.begin()
 	await _hold_for(HELD_S, 0.5)
 	_bus.end()
@@ -85,7 +90,7 @@ func _measure_held() -> void:
 ## Each of them in the middle of half a second, while a hand is held at full amplitude.
 func _measure_changes() -> void:
 	_build_held()
-	await _hold_for(SETTLING_S, 1.0)
+	await _hold_for(_settling_s(), 1.0)
 	await _change("condition", func() -> void: _hmm.motion = GestureHMM.MOTION_AVERAGE)
 	await _change("condition back", func() -> void: _hmm.motion = GestureHMM.MOTION_MEASURED)
 	await _change("gain", func() -> void: _synth.gain = 0.25)
@@ -213,7 +218,7 @@ func _measure_trial(trial: Dictionary, track_path: String) -> void:
 	for synth in synths:
 		synth.gesture_hmm = _hmm
 		root.add_child(synth)
-	await create_timer(SETTLING_S).timeout
+	await create_timer(_settling_s()).timeout
 	_bus.begin()
 	_tracker.start()
 	var clock := PackedFloat64Array()
