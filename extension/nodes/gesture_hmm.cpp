@@ -87,6 +87,7 @@ void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
 	run_clock(p_frame.t_s, false);
 	prepare(p_frame.t_s);
 	recogniser_->push(p_frame);
+	watch_joints(p_frame.tracked);
 	time_s_ = std::max(time_s_, p_frame.t_s);
 }
 

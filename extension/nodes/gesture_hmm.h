@@ -145,8 +145,10 @@ private:
 	StringName recognised_;
 	uint32_t gestures_begun_ = 0;
 	String warned_;
-	int task_changes_ = 0; ///< since a gesture last began
-	int leaps_ = 0;        ///< gaps too long to connect, one after the other
+	int task_changes_ = 0;                        ///< since a gesture last began
+	int leaps_ = 0;                               ///< gaps too long to connect, one after the other
+	int frames_with_hand_ = 0;                    ///< since the recogniser was made
+	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
 
 	void prepare(double p_time_s);
 	/// By the models as they are now, at no place.
@@ -155,6 +157,7 @@ private:
 	std::vector<Expected> find_expected() const;
 	void build_recogniser();
 	void warn_of_silence();
+	void watch_joints(uint8_t p_tracked);
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
 	String place_fault(const GestureTask &p_task) const;
 	/// Of a gesture that needs a task and has none; empty where there is no such.

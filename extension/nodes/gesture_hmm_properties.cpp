@@ -31,6 +31,7 @@ GestureHMM::~GestureHMM() {
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	if (listen_to(p_tracker, tracker_, this)) {
 		reset();
+		joints_seen_ = joints_missed_ = 0;
 		update_configuration_warnings();
 	}
 }

@@ -18,6 +18,8 @@ namespace {
 
 /// Without a gesture in between; a script may set some properties one by one, or slide a task into its place.
 constexpr int TASK_CHANGES_TOLD = 100;
+/// Frames with a hand in them: two seconds of a usual tracker's.
+constexpr int FRAMES_WATCHED = 200;
 
 bool is_usable(const Ref<GestureModel> &p_model) {
 	return p_model.is_valid() && p_model->core() != nullptr &&
@@ -28,6 +30,16 @@ steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureM
 	const bool is_radius = steadyhand::find_feature(p_model.feature)->is_radius;
 	return { is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
 		to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
+}
+
+String joint_list(uint8_t p_joints) {
+	String names;
+	for (std::size_t i = 0; i < steadyhand::JOINT_COUNT; ++i) {
+		if ((p_joints >> i & 1U) != 0) {
+			names += (names == String() ? String() : String(", ")) + to_godot(steadyhand::JOINT_NAMES[i]);
+		}
+	}
+	return names;
 }
 
 } // namespace
@@ -77,6 +89,7 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 void GestureHMM::build_recogniser() {
 	expected_ = find_expected();
 	warn_of_silence();
+	frames_with_hand_ = 0;
 	std::vector<steadyhand::ExpectedGesture> gestures;
 	gestures.reserve(expected_.size());
 	for (const Expected &one : expected_) {
@@ -131,6 +144,27 @@ void GestureHMM::warn_of_silence() {
 		WARN_PRINT(warning);
 	}
 	warned_ = std::move(warning);
+}
+
+/// Of a tracker that never shows what a task's gesture, or the only one, is measured by; once for each such
+/// joint. Where several are waited for anywhere, that some cannot come may be meant.
+void GestureHMM::watch_joints(uint8_t p_tracked) {
+	joints_seen_ |= p_tracked;
+	if (p_tracked == 0 || ++frames_with_hand_ != FRAMES_WATCHED) {
+		return;
+	}
+	for (const Expected &one : expected_) {
+		const uint8_t needed = steadyhand::find_feature(one.model->feature)->joints;
+		const uint8_t missed = needed & ~joints_seen_;
+		const bool is_waited_for = one.place.has_value() || expected_.size() == 1;
+		if (!is_waited_for || (missed & ~joints_missed_) == 0) {
+			continue;
+		}
+		joints_missed_ |= missed;
+		WARN_PRINT(String("GestureHMM: nothing is recognised of '") + String(one.gesture) +
+				String("', which is measured by ") + joint_list(needed) + String(": no frame has held ") +
+				joint_list(missed));
+	}
 }
 
 String GestureHMM::place_fault(const GestureTask &p_task) const {

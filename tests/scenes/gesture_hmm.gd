@@ -184,6 +184,21 @@ func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> v
 	check(absi(earlier_ms - LATENCY_MS) < 10, "earlier by %d ms" % earlier_ms)
 
 
+func test_joints_that_no_frame_holds_are_named() -> void:
+	# expects warning: of 'zoom', which is measured by thumb, index, middle: no frame has held thumb, middle
+	var rig := _make_rig(STABLE)
+	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.gesture_hmm.models = [load(Rig.MODEL % "zoom")]
+	rig.task.gesture = &"zoom"
+	rig.task.start_radius = 0.03
+	rig.tracker.start()
+	for i in 1000:
+		rig.tracker.push_frame(0.01 * i, {HandTracker.JOINT_INDEX: Vector3(0.001 * i, 0, 0)})
+		if i == 500:
+			rig.task.amplitude *= 1.1
+	rig.free_nodes()
+
+
 func test_what_keeps_it_from_recognising_is_said() -> void:
 	# expects warning: since it has no models
 	# expects warning: since none of its models holds a gesture

@@ -9,15 +9,18 @@
 namespace steadyhand {
 namespace {
 
+constexpr std::uint8_t INDEX_TIP = joint_bits({ Joint::INDEX });
+constexpr std::uint8_t THREE_TIPS = joint_bits({ Joint::THUMB, Joint::INDEX, Joint::MIDDLE });
+
 std::optional<double> index_along_axis(const HandFrame &frame, const Task &task) {
-	if (!frame.has(Joint::INDEX)) {
+	if (!frame.has_all(INDEX_TIP)) {
 		return std::nullopt;
 	}
 	return (frame.position(Joint::INDEX) - task.start_m).dot(task.axis);
 }
 
 std::optional<FeaturePlace> index_place(const HandFrame &frame) {
-	if (!frame.has(Joint::INDEX)) {
+	if (!frame.has_all(INDEX_TIP)) {
 		return std::nullopt;
 	}
 	FeaturePlace place = FeaturePlace::Zero();
@@ -33,7 +36,7 @@ FeaturePlace along_axis(const Task &task) {
 
 /// The circle through the tips of thumb, index and middle finger, z left out (paper, "zoom_R").
 std::optional<Circle> tips_circle(const HandFrame &frame) {
-	if (!frame.has(Joint::THUMB) || !frame.has(Joint::INDEX) || !frame.has(Joint::MIDDLE)) {
+	if (!frame.has_all(THREE_TIPS)) {
 		return std::nullopt;
 	}
 	return circumcircle(frame.position(Joint::THUMB).head<2>(), frame.position(Joint::INDEX).head<2>(),
@@ -67,7 +70,7 @@ std::optional<double> index_along_circle(const HandFrame &frame, const Task &tas
 	const double radius_m = task.amplitude_m / (2.0 * std::numbers::pi);
 	const Eigen::Vector2d ahead = task.axis.head<2>().normalized();
 	const Eigen::Vector2d inward(-ahead.y(), ahead.x());
-	if (!frame.has(Joint::INDEX) || ahead.isZero(0.0)) {
+	if (!frame.has_all(INDEX_TIP) || ahead.isZero(0.0)) {
 		return std::nullopt;
 	}
 	const Eigen::Vector2d from_centre =
@@ -86,9 +89,10 @@ double circumference(const Task &task) {
 constexpr double WHILE_IT_OPENS = 0.2;
 
 constexpr std::array FEATURES{
-	Feature{ "index_along_axis", index_along_axis, index_place, along_axis },
-	Feature{ "tips_circumradius", tips_circumradius, tips_place, along_size, nullptr, true, WHILE_IT_OPENS },
-	Feature{ "index_along_circle", index_along_circle, nullptr, nullptr, circumference },
+	Feature{ "index_along_axis", INDEX_TIP, index_along_axis, index_place, along_axis },
+	Feature{ "tips_circumradius", THREE_TIPS, tips_circumradius, tips_place, along_size, nullptr, true,
+			WHILE_IT_OPENS },
+	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference },
 };
 
 } // namespace

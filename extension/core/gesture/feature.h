@@ -3,6 +3,7 @@
 #include "gesture/task.h"
 #include "tracking/frame.h"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -15,6 +16,7 @@ using FeaturePlace = Eigen::Vector4d;
 /// A motion element: one number in metres, 0 where the task starts and the task's amplitude where it ends.
 struct Feature {
 	std::string_view name; ///< as written in model files
+	std::uint8_t joints;   ///< that it needs: joint_bits()
 	/// Nothing where a joint it needs is not tracked in the frame, or where the joints do not determine it.
 	std::optional<double> (*measure)(const HandFrame &frame, const Task &task);
 	/// Nothing where measure gives nothing. Differences of places along `direction` are differences of the

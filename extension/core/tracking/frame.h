@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <string_view>
 
 namespace steadyhand {
 
@@ -12,6 +14,19 @@ namespace steadyhand {
 enum class Joint : std::uint8_t { THUMB, INDEX, MIDDLE, RING, PINKY, PALM, WRIST };
 
 inline constexpr std::size_t JOINT_COUNT = 7;
+/// As in track CSV.
+inline constexpr std::array<std::string_view, JOINT_COUNT> JOINT_NAMES = { "thumb", "index", "middle", "ring",
+	"pinky", "palm", "wrist" };
+
+/// Bit i set: joint i is one of them.
+constexpr std::uint8_t joint_bits(std::initializer_list<Joint> joints) {
+	unsigned bits = 0;
+	for (const Joint joint : joints) {
+		bits |= 1U << static_cast<unsigned>(joint);
+	}
+	return static_cast<std::uint8_t>(bits);
+}
+
 /// No coordinate of a file is further from its origin, m: what is, is no place.
 inline constexpr double FARTHEST_M = 1e9;
 
@@ -25,6 +40,7 @@ struct HandFrame {
 	double confidence = 1.0; ///< 0..1 as the device reports it; 1 where it reports none
 
 	[[nodiscard]] bool has(Joint joint) const { return (tracked >> static_cast<unsigned>(joint)) & 1U; }
+	[[nodiscard]] bool has_all(std::uint8_t joints) const { return (tracked & joints) == joints; }
 	[[nodiscard]] const Eigen::Vector3d &position(Joint joint) const {
 		return positions_m[static_cast<std::size_t>(joint)];
 	}

@@ -11,8 +11,6 @@ namespace steadyhand {
 
 namespace {
 
-constexpr std::array<std::string_view, JOINT_COUNT> JOINT_NAMES = { "thumb", "index", "middle", "ring",
-	"pinky", "palm", "wrist" };
 constexpr std::string_view AXES = "xyz";
 
 // Beyond these a number is no hand's: a column of another unit or a damaged file.

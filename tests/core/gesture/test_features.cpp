@@ -96,6 +96,28 @@ std::vector<TrainingRecording> synthetic_recordings(const std::string &gesture) 
 
 } // namespace
 
+TEST_CASE("a feature measures a frame that holds the joints it names, and none that lacks one of them") {
+	const Task task{ { 0.02, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), 0.2 };
+	HandFrame hand;
+	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {
+		const double angle = 0.7 * static_cast<double>(i);
+		hand.set(static_cast<Joint>(i), { 0.05 * std::cos(angle), 0.05 * std::sin(angle), 0.01 });
+	}
+	for (const Feature &feature : features()) {
+		CAPTURE(feature.name);
+		REQUIRE(feature.joints != 0);
+		HandFrame frame = hand;
+		frame.tracked = feature.joints;
+		CHECK(feature.measure(frame, task).has_value());
+		for (unsigned bit = 1; bit < 1U << JOINT_COUNT; bit <<= 1) {
+			frame.tracked = static_cast<std::uint8_t>(hand.tracked & ~bit);
+			const bool is_needed = (feature.joints & bit) != 0;
+			CHECK(feature.measure(frame, task).has_value() == !is_needed);
+			CHECK((feature.place == nullptr || feature.place(frame).has_value() == !is_needed));
+		}
+	}
+}
+
 TEST_CASE("the circumradius of known triangles") {
 	CHECK(*circumradius({ 0, 0 }, { 3, 0 }, { 0, 4 }) == doctest::Approx(2.5).epsilon(1e-15));
 	CHECK(*circumradius({ 0, 0 }, { 1, 0 }, { 0.5, std::sqrt(0.75) }) ==
