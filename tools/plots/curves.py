@@ -75,7 +75,7 @@ def draw_curves(axes: Axes, curves: dict[str, np.ndarray]) -> None:
                 curves["t"], curves[name], color=style.colour, lw=style.width, ls=style.dashes, label=style.label
             )
     axes.set_ylabel("motion element\n(share of the amplitude)")
-    axes.legend(handles=[lines[name] for name in LEGEND_ORDER if name in lines], loc="lower right", framealpha=0.95)
+    axes.legend(handles=[lines[name] for name in LEGEND_ORDER if name in lines], loc="upper left", framealpha=0.95)
 
 
 def draw_vibration(axes: Axes, t: np.ndarray, samples: np.ndarray) -> None:
