@@ -1,5 +1,6 @@
 extends CanvasLayer
-## The condition and the live values of all of them, in millimetres.
+## The condition and the live values of all of them, in millimetres; which one drives is not shown
+## to who compares them.
 
 const Conditions := preload("conditions.gd")
 
@@ -24,9 +25,10 @@ func _ready() -> void:
 		_values[row].horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
 
 
-func show_live(motion: GestureHMM) -> void:
+func show_live(motion: GestureHMM, is_blind: bool) -> void:
 	for row in Conditions.MOTIONS.size():
-		var colour := DRIVING if Conditions.MOTIONS[row] == motion.motion else OTHER
+		var is_marked := Conditions.MOTIONS[row] == motion.motion and not is_blind
+		var colour := DRIVING if is_marked else OTHER
 		_titles[row].modulate = colour
 		_values[row].modulate = colour
 		_values[row].text = "%.1f mm" % (1000.0 * motion.get_motion_value(Conditions.MOTIONS[row]))

@@ -14,6 +14,7 @@ const Participant := preload("participant.gd")
 const Practice := preload("practice.gd")
 const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
+const StudyOrder := preload("study_order.gd")
 const Tasks := preload("tasks.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
@@ -23,8 +24,6 @@ const TrialTask := preload("trial_task.gd")
 const ARRIVED := 0.95
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
-## Of a live hand at one position, before the other's turn comes: the paper's.
-const TRIALS_PER_BLOCK := 5
 const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 	HandTracker.POSITION_STABLE, HandTracker.POSITION_UNSTABLE
 ]
@@ -52,6 +51,7 @@ var _trial_name := ""
 var _position_name := ""
 var _is_live := false
 var _live_trials := 0
+var _order := StudyOrder.new()
 var _participant := Participant.new()
 var _practice: Practice = null
 
@@ -82,7 +82,7 @@ func _ready() -> void:
 
 
 func _process(_delta: float) -> void:
-	_readout.show_live(gesture_hmm)
+	_readout.show_live(gesture_hmm, not _order.conditions.is_empty())
 	if _practice != null:
 		_readout.notice = _practice.get_instruction()
 
@@ -93,7 +93,10 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		return
 	var condition := key.keycode - KEY_1
 	if condition >= 0 and condition < Conditions.MOTIONS.size():
+		_order.conditions = []
 		gesture_hmm.motion = Conditions.MOTIONS[condition]
+	elif key.keycode == KEY_R:
+		compare_conditions(_order.conditions.is_empty())
 	elif key.keycode == KEY_M:
 		follow_mouse(not _mouse.active)
 	elif key.keycode == KEY_P:
@@ -139,6 +142,7 @@ func follow_mouse(on: bool) -> void:
 	else:
 		_is_live = false
 		_practice = null
+		_order.conditions = []
 		_readout.notice = ""
 		play_next()
 
@@ -164,6 +168,17 @@ func practise() -> void:
 	_end_trial()
 	_practice = Practice.new(tracker, _stage.joints[0] as HandTracker.Joint)
 	_practice.ended.connect(_on_practice_ended)
+
+
+## The paper's conditions in a random order, block by block of a live hand's trials, or the mouse's
+## where there is none; or the present one until another is chosen.
+func compare_conditions(on: bool) -> void:
+	_order.conditions = Conditions.COMPARED.duplicate() if on else [] as Array[GestureHMM.Motion]
+	_readout.notice = "conditions in a random order" if on else "one condition"
+	if on and not _is_live:
+		_mouse.active = true
+	if on and _practice == null:
+		_begin_order()
 
 
 ## Name of the condition that drives what is shown.
@@ -205,18 +220,26 @@ func _begin_trial(trial_name: String, position_name: String, participant: String
 
 ## At the participant's positions, in turns, where a practice run has found them.
 func _begin_live_trial() -> void:
-	var position_name := _live_position(_live_trials)
-	if not position_name.is_empty():
+	var position_name := ""
+	if _participant.has_positions(task.gesture):
+		position_name = Participant.POSITIONS[_order.position_at(_live_trials, _positions())]
 		TrialTask.place_middle(task, _participant.get_position(task.gesture, position_name))
+	if not _order.conditions.is_empty():
+		gesture_hmm.motion = _order.condition_at(_live_trials, _positions())
 	_live_trials += 1
 	var trial_name := "%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials]
 	_begin_trial(trial_name, position_name, _participant.name)
 
 
-func _live_position(trial_index: int) -> String:
-	if not _participant.has_positions(task.gesture):
-		return ""
-	return Participant.POSITIONS[trial_index / TRIALS_PER_BLOCK % Participant.POSITIONS.size()]
+## At how many places a live hand makes its trials.
+func _positions() -> int:
+	return Participant.POSITIONS.size() if _participant.has_positions(task.gesture) else 1
+
+
+## A live hand's trials from a first block on.
+func _begin_order() -> void:
+	_order.begin(_live_trials, randi())
+	follow_live()
 
 
 func _end_trial() -> void:
@@ -257,7 +280,7 @@ func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
 		end_value_m = _stage.end_value(gesture_hmm.value)
 	# The hand has to see its next place before it goes there.
 	if _is_live and _practice == null and _is_live_trial_done():
-		if _live_position(_live_trials) != _live_position(_live_trials - 1):
+		if _order.changes_at(_live_trials, _positions()):
 			_end_trial()
 			_begin_live_trial.call_deferred()
 
@@ -293,9 +316,7 @@ func _on_practice_ended(proposal: Dictionary) -> void:
 	if proposal.get("distinct", false):
 		_participant.keep(task.gesture, proposal)
 	_readout.notice = Practice.describe(proposal)
-	# The first block is at the stable position.
-	_live_trials = ceili(float(_live_trials) / (2 * TRIALS_PER_BLOCK)) * 2 * TRIALS_PER_BLOCK
-	follow_live()
+	_begin_order()
 	practice_ended.emit(_readout.notice)
 
 

@@ -4,6 +4,7 @@ extends "support/scene_test.gd"
 const LiveHand := preload("support/live_hand.gd")
 const Participant := preload("res://scripts/participant.gd")
 const Stage := preload("res://scripts/stage.gd")
+const StudyOrder := preload("res://scripts/study_order.gd")
 const TaskPlayer := preload("support/task_player.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 
@@ -35,7 +36,7 @@ func test_a_practice_run_moves_the_task_and_is_kept() -> void:
 	check(unstable.z < -0.45, "unstable where it is lost: %s" % unstable)
 	_check_place(player, stable, "stable")
 
-	for stroke in TaskScene.TRIALS_PER_BLOCK:
+	for stroke in StudyOrder.TRIALS_PER_BLOCK:
 		check(_colour_is(player, "stable"), "drag %d is at the stable position" % (stroke + 1))
 		_hand.make_gesture(scene, scene.task.amplitude)
 		await process_frame
@@ -46,7 +47,7 @@ func test_a_practice_run_moves_the_task_and_is_kept() -> void:
 	var stable_rows := 0
 	for row in rows:
 		stable_rows += 1 if row.contains(",stable,") else 0
-	check_equal(stable_rows, TaskScene.TRIALS_PER_BLOCK, "the log names the position")
+	check_equal(stable_rows, StudyOrder.TRIALS_PER_BLOCK, "the log names the position")
 
 	var again := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
 	again.scene.follow_live()
