@@ -185,7 +185,7 @@ func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> v
 
 
 func test_joints_that_no_frame_holds_are_named() -> void:
-	# expects warning: of 'zoom', which is measured by thumb, index, middle: no frame has held thumb, middle
+	# expects warning: by thumb, index, middle: no frame has held thumb, middle
 	var rig := _make_rig(STABLE)
 	rig.tracker.source = HandTracker.SOURCE_SCRIPT
 	rig.gesture_hmm.models = [load(Rig.MODEL % "zoom")]
