@@ -1,6 +1,6 @@
 extends CanvasLayer
 ## The condition and the live values of all of them, in millimetres; which one drives is not shown
-## to who compares them.
+## to whoever compares them.
 
 const Conditions := preload("conditions.gd")
 

@@ -1,7 +1,7 @@
 extends RefCounted
 ## In which order a live hand's trials are made: in blocks, at each of its positions in turn; and,
 ## where conditions are compared, in each of them at all positions before the next, in a random
-## order that is drawn anew once all have been (paper, "Experimental procedure").
+## order that is drawn anew once all have been (paper, "Procedure").
 
 ## The paper's.
 const TRIALS_PER_BLOCK := 5
