@@ -50,6 +50,7 @@ var _log: TrialLog = null
 var _trial_name := ""
 var _position_name := ""
 var _is_live := false
+var _live_runs := 0
 var _live_trials := 0
 var _order := StudyOrder.new()
 var _participant := Participant.new()
@@ -113,8 +114,7 @@ func _exit_tree() -> void:
 
 ## Plays a trial of a set. `trial`: a row of TrialSet.get_trial().
 func play(trial: Dictionary, measured_path: String) -> Error:
-	_end_trial()
-	tracker.stop()
+	_stop()
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
 	TrialTask.apply(trial, task)
@@ -149,10 +149,10 @@ func follow_mouse(on: bool) -> void:
 
 ## A hand whose frames are pushed to the tracker, in place of the played trials.
 func follow_live() -> void:
-	_end_trial()
+	_stop()
 	_is_live = true
-	tracker.stop()
 	tracker.source = HandTracker.SOURCE_SCRIPT
+	_record_frames()
 	tracker.start()
 	_begin_live_trial()
 
@@ -187,8 +187,7 @@ func condition_name() -> String:
 
 
 func _play_synthetic() -> void:
-	_end_trial()
-	tracker.stop()
+	_stop()
 	tracker.source = HandTracker.SOURCE_SYNTHETIC
 	tracker.synthetic_gesture = task.gesture
 	tracker.synthetic_seed += 1
@@ -240,6 +239,19 @@ func _positions() -> int:
 func _begin_order() -> void:
 	_order.begin(_live_trials, randi())
 	follow_live()
+
+
+func _stop() -> void:
+	_end_trial()
+	tracker.stop()
+	tracker.stop_recording()
+
+
+## What a live hand's tracker told is kept, beside what was made of it.
+func _record_frames() -> void:
+	_live_runs += 1
+	DirAccess.make_dir_recursive_absolute(session_folder)
+	tracker.start_recording(session_folder.path_join("frames_%02d.csv" % _live_runs))
 
 
 func _end_trial() -> void:

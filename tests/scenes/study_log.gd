@@ -39,7 +39,8 @@ func test_drags_whose_ends_are_known() -> void:
 		hand.make_gesture(scene, way)
 		# A second of rest, after a second on the way.
 		ended.append(hand.time_s - 1.0)
-	var rows := _rows(scene.session_folder, player)
+	var session := scene.session_folder
+	var rows := _rows(session, player)
 	check_equal(rows.size(), ENDS.size(), "a row a drag")
 	for i in rows.size():
 		var row := rows[i]
@@ -49,6 +50,7 @@ func test_drags_whose_ends_are_known() -> void:
 		check_near(row["end_value_m"].to_float(), ENDS[i], END_ERROR_M, "where it ended")
 		check_near(row["gesture_end_s"].to_float(), ended[i], 0.15, "when it ended")
 		check(row["start_s"].to_float() > ended[i] - 1.0, "its start is its own")
+	_check_frames(session, hand)
 
 
 func test_played_trials_name_their_subject() -> void:
@@ -134,6 +136,21 @@ func test_which_end_counts() -> void:
 		hmm.gesture_ended.emit(gesture, 3.0)
 		check_equal(player.scene.gesture_end_s, counted[gesture], "the one that did the task")
 		player.scene.free()
+
+
+## Each frame that the hand pushed is there to be played again.
+func _check_frames(session: String, hand: LiveHand) -> void:
+	var tracker := HandTracker.new()
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.recording_path = session.path_join("frames_01.csv")
+	root.add_child(tracker)
+	var counted: Array[int] = [0]
+	tracker.frame_received.connect(func(_time_s: float) -> void: counted[0] += 1)
+	check_equal(tracker.start(), OK, "the frames of a live hand are a track")
+	tracker.advance(hand.time_s + 1.0)
+	check_equal(counted[0], roundi(hand.time_s / LiveHand.FRAME_S), "of all its frames")
+	tracker.free()
 
 
 ## Of the session's trials.csv, by column.
