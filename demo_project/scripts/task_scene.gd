@@ -217,7 +217,8 @@ func _begin_trial(trial_name: String, position_name: String, participant: String
 	trial_started.emit(trial_name)
 
 
-## At the participant's positions, in turns, where a practice run has found them.
+## At the participant's positions, in turns, where a practice run has found them; in the condition
+## whose turn it is, where they are compared.
 func _begin_live_trial() -> void:
 	var position_name := ""
 	if _participant.has_positions(task.gesture):

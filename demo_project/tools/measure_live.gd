@@ -63,7 +63,7 @@ func _measure(arguments: PackedStringArray) -> void:
 	if not trials_folder.is_empty():
 		await _measure_trials(TrialSet.load_folder(trials_folder))
 	# The engine lets go of what it played in the frame after its next mix.
-	await create_timer(2.0 * MIXED_AT_ONCE / AudioServer.get_mix_rate()).timeout
+	await create_timer(_two_blocks_s()).timeout
 	var file := FileAccess.open(_out.path_join("live.json"), FileAccess.WRITE)
 	file.store_string(JSON.stringify(_report, "\t", false))
 	exit_code = 0 if file.get_error() == OK else EXIT_BAD_INPUT
@@ -73,7 +73,11 @@ func _measure(arguments: PackedStringArray) -> void:
 
 ## A block that is mixed before the vibration has begun is silent.
 func _settling_s() -> float:
-	return maxf(SETTLING_S, 2.0 * MIXED_AT_ONCE / AudioServer.get_mix_rate())
+	return maxf(SETTLING_S, _two_blocks_s())
+
+
+func _two_blocks_s() -> float:
+	return 2.0 * MIXED_AT_ONCE / AudioServer.get_mix_rate()
 
 
 func _measure_held() -> void:

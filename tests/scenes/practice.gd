@@ -7,6 +7,7 @@ const Stage := preload("res://scripts/stage.gd")
 const StudyOrder := preload("res://scripts/study_order.gd")
 const TaskPlayer := preload("support/task_player.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
+const TrialRows := preload("support/trial_rows.gd")
 
 ## The sensor loses the hand for so long, so often, where it is further away than this.
 const BAD_BEYOND_Z := -0.45
@@ -43,10 +44,9 @@ func test_a_practice_run_moves_the_task_and_is_kept() -> void:
 	_check_place(player, unstable, "unstable")
 	var session := scene.session_folder
 	scene.free()
-	var rows := FileAccess.get_file_as_string(session.path_join("trials.csv")).split("\n", false)
 	var stable_rows := 0
-	for row in rows:
-		stable_rows += 1 if row.contains(",stable,") else 0
+	for row in TrialRows.read(session):
+		stable_rows += 1 if row["position"] == "stable" else 0
 	check_equal(stable_rows, StudyOrder.TRIALS_PER_BLOCK, "the log names the position")
 
 	var again := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)

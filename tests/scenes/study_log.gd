@@ -7,6 +7,7 @@ const Participant := preload("res://scripts/participant.gd")
 const Rig := preload("support/rig.gd")
 const TaskPlayer := preload("support/task_player.gd")
 const Tasks := preload("res://scripts/tasks.gd")
+const TrialRows := preload("support/trial_rows.gd")
 const ZoomStage := preload("res://scripts/zoom_stage.gd")
 
 const HEADER := (
@@ -153,17 +154,8 @@ func _check_frames(session: String, hand: LiveHand) -> void:
 	tracker.free()
 
 
-## Of the session's trials.csv, by column.
-func _rows(folder: String, player: TaskPlayer) -> Array[Dictionary]:
+## Of the session, once its scene is gone.
+func _rows(session: String, player: TaskPlayer) -> Array[Dictionary]:
 	player.scene.free()
-	var file := FileAccess.open(folder.path_join("trials.csv"), FileAccess.READ)
-	var header := file.get_csv_line()
-	check_equal(",".join(header), HEADER, "the columns, new ones last")
-	var rows: Array[Dictionary] = []
-	while file.get_position() < file.get_length():
-		var cells := file.get_csv_line()
-		var row: Dictionary[String, String] = {}
-		for column in header.size():
-			row[header[column]] = cells[column]
-		rows.append(row)
-	return rows
+	check_equal(TrialRows.header(session), HEADER, "the columns, new ones last")
+	return TrialRows.read(session)

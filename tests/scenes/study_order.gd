@@ -5,6 +5,7 @@ const Conditions := preload("res://scripts/conditions.gd")
 const LiveHand := preload("support/live_hand.gd")
 const StudyOrder := preload("res://scripts/study_order.gd")
 const TaskPlayer := preload("support/task_player.gd")
+const TrialRows := preload("support/trial_rows.gd")
 
 const SEEDS := 300
 const ROUNDS := 4
@@ -53,21 +54,21 @@ func test_a_live_hand_compares_conditions_block_by_block() -> void:
 	scene.follow_live()
 	player.press(KEY_R)
 	var hand := LiveHand.new()
-	for drag in StudyOrder.TRIALS_PER_BLOCK * Conditions.COMPARED.size():
+	var count := StudyOrder.TRIALS_PER_BLOCK * Conditions.COMPARED.size()
+	for drag in count:
 		hand.make_gesture(scene, scene.task.amplitude)
 		await process_frame
 	var session := scene.session_folder
 	player.press(KEY_1)
 	hand.make_gesture(scene, scene.task.amplitude)
 	scene.free()
-	var file := FileAccess.open(session.path_join("trials.csv"), FileAccess.READ)
-	var column := Array(file.get_csv_line()).find("condition")
 	var conditions: Array[String] = []
-	while file.get_position() < file.get_length():
-		conditions.append(file.get_csv_line()[column])
+	for row in TrialRows.read(session):
+		conditions.append(row["condition"])
 	var compared: Array[String] = []
-	for block in Conditions.COMPARED.size():
-		var five := conditions.slice(block * 5 + 1, block * 5 + 6)
+	# The first trial is the one that R cut off.
+	for first in range(1, 1 + count, StudyOrder.TRIALS_PER_BLOCK):
+		var five := conditions.slice(first, first + StudyOrder.TRIALS_PER_BLOCK)
 		compared.append(five[0])
 		check_equal(five.count(five[0]), 5, "five drags in one condition: %s" % five[0])
 	compared.sort()

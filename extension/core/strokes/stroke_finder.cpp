@@ -155,12 +155,13 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	const double dt_s = place.t_s - newest_.t_s;
 	if (dt_s > LOSS_S && stroke_count_ > 0) {
-		lost_ = strokes_[0];
+		lost_ = strokes_[0]; // as it was known until now
 		lost_->unrest_m = unrest_m(*lost_);
 		lost_->is_lost = true;
 	}
 	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
 	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
+	// A slope is that of half a window ago.
 	now.speed_s = place.t_s - 0.5 * std::max(WINDOW_S, dt_s);
 	measure_way(now);
 	// Where the hand turned unseen, it was last seen nearest to where.
