@@ -1,5 +1,7 @@
 #include "phase/fault_evidence.h"
 
+#include "signal/minimum_jerk.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,26 +11,30 @@ namespace {
 // As in phase_estimator.cpp.
 /// A fault's likelihood where the tracker is right, against it erring.
 constexpr double FAULT_LOG_RATIO = 6.0;
+/// Trackers lose hands as often as is in proportion to their speed and this, amplitudes a second,
+constexpr double STILL_PER_S = 0.3;
+/// and a hand at rest so much less often, in nats, than those that have begun.
+constexpr double AT_REST_LOG_RATIO = 0.5;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
 /// The same of one that errs half-way: to show a hand as standing that goes on.
 constexpr double STANDS_PER_S = 30.0;
 
-} // namespace
+/// Logarithm of how often trackers lose a hand that is on its way like that, against one that goes an
+/// amplitude a second.
+double log_losses(const HypothesisGroup::Course &course, double lost_s) {
+	const double per_phase = minimum_jerk((lost_s - course.onset_s) * course.rate_per_s).first;
+	return std::log((STILL_PER_S + per_phase * course.rate_per_s) / (STILL_PER_S + 1.0));
+}
 
-void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump) {
-	if (fault == 0.0) {
-		return;
-	}
-	const auto is_judged = [&](std::size_t i) {
-		return r_bank.on_its_way(i) &&
-				(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
-	};
+/// Of those that are judged; the others keep their share against them.
+template <typename IsJudged, typename LogLikelihood>
+void weigh(HypothesisBank &r_bank, IsJudged is_judged, LogLikelihood log_likelihood) {
 	double before = 0.0, after = 0.0;
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
 		if (is_judged(i)) {
 			before += std::exp(r_bank.log_weight(i));
-			r_bank.weigh(i, r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -FAULT_LOG_RATIO * fault);
+			r_bank.weigh(i, log_likelihood(i));
 			after += std::exp(r_bank.log_weight(i));
 		}
 	}
@@ -36,6 +42,38 @@ void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump)
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
 		r_bank.weigh(i, is_judged(i) ? 0.0 : kept);
 	}
+}
+
+} // namespace
+
+void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss) {
+	if (loss == 0.0) {
+		return;
+	}
+	weigh(
+			r_bank,
+			[&](std::size_t i) {
+				return r_bank.on_its_way(i) && r_bank.regime(i) != Regime::FREE && !r_bank.is_over(i, t_s);
+			},
+			[&](std::size_t i) { return loss * log_losses(r_bank.course(i), lost_s); });
+	for (std::size_t i = 0; i < r_bank.size(); ++i) {
+		r_bank.weigh(i, r_bank.regime(i) == Regime::REST ? -AT_REST_LOG_RATIO * loss : 0.0);
+	}
+}
+
+void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump) {
+	if (fault == 0.0) {
+		return;
+	}
+	weigh(
+			r_bank,
+			[&](std::size_t i) {
+				return r_bank.on_its_way(i) &&
+						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
+			},
+			[&](std::size_t i) {
+				return r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -FAULT_LOG_RATIO * fault;
+			});
 }
 
 void count_errorless(HypothesisBank &r_bank, double t_s, double dt_s, double x, bool is_standing) {

@@ -2,6 +2,8 @@
 
 #include "phase/hypothesis_bank.h"
 
+#include <algorithm>
+
 namespace steadyhand {
 
 /// How far the faults that a tracker shows, and those that it does not, speak against hypotheses. Amplitudes;
@@ -11,6 +13,26 @@ namespace steadyhand {
 /// nothing of whether the hand has begun, or of one that has left the gesture's end: those keep their share.
 /// Where the gesture is over, only a jump says where the hand is.
 void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump);
+
+/// Of a gap or a freeze, however long, that the hand was lost is said once.
+class LossCount {
+public:
+	/// Of further evidence of it what is new: in all as much as of one loss.
+	double new_of(double loss) {
+		const double part = std::clamp(loss, 0.0, 1.0 - counted_);
+		counted_ += part;
+		return part;
+	}
+	void end() { counted_ = 0.0; }
+
+private:
+	double counted_ = 0.0;
+};
+
+/// loss: LossCount's, of a hand that was last seen at lost_s. Trackers lose hands that move, the sooner the
+/// faster they are. That is no more likely of those that have begun than of one that has left the gesture's
+/// end, or does something else, but is of either than of one at rest.
+void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss);
 
 /// A frame, dt_s after the last one, that shows the hand at x speaks against a tracker that errs by as much
 /// of the way as goes without a fault; by far more where it shows the hand standing on its way.

@@ -1,6 +1,5 @@
 #include "phase/phase_estimator.h"
 
-#include "phase/fault_evidence.h"
 #include "phase/tracker_jump.h"
 
 #include <algorithm>
@@ -70,6 +69,7 @@ void PhaseEstimator::wait(double t_s) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s);
+	count_loss(bank_, filtered_s_, told_s_, loss_.new_of(missing - missing_));
 	count_fault(bank_, filtered_s_, missing - missing_, false);
 	missing_ = missing;
 	prune();
@@ -100,6 +100,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		by.pace_variance = 0.0; // to stand is no slower pace
 	}
 	bank_.predict(curve_, t_s, by);
+	count_lost();
 	if (soundness_.returned()) {
 		births_.leave_unseen(bank_, soundness_, t_s);
 	}
@@ -120,6 +121,15 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	count_frame(t_s, dt_s, x);
 	if (soundness_.told()) {
 		bank_.absorb(curve_, t_s, x, { OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) });
+	}
+}
+
+void PhaseEstimator::count_lost() {
+	if (!halted_.is_halted()) {
+		count_loss(bank_, filtered_s_, told_s_, loss_.new_of(soundness_.loss() - missing_));
+	}
+	if (soundness_.told()) {
+		loss_.end();
 	}
 }
 

@@ -3,6 +3,7 @@
 #include "gesture/gesture_model.h"
 #include "motion/output_blend.h"
 #include "phase/element_curve.h"
+#include "phase/fault_evidence.h"
 #include "phase/halted_hand.h"
 #include "phase/hypothesis_bank.h"
 #include "phase/hypothesis_births.h"
@@ -49,6 +50,7 @@ public:
 		bank_.clear();
 		soundness_ = {};
 		halted_ = {};
+		loss_ = {};
 		falling_behind_s_ = missing_ = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
@@ -72,6 +74,7 @@ private:
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	TrackingSoundness soundness_;
 	HaltedHand halted_;
+	LossCount loss_;
 	HypothesisBank bank_;
 	MotionOutlook outlook_;         ///< of the bank
 	double filtered_s_ = 0.0;       ///< the filters are at this time
@@ -90,6 +93,7 @@ private:
 	void branch_until(double t_s);
 	void prune();
 	void absorb(double t_s, double x);
+	void count_lost();
 	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
 	void count_frame(double t_s, double dt_s, double x);
 	/// What a frame shows is so old.

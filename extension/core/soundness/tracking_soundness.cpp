@@ -48,6 +48,7 @@ double size(const FeaturePlace &step) {
 
 void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 	fault_ = {};
+	loss_ = 0.0;
 	jumped_ = returned_ = strayed_ = false;
 	const double frame_s = std::max(t_s - t_s_, SHORTEST_S);
 	t_s_ = t_s;
@@ -80,7 +81,7 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		period_s_ = std::clamp(frame_s, FIRST_PERIOD_S, LAST_PERIOD_S);
 		silence_.expect(period_s_);
 	}
-	fault_.now = gap_fault(frame_s);
+	loss_ = gap_fault(frame_s);
 	Evidence taken_back;
 	const bool repeats = x == x_ && place == place_;
 	if (!repeats && !standstill_.stands(t_s_, x, jitter_)) {
@@ -98,9 +99,8 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 			stand();
 		}
 	}
-	if (silence_.is_frozen()) {
-		fault_.now += FROZEN_FRAME;
-	}
+	loss_ += silence_.is_frozen() ? FROZEN_FRAME : 0.0;
+	fault_.now += loss_;
 	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
 	leap_.fault = fault_;
 	fault_.now -= taken_back.now;

@@ -25,6 +25,8 @@ public:
 	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
 	/// which was a single frame elsewhere.
 	[[nodiscard]] double fault() const { return fault_.now; }
+	/// What of it says that the hand has been lost: a gap before the newest frame, or a freeze.
+	[[nodiscard]] double loss() const { return loss_; }
 	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
 	/// The newest frame shows where the hand is.
 	[[nodiscard]] bool told() const { return silence_.told(); }
@@ -76,6 +78,7 @@ private:
 	double period_s_ = 0.01; ///< between frames
 	Evidence evidence_;
 	Evidence fault_;
+	double loss_ = 0.0;
 	double way_s_ = 0.0; ///< of the newest frame that the ways took in
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
