@@ -1,6 +1,7 @@
 #include "phase/motion_outlook.h"
 
 #include "signal/lanes.h"
+#include "signal/minimum_jerk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,10 @@ namespace {
 constexpr double VISIBLE_PHASE = 0.06;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
 constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
+/// Probability that a free hand near the end, or beyond, is at the end, and a tracker that has erred shows it
+/// there: such errors are greater than those of UNSOUND.
+constexpr double MISTAKEN = 0.6;
+constexpr double MISTAKEN_FROM = 0.7, MISTAKEN_TO = 0.9; ///< where that begins to count, and does in full
 
 constexpr std::size_t FREE = index_of(Regime::FREE);
 
@@ -22,6 +27,22 @@ STEADYHAND_INLINE LaneVector hand_rates_per_s() {
 	return each([](std::size_t i) STEADYHAND_INLINE_LAMBDA {
 		return regime_numbers(static_cast<Regime>(i)).hand.rate_per_s;
 	});
+}
+
+/// Where a hypothesis has the hand.
+double hand_of(const HypothesisBank &bank, std::size_t place, const ElementCurve &curve, double t_s) {
+	const double deviation = bank.hand_deviation(place);
+	if (!bank.on_its_way(place)) {
+		return deviation;
+	}
+	const HypothesisGroup::Course course = bank.course(place);
+	const double phase = (t_s - course.onset_s) * course.rate_per_s;
+	const double elements = curve.at(all(phase)).value[0];
+	return deviation + course.gain * (elements + course.shape * (minimum_jerk(phase).value - elements));
+}
+
+double share_mistaken(double free_hand, double erred) {
+	return MISTAKEN * erred * minimum_jerk((free_hand - MISTAKEN_FROM) / (MISTAKEN_TO - MISTAKEN_FROM)).value;
 }
 
 } // namespace
@@ -79,7 +100,7 @@ PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s)
 }
 
 void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s,
-		double ahead_s, double seen_s, bool is_halted) {
+		double ahead_s, double seen_s, double erred, bool is_halted) {
 	filtered_s_ = filtered_s;
 	if (ahead_s != ahead_s_) {
 		ahead_s_ = ahead_s;
@@ -99,8 +120,14 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 		}
 		const double weight = bank.weight(i) / total;
 		const Regime regime = is_halted ? Regime::FREE : bank.regime(i);
-		hand_.x[index_of(regime)] += weight * bank.hand_deviation(i);
-		hand_.v[index_of(regime)] += weight * bank.hand_deviation_rate(i);
+		double x = bank.hand_deviation(i), v = bank.hand_deviation_rate(i);
+		if (bank.regime(i) == Regime::FREE && !is_halted && erred > 0.0) {
+			const double hand = hand_of(bank, i, curve, filtered_s), mistaken = share_mistaken(hand, erred);
+			x += mistaken * (1.0 - hand);
+			v *= 1.0 - mistaken;
+		}
+		hand_.x[index_of(regime)] += weight * x;
+		hand_.v[index_of(regime)] += weight * v;
 		if (bank.on_its_way(i)) {
 			const HypothesisGroup::Course course = bank.course(i);
 			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;

@@ -28,10 +28,11 @@ struct PhaseEstimate {
 class MotionOutlook {
 public:
 	/// filtered_s: the time that the hypotheses were predicted to; ahead_s: how long after that the mean is
-	/// asked for first; seen_s: when a frame last told where the hand is; is_halted: it stands, whatever a
-	/// hypothesis says of it. To be called after HypothesisBank::prune.
+	/// asked for first; seen_s: when a frame last told where the hand is; erred: 0..1, how far the tracker is
+	/// known for that; is_halted: the hand stands, whatever a hypothesis says of it. To be called after
+	/// HypothesisBank::prune.
 	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double ahead_s,
-			double seen_s, bool is_halted = false);
+			double seen_s, double erred = 0.0, bool is_halted = false);
 
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {

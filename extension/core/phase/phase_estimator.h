@@ -89,7 +89,10 @@ private:
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d);
-	void look(double t_s) { outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, halted_.is_halted()); }
+	void look(double t_s) {
+		outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, soundness_.lasting_unsoundness(),
+				halted_.is_halted());
+	}
 	void branch_until(double t_s);
 	void prune();
 	void absorb(double t_s, double x);

@@ -151,3 +151,27 @@ TEST_CASE(
 	CHECK(hand.value == doctest::Approx(0.4 + 1.5 / FREE_SLOWING_PER_S).epsilon(1e-12));
 	CHECK(hand.moving == 0.0);
 }
+
+TEST_CASE("a free hand at the end, before a tracker that has erred, is there in six cases of ten") {
+	const auto expected = [](const GestureHypothesis &hypothesis, double erred) {
+		HypothesisBank bank;
+		bank.start(hypothesis);
+		bank.prune(NOW_S, 0.0, 0.0);
+		MotionOutlook outlook;
+		outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S, erred);
+		return outlook.at(test::drag_curve(), NOW_S);
+	};
+	for (const double hand : { 0.92, 1.3, 1.7 }) {
+		const PhaseEstimate shown = expected(GestureHypothesis::leaving(hand, 2.0), 0.5);
+		CHECK(shown.value == doctest::Approx(hand + 0.3 * (1.0 - hand)));
+		CHECK(shown.velocity == doctest::Approx(0.7 * 2.0));
+	}
+	const GestureHypothesis beyond = begun(Regime::FREE, NOW_S - 0.79, 0.8, 0.0);
+	CHECK(expected(beyond, 1.0).value ==
+			doctest::Approx(1.0 + 0.4 * (expected(beyond, 0.0).value - 1.0)).epsilon(1e-6));
+	for (const double hand : { -0.3, 0.4, 0.69 }) {
+		CHECK(expected(GestureHypothesis::leaving(hand, 2.0), 1.0).value == doctest::Approx(hand));
+	}
+	CHECK(expected(begun(Regime::SOUND, NOW_S - 0.7, 0.8, 0.0), 1.0).value ==
+			expected(begun(Regime::SOUND, NOW_S - 0.7, 0.8, 0.0), 0.0).value);
+}
