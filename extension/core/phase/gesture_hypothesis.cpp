@@ -63,16 +63,23 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	return h;
 }
 
+GestureHypothesis GestureHypothesis::freed() const {
+	GestureHypothesis h = in(Regime::FREE);
+	if (regime_ == Regime::UNSOUND) {
+		h.add_to(HAND, ERROR);
+		h.add_to(HAND_RATE, ERROR_RATE);
+		h.forget_error();
+	}
+	return h;
+}
+
 GestureHypothesis GestureHypothesis::leaving_end() const {
 	GestureHypothesis h = in(Regime::FREE);
 	h.on_its_way_ = false;
 	h.rate_per_s_ = 1.0;
 	// d becomes 1 + g + d; of the gesture nothing is left.
-	h.mean_[HAND] += 1.0 + mean_[GAIN];
-	h.covariance_[entry(HAND, HAND)] += 2.0 * covariance_[entry(GAIN, HAND)] + covariance_[entry(GAIN, GAIN)];
-	for (const std::size_t i : { HAND_RATE, ERROR, ERROR_RATE }) {
-		h.covariance_[entry(i, HAND)] += covariance_[entry(GAIN, i)];
-	}
+	h.mean_[HAND] += 1.0;
+	h.add_to(HAND, GAIN);
 	std::fill(h.mean_.begin() + ONSET, h.mean_.end(), 0.0);
 	std::fill(h.covariance_.begin() + entry(ONSET, 0), h.covariance_.end(), 0.0);
 	return h;
@@ -126,10 +133,20 @@ GestureHypothesis GestureHypothesis::found_elsewhere(double deviation) const {
 	return h;
 }
 
+/// A state becomes its sum with another.
+void GestureHypothesis::add_to(std::size_t sum, std::size_t added) {
+	mean_[sum] += mean_[added];
+	covariance_[entry(sum, sum)] +=
+			2.0 * covariance_[symmetric_entry(sum, added)] + covariance_[entry(added, added)];
+	for (std::size_t i = 0; i < STATES; ++i) {
+		covariance_[symmetric_entry(i, sum)] += i == sum ? 0.0 : covariance_[symmetric_entry(i, added)];
+	}
+}
+
 /// What it has in common with the other states.
 void GestureHypothesis::forget(std::size_t forgotten) {
 	for (std::size_t i = 0; i < STATES; ++i) {
-		covariance_[entry(std::max(i, forgotten), std::min(i, forgotten))] = 0.0;
+		covariance_[symmetric_entry(i, forgotten)] = 0.0;
 	}
 }
 

@@ -30,6 +30,9 @@ public:
 	[[nodiscard]] static constexpr std::size_t entry(std::size_t row, std::size_t column) {
 		return row * (row + 1) / 2 + column;
 	}
+	[[nodiscard]] static constexpr std::size_t symmetric_entry(std::size_t i, std::size_t j) {
+		return i > j ? entry(i, j) : entry(j, i);
+	}
 	static constexpr std::size_t ENTRIES = STATES * (STATES + 1) / 2;
 
 	double log_weight = 0.0;
@@ -43,6 +46,8 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
+	/// The same hand from now on free, and where the tracker shows it: that is right from now on.
+	[[nodiscard]] GestureHypothesis freed() const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
 	/// Of one that is free and on no way: the same hand, which has made the gesture and is beside its end.
@@ -74,6 +79,7 @@ private:
 	bool on_its_way_ = false;
 
 	void begin_at(std::size_t i, double mean, double deviation);
+	void add_to(std::size_t sum, std::size_t added);
 	void forget(std::size_t forgotten);
 	void begin_error();
 };

@@ -91,7 +91,7 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 	come_to_rest(r_bank);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
-	set_free(r_bank, soundness, t_s);
+	set_free(r_bank, t_s);
 	begin(r_bank, soundness, t_s);
 }
 
@@ -142,18 +142,14 @@ void HypothesisBirths::come_to_end(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on. Where
-/// the tracker errs that is less likely to be what is seen, but of a hand that has made the gesture.
-void HypothesisBirths::set_free(
-		HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
-	const double sound = 1.0 - soundness.unsoundness();
-	const double log_probability =
-			std::log(FREED_PER_S * period_s_ * sound * sound + std::numeric_limits<double>::min());
+/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on.
+void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
+	const double log_probability = std::log(FREED_PER_S * period_s_);
 	const std::size_t likeliest = likeliest_on_its_way(r_bank);
 	if (r_bank.is_over(likeliest, t_s)) {
 		r_bank.add(r_bank.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * period_s_));
 	} else if (likeliest != HypothesisBank::AT_REST) {
-		r_bank.add(r_bank.hypothesis(likeliest).in(Regime::FREE), log_probability);
+		r_bank.add(r_bank.hypothesis(likeliest).freed(), log_probability);
 	}
 	if (!r_bank.is_hopeless(Regime::FREE, r_bank.log_weight(HypothesisBank::AT_REST) + log_probability)) {
 		r_bank.add(r_bank.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);

@@ -13,8 +13,8 @@ namespace {
 // that are evaluated (docs/evidence.md).
 /// Share of the regime UNSOUND among all on their way, at any time: trackers start to err.
 constexpr double UNSOUND_AT_LEAST = 0.03;
-/// The same of FREE while the tracker is right: hands change their minds.
-constexpr double FREE_AT_LEAST = 0.0038;
+/// The same of FREE: hands change their minds.
+constexpr double FREE_AT_LEAST = 0.008;
 constexpr double OUTLIERS = 0.011;
 /// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
@@ -59,8 +59,7 @@ void PhaseEstimator::restart(double t_s) {
 }
 
 void PhaseEstimator::prune() {
-	const double sound = 1.0 - soundness_.unsoundness();
-	bank_.prune(filtered_s_, UNSOUND_AT_LEAST, FREE_AT_LEAST * sound * sound);
+	bank_.prune(filtered_s_, UNSOUND_AT_LEAST, FREE_AT_LEAST);
 }
 
 void PhaseEstimator::wait(double t_s) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -197,4 +198,33 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 			CHECK(off < 0.12);
 		}
 	}
+}
+
+TEST_CASE("a hand that halts before a tracker that has erred is followed, though the tracker wanders") {
+	double sum = 0.0;
+	int looks = 0;
+	for (const double share : { 0.25, 0.35, 0.45, 0.55 }) {
+		for (const double frozen_s : { 0.1, 0.2 }) {
+			for (const double wander_hz : { 1.0, 1.3, 1.7 }) {
+				const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.5, .amplitude_m = share };
+				const double frozen_from_s = 1.1, halted_s = drag.onset_s + drag.duration_s;
+				PhaseEstimator estimator(test::drag_model());
+				double shown = 0.0;
+				const auto show = [&](double t_s) {
+					if (t_s < frozen_from_s || t_s > frozen_from_s + frozen_s) {
+						const double turns = 2.0 * std::numbers::pi * wander_hz * t_s;
+						shown = drag.x_m(t_s) + 0.03 * std::sin(turns) + 0.02 * std::cos(1.6 * turns);
+					}
+					return shown;
+				};
+				follow(estimator, halted_s + 1.4, show, [&](double t_s, double value) {
+					if (t_s > halted_s + 0.5) {
+						sum += std::abs(value - share);
+						++looks;
+					}
+				});
+			}
+		}
+	}
+	CHECK(sum / looks < 0.08);
 }
