@@ -91,7 +91,7 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 	come_to_rest(r_bank);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
-	set_free(r_bank, t_s);
+	set_free(r_bank, soundness, t_s);
 	begin(r_bank, soundness, t_s);
 }
 
@@ -142,8 +142,10 @@ void HypothesisBirths::come_to_end(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-/// The hand of the likeliest one on its way, and the one at rest, may do something else from now on.
-void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
+/// The hand of the likeliest one on its way may do something else from now on; so may the one at rest, but
+/// where the tracker errs that is less likely to be what is seen.
+void HypothesisBirths::set_free(
+		HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
 	const double log_probability = std::log(FREED_PER_S * period_s_);
 	const std::size_t likeliest = likeliest_on_its_way(r_bank);
 	if (r_bank.is_over(likeliest, t_s)) {
@@ -151,8 +153,10 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	} else if (likeliest != HypothesisBank::AT_REST) {
 		r_bank.add(r_bank.hypothesis(likeliest).freed(), log_probability);
 	}
-	if (!r_bank.is_hopeless(Regime::FREE, r_bank.log_weight(HypothesisBank::AT_REST) + log_probability)) {
-		r_bank.add(r_bank.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), log_probability);
+	const double sound = 1.0 - soundness.unsoundness();
+	const double from_rest = log_probability + std::log(sound * sound + std::numeric_limits<double>::min());
+	if (!r_bank.is_hopeless(Regime::FREE, r_bank.log_weight(HypothesisBank::AT_REST) + from_rest)) {
+		r_bank.add(r_bank.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), from_rest);
 	}
 }
 
