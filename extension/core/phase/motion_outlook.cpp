@@ -121,7 +121,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 		const double weight = bank.weight(i) / total;
 		const Regime regime = is_halted ? Regime::FREE : bank.regime(i);
 		double x = bank.hand_deviation(i), v = bank.hand_deviation_rate(i);
-		if (bank.regime(i) == Regime::FREE && !is_halted && erred > 0.0) {
+		if (bank.regime(i) == Regime::FREE && erred > 0.0) {
 			const double hand = hand_of(bank, i, curve, filtered_s), mistaken = share_mistaken(hand, erred);
 			x += mistaken * (1.0 - hand);
 			v *= 1.0 - mistaken;

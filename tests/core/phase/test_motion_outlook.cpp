@@ -153,18 +153,19 @@ TEST_CASE(
 }
 
 TEST_CASE("a free hand at the end, before a tracker that has erred, is there in six cases of ten") {
-	const auto expected = [](const GestureHypothesis &hypothesis, double erred) {
+	const auto expected = [](const GestureHypothesis &hypothesis, double erred, bool is_halted = false) {
 		HypothesisBank bank;
 		bank.start(hypothesis);
 		bank.prune(NOW_S, 0.0, 0.0);
 		MotionOutlook outlook;
-		outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S, erred);
+		outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S, erred, is_halted);
 		return outlook.at(test::drag_curve(), NOW_S);
 	};
 	for (const double hand : { 0.92, 1.3, 1.7 }) {
 		const PhaseEstimate shown = expected(GestureHypothesis::leaving(hand, 2.0), 0.5);
 		CHECK(shown.value == doctest::Approx(hand + 0.3 * (1.0 - hand)));
 		CHECK(shown.velocity == doctest::Approx(0.7 * 2.0));
+		CHECK(expected(GestureHypothesis::leaving(hand, 2.0), 0.5, true).value == shown.value);
 	}
 	const GestureHypothesis beyond = begun(Regime::FREE, NOW_S - 0.79, 0.8, 0.0);
 	CHECK(expected(beyond, 1.0).value ==
