@@ -30,6 +30,7 @@ public:
 	[[nodiscard]] static constexpr std::size_t entry(std::size_t row, std::size_t column) {
 		return row * (row + 1) / 2 + column;
 	}
+	/// The same in either order.
 	[[nodiscard]] static constexpr std::size_t symmetric_entry(std::size_t i, std::size_t j) {
 		return i > j ? entry(i, j) : entry(j, i);
 	}
