@@ -57,7 +57,9 @@ void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss) 
 			},
 			[&](std::size_t i) { return loss * log_losses(r_bank.course(i), lost_s); });
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		r_bank.weigh(i, r_bank.regime(i) == Regime::REST ? -AT_REST_LOG_RATIO * loss : 0.0);
+		if (r_bank.regime(i) == Regime::REST) {
+			r_bank.weigh(i, -AT_REST_LOG_RATIO * loss);
+		}
 	}
 }
 

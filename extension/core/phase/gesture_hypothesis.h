@@ -47,7 +47,8 @@ public:
 			double log_duration, double log_duration_deviation) const;
 	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
-	/// The same hand from now on free, and where the tracker shows it: that is right from now on.
+	/// The same hand from now on free, before a tracker that is right: of one that erred, it is where that
+	/// shows it.
 	[[nodiscard]] GestureHypothesis freed() const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;

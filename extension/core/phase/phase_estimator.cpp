@@ -123,6 +123,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	}
 }
 
+/// By those that there were when the hand was lost: before any are seeded from where it is seen again.
 void PhaseEstimator::count_lost() {
 	if (!halted_.is_halted()) {
 		count_loss(bank_, filtered_s_, told_s_, loss_.new_of(soundness_.loss() - missing_));

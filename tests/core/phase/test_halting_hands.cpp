@@ -1,4 +1,4 @@
-// Hands that stop on their way, before a tracker that is right.
+// Hands that stop on their way, before trackers that are right and that have erred.
 
 #include "follow.h"
 #include "minimum_jerk_drag.h"
