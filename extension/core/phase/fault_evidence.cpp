@@ -17,8 +17,16 @@ constexpr double STILL_PER_S = 0.3;
 constexpr double AT_REST_LOG_RATIO = 0.5;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
-/// The same of one that errs half-way: to show a hand as standing that goes on.
-constexpr double STANDS_PER_S = 30.0;
+/// The same of one that shows a hand as staying which has gone on, for each amplitude that it has gone
+/// further
+constexpr double STAYS_PER_S = 300.0;
+constexpr double STAYS_TO = 0.1;      ///< than this,
+constexpr double STAYS_LATE_S = 0.05; ///< so long ago: trackers that err are late
+
+/// How far it has come, 0..1, near enough.
+double way_at(const HypothesisGroup::Course &course, double t_s) {
+	return minimum_jerk((t_s - course.onset_s) * course.rate_per_s).value;
+}
 
 /// Logarithm of how often trackers lose a hand that is on its way like that, against one that goes an
 /// amplitude a second.
@@ -78,12 +86,21 @@ void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump)
 			});
 }
 
-void count_errorless(HypothesisBank &r_bank, double t_s, double dt_s, double x, bool is_standing) {
+void count_errorless(HypothesisBank &r_bank, double dt_s, double x) {
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
-	const double standing = is_standing ? STANDS_PER_S * dt_s : 0.0;
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
 		if (r_bank.regime(i) == Regime::UNSOUND) {
-			r_bank.weigh(i, -no_fault - (r_bank.is_over(i, t_s) ? 0.0 : standing));
+			r_bank.weigh(i, -no_fault);
+		}
+	}
+}
+
+void count_stay(HypothesisBank &r_bank, double t_s, double dt_s, double since_s) {
+	for (std::size_t i = 1; i < r_bank.size(); ++i) {
+		if (r_bank.regime(i) == Regime::UNSOUND) {
+			const HypothesisGroup::Course course = r_bank.course(i);
+			const double gone = way_at(course, t_s - STAYS_LATE_S) - way_at(course, since_s);
+			r_bank.weigh(i, -STAYS_PER_S * dt_s * std::max(gone - STAYS_TO, 0.0));
 		}
 	}
 }

@@ -35,7 +35,11 @@ private:
 void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss);
 
 /// A frame, dt_s after the last one, that shows the hand at x speaks against a tracker that errs by as much
-/// of the way as goes without a fault; by far more where it shows the hand standing on its way.
-void count_errorless(HypothesisBank &r_bank, double t_s, double dt_s, double x, bool is_standing);
+/// of the way as goes without a fault.
+void count_errorless(HypothesisBank &r_bank, double dt_s, double x);
+
+/// The same of a frame that shows the hand where it has been since since_s, on its way: by as much as the
+/// hand has gone on since then.
+void count_stay(HypothesisBank &r_bank, double t_s, double dt_s, double since_s);
 
 } // namespace steadyhand

@@ -13,16 +13,25 @@ namespace steadyhand {
 /// that it soon finds a hand which moves.
 class HaltedHand {
 public:
+	/// A hand that is first seen, at x.
+	void start(double t_s, double x) { stays_ = { t_s, x }; }
 	/// x: what the newest frame shows, in amplitudes.
-	void look(const TrackingSoundness &soundness, double x) {
-		is_halted_ = soundness.told() && soundness.fault() == 0.0 ? has_halted(soundness, x) : is_halted_;
+	void look(const TrackingSoundness &soundness, double t_s, double x) {
+		if (!soundness.told()) {
+			return;
+		}
+		if (std::abs(x - stays_.x) > STAYS) {
+			stays_ = { t_s, x };
+		}
+		is_on_way_ = x > HALTED_FROM && x < 1.0 - AT_END;
+		is_halted_ = soundness.fault() == 0.0 ? has_halted(soundness, t_s, x) : is_halted_;
 	}
 	/// It stays where it was seen, whatever is not seen.
 	[[nodiscard]] bool is_halted() const { return is_halted_; }
-	/// On its way the hand has been slow for so long that no tracker's error makes it seem so.
-	[[nodiscard]] static bool is_standing(const TrackingSoundness &soundness, double x) {
-		return is_slow(soundness, x, HALTED_UNSURE_S);
-	}
+	/// It is between the ends, as it was last seen.
+	[[nodiscard]] bool is_on_way() const { return is_on_way_; }
+	/// It has been seen nowhere else since then.
+	[[nodiscard]] double stays_since_s() const { return stays_.since_s; }
 
 	/// What counts by now of a frame's fault and of those that did not count before.
 	double counted(double t_s, double fault, bool is_jump_to_end) {
@@ -41,21 +50,30 @@ private:
 	/// shakes; as another one sees it.
 	static constexpr double HALTED_S = 0.02;
 	static constexpr double HALTED_UNSURE_S = 0.1;
-	static constexpr double HALTED_FROM = 0.1; ///< one that is no further may not have begun
+	/// However it wanders, one that stays within STAYS for so long.
+	static constexpr double STAYS = 0.08;
+	static constexpr double STAYS_S = 0.3;
+	static constexpr double HALTED_FROM = 0.1; ///< one that is no further may not have begun,
+	static constexpr double STAYS_FROM = 0.2;  ///< nor one that stays here before a tracker that errs
 	static constexpr double ERRED = 0.2;       ///< unsoundness from which on it has
 	static constexpr double SHAKES = 0.003;    ///< jitter from which on it does
 	static constexpr double MOVES_S = 0.05; ///< a hand that moves so soon after a fault moved all the while
 
+	struct Stay {
+		double since_s = 0.0;
+		double x = 0.0;
+	};
+
+	Stay stays_;
+	bool is_on_way_ = false;
 	bool is_halted_ = false;
 	double withheld_ = 0.0;   ///< faults since it halted that have not been counted
 	double withheld_s_ = 0.0; ///< the last of them
 
-	static bool is_slow(const TrackingSoundness &soundness, double x, double for_s) {
-		return soundness.told() && soundness.slow_for_s() > for_s && x > HALTED_FROM && x < 1.0 - AT_END;
-	}
-	static bool has_halted(const TrackingSoundness &soundness, double x) {
+	[[nodiscard]] bool has_halted(const TrackingSoundness &soundness, double t_s, double x) const {
 		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;
-		return is_slow(soundness, x, is_sure ? HALTED_S : HALTED_UNSURE_S);
+		const bool is_slow = soundness.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S);
+		return is_on_way_ && (is_slow || (t_s - stays_.since_s > STAYS_S && x > STAYS_FROM));
 	}
 };
 

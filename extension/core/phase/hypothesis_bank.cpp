@@ -110,21 +110,21 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 		places[k][counts[k]++] = static_cast<Place>(i);
 	}
 	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0 };
-	double usual = 0.0;
+	double others = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
 	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, over));
 		const auto spent = std::partition(likely.begin(), likely.end(), [&](Place i) { return !over[i]; });
-		raise({ likely.begin(), spent }, share[k] * usual);
+		raise({ likely.begin(), spent }, share[k] * others);
 		if (likely.size() == most_kept_[k]) { // one more drops the unlikeliest
 			least_[k] = INFINITY;
 			for (const Place i : likely) {
 				least_[k] = std::min(least_[k], log_weight(i));
 			}
 		}
-		usual = k == USUAL ? total(likely) : usual;
+		others += k == USUAL || k == ERRING ? total(likely) : 0.0;
 		std::copy(likely.begin(), likely.end(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
 		kept_count += likely.size();
 	}

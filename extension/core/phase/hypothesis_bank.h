@@ -41,10 +41,10 @@ public:
 	void predict(const ElementCurve &curve, double t_s, const Passages &passages);
 	void absorb(const ElementCurve &curve, double t_s, double x, const HypothesisGroup::Trust &trust);
 
-	/// Drops the unlikely, and scales weights so that the greatest is 1. unsound_at_least, free_at_least:
-	/// shares that the regimes UNSOUND and FREE keep against the others but the one at rest, as long as
-	/// there are any that are not over: a tracker may begin to err, a hand to do something else, at any time.
-	/// t_s: of the hypotheses.
+	/// Drops the unlikely, and scales weights so that the greatest is 1. A tracker may begin to err, a hand
+	/// to do something else, at any time: as long as there are any that are not over, the regime UNSOUND
+	/// keeps at least a share of the weight of those that are neither at rest nor in it or FREE on their way,
+	/// FREE of these and of UNSOUND. t_s: of the hypotheses.
 	void prune(double t_s, double unsound_at_least, double free_at_least);
 	/// One that the hand began or turned to, of this log weight, would be dropped by the next prune, if it
 	/// were now.

@@ -14,7 +14,7 @@ namespace {
 /// Share of the regime UNSOUND among all on their way, at any time: trackers start to err.
 constexpr double UNSOUND_AT_LEAST = 0.03;
 /// The same of FREE: hands change their minds.
-constexpr double FREE_AT_LEAST = 0.008;
+constexpr double FREE_AT_LEAST = 0.005;
 constexpr double OUTLIERS = 0.011;
 /// Errors of frames this close together are alike, and count as one: a power of the likelihood, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
@@ -40,6 +40,7 @@ void PhaseEstimator::begin(double t_s, double d) {
 	bank_.start(GestureHypothesis::resting(d));
 	seen_s_ = told_s_ = t_s;
 	told_x_ = d;
+	halted_.start(t_s, d);
 	filtered_s_ = t_s;
 	absorbed_s_ = -std::numeric_limits<double>::infinity();
 	back_s_ = INFINITY;
@@ -88,7 +89,7 @@ void PhaseEstimator::branch_until(double t_s) {
 }
 
 void PhaseEstimator::absorb(double t_s, double x) {
-	halted_.look(soundness_, x);
+	halted_.look(soundness_, t_s, x);
 	if (halted_.is_halted() && !soundness_.told()) {
 		return; // it stays where it was seen
 	}
@@ -145,7 +146,10 @@ void PhaseEstimator::count_frame(double t_s, double dt_s, double x) {
 	const double fault = halted_.counted(t_s, soundness_.fault() - missing_, is_jump_to_end);
 	missing_ = 0.0;
 	count_fault(bank_, t_s, fault, soundness_.jumped());
-	count_errorless(bank_, t_s, dt_s, x, HaltedHand::is_standing(soundness_, x));
+	count_errorless(bank_, dt_s, x);
+	if (soundness_.told() && halted_.is_on_way()) {
+		count_stay(bank_, t_s, dt_s, halted_.stays_since_s());
+	}
 }
 
 void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {

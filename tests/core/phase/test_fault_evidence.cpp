@@ -1,4 +1,4 @@
-// What it says of hypotheses that the tracker loses the hand.
+// What it says of hypotheses that the tracker loses the hand, or shows it where it was.
 
 #include "phase/fault_evidence.h"
 
@@ -59,6 +59,25 @@ TEST_CASE("a hand at rest is lost half a nat less often than those on their way 
 	CHECK(bank.log_weight(0) - std::log(on_their_way()) == doctest::Approx(rest - 0.5));
 	CHECK(bank.log_weight(3) - std::log(on_their_way()) == doctest::Approx(free));
 	CHECK(bank.log_weight(4) - std::log(on_their_way()) == doctest::Approx(over));
+}
+
+TEST_CASE("a hand that is shown where it was speaks against a tracker that errs by as much as the hand has "
+		  "gone on") {
+	HypothesisBank bank;
+	bank.start(GestureHypothesis::resting(0.0));
+	bank.add(begun(Regime::SOUND, 0.4, 0.8));
+	bank.add(begun(Regime::UNSOUND, 0.4, 0.8));
+	bank.add(begun(Regime::UNSOUND, 0.4, 3.0)); // slower than the tracker would have to be
+	bank.add(begun(Regime::UNSOUND, 1.5, 0.8)); // long over
+	constexpr double DT_S = 0.01, SINCE_S = NOW_S - 0.3;
+	count_stay(bank, NOW_S, DT_S, SINCE_S);
+	const auto at = [](double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); };
+	const double gone = at(0.35 / 0.8) - at(0.1 / 0.8);
+	REQUIRE(gone > 0.3);
+	CHECK(bank.log_weight(2) == doctest::Approx(-300.0 * DT_S * (gone - 0.1)));
+	for (const std::size_t other : { 0, 1, 3, 4 }) {
+		CHECK(bank.log_weight(other) == 0.0);
+	}
 }
 
 TEST_CASE("a gap or a freeze is one loss, in however many parts it is told, until the hand is seen again") {

@@ -218,7 +218,7 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 	CHECK(greatest == doctest::Approx(1.0));
 	CHECK(least_sound == doctest::Approx(-1.9));
 	CHECK(unsound == doctest::Approx(0.02 * usual));
-	CHECK(free == doctest::Approx(0.002 * usual));
+	CHECK(free == doctest::Approx(0.002 * (usual + unsound)));
 }
 
 TEST_CASE("a bank keeps no more than its effort says") {
