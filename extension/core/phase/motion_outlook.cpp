@@ -145,13 +145,26 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			moving_ += weight;
 		}
 	}
-	const auto [from, rate_per_s] = mean(curve, ahead_s_, fading_from_);
-	const PhaseEstimate to = mean(curve, ahead_s_ + PIECE_S, fading_to_).estimate;
+	lay_piece(curve, ahead_s_, fading_from_, fading_to_);
+}
+
+/// dt_s: from when on, since the hypotheses' time; fading: there, and at the end.
+void MotionOutlook::lay_piece(
+		const ElementCurve &curve, double dt_s, const Lanes &fading_from, const Lanes &fading_to) {
+	const auto [from, rate_per_s] = mean(curve, dt_s, fading_from);
+	const PhaseEstimate to = mean(curve, dt_s + PIECE_S, fading_to).estimate;
 	piece_ = QuinticPiece::between({ from.value, from.velocity, from.acceleration },
 			{ to.value, to.velocity, to.acceleration }, PIECE_S);
-	piece_from_s_ = filtered_s + ahead_s_;
+	piece_from_s_ = filtered_s_ + dt_s;
 	const double bend = (to.phase - from.phase) / PIECE_S - rate_per_s;
 	phase_ = { from.phase, rate_per_s, bend / PIECE_S };
+}
+
+void MotionOutlook::go_on(const ElementCurve &curve, double t_s) {
+	if (t_s > piece_from_s_ + PIECE_S) {
+		const double dt_s = t_s - filtered_s_;
+		lay_piece(curve, dt_s, fading(dt_s), fading(dt_s + PIECE_S));
+	}
 }
 
 } // namespace steadyhand

@@ -21,7 +21,8 @@ struct PhaseEstimate {
 
 /// The weighted mean of what hypotheses expect of the hand, in as few numbers as give it at any time until
 /// they change: it is asked for each millisecond, they change with frames. For as long as the next frame is
-/// usually away it is a quintic, which differs from the mean by less than 1e-4 amplitudes.
+/// usually away it is a quintic, which differs from the mean by less than 1e-4 amplitudes; and for as long
+/// again each time that it is told to go on.
 ///
 /// A gesture that was seen to begin goes on while nothing is seen. One that was not, and a hand that did
 /// something else, wait, as one that halted does: nothing moves on a mere chance.
@@ -33,6 +34,9 @@ public:
 	/// HypothesisBank::prune.
 	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double ahead_s,
 			double seen_s, double erred = 0.0, bool is_halted = false);
+
+	/// No frame came until t_s.
+	void go_on(const ElementCurve &curve, double t_s);
 
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {
@@ -78,6 +82,7 @@ private:
 	/// What a time after the hypotheses' leaves of deviations, a regime each: exp(-rate dt_s); of FREE, of
 	/// its velocity.
 	[[nodiscard]] static Lanes fading(double dt_s);
+	void lay_piece(const ElementCurve &curve, double dt_s, const Lanes &fading_from, const Lanes &fading_to);
 	[[nodiscard]] PhaseEstimate beside_piece(const ElementCurve &curve, double t_s) const;
 	[[nodiscard]] Mean mean(const ElementCurve &curve, double dt_s, const Lanes &fading) const;
 

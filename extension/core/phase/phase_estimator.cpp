@@ -64,8 +64,12 @@ void PhaseEstimator::prune() {
 }
 
 void PhaseEstimator::wait(double t_s) {
+	if (bank_.empty()) {
+		return;
+	}
+	outlook_.go_on(curve_, t_s + ahead_s());
 	const double missing = soundness_.missing(t_s);
-	if (bank_.empty() || halted_.is_halted() || missing <= missing_) {
+	if (halted_.is_halted() || missing <= missing_) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s);
