@@ -52,6 +52,20 @@ void weigh(HypothesisBank &r_bank, IsJudged is_judged, LogLikelihood log_likelih
 	}
 }
 
+/// log_ratio: against a tracker that is right.
+void weigh_erring(HypothesisBank &r_bank, double t_s, double log_ratio, bool is_jump) {
+	if (log_ratio == 0.0) {
+		return;
+	}
+	weigh(
+			r_bank,
+			[&](std::size_t i) {
+				return r_bank.on_its_way(i) &&
+						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
+			},
+			[&](std::size_t i) { return r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -log_ratio; });
+}
+
 } // namespace
 
 void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss) {
@@ -72,18 +86,11 @@ void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss) 
 }
 
 void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump) {
-	if (fault == 0.0) {
-		return;
-	}
-	weigh(
-			r_bank,
-			[&](std::size_t i) {
-				return r_bank.on_its_way(i) &&
-						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
-			},
-			[&](std::size_t i) {
-				return r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -FAULT_LOG_RATIO * fault;
-			});
+	weigh_erring(r_bank, t_s, FAULT_LOG_RATIO * fault, is_jump);
+}
+
+void count_erring(HypothesisBank &r_bank, double t_s, double log_ratio) {
+	weigh_erring(r_bank, t_s, log_ratio, false);
 }
 
 void count_errorless(HypothesisBank &r_bank, double dt_s, double x) {

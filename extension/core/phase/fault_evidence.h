@@ -14,6 +14,9 @@ namespace steadyhand {
 /// Where the gesture is over, only a jump says where the hand is.
 void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump);
 
+/// The same of what else a frame says of the tracker. log_ratio: TrackingSoundness' news, nats.
+void count_erring(HypothesisBank &r_bank, double t_s, double log_ratio);
+
 /// Of a gap or a freeze, however long, that the hand was lost is said once.
 class LossCount {
 public:

@@ -34,8 +34,9 @@ constexpr double LED_ASTRAY = -4.0;
 
 /// Of a hand that begins now.
 double probability(Regime regime, const TrackingSoundness &soundness) {
-	const double unsound = UNSOUND_PRIOR + (1.0 - UNSOUND_PRIOR) * soundness.unsoundness();
-	return regime == Regime::UNSOUND ? unsound : 1.0 - unsound;
+	const double odds = UNSOUND_PRIOR / (1.0 - UNSOUND_PRIOR) * std::exp(soundness.log_ratio());
+	const double sound = (1.0 - soundness.unsoundness()) / (1.0 + odds);
+	return regime == Regime::UNSOUND ? 1.0 - sound : sound;
 }
 
 /// Of the others than the one at rest; AT_REST if there is none.

@@ -9,7 +9,7 @@ constexpr double MEMORY_S = 1.0;
 constexpr double LASTING_MEMORY_S = 5.0;
 constexpr double SHORTEST_S = 1e-4;
 /// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
-constexpr double GAP_PERIODS = 4.0;
+constexpr double SKIPPED_PERIODS = 1.5, GAP_PERIODS = 4.0;
 constexpr double FULL_GAP_S = 0.061; ///< a gap of this length is as bad as a jump
 /// Amplitudes: a 0.15 s drag, the fastest that is studied, peaks at 1.875 / 0.15.
 constexpr double FASTEST_PER_S = 12.5;
@@ -62,6 +62,11 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 		place_ = place;
 	}
 	frames_ = std::min(frames_ + 1, 2);
+	if (told() && !jumped_ && !place.isZero(0.0)) {
+		way_shape_.push(x, place, jitter_);
+	} else {
+		way_shape_.pass();
+	}
 }
 
 double TrackingSoundness::gap_fault(double frame_s) const {
@@ -82,6 +87,11 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		silence_.expect(period_s_);
 	}
 	loss_ = gap_fault(frame_s);
+	if (loss_ == 0.0) {
+		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
+	} else {
+		skipped_.pass();
+	}
 	Evidence taken_back;
 	const bool repeats = x == x_ && place == place_;
 	if (!repeats && !standstill_.stands(t_s_, x, jitter_)) {

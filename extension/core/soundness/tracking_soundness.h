@@ -1,9 +1,11 @@
 #pragma once
 
 #include "gesture/feature.h"
+#include "soundness/skipped_frames.h"
 #include "soundness/tracker_noise.h"
 #include "soundness/tracker_silence.h"
 #include "soundness/tracker_standstill.h"
+#include "soundness/way_shape.h"
 
 #include <cmath>
 
@@ -39,6 +41,11 @@ public:
 	[[nodiscard]] double jitter() const { return jitter_; }
 	/// How long the hand has been slower than one that goes anywhere, by the frames that told where it is.
 	[[nodiscard]] double slow_for_s() const { return standstill_.slow_for_s(); }
+	/// How much likelier frames that were left out one at a time, and the shape of the way, are of a tracker
+	/// that errs, as a logarithm; 0 and more.
+	[[nodiscard]] double log_ratio() const { return skipped_.log_ratio() + way_shape_.log_ratio(); }
+	/// What the newest frame has changed that by.
+	[[nodiscard]] double log_ratio_news() const { return skipped_.news() + way_shape_.news(); }
 	/// Evidence of the gap since the newest frame, if none came until t_s: what fault() would then say of it.
 	[[nodiscard]] double missing(double t_s) const { return frames_ > 0 ? gap_fault(t_s - t_s_) : 0.0; }
 	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
@@ -74,6 +81,8 @@ private:
 	TrackerSilence silence_;
 	TrackerStandstill standstill_;
 	TrackerNoise noise_;
+	SkippedFrames skipped_;
+	WayShape way_shape_;
 	double news_s_ = 0.0;
 	double period_s_ = 0.01; ///< between frames
 	Evidence evidence_;

@@ -1,0 +1,161 @@
+// What tells a tracker that errs before it shows a fault: frames left out, and the shape of the way.
+
+#include "soundness/skipped_frames.h"
+#include "soundness/way_shape.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double LEFT_OUT = 0.045, LEFT_OUT_SOUND = 0.012; ///< shares of intervals
+constexpr double NATS = 1.9, EVEN = 0.0045, MOST = 2.0;
+
+/// Mean of the logarithm while a tracker leaves out that share of its frames.
+double mean_log_ratio(double share) {
+	SkippedFrames skipped;
+	std::mt19937_64 random(1);
+	std::bernoulli_distribution is_left_out(share);
+	double sum = 0.0;
+	constexpr int FRAMES = 20000;
+	for (int i = 0; i < FRAMES; ++i) {
+		skipped.push(is_left_out(random));
+		sum += skipped.log_ratio();
+	}
+	return sum / FRAMES;
+}
+
+/// Beside the x axis; it wanders by that much, and its noise is white.
+struct Way {
+	double bow, wanders;
+	double noise = 0.0;
+
+	[[nodiscard]] FeaturePlace at(double x, std::mt19937_64 &r_random) const {
+		std::normal_distribution<double> white(0.0, 1.0);
+		FeaturePlace place(0.3 + x, 4.0 * bow * x * (1.0 - x), 0.1, 0.0);
+		place.y() += wanders * std::sin(9.0 * x) + noise * white(r_random);
+		place.z() += wanders * std::cos(7.0 * x) + noise * white(r_random);
+		return place;
+	}
+};
+
+constexpr int FRAMES = 60;
+double x_of(int frame) {
+	return frame / static_cast<double>(FRAMES);
+}
+
+/// Root mean square distance from the parabola that fits the frames after the start best, by orthogonal
+/// factors.
+double distance_from_bow(const Way &way, int first, int last) {
+	std::mt19937_64 random(3);
+	Eigen::MatrixX3d powers(last - first + 1, 3);
+	Eigen::MatrixXd places(last - first + 1, 4);
+	for (int i = 0; i <= last; ++i) {
+		const FeaturePlace place = way.at(x_of(i), random);
+		if (i >= first) {
+			powers.row(i - first) << 1.0, x_of(i), x_of(i) * x_of(i);
+			places.row(i - first) = place;
+		}
+	}
+	const Eigen::MatrixXd off = places - powers * powers.colPivHouseholderQr().solve(places);
+	return off.norm() / std::sqrt(static_cast<double>(off.rows()));
+}
+
+double greatest_log_ratio(const Way &way) {
+	WayShape shape;
+	std::mt19937_64 random(3);
+	double greatest = 0.0;
+	for (int i = 0; i < FRAMES; ++i) {
+		shape.push(x_of(i), way.at(x_of(i), random), way.noise);
+		greatest = std::max(greatest, shape.log_ratio());
+	}
+	return greatest;
+}
+
+} // namespace
+
+TEST_CASE("each frame that is left out, or not, counts by the logarithm of how much oftener trackers that "
+		  "err do so") {
+	SkippedFrames skipped;
+	for (int i = 0; i < 100; ++i) {
+		skipped.push(false);
+		CHECK(skipped.log_ratio() == 0.0);
+	}
+	const double left_out = std::log(LEFT_OUT / LEFT_OUT_SOUND);
+	const double regular = std::log((1.0 - LEFT_OUT) / (1.0 - LEFT_OUT_SOUND));
+	skipped.push(true);
+	CHECK(skipped.news() == doctest::Approx(left_out));
+	for (int i = 0; i < 10; ++i) {
+		skipped.push(false);
+		CHECK(skipped.news() == doctest::Approx(regular));
+	}
+	skipped.push(true);
+	CHECK(skipped.log_ratio() == doctest::Approx(2.0 * left_out + 10.0 * regular));
+	skipped.push(true);
+	CHECK(skipped.log_ratio() == 3.0);
+	CHECK(skipped.news() == doctest::Approx(3.0 - 2.0 * left_out - 10.0 * regular));
+	skipped.pass();
+	CHECK(skipped.news() == 0.0);
+	CHECK(skipped.log_ratio() == 3.0);
+}
+
+TEST_CASE("a tracker that leaves out 1 % of its frames is hardly suspected, one that leaves out 5 % is") {
+	CHECK(mean_log_ratio(0.005) < 0.3);
+	CHECK(mean_log_ratio(0.01) < 0.6);
+	CHECK(mean_log_ratio(0.05) > 2.0);
+}
+
+TEST_CASE("a way's shape counts by its distance from the bow that fits it best") {
+	const Way way{ .bow = 0.1, .wanders = 0.012 };
+	WayShape shape;
+	std::mt19937_64 random(3);
+	const int first = 2; // the last frame at the start
+	REQUIRE(x_of(first) < 0.05);
+	REQUIRE(x_of(first + 1) >= 0.05);
+	double news = 0.0;
+	bool is_between = false;
+	for (int i = 0; i < 0.8 * FRAMES; ++i) {
+		const double x = x_of(i);
+		shape.push(x, way.at(x, random), 0.0);
+		news += shape.news();
+		if (x > 0.15) {
+			const double nats = NATS * std::log(distance_from_bow(way, first, i) / (EVEN * x));
+			CHECK(shape.log_ratio() == doctest::Approx(std::clamp(nats, 0.0, MOST)).epsilon(1e-4));
+			CHECK(news == doctest::Approx(shape.log_ratio()));
+			is_between = is_between || (shape.log_ratio() > 0.1 && shape.log_ratio() < MOST - 0.1);
+		}
+	}
+	CHECK(is_between);
+}
+
+TEST_CASE("no bow, and no noise that is known, speaks against a tracker; wandering does") {
+	for (const double bow : { 0.0, 0.05, -0.2, 0.4 }) {
+		CAPTURE(bow);
+		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.0 }) == 0.0);
+		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.0, .noise = 0.002 }) < 1.0);
+		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.03 }) == MOST);
+	}
+}
+
+TEST_CASE("a way that is first seen half-way, or is over, says nothing, and a new one begins anew") {
+	const Way way{ .bow = 0.1, .wanders = 0.03 };
+	WayShape shape;
+	std::mt19937_64 random(3);
+	for (int i = FRAMES / 4; i < FRAMES; ++i) {
+		shape.push(x_of(i), way.at(x_of(i), random), 0.0);
+		CHECK(shape.log_ratio() == 0.0);
+	}
+	for (int i = 0; i < FRAMES; ++i) {
+		shape.push(x_of(i), way.at(x_of(i), random), 0.0);
+		CHECK((x_of(i) <= 0.8 || shape.news() == 0.0));
+	}
+	CHECK(shape.log_ratio() > 0.0);
+	shape.push(0.0, way.at(0.0, random), 0.0);
+	CHECK(shape.log_ratio() == 0.0);
+	CHECK(shape.news() < 0.0);
+}
