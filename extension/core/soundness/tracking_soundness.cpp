@@ -36,6 +36,11 @@ constexpr double JITTER_PER_BEND = 0.5117;
 constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
 constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
+/// A hand whose size is measured, and not where it is, is held to no way; nor is one that has no place.
+bool is_on_way_in_space(const FeaturePlace &place) {
+	return place[3] == 0.0 && !place.isZero(0.0);
+}
+
 double size(double step) {
 	return std::abs(step);
 }
@@ -62,7 +67,7 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 		place_ = place;
 	}
 	frames_ = std::min(frames_ + 1, 2);
-	if (told() && !jumped_ && !place.isZero(0.0)) {
+	if (told() && !jumped_ && is_on_way_in_space(place)) {
 		way_shape_.push(x, place, jitter_);
 	} else {
 		way_shape_.pass();

@@ -1,6 +1,8 @@
 // What tells a tracker that errs before it shows a fault: frames left out, and the shape of the way.
 
+#include "signal/minimum_jerk.h"
 #include "soundness/skipped_frames.h"
+#include "soundness/tracking_soundness.h"
 #include "soundness/way_shape.h"
 
 #include <doctest/doctest.h>
@@ -158,4 +160,21 @@ TEST_CASE("a way that is first seen half-way, or is over, says nothing, and a ne
 	shape.push(0.0, way.at(0.0, random), 0.0);
 	CHECK(shape.log_ratio() == 0.0);
 	CHECK(shape.news() < 0.0);
+}
+
+TEST_CASE("a way in space that wanders speaks against a tracker, and a hand that wanders while it grows does "
+		  "not") {
+	for (const bool is_grown : { false, true }) {
+		CAPTURE(is_grown);
+		TrackingSoundness soundness;
+		double greatest = 0.0;
+		for (int i = 0; i < 100; ++i) {
+			const double x = minimum_jerk(i / 100.0).value;
+			const FeaturePlace place(
+					is_grown ? 0.3 : x, 0.03 * std::sin(9.0 * x), 0.1, is_grown ? x + 0.5 : 0.0);
+			soundness.push(0.009 * i, x, place);
+			greatest = std::max(greatest, soundness.log_ratio());
+		}
+		CHECK((greatest > 0.0) == !is_grown);
+	}
 }
