@@ -3,6 +3,7 @@
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace steadyhand {
@@ -57,13 +58,22 @@ void weigh_erring(HypothesisBank &r_bank, double t_s, double log_ratio, bool is_
 	if (log_ratio == 0.0) {
 		return;
 	}
-	weigh(
-			r_bank,
-			[&](std::size_t i) {
-				return r_bank.on_its_way(i) &&
-						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
-			},
-			[&](std::size_t i) { return r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -log_ratio; });
+	std::array<bool, HypothesisBank::CAPACITY> is_judged;
+	double right = 0.0, erring = 0.0;
+	for (std::size_t i = 0; i < r_bank.size(); ++i) {
+		const bool errs = r_bank.regime(i) == Regime::UNSOUND;
+		is_judged[i] = r_bank.on_its_way(i) &&
+				(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
+		if (is_judged[i]) {
+			(errs ? erring : right) += std::exp(r_bank.log_weight(i));
+		}
+	}
+	const double before = right + erring, after = right * std::exp(-log_ratio) + erring;
+	const double kept = after > 0.0 ? std::log(after / before) : 0.0;
+	for (std::size_t i = 0; i < r_bank.size(); ++i) {
+		const double judged = r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -log_ratio;
+		r_bank.weigh(i, is_judged[i] ? judged : kept);
+	}
 }
 
 } // namespace

@@ -21,6 +21,8 @@ public:
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
 			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK;
 	static constexpr std::size_t AT_REST = 0; ///< its place
+	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
+	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
 			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK } {}
@@ -82,8 +84,6 @@ public:
 
 private:
 	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, KINDS };
-	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
-	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 	static constexpr double SPENT_PHASE = 1.3;
 	using Place = std::uint8_t;
 	using Marks = std::array<bool, CAPACITY>;

@@ -14,7 +14,7 @@ constexpr int FEWEST = 5; ///< a bow goes through three
 /// Root mean square distance from the bow at which either kind of tracker is as likely, for each amplitude
 /// that the hand has come.
 constexpr double EVEN = 0.0045;
-/// Nats for each time that it is e times as far, and no more in all than the other ones.
+/// Nats for each time that it is e times as far, and in all.
 constexpr double NATS = 1.9, MOST = 2.0;
 constexpr double SMALLEST = 1e-9;    ///< squared distance
 constexpr double REGULARISED = 1e-9; ///< a hand that all but stands has no bow

@@ -61,6 +61,29 @@ TEST_CASE("a hand at rest is lost half a nat less often than those on their way 
 	CHECK(bank.log_weight(4) - std::log(on_their_way()) == doctest::Approx(over));
 }
 
+TEST_CASE("what speaks for a tracker that errs says nothing of whether the hand has begun, or has left the "
+		  "end") {
+	HypothesisBank bank;
+	bank.start(GestureHypothesis::resting(0.0));
+	bank.add(begun(Regime::SOUND, 0.2, 0.5), -0.7);
+	bank.add(begun(Regime::UNSOUND, 0.2, 3.0), -1.1);
+	bank.add(begun(Regime::FREE, 0.2, 0.5), -2.0);
+	bank.add(GestureHypothesis::resting(0.3).in(Regime::FREE), -2.0);
+	bank.add(begun(Regime::SOUND, 3.0, 1.0), -1.5); // over
+	const auto weight = [&](std::size_t i) { return std::exp(bank.log_weight(i)); };
+	const auto judged = [&] { return weight(1) + weight(2) + weight(3); };
+	const double rest = weight(0) / judged(), left = weight(4) / judged(), over = weight(5) / judged();
+	for (const double nats : { 1.3, -0.6 }) {
+		const double right = weight(1) / weight(2), free = weight(3) / weight(2);
+		count_erring(bank, NOW_S, nats);
+		CHECK(weight(1) / weight(2) == doctest::Approx(right * std::exp(-nats)));
+		CHECK(weight(3) / weight(2) == doctest::Approx(free * std::exp(-nats)));
+		CHECK(weight(0) / judged() == doctest::Approx(rest));
+		CHECK(weight(4) / judged() == doctest::Approx(left));
+		CHECK(weight(5) / judged() == doctest::Approx(over));
+	}
+}
+
 TEST_CASE("a hand that is shown where it was speaks against a tracker that errs by as much as the hand has "
 		  "gone on") {
 	HypothesisBank bank;
