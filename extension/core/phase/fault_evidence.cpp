@@ -24,32 +24,40 @@ constexpr double STAYS_PER_S = 300.0;
 constexpr double STAYS_TO = 0.1;      ///< than this,
 constexpr double STAYS_LATE_S = 0.05; ///< so long ago: trackers that err are late
 
-/// How far it has come, 0..1, near enough.
-double way_at(const HypothesisGroup::Course &course, double t_s) {
-	return minimum_jerk((t_s - course.onset_s) * course.rate_per_s).value;
+/// Of the way, near enough.
+Polynomial::Point movement_at(const HypothesisGroup::Course &course, double t_s) {
+	return minimum_jerk((t_s - course.onset_s) * course.rate_per_s);
 }
 
 /// Logarithm of how often trackers lose a hand that is on its way like that, against one that goes an
 /// amplitude a second.
 double log_losses(const HypothesisGroup::Course &course, double lost_s) {
-	const double per_phase = minimum_jerk((lost_s - course.onset_s) * course.rate_per_s).first;
-	return std::log((STILL_PER_S + per_phase * course.rate_per_s) / (STILL_PER_S + 1.0));
+	const double per_s = movement_at(course, lost_s).first * course.rate_per_s;
+	return std::log((STILL_PER_S + per_s) / (STILL_PER_S + 1.0));
 }
 
+struct Likelihood {
+	double log, value; ///< value: exp(log)
+};
+
 /// Of those that are judged; the others keep their share against them.
-template <typename IsJudged, typename LogLikelihood>
-void weigh(HypothesisBank &r_bank, IsJudged is_judged, LogLikelihood log_likelihood) {
+template <typename IsJudged, typename LikelihoodOf>
+void weigh(HypothesisBank &r_bank, IsJudged is_judged, LikelihoodOf likelihood_of) {
+	std::array<bool, HypothesisBank::CAPACITY> judged;
 	double before = 0.0, after = 0.0;
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		if (is_judged(i)) {
-			before += std::exp(r_bank.log_weight(i));
-			r_bank.weigh(i, log_likelihood(i));
-			after += std::exp(r_bank.log_weight(i));
+		judged[i] = is_judged(i);
+		if (judged[i]) {
+			const Likelihood likelihood = likelihood_of(i);
+			const double weight = std::exp(r_bank.log_weight(i));
+			before += weight;
+			after += weight * likelihood.value;
+			r_bank.weigh(i, likelihood.log);
 		}
 	}
 	const double kept = after > 0.0 ? std::log(after / before) : 0.0;
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		r_bank.weigh(i, is_judged(i) ? 0.0 : kept);
+		r_bank.weigh(i, judged[i] ? 0.0 : kept);
 	}
 }
 
@@ -58,22 +66,14 @@ void weigh_erring(HypothesisBank &r_bank, double t_s, double log_ratio, bool is_
 	if (log_ratio == 0.0) {
 		return;
 	}
-	std::array<bool, HypothesisBank::CAPACITY> is_judged;
-	double right = 0.0, erring = 0.0;
-	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		const bool errs = r_bank.regime(i) == Regime::UNSOUND;
-		is_judged[i] = r_bank.on_its_way(i) &&
-				(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
-		if (is_judged[i]) {
-			(errs ? erring : right) += std::exp(r_bank.log_weight(i));
-		}
-	}
-	const double before = right + erring, after = right * std::exp(-log_ratio) + erring;
-	const double kept = after > 0.0 ? std::log(after / before) : 0.0;
-	for (std::size_t i = 0; i < r_bank.size(); ++i) {
-		const double judged = r_bank.regime(i) == Regime::UNSOUND ? 0.0 : -log_ratio;
-		r_bank.weigh(i, is_judged[i] ? judged : kept);
-	}
+	const Likelihood right{ -log_ratio, std::exp(-log_ratio) }, erring{ 0.0, 1.0 };
+	weigh(
+			r_bank,
+			[&](std::size_t i) {
+				return r_bank.on_its_way(i) &&
+						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
+			},
+			[&](std::size_t i) { return r_bank.regime(i) == Regime::UNSOUND ? erring : right; });
 }
 
 } // namespace
@@ -87,7 +87,10 @@ void count_loss(HypothesisBank &r_bank, double t_s, double lost_s, double loss) 
 			[&](std::size_t i) {
 				return r_bank.on_its_way(i) && r_bank.regime(i) != Regime::FREE && !r_bank.is_over(i, t_s);
 			},
-			[&](std::size_t i) { return loss * log_losses(r_bank.course(i), lost_s); });
+			[&](std::size_t i) {
+				const double log = loss * log_losses(r_bank.course(i), lost_s);
+				return Likelihood{ log, std::exp(log) };
+			});
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
 		if (r_bank.regime(i) == Regime::REST) {
 			r_bank.weigh(i, -AT_REST_LOG_RATIO * loss);
@@ -113,10 +116,11 @@ void count_errorless(HypothesisBank &r_bank, double dt_s, double x) {
 }
 
 void count_stay(HypothesisBank &r_bank, double t_s, double dt_s, double since_s) {
-	for (std::size_t i = 1; i < r_bank.size(); ++i) {
+	const double late_s = t_s - STAYS_LATE_S;
+	for (std::size_t i = 1; i < r_bank.size() && since_s < late_s; ++i) {
 		if (r_bank.regime(i) == Regime::UNSOUND) {
 			const HypothesisGroup::Course course = r_bank.course(i);
-			const double gone = way_at(course, t_s - STAYS_LATE_S) - way_at(course, since_s);
+			const double gone = movement_at(course, late_s).value - movement_at(course, since_s).value;
 			r_bank.weigh(i, -STAYS_PER_S * dt_s * std::max(gone - STAYS_TO, 0.0));
 		}
 	}

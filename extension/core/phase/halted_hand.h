@@ -23,13 +23,12 @@ public:
 		if (std::abs(x - stays_.x) > STAYS) {
 			stays_ = { t_s, x };
 		}
-		is_on_way_ = x > HALTED_FROM && x < 1.0 - AT_END;
 		is_halted_ = soundness.fault() == 0.0 ? has_halted(soundness, t_s, x) : is_halted_;
 	}
 	/// It stays where it was seen, whatever is not seen.
 	[[nodiscard]] bool is_halted() const { return is_halted_; }
-	/// It is between the ends, as it was last seen.
-	[[nodiscard]] bool is_on_way() const { return is_on_way_; }
+	/// At x it is between the ends.
+	[[nodiscard]] static bool is_on_way(double x) { return x > HALTED_FROM && x < 1.0 - AT_END; }
 	/// It has been seen nowhere else since then.
 	[[nodiscard]] double stays_since_s() const { return stays_.since_s; }
 
@@ -65,7 +64,6 @@ private:
 	};
 
 	Stay stays_;
-	bool is_on_way_ = false;
 	bool is_halted_ = false;
 	double withheld_ = 0.0;   ///< faults since it halted that have not been counted
 	double withheld_s_ = 0.0; ///< the last of them
@@ -73,7 +71,7 @@ private:
 	[[nodiscard]] bool has_halted(const TrackingSoundness &soundness, double t_s, double x) const {
 		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;
 		const bool is_slow = soundness.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S);
-		return is_on_way_ && (is_slow || (t_s - stays_.since_s > STAYS_S && x > STAYS_FROM));
+		return is_on_way(x) && (is_slow || (t_s - stays_.since_s > STAYS_S && x > STAYS_FROM));
 	}
 };
 

@@ -152,7 +152,7 @@ void PhaseEstimator::count_frame(double t_s, double dt_s, double x) {
 	count_fault(bank_, t_s, fault, soundness_.jumped());
 	count_erring(bank_, t_s, soundness_.log_ratio_news());
 	count_errorless(bank_, dt_s, x);
-	if (soundness_.told() && halted_.is_on_way()) {
+	if (soundness_.told() && HaltedHand::is_on_way(x)) {
 		count_stay(bank_, t_s, dt_s, halted_.stays_since_s());
 	}
 }

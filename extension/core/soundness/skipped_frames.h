@@ -12,16 +12,10 @@ class SkippedFrames {
 public:
 	/// is_skipped: between the newest frame and the one before one or two are missing.
 	void push(bool is_skipped) {
-		const double before = log_ratio_;
 		log_ratio_ = std::clamp(log_ratio_ + (is_skipped ? SKIPPED : REGULAR), 0.0, MOST);
-		news_ = log_ratio_ - before;
 	}
-	/// The newest interval says nothing of that.
-	void pass() { news_ = 0.0; }
 	/// 0 .. 3
 	[[nodiscard]] double log_ratio() const { return log_ratio_; }
-	/// What the newest interval has changed it by.
-	[[nodiscard]] double news() const { return news_; }
 
 private:
 	/// Share of intervals that are 2 or 3 periods long, of a tracker that sees the hand well, and of one that
@@ -33,7 +27,6 @@ private:
 	inline static const double REGULAR = std::log((1.0 - SHARE_UNSOUND) / (1.0 - SHARE_SOUND));
 
 	double log_ratio_ = 0.0;
-	double news_ = 0.0;
 };
 
 } // namespace steadyhand

@@ -55,7 +55,7 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 	fault_ = {};
 	loss_ = 0.0;
 	jumped_ = returned_ = strayed_ = false;
-	const double frame_s = std::max(t_s - t_s_, SHORTEST_S);
+	const double frame_s = std::max(t_s - t_s_, SHORTEST_S), log_ratio_before = log_ratio();
 	t_s_ = t_s;
 	if (frames_ > 0) {
 		weigh(frame_s, x, place);
@@ -69,9 +69,8 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 	frames_ = std::min(frames_ + 1, 2);
 	if (told() && !jumped_ && is_on_way_in_space(place)) {
 		way_shape_.push(x, place, jitter_);
-	} else {
-		way_shape_.pass();
 	}
+	log_ratio_news_ = log_ratio() - log_ratio_before;
 }
 
 double TrackingSoundness::gap_fault(double frame_s) const {
@@ -94,8 +93,6 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	loss_ = gap_fault(frame_s);
 	if (loss_ == 0.0) {
 		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
-	} else {
-		skipped_.pass();
 	}
 	Evidence taken_back;
 	const bool repeats = x == x_ && place == place_;

@@ -45,7 +45,7 @@ public:
 	/// that errs, as a logarithm; 0 and more.
 	[[nodiscard]] double log_ratio() const { return skipped_.log_ratio() + way_shape_.log_ratio(); }
 	/// What the newest frame has changed that by.
-	[[nodiscard]] double log_ratio_news() const { return skipped_.news() + way_shape_.news(); }
+	[[nodiscard]] double log_ratio_news() const { return log_ratio_news_; }
 	/// Evidence of the gap since the newest frame, if none came until t_s: what fault() would then say of it.
 	[[nodiscard]] double missing(double t_s) const { return frames_ > 0 ? gap_fault(t_s - t_s_) : 0.0; }
 	/// When a frame last told something new; not of the newest frame while that has jumped() or returned().
@@ -83,6 +83,7 @@ private:
 	TrackerNoise noise_;
 	SkippedFrames skipped_;
 	WayShape way_shape_;
+	double log_ratio_news_ = 0.0;
 	double news_s_ = 0.0;
 	double period_s_ = 0.01; ///< between frames
 	Evidence evidence_;

@@ -22,7 +22,6 @@ constexpr double REGULARISED = 1e-9; ///< a hand that all but stands has no bow
 } // namespace
 
 void WayShape::push(double x, const FeaturePlace &place, double noise) {
-	const double before = log_ratio_;
 	if (x < AT_START) {
 		frames_ = {};
 		frames_.first = place;
@@ -40,7 +39,6 @@ void WayShape::push(double x, const FeaturePlace &place, double noise) {
 		const double squared = std::max(squared_distance_from_bow() - 2.0 * noise * noise, SMALLEST);
 		log_ratio_ = std::clamp(0.5 * NATS * std::log(squared / (EVEN * EVEN * x * x)), 0.0, MOST);
 	}
-	news_ = log_ratio_ - before;
 }
 
 /// Mean over the frames: places less their least squares fit.

@@ -13,12 +13,8 @@ public:
 	/// A frame that tells where the hand is. x: how far it has come; place: as TrackingSoundness takes it;
 	/// noise: the tracker's, in each coordinate, standard deviation.
 	void push(double x, const FeaturePlace &place, double noise);
-	/// The newest frame says nothing of that.
-	void pass() { news_ = 0.0; }
 	/// How much likelier the way so far is of a tracker that errs, as a logarithm, 0 .. 2.
 	[[nodiscard]] double log_ratio() const { return log_ratio_; }
-	/// What the newest frame has changed it by.
-	[[nodiscard]] double news() const { return news_; }
 
 private:
 	/// The way since the hand was last at the start: sums over frames of [1, x, x^2] with itself and with the
@@ -35,7 +31,6 @@ private:
 	Frames frames_;
 	bool has_start_ = false; ///< of a hand that is first seen on its way nothing is known of that
 	double log_ratio_ = 0.0;
-	double news_ = 0.0;
 
 	[[nodiscard]] double squared_distance_from_bow() const;
 };

@@ -91,19 +91,35 @@ TEST_CASE("each frame that is left out, or not, counts by the logarithm of how m
 	const double left_out = std::log(LEFT_OUT / LEFT_OUT_SOUND);
 	const double regular = std::log((1.0 - LEFT_OUT) / (1.0 - LEFT_OUT_SOUND));
 	skipped.push(true);
-	CHECK(skipped.news() == doctest::Approx(left_out));
+	CHECK(skipped.log_ratio() == doctest::Approx(left_out));
 	for (int i = 0; i < 10; ++i) {
+		const double before = skipped.log_ratio();
 		skipped.push(false);
-		CHECK(skipped.news() == doctest::Approx(regular));
+		CHECK(skipped.log_ratio() - before == doctest::Approx(regular));
 	}
 	skipped.push(true);
 	CHECK(skipped.log_ratio() == doctest::Approx(2.0 * left_out + 10.0 * regular));
 	skipped.push(true);
 	CHECK(skipped.log_ratio() == 3.0);
-	CHECK(skipped.news() == doctest::Approx(3.0 - 2.0 * left_out - 10.0 * regular));
-	skipped.pass();
-	CHECK(skipped.news() == 0.0);
-	CHECK(skipped.log_ratio() == 3.0);
+}
+
+TEST_CASE("what a frame changes of that is told once, and a gap changes nothing") {
+	TrackingSoundness soundness;
+	double t_s = 0.0, told = 0.0;
+	const auto come_after = [&](double periods) {
+		t_s += 0.01 * periods;
+		const double before = soundness.log_ratio();
+		soundness.push(t_s, 1e-4 * std::sin(1e3 * t_s));
+		told += soundness.log_ratio_news();
+		CHECK(soundness.log_ratio_news() == soundness.log_ratio() - before);
+		CHECK(told == doctest::Approx(soundness.log_ratio()));
+	};
+	for (const double periods : { 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 2.0 }) {
+		come_after(periods);
+	}
+	CHECK(soundness.log_ratio_news() > 1.0);
+	come_after(20.0);
+	CHECK(soundness.log_ratio_news() == 0.0);
 }
 
 TEST_CASE("a tracker that leaves out 1 % of its frames is hardly suspected, one that leaves out 5 % is") {
@@ -119,16 +135,13 @@ TEST_CASE("a way's shape counts by its distance from the bow that fits it best")
 	const int first = 2; // the last frame at the start
 	REQUIRE(x_of(first) < 0.05);
 	REQUIRE(x_of(first + 1) >= 0.05);
-	double news = 0.0;
 	bool is_between = false;
 	for (int i = 0; i < 0.8 * FRAMES; ++i) {
 		const double x = x_of(i);
 		shape.push(x, way.at(x, random), 0.0);
-		news += shape.news();
 		if (x > 0.15) {
 			const double nats = NATS * std::log(distance_from_bow(way, first, i) / (EVEN * x));
 			CHECK(shape.log_ratio() == doctest::Approx(std::clamp(nats, 0.0, MOST)).epsilon(1e-4));
-			CHECK(news == doctest::Approx(shape.log_ratio()));
 			is_between = is_between || (shape.log_ratio() > 0.1 && shape.log_ratio() < MOST - 0.1);
 		}
 	}
@@ -153,13 +166,13 @@ TEST_CASE("a way that is first seen half-way, or is over, says nothing, and a ne
 		CHECK(shape.log_ratio() == 0.0);
 	}
 	for (int i = 0; i < FRAMES; ++i) {
+		const double before = shape.log_ratio();
 		shape.push(x_of(i), way.at(x_of(i), random), 0.0);
-		CHECK((x_of(i) <= 0.8 || shape.news() == 0.0));
+		CHECK((x_of(i) <= 0.8 || shape.log_ratio() == before));
 	}
 	CHECK(shape.log_ratio() > 0.0);
 	shape.push(0.0, way.at(0.0, random), 0.0);
 	CHECK(shape.log_ratio() == 0.0);
-	CHECK(shape.news() < 0.0);
 }
 
 TEST_CASE("a way in space that wanders speaks against a tracker, and a hand that wanders while it grows does "
