@@ -9,6 +9,7 @@
 #include "tracking/track_csv.h"
 #include "trained_models.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -59,7 +60,12 @@ inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	return trials;
 }
 
-/// In amplitudes, at 1 kHz from 0 on.
+/// The whole second before a trial's first frame: its clock may have run for days.
+inline double begin_s(const SyntheticTrial &trial) {
+	return std::floor(trial.measured.frames.front().t_s);
+}
+
+/// In amplitudes, at 1 kHz from begin_s() on.
 inline std::vector<double> reference_curve(
 		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
 	MotionElement element(*find_feature(model.feature));
@@ -71,7 +77,7 @@ inline std::vector<double> reference_curve(
 		}
 	}
 	std::vector<double> curve(length);
-	resample_linear(t_s, x, {}, curve);
+	resample_linear(t_s, x, { .t0_s = begin_s(trial) }, curve);
 	return curve;
 }
 
@@ -79,11 +85,12 @@ inline std::vector<double> reference_curve(
 template <class Output>
 void replay(
 		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
+	const UniformGrid grid{ .t0_s = begin_s(trial), .rate_hz = outputs_per_s };
 	std::size_t next = 0;
 	for (const HandFrame &frame : trial.measured.frames) {
-		for (double t_s = 0.0; (t_s = static_cast<double>(next) / outputs_per_s) < frame.t_s; ++next) {
-			r_recogniser.advance(t_s);
-			output(t_s);
+		for (; grid.time_s(next) < frame.t_s; ++next) {
+			r_recogniser.advance(grid.time_s(next));
+			output(grid.time_s(next));
 		}
 		r_recogniser.push(frame);
 	}
@@ -97,10 +104,12 @@ inline CurveComparison compare_replay(const SyntheticTrial &trial, const Gesture
 		t_s.push_back(now_s);
 		x.push_back(r_recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
 	});
-	std::vector<double> held(static_cast<std::size_t>(trial.measured.frames.back().t_s * 1000.0));
-	resample_hold(t_s, x, 0.0, {}, held);
-	return compare_curves(
-			reference_curve(trial, model, held.size()), held, {}, { trial.trial.start_s, trial.trial.end_s });
+	const UniformGrid grid{ .t0_s = begin_s(trial) };
+	std::vector<double> held(
+			static_cast<std::size_t>((trial.measured.frames.back().t_s - grid.t0_s) * grid.rate_hz));
+	resample_hold(t_s, x, 0.0, grid, held);
+	return compare_curves(reference_curve(trial, model, held.size()), held, grid,
+			{ trial.trial.start_s, trial.trial.end_s });
 }
 
 } // namespace steadyhand::bench
