@@ -84,7 +84,7 @@ public:
 		double idle_s = 0.0;
 		for (const SyntheticTrial &trial : nothing_) {
 			alarms += arrivals(trial, setting).size();
-			idle_s += trial.measured.frames.back().t_s;
+			idle_s += trial.measured.frames.back().t_s - grid_of(trial).t0_s;
 		}
 		const auto count = static_cast<double>(trials);
 		return { mean(stable), mean(unstable), mean(t_diff), static_cast<double>(missed) / count,

@@ -60,12 +60,12 @@ inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	return trials;
 }
 
-/// The whole second before a trial's first frame: its clock may have run for days.
-inline double begin_s(const SyntheticTrial &trial) {
-	return std::floor(trial.measured.frames.front().t_s);
+/// From the whole second before a trial's first frame: its clock may have run for days.
+inline UniformGrid grid_of(const SyntheticTrial &trial, double rate_hz = UniformGrid{}.rate_hz) {
+	return { .t0_s = std::floor(trial.measured.frames.front().t_s), .rate_hz = rate_hz };
 }
 
-/// In amplitudes, at 1 kHz from begin_s() on.
+/// In amplitudes, on grid_of(trial).
 inline std::vector<double> reference_curve(
 		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
 	MotionElement element(*find_feature(model.feature));
@@ -77,7 +77,7 @@ inline std::vector<double> reference_curve(
 		}
 	}
 	std::vector<double> curve(length);
-	resample_linear(t_s, x, { .t0_s = begin_s(trial) }, curve);
+	resample_linear(t_s, x, grid_of(trial), curve);
 	return curve;
 }
 
@@ -85,12 +85,12 @@ inline std::vector<double> reference_curve(
 template <class Output>
 void replay(
 		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
-	const UniformGrid grid{ .t0_s = begin_s(trial), .rate_hz = outputs_per_s };
+	const UniformGrid grid = grid_of(trial, outputs_per_s);
 	std::size_t next = 0;
 	for (const HandFrame &frame : trial.measured.frames) {
-		for (; grid.time_s(next) < frame.t_s; ++next) {
-			r_recogniser.advance(grid.time_s(next));
-			output(grid.time_s(next));
+		for (double t_s = 0.0; (t_s = grid.time_s(next)) < frame.t_s; ++next) {
+			r_recogniser.advance(t_s);
+			output(t_s);
 		}
 		r_recogniser.push(frame);
 	}
@@ -104,7 +104,7 @@ inline CurveComparison compare_replay(const SyntheticTrial &trial, const Gesture
 		t_s.push_back(now_s);
 		x.push_back(r_recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
 	});
-	const UniformGrid grid{ .t0_s = begin_s(trial) };
+	const UniformGrid grid = grid_of(trial);
 	std::vector<double> held(
 			static_cast<std::size_t>((trial.measured.frames.back().t_s - grid.t0_s) * grid.rate_hz));
 	resample_hold(t_s, x, 0.0, grid, held);
