@@ -16,6 +16,7 @@ const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
 const StudyOrder := preload("study_order.gd")
 const Tasks := preload("tasks.gd")
+const TrialCourse := preload("trial_course.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 const TrialTask := preload("trial_task.gd")
@@ -35,13 +36,8 @@ const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 ## Play trial after trial from the start.
 @export var autoplay := true
 
-## Instants of the present trial on the tracker's clock, s; NAN until they come. `end_s`: the task
-## is done; `gesture_end_s`: the gesture has ended, the last one where a task takes several.
-var start_s := NAN
-var end_s := NAN
-var gesture_end_s := NAN
-## How far the task had come at `gesture_end_s`, m; NAN until then.
-var end_value_m := NAN
+## Of the present trial.
+var course := TrialCourse.new()
 ## Of this session.
 var session_folder := ""
 
@@ -203,7 +199,7 @@ func _play_synthetic() -> void:
 func _begin_trial(trial_name: String, position_name: String, participant: String) -> void:
 	_trial_name = trial_name
 	_position_name = position_name
-	_forget_course()
+	course = TrialCourse.new(_stage.strokes_add_up)
 	_stage.place(task, position_name)
 	var logged := {
 		trial = trial_name,
@@ -258,9 +254,6 @@ func _record_frames() -> void:
 func _end_trial() -> void:
 	if _log == null:
 		return
-	var course := {
-		start_s = start_s, end_s = end_s, gesture_end_s = gesture_end_s, end_value_m = end_value_m
-	}
 	_log.close(condition_name(), course)
 	_log = null
 	trial_ended.emit(_trial_name)
@@ -278,21 +271,21 @@ func _on_gesture_started(_gesture: StringName) -> void:
 	_readout.notice = ""
 	# A played trial ends with its track; with a live hand each gesture is one, or each task that takes
 	# several.
-	if _is_live and _is_live_trial_done():
+	if _is_live and course.is_trial_done():
 		_end_trial()
 		_begin_live_trial()
-	if is_nan(start_s):
-		start_s = gesture_hmm.time
+	if is_nan(course.start_s):
+		course.start_s = gesture_hmm.time
 		_stage.mark_started()
 	_stage.begin_stroke()
 
 
 func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
-	if _practice == null and not is_nan(start_s) and not _has_ended():
-		gesture_end_s = time_s
-		end_value_m = _stage.end_value(gesture_hmm.value)
+	if _practice == null and course.takes_end():
+		course.gesture_end_s = time_s
+		course.end_value_m = _stage.end_value(gesture_hmm.value)
 	# The hand has to see its next place before it goes there.
-	if _is_live and _practice == null and _is_live_trial_done():
+	if _is_live and _practice == null and course.is_trial_done():
 		if _order.changes_at(_live_trials, _positions()):
 			_end_trial()
 			_begin_live_trial.call_deferred()
@@ -301,27 +294,8 @@ func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
 ## A live hand that turned back has its trial yet to make.
 func _on_gesture_aborted(_gesture: StringName) -> void:
 	if _is_live and _log != null and not _stage.strokes_add_up:
-		_forget_course()
+		course = TrialCourse.new(_stage.strokes_add_up)
 		_stage.place(task, _position_name)
-
-
-func _forget_course() -> void:
-	start_s = NAN
-	end_s = NAN
-	gesture_end_s = NAN
-	end_value_m = NAN
-
-
-## Whether a further gesture's end is no longer this task's: where it takes several, that is so once
-## one has ended with the task done.
-func _has_ended() -> bool:
-	if is_nan(gesture_end_s):
-		return false
-	return not _stage.strokes_add_up or gesture_end_s >= end_s
-
-
-func _is_live_trial_done() -> bool:
-	return not is_nan(end_s if _stage.strokes_add_up else start_s)
 
 
 func _on_practice_ended(proposal: Dictionary) -> void:
@@ -335,8 +309,8 @@ func _on_practice_ended(proposal: Dictionary) -> void:
 
 func _on_motion_updated(time_s: float) -> void:
 	var done := _stage.show_motion(gesture_hmm.value)
-	if is_nan(end_s) and not is_nan(start_s) and done >= ARRIVED:
-		end_s = time_s
+	if is_nan(course.end_s) and not is_nan(course.start_s) and done >= ARRIVED:
+		course.end_s = time_s
 		_stage.mark_arrived()
 	_stage.show_hand(tracker)
 	if _log != null:

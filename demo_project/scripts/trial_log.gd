@@ -3,6 +3,7 @@ extends RefCounted
 ## trial. A crash loses a second at most.
 
 const Conditions := preload("conditions.gd")
+const TrialCourse := preload("trial_course.gd")
 
 ## Columns are added at the end alone: programs that know the first ones go on.
 const TRIALS_HEADER := (
@@ -49,9 +50,8 @@ func add(time_s: float, condition: String, motion: GestureHMM, vibration: float)
 		_flushed_s = time_s
 
 
-## `condition`: the last one of the trial. `course`: {start_s, end_s, gesture_end_s, end_value_m},
-## NAN where they never came.
-func close(condition: String, course: Dictionary) -> void:
+## `condition`: the last one of the trial.
+func close(condition: String, course: TrialCourse) -> void:
 	_samples = null
 	var path := _folder.path_join("trials.csv")
 	var is_new := not FileAccess.file_exists(path)
@@ -61,17 +61,15 @@ func close(condition: String, course: Dictionary) -> void:
 	trials.seek_end()
 	if is_new:
 		trials.store_line(TRIALS_HEADER)
-	var start_s: float = course["start_s"]
-	var end_s: float = course["end_s"]
 	var row := PackedStringArray(
 		[_trial["trial"], _trial["gesture"], _trial["position"], condition]
 	)
-	for time_s: float in [start_s, end_s, end_s - start_s]:
+	for time_s: float in [course.start_s, course.end_s, course.end_s - course.start_s]:
 		row.append(_number(time_s))
 	row.append(_trial["participant"])
 	for number: float in [_trial["amplitude_m"], _trial["width_m"]]:
 		row.append(_number(number))
-	for number: float in [course["end_value_m"], course["gesture_end_s"]]:
+	for number: float in [course.end_value_m, course.gesture_end_s]:
 		row.append(_number(number))
 	trials.store_csv_line(row)
 

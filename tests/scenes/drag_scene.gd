@@ -67,7 +67,7 @@ func _check_drag(player: TaskPlayer, trials: TrialSet, index: int) -> void:
 	check(player.play_to_end() > 2.0, "faster than real time")
 	check_equal(player.colour("StartMarker"), DragStage.STARTED, "the start turned blue")
 	check_equal(player.colour("StopMarker"), DragStage.ARRIVED, "the stop turned red")
-	check(player.scene.end_s > trial["start_s"], "the trial has an end")
+	check(player.scene.course.end_s > trial["start_s"], "the trial has an end")
 	# Where tracking is bad, place and time of the end are estimates of a hand that may have gone
 	# too far itself, and judged by evaluate.
 	if trial["position"] == "stable":
@@ -75,4 +75,4 @@ func _check_drag(player: TaskPlayer, trials: TrialSet, index: int) -> void:
 		var stage: DragStage = player.scene.get_node("Stage")
 		var box := player.body("Box").global_position - stage.box_offset
 		check(box.distance_to(end) < 0.02, "the box is at the stop marker: %s" % [box - end])
-		check_near(player.scene.end_s, trial["end_s"], 0.4, "the trial's end")
+		check_near(player.scene.course.end_s, trial["end_s"], 0.4, "the trial's end")

@@ -129,13 +129,15 @@ func test_which_end_counts() -> void:
 		player.scene.play(trial.get_trial(0), trial.get_measured_path(0))
 		var hmm := player.scene.gesture_hmm
 		hmm.gesture_ended.emit(gesture, 0.5)
-		check(is_nan(player.scene.gesture_end_s), "%s: none before one has begun" % gesture)
+		check(is_nan(player.scene.course.gesture_end_s), "%s: none before one has begun" % gesture)
 		hmm.gesture_started.emit(gesture)
 		hmm.gesture_ended.emit(gesture, 1.0)
 		hmm.gesture_ended.emit(gesture, 2.0)
-		player.scene.end_s = 1.5
+		player.scene.course.end_s = 1.5
 		hmm.gesture_ended.emit(gesture, 3.0)
-		check_equal(player.scene.gesture_end_s, counted[gesture], "the one that did the task")
+		check_equal(
+			player.scene.course.gesture_end_s, counted[gesture], "the one that did the task"
+		)
 		player.scene.free()
 
 

@@ -19,7 +19,7 @@ func test_taps_turn_the_surface_red() -> void:
 		check(player.play_to_end() > 2.0, "faster than real time")
 		if trial["position"] == "stable":
 			check_equal(player.colour("Surface"), TapStage.ARRIVED, "red after the contact")
-			check_near(player.scene.end_s, trial["end_s"], 0.1, "from the contact on")
+			check_near(player.scene.course.end_s, trial["end_s"], 0.1, "from the contact on")
 	check_equal(player.log_fault(trials), "", "the logs")
 
 
@@ -35,7 +35,7 @@ func test_a_hand_that_stops_short_leaves_it_as_it_is() -> void:
 	}
 	player.scene.play(trial, _write_short_tap())
 	player.play_to_end()
-	check(not is_nan(player.scene.start_s), "a tap has begun")
+	check(not is_nan(player.scene.course.start_s), "a tap has begun")
 	check_near(player.scene.gesture_hmm.value, 0.075, 0.02, "and stopped half-way")
 	check_equal(player.colour("Surface"), TapStage.IDLE, "no contact")
 	player.scene.free()

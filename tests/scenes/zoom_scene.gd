@@ -20,7 +20,7 @@ func test_a_stroke_zooms_the_sphere_to_three_times_its_size() -> void:
 		if trial["position"] == "stable":
 			check(_size(player) > 2.8 and _size(player) <= 3.0, "to %.2f times" % _size(player))
 			check_equal(player.colour("Target"), ZoomStage.ARRIVED, "the target turned red")
-			check_near(player.scene.end_s, trial["end_s"], 0.3, "the trial's end")
+			check_near(player.scene.course.end_s, trial["end_s"], 0.3, "the trial's end")
 	check_equal(player.log_fault(trials), "", "the logs")
 
 
