@@ -54,6 +54,10 @@ inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 				std::fprintf(stderr, "%s\n", parsed.error().c_str());
 				return {};
 			}
+			if (parsed.value().frames.empty()) {
+				std::fprintf(stderr, "%s: no frames\n", file.c_str());
+				return {};
+			}
 			*track = std::move(parsed.value());
 		}
 	}
