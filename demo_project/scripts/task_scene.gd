@@ -37,7 +37,7 @@ const POSITIONS: Array[HandTracker.SyntheticPosition] = [
 @export var autoplay := true
 
 ## Of the present trial.
-var course := TrialCourse.new()
+var course: TrialCourse = null
 ## Of this session.
 var session_folder := ""
 
@@ -73,6 +73,7 @@ func _ready() -> void:
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
 	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
+	course = TrialCourse.new(_stage.strokes_add_up)
 	_stage.place(task, "")
 	if autoplay:
 		play_next()

@@ -10,11 +10,11 @@ var gesture_end_s := NAN
 ## How far the task had come at `gesture_end_s`, m; NAN until then.
 var end_value_m := NAN
 
-var _strokes_add_up := false
+var _strokes_add_up: bool
 
 
 ## `strokes_add_up`: a task takes several gestures.
-func _init(strokes_add_up := false) -> void:
+func _init(strokes_add_up: bool) -> void:
 	_strokes_add_up = strokes_add_up
 
 
@@ -22,8 +22,9 @@ func _init(strokes_add_up := false) -> void:
 ## to the one that ends with the task done.
 func takes_end() -> bool:
 	var is_first := is_nan(gesture_end_s)
-	var goes_on := _strokes_add_up and not gesture_end_s >= end_s
-	return not is_nan(start_s) and (is_first or goes_on)
+	# False as well where one of the two has not come.
+	var is_done := gesture_end_s >= end_s
+	return not is_nan(start_s) and (is_first or (_strokes_add_up and not is_done))
 
 
 ## Whether the next gesture of a live hand is another trial's.

@@ -92,7 +92,7 @@ void replay(
 	const UniformGrid grid = grid_of(trial, outputs_per_s);
 	std::size_t next = 0;
 	for (const HandFrame &frame : trial.measured.frames) {
-		for (double t_s = 0.0; (t_s = grid.time_s(next)) < frame.t_s; ++next) {
+		for (double t_s = grid.time_s(next); t_s < frame.t_s; t_s = grid.time_s(++next)) {
 			r_recogniser.advance(t_s);
 			output(t_s);
 		}
