@@ -124,11 +124,7 @@ void Vibration::end_stretch() {
 		for (std::size_t i = 0; i < in_use_; ++i) {
 			sustained_[i].cut(share);
 		}
-		if (active_ > 0) {
-			for (ArrivalVoice &voice : arrivals_) {
-				voice.cut(share);
-			}
-		}
+		arrivals_.cut(share);
 	}
 	stretch_.first_run += made_;
 	stretch_.runs = made_ = 0;
@@ -138,7 +134,7 @@ void Vibration::begin_stretch() {
 	end_stretch();
 	const double from_s = clock_.now_s();
 	const bool is_heard = !is_live_ || unheard_s_ <= patience_s_;
-	follows_ = effects_follow_ || (follows_ && active_ > 0);
+	follows_ = effects_follow_ || (follows_ && arrivals_.are_active());
 	stretch_.sample_rate_hz = sample_rate_hz_;
 	stretch_.pace = clock_.pace();
 	stretch_.is_connected = is_connected_;
@@ -203,7 +199,7 @@ bool Vibration::is_cubic(double from_s) {
 		remainder += by_velocity_s_m_ * stretch_.amplitude_m * motion_.velocity_from_cubic(from_s, to_s);
 	}
 	// The acceleration of a quintic is a cubic, or its own a line.
-	const bool needs_one_piece = acceleration_follows_ || active_ > 0;
+	const bool needs_one_piece = acceleration_follows_ || arrivals_.are_active();
 	return std::isfinite(position) && remainder <= MOST_REMAINDER &&
 			(!needs_one_piece || motion_.smooth_s(from_s) >= to_s - from_s);
 }
@@ -237,12 +233,7 @@ bool Vibration::look_at_voices(bool is_heard, bool is_moving) {
 			voice.rest();
 		}
 	}
-	if (active_ > 0) {
-		for (ArrivalVoice &voice : arrivals_) {
-			is_smooth = (!voice.is_active() || voice.look_at(stretch_)) && is_smooth;
-		}
-	}
-	return is_smooth;
+	return arrivals_.look_at(stretch_) && is_smooth;
 }
 
 void Vibration::begin_voices() {
@@ -259,15 +250,10 @@ void Vibration::begin_voices() {
 	while (in_use_ > effects_.count && !sustained_[in_use_ - 1].is_on()) {
 		--in_use_;
 	}
-	if (active_ > 0) {
-		for (ArrivalVoice &voice : arrivals_) {
-			if (voice.is_active()) {
-				voice.begin(stretch_);
-			}
-		}
-	}
-	is_silent_ = active_ == 0 && heard == 0;
-	is_only_voice_ = active_ == 0 && heard == 1 && &mix_of(sustained_[only_voice_].channels()) == &both_;
+	arrivals_.begin(stretch_);
+	is_silent_ = !arrivals_.are_active() && heard == 0;
+	is_only_voice_ =
+			!arrivals_.are_active() && heard == 1 && &mix_of(sustained_[only_voice_].channels()) == &both_;
 }
 
 void Vibration::begin_arrivals(double from_s) {
@@ -290,17 +276,7 @@ void Vibration::arrive(const Arrival &arrival, double from_s, double length_s) {
 	const auto first = static_cast<std::int32_t>(
 			std::ceil(std::max(share * static_cast<double>(stretch_.runs * RUN) - GRAIN, 0.0)));
 	const MotionPoint motion = motion_.at(std::max(arrival.time_s, from_s));
-	for (std::size_t i = 0; i < effects_.count; ++i) {
-		if (effects_.effects[i].trigger != Trigger::ARRIVAL) {
-			continue;
-		}
-		const auto free = std::find_if(arrivals_.begin(), arrivals_.end(),
-				[](const ArrivalVoice &voice) { return !voice.is_active(); });
-		if (free != arrivals_.end()) {
-			free->start(effects_.effects[i], effects_.generation, arrival, first, motion, stretch_);
-			active_ += free->is_active() ? 1 : 0;
-		}
-	}
+	arrivals_.start(effects_, arrival, first, motion, stretch_);
 }
 
 void Vibration::make(float *frames, std::size_t runs) {
@@ -331,14 +307,7 @@ void Vibration::make_run(float *frames) {
 			sustained_[i].add_run(made_, mix_of(sustained_[i].channels()));
 		}
 	}
-	if (active_ > 0) {
-		for (ArrivalVoice &voice : arrivals_) {
-			if (voice.is_active()) {
-				voice.add_run(stretch_, made_, mix_of(voice.channels()));
-				active_ -= voice.is_active() ? 0 : 1;
-			}
-		}
-	}
+	arrivals_.add_run(stretch_, made_, [this](std::uint8_t channels) -> Mix & { return mix_of(channels); });
 	const bool has_sides = !left_.is_silent || !right_.is_silent;
 	if (has_sides) {
 		add(left_, both_);
@@ -349,16 +318,6 @@ void Vibration::make_run(float *frames) {
 	} else {
 		write_held(frames, has_sides ? left_ : both_, has_sides ? right_ : both_, most_);
 	}
-}
-
-std::uint64_t Vibration::oldest_generation() const {
-	std::uint64_t oldest = effects_.generation;
-	for (const ArrivalVoice &voice : arrivals_) {
-		if (voice.is_active()) {
-			oldest = std::min(oldest, voice.generation());
-		}
-	}
-	return oldest;
 }
 
 } // namespace steadyhand

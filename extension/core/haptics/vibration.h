@@ -1,5 +1,6 @@
 #pragma once
 
+#include "haptics/arrival_voices.h"
 #include "haptics/effect.h"
 #include "haptics/motion_clock.h"
 #include "haptics/motion_snapshot.h"
@@ -60,7 +61,9 @@ public:
 	}
 	/// Samples made and not yet handed out.
 	[[nodiscard]] std::size_t ahead() const { return RUN - handed_out_; }
-	[[nodiscard]] std::uint64_t oldest_generation() const;
+	[[nodiscard]] std::uint64_t oldest_generation() const {
+		return arrivals_.oldest_generation(effects_.generation);
+	}
 
 private:
 	double sample_rate_hz_ = 48000.0;
@@ -79,9 +82,8 @@ private:
 	double patience_s_ = MOST_PATIENCE_S;
 	std::uint32_t arrived_ = 0; ///< number of the last one that was felt, or let pass
 	std::size_t in_use_ = 0;    ///< of the sustained voices: those that may sound
-	std::size_t active_ = 0;    ///< of the arrivals' voices
 	std::array<SustainedVoice, EffectSet::MOST> sustained_;
-	std::array<ArrivalVoice, EffectSet::MOST> arrivals_;
+	ArrivalVoices arrivals_;
 
 	Stretch stretch_;
 	std::size_t made_ = 0;          ///< runs of the stretch
