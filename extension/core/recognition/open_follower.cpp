@@ -30,7 +30,7 @@ constexpr double AGAIN_S = 1.0;
 /// The hand has turned back once it is at this share of the furthest that it went.
 constexpr double RETURNED = 0.5;
 /// Where tracking is lost this near to the end, that was the end.
-constexpr double LOST_AT_END = 0.85;
+constexpr double LOST_AT_END = 0.7;
 constexpr double STARTING_RATE_PER_S = 100.0;
 constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
 
