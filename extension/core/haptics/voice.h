@@ -76,7 +76,7 @@ public:
 	[[nodiscard]] bool look_at(const Stretch &stretch);
 	void begin(const Stretch &stretch);
 	void cut(double share) {
-		if (is_active_ && has_level_) {
+		if (has_level_) {
 			level_.cut(share);
 		}
 	}
