@@ -19,15 +19,22 @@ public:
 	std::optional<double> measure(const HandFrame &frame, const Task &task) {
 		std::optional<double> x_m = feature_->measure(frame, task);
 		if (x_m && is_periodic()) {
-			const double period_m = feature_->period_m(task);
-			*x_m += period_m * std::round((last_m_ - *x_m) / period_m);
+			*x_m += rounds_m(last_m_ - *x_m, task);
 			last_m_ = *x_m;
 		}
 		return x_m;
 	}
 
-	/// The next value is the one nearest to 0.
+	/// The next value is the one nearest to 0: less by rounds_m() of the last one.
 	void restart() { last_m_ = 0.0; }
+	/// The whole rounds that are nearest to a way; 0 where the hand does not come back to the same place.
+	[[nodiscard]] double rounds_m(double way_m, const Task &task) const {
+		if (!is_periodic()) {
+			return 0.0;
+		}
+		const double period_m = feature_->period_m(task);
+		return period_m * std::round(way_m / period_m);
+	}
 
 	[[nodiscard]] bool is_periodic() const { return feature_->period_m != nullptr; }
 	[[nodiscard]] const Feature &feature() const { return *feature_; }

@@ -97,6 +97,9 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 }
 
 void HypothesisBirths::begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
+	if (std::abs(r_bank.hand_deviation(HypothesisBank::AT_REST)) > AT_START) {
+		return; // no gesture begins from elsewhere
+	}
 	const GestureHypothesis at_rest = r_bank.hypothesis(HypothesisBank::AT_REST);
 	const double starts = ONSETS_PER_S * period_s_;
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {

@@ -36,8 +36,12 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &eff
 		curve_(model), births_(model, effort), branch_period_s_(effort.branch_period_s),
 		latency_s_(latency_s), bank_(effort) {}
 
-void PhaseEstimator::begin(double t_s, double d) {
+/// A hand that moves, or is elsewhere than at the start, may be about something else than to rest there.
+void PhaseEstimator::begin(double t_s, double d, double velocity) {
 	bank_.start(GestureHypothesis::resting(d));
+	if (velocity != 0.0 || std::abs(d) > AT_START) {
+		bank_.add(GestureHypothesis::leaving(d, velocity));
+	}
 	seen_s_ = told_s_ = t_s;
 	told_x_ = d;
 	halted_.start(t_s, d);
@@ -47,13 +51,15 @@ void PhaseEstimator::begin(double t_s, double d) {
 	next_branch_s_ = t_s + branch_period_s_;
 }
 
-void PhaseEstimator::restart(double t_s) {
+void PhaseEstimator::restart(double t_s, double shift) {
 	if (bank_.empty()) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, filtered_s_);
-	begin(filtered_s_, hand.value);
-	bank_.add(GestureHypothesis::leaving(hand.value, hand.velocity));
+	if (shift != 0.0) {
+		reset();
+	}
+	begin(filtered_s_, hand.value + shift, hand.velocity);
 	prune();
 	look(filtered_s_);
 	blend_from(before, t_s);
@@ -159,7 +165,7 @@ void PhaseEstimator::count_frame(double t_s, double dt_s, double x) {
 
 void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
-		begin(t_s, x);
+		begin(t_s, x, 0.0);
 		look(t_s);
 	}
 	const PhaseEstimate before = at(t_s);
@@ -170,7 +176,7 @@ void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 
 void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
-		begin(t_s, x);
+		begin(t_s, x, 0.0);
 	}
 	if (t_s >= back_s_) {
 		arrive_from_jump(bank_);

@@ -43,8 +43,9 @@ public:
 	void catch_up() { look(filtered_s_); }
 	/// No frame came until t_s: one that should have is a fault already while it is missing.
 	void wait(double t_s);
-	/// The gesture is over at t_s, not before the last frame: what comes next may be another one.
-	void restart(double t_s);
+	/// The gesture is over at t_s, not before the last frame: what comes next may be another one. shift: what
+	/// was x is x + shift from now on.
+	void restart(double t_s, double shift = 0.0);
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() {
 		bank_.clear();
@@ -88,7 +89,7 @@ private:
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
-	void begin(double t_s, double d);
+	void begin(double t_s, double d, double velocity);
 	void look(double t_s) {
 		outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, soundness_.lasting_unsoundness(),
 				halted_.is_halted());

@@ -114,9 +114,9 @@ protected:
 	/// At rest as before the first frame, and no longer shows where the hand was, nor at once where it then
 	/// is.
 	void forget_hand(double t_s);
-	/// The estimator is to expect another gesture from where the hand is.
-	void restart_estimate(double t_s) { phase_.restart(t_s); }
-	void forget_estimate() { phase_.reset(); }
+	/// The estimator is to expect another gesture from where the hand is. shift: of what is measured from now
+	/// on, in amplitudes.
+	void restart_estimate(double t_s, double shift = 0.0) { phase_.restart(t_s, shift); }
 	/// What is put out goes on from `before`, at t_s, and fades to what it is by now; rate: 1/s, of the
 	/// fading.
 	void blend_from(const Motion &before, double t_s, double rate_per_s);

@@ -112,11 +112,8 @@ void TaskFollower::come_to_end(double t_s) {
 void TaskFollower::come_to_rest(double t_s) {
 	rest(t_s);
 	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
-		if (element_.is_periodic()) {
-			forget_estimate(); // the same place is another value from now on
-		} else {
-			restart_estimate(t_s);
-		}
+		const double amplitude_m = task().amplitude_m;
+		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
 	}
 }
 
