@@ -27,7 +27,7 @@ constexpr double SPARSE_S = 0.015; ///< closer frames see every hand set out
 constexpr double LONGEST_S = 8.0;  ///< what branched off before that no longer matters
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
-constexpr double ERRING_LATENCY_S = 0.037;
+constexpr double ERRING_LATENCY_S = 0.03;
 constexpr double ERRING_SETTLING_S = 0.15;
 
 } // namespace
@@ -189,7 +189,7 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	absorbed_s_ = t_s;
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
-	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lasting_unsoundness() - falling_behind_s_) *
+	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
 			-std::expm1(-frame_s / ERRING_SETTLING_S);
 	absorb(t_s, x);
 	prune();

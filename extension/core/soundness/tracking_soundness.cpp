@@ -26,6 +26,9 @@ constexpr double SHAKEN_STRAY = 40.0;
 constexpr double SHAKEN_STEP = 6.0;
 /// A tracker that strays beside the way has erred; along the way it may be right.
 constexpr double STRAY_FAULT = 0.3;
+/// What takes something else for the hand for some frames need not be late afterwards, as what loses it is:
+/// share of such a fault in lateness().
+constexpr double LATE_BY_JUMP = 0.3;
 /// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
 constexpr double NEARER = 0.5;
 constexpr double BLIND_S = 0.05;
@@ -112,14 +115,18 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		}
 	}
 	loss_ += silence_.is_frozen() ? FROZEN_FRAME : 0.0;
+	const double jump = strayed_ ? 1.0 : fault_.now;
 	fault_.now += loss_;
 	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
+	fault_.late = loss_ + LATE_BY_JUMP * jump;
 	leap_.fault = fault_;
 	fault_.now -= taken_back.now;
 	fault_.lasting -= taken_back.lasting;
+	fault_.late -= taken_back.late;
+	const double lasts = std::exp(-frame_s / LASTING_MEMORY_S);
 	evidence_.now = std::max(evidence_.now * std::exp(-frame_s / MEMORY_S) + fault_.now, 0.0);
-	evidence_.lasting =
-			std::max(evidence_.lasting * std::exp(-frame_s / LASTING_MEMORY_S) + fault_.lasting, 0.0);
+	evidence_.lasting = std::max(evidence_.lasting * lasts + fault_.lasting, 0.0);
+	evidence_.late = std::max(evidence_.late * lasts + fault_.late, 0.0);
 	period_s_ = TrackerSilence::followed(period_s_, frame_s);
 }
 

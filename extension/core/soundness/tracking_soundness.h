@@ -24,6 +24,9 @@ public:
 	[[nodiscard]] double unsoundness() const { return 1.0 - std::exp(-evidence_.now); }
 	/// The same, remembered for longer: what is known of this tracker, not of this moment.
 	[[nodiscard]] double lasting_unsoundness() const { return 1.0 - std::exp(-evidence_.lasting); }
+	/// How far the tracker is to be taken for a late one, for as long: 0..1. Most of all where it loses the
+	/// hand.
+	[[nodiscard]] double lateness() const { return 1.0 - std::exp(-evidence_.late); }
 	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
 	/// which was a single frame elsewhere.
 	[[nodiscard]] double fault() const { return fault_.now; }
@@ -66,6 +69,7 @@ private:
 	struct Evidence {
 		double now = 0.0;
 		double lasting = 0.0;
+		double late = 0.0;
 	};
 	/// A frame from which one leapt away.
 	struct Leap {

@@ -168,6 +168,19 @@ TEST_CASE("a jump beside the way is a fault and is remembered, a hand that sweep
 	CHECK(sweeping.lasting_unsoundness() == 0.0);
 }
 
+TEST_CASE("a tracker that loses the hand is late for all that is known, one that jumps hardly") {
+	TrackingSoundness jumps, loses;
+	const double t_s = move(jumps, 0.0, 0.0, 0.5, 100);
+	move(loses, 0.0, 0.0, 0.5, 100);
+	move(jumps, t_s, 0.5 * t_s + 0.4, 0.5, 3);
+	move(loses, t_s + 0.1, 0.5 * (t_s + 0.1), 0.5, 3);
+	CHECK(loses.lateness() > 0.6);
+	CHECK(loses.lateness() == doctest::Approx(loses.lasting_unsoundness()));
+	CHECK(jumps.lasting_unsoundness() > 0.6);
+	CHECK(jumps.lateness() < 0.3);
+	CHECK(jumps.lateness() > 0.2);
+}
+
 TEST_CASE("a camera that is read more often than it looks is sound, and only its own frames tell something") {
 	for (const int reads : { 2, 3, 4, 8 }) {
 		CAPTURE(reads);
