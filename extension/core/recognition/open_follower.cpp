@@ -33,6 +33,7 @@ constexpr double RETURNED = 0.5;
 constexpr double LOST_AT_END = 0.7;
 constexpr double STARTING_RATE_PER_S = 100.0;
 constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
+constexpr double REST_PART_S = 0.05;     ///< in whose mean a tracker's noise counts little
 
 /// The model's speed at this phase, its end, in shares of its peak, and what people slow down less.
 double end_speed_share(const GestureModel &model, double end_phase) {
@@ -130,15 +131,43 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
 		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
 			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
-			start_ = stroke.seen_from;
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
+			start_ = start_of(stroke, strokes);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
 			return;
 		}
 	}
+}
+
+/// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
+/// out from the furthest back that it was just before.
+FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &strokes) const {
+	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero();
+	int frames = 0;
+	double since_s = -INFINITY;
+	const auto end_part = [&] {
+		if (frames > 0 && (sum / frames - start).dot(way_) < 0.0) {
+			start = sum / frames;
+		}
+		sum.setZero();
+		frames = 0;
+	};
+	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
+		if (frame_s > stroke.onset_s) {
+			return;
+		}
+		if (frame_s > since_s + REST_PART_S) {
+			end_part();
+			since_s = frame_s;
+		}
+		sum += place;
+		++frames;
+	});
+	end_part();
+	return start;
 }
 
 void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {

@@ -54,6 +54,15 @@ TEST_CASE("with nothing given the motion is the way along the hand's own directi
 	}
 }
 
+TEST_CASE("with nothing given the motion counts from where the hand set out, before its stroke was told") {
+	for (const double duration_s : { 0.3, 0.5, 0.8 }) {
+		CAPTURE(duration_s);
+		const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+		const double until_s = drag.onset_s + duration_s + 0.6;
+		CHECK(in_the_open(along(X, { drag }), until_s).last_value_m == doctest::Approx(0.2).epsilon(0.004));
+	}
+}
+
 TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 	const Way jumped = [](double t_s) {
 		return Eigen::Vector3d(DRAG.x_m(t_s) + (t_s < 0.3 ? 0.0 : 0.04), 0.0, 0.0);
