@@ -2,6 +2,9 @@
 
 #include "gesture/feature.h"
 #include "gesture/reference_curve.h"
+#include "gesture/task.h"
+#include "tracking/csv_text.h"
+#include "tracking/frame.h"
 
 #include <nlohmann/json.hpp>
 
@@ -9,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace steadyhand {
 namespace {
@@ -22,8 +26,53 @@ constexpr std::size_t MAX_STATES = 256;
 
 /// Found while reading; caught in parse_model, never leaves this file.
 struct Fault : std::runtime_error {
-	using std::runtime_error::runtime_error;
+	Fault(const Json &value, const std::string &what) : std::runtime_error(what), place(&value) {}
+	const Json *place; ///< of the document that is read
 };
+
+/// How many values begin before `place` in the document's text.
+std::size_t values_before(const Json &document, const Json *place) {
+	std::vector<const Json *> ahead{ &document };
+	for (std::size_t before = 0; !ahead.empty(); ++before) {
+		const Json *value = ahead.back();
+		if (value == place) {
+			return before;
+		}
+		ahead.pop_back();
+		for (auto child = value->rbegin(); child != value->rend() && value->is_structured(); ++child) {
+			ahead.push_back(&*child);
+		}
+	}
+	return 0;
+}
+
+/// Line on which the value begins that `before` others begin before, in text that is JSON.
+std::size_t line_of_value(std::string_view text, std::size_t before) {
+	constexpr std::string_view SPACE = " \t\r\n";
+	std::size_t i = text.find_first_not_of(SPACE);
+	for (; i < text.size(); i = text.find_first_not_of(SPACE, i)) {
+		const std::size_t begin = i++;
+		if (text[begin] == '"') {
+			while (text[i] != '"') {
+				i += text[i] == '\\' ? 2 : 1;
+			}
+			const std::size_t next = text.find_first_not_of(SPACE, ++i);
+			if (next < text.size() && text[next] == ':') {
+				continue;
+			}
+		} else if (std::string_view(",:]}").find(text[begin]) != std::string_view::npos) {
+			continue;
+		} else if (text[begin] != '[' && text[begin] != '{') {
+			i = std::min(text.find_first_of(" \t\r\n,]}", i), text.size());
+		}
+		if (before-- == 0) {
+			i = begin;
+			break;
+		}
+	}
+	const std::string_view passed = text.substr(0, i);
+	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+}
 
 template <class Row> Json row_to_json(const Row &row) {
 	Json out = Json::array();
@@ -43,7 +92,7 @@ template <class Matrix> Json matrix_to_json(const Matrix &matrix) {
 
 const Json &member(const Json &object, const char *key) {
 	if (!object.is_object() || !object.contains(key)) {
-		throw Fault(std::string(key) + ": missing");
+		throw Fault(object, std::string(key) + ": missing");
 	}
 	return object[key];
 }
@@ -51,15 +100,25 @@ const Json &member(const Json &object, const char *key) {
 double number(const Json &object, const char *key) {
 	const Json &value = member(object, key);
 	if (!value.is_number() || !std::isfinite(value.get<double>())) {
-		throw Fault(std::string(key) + ": not a number");
+		throw Fault(value, std::string(key) + ": not a number");
 	}
 	return value.get<double>();
 }
 
-double positive(const Json &object, const char *key) {
+/// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
+constexpr double SHORTEST_S = 1e-5;
+constexpr double LONGEST_S = 3600.0;
+constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
+constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
+
+double within(const Json &object, const char *key, double smallest, double largest) {
 	const double value = number(object, key);
-	if (!(value > 0.0)) {
-		throw Fault(std::string(key) + ": must be greater than 0");
+	if (value < smallest || value > largest) {
+		std::string message = std::string(key) + ": not within ";
+		append_number(message, smallest);
+		message += " .. ";
+		append_number(message, largest);
+		throw Fault(object[key], message);
 	}
 	return value;
 }
@@ -67,7 +126,7 @@ double positive(const Json &object, const char *key) {
 std::string text(const Json &object, const char *key) {
 	const Json &value = member(object, key);
 	if (!value.is_string()) {
-		throw Fault(std::string(key) + ": not a string");
+		throw Fault(value, std::string(key) + ": not a string");
 	}
 	return value.get<std::string>();
 }
@@ -79,7 +138,7 @@ bool optional_flag(const Json &object, const char *key) {
 		return false;
 	}
 	if (!found->is_boolean()) {
-		throw Fault(std::string(key) + ": not true or false");
+		throw Fault(*found, std::string(key) + ": not true or false");
 	}
 	return found->get<bool>();
 }
@@ -87,7 +146,7 @@ bool optional_flag(const Json &object, const char *key) {
 const Json &array(const Json &object, const char *key) {
 	const Json &value = member(object, key);
 	if (!value.is_array() || value.empty()) {
-		throw Fault(std::string(key) + ": not an array with entries");
+		throw Fault(value, std::string(key) + ": not an array with entries");
 	}
 	return value;
 }
@@ -95,7 +154,7 @@ const Json &array(const Json &object, const char *key) {
 /// null stands for log 0 where `null_is_log_zero`, and is a fault elsewhere.
 Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zero) {
 	if (!values.is_array()) {
-		throw Fault(std::string(key) + ": not an array");
+		throw Fault(values, std::string(key) + ": not an array");
 	}
 	Eigen::VectorXd out(static_cast<Eigen::Index>(values.size()));
 	for (std::size_t i = 0; i < values.size(); ++i) {
@@ -103,8 +162,11 @@ Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zer
 			out(static_cast<Eigen::Index>(i)) = -std::numeric_limits<double>::infinity();
 		} else if (values[i].is_number()) {
 			out(static_cast<Eigen::Index>(i)) = values[i].get<double>();
+			if (!null_is_log_zero && std::abs(values[i].get<double>()) > FARTHEST_M) {
+				throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: beyond 1e9");
+			}
 		} else {
-			throw Fault(std::string(key) + "[" + std::to_string(i) + "]: not a number");
+			throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: not a number");
 		}
 	}
 	return out;
@@ -113,7 +175,7 @@ Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zer
 Eigen::Vector3d point(const Json &object, const char *key) {
 	const Eigen::VectorXd values = vector(member(object, key), key, false);
 	if (values.size() != 3) {
-		throw Fault(std::string(key) + ": not three numbers");
+		throw Fault(object[key], std::string(key) + ": not three numbers");
 	}
 	return values;
 }
@@ -127,8 +189,9 @@ Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zer
 			out.resize(static_cast<Eigen::Index>(rows.size()), row.size());
 		}
 		if (row.size() != out.cols()) {
-			throw Fault(std::string(key) + ", row " + std::to_string(i) + ": " + std::to_string(row.size()) +
-					" numbers where the first row has " + std::to_string(out.cols()));
+			throw Fault(rows[i],
+					std::string(key) + ", row " + std::to_string(i) + ": " + std::to_string(row.size()) +
+							" numbers where the first row has " + std::to_string(out.cols()));
 		}
 		out.row(static_cast<Eigen::Index>(i)) = row.transpose();
 	}
@@ -142,29 +205,40 @@ Json element_to_json(const PrimitiveMotionElement &element) {
 		{ "duration_deviation_s", element.duration_deviation_s } };
 }
 
-/// Of curves from 0 to 1 over a state: with larger ones their squares are no numbers.
-constexpr double LARGEST_COEFFICIENT = 1e6;
+/// Whether an element's curve stays by the way, which goes from 0 to 1.
+bool stays_by_the_way(const Polynomial &curve) {
+	constexpr int POINTS = 101;
+	for (int i = 0; i < POINTS; ++i) {
+		const double value = curve.value(i / (POINTS - 1.0));
+		if (value < -FARTHEST_OFF || value > 1.0 + FARTHEST_OFF) {
+			return false;
+		}
+	}
+	return true;
+}
 
 PrimitiveMotionElement element_from_json(const Json &json) {
 	PrimitiveMotionElement element;
 	element.phase_begin = number(json, "phase_begin");
 	element.phase_end = number(json, "phase_end");
 	if (!(element.phase_begin < element.phase_end)) {
-		throw Fault("elements: phase_begin must be less than phase_end");
+		throw Fault(json["phase_end"], "elements: phase_begin must be less than phase_end");
 	}
-	element.deviation = number(json, "deviation");
-	element.duration_mean_s = positive(json, "duration_mean_s");
-	element.duration_deviation_s = number(json, "duration_deviation_s");
+	element.deviation = within(json, "deviation", 0.0, FARTHEST_OFF);
+	element.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_S);
+	element.duration_deviation_s =
+			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * element.duration_mean_s);
 	const Eigen::VectorXd coefficients = vector(member(json, "polynomial"), "polynomial", false);
 	if (coefficients.size() > static_cast<Eigen::Index>(element.curve.coefficients.size())) {
-		throw Fault("polynomial: more than " + std::to_string(element.curve.coefficients.size()) +
-				" coefficients");
-	}
-	if ((coefficients.array().abs() > LARGEST_COEFFICIENT).any()) {
-		throw Fault("polynomial: a coefficient is beyond 1e6");
+		throw Fault(json["polynomial"],
+				"polynomial: more than " + std::to_string(element.curve.coefficients.size()) +
+						" coefficients");
 	}
 	for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
 		element.curve.coefficients[static_cast<std::size_t>(i)] = coefficients(i);
+	}
+	if (!stays_by_the_way(element.curve)) {
+		throw Fault(json["polynomial"], "polynomial: its curve leaves -10 .. 11, on a way from 0 to 1");
 	}
 	return element;
 }
@@ -172,8 +246,9 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 Eigen::VectorXd reference(const Json &json, const char *key) {
 	const Eigen::VectorXd curve = vector(array(json, key), key, false);
 	if (curve.size() != CURVE_POINTS) {
-		throw Fault(std::string(key) + ": " + std::to_string(curve.size()) + " points, not " +
-				std::to_string(CURVE_POINTS));
+		throw Fault(json[key],
+				std::string(key) + ": " + std::to_string(curve.size()) + " points, not " +
+						std::to_string(CURVE_POINTS));
 	}
 	return curve;
 }
@@ -184,7 +259,7 @@ Provenance provenance_from_json(const Json &json) {
 	provenance.trained_with = text(json, "trained_with");
 	const double recordings = number(json, "recordings");
 	if (recordings < 0.0 || recordings > 1e9) {
-		throw Fault("recordings: not a number of recordings");
+		throw Fault(json["recordings"], "recordings: not a number of recordings");
 	}
 	provenance.recordings = static_cast<int>(recordings);
 	provenance.r2_threshold = number(json, "r2_threshold");
@@ -198,23 +273,24 @@ Provenance provenance_from_json(const Json &json) {
 
 GestureModel model_from_json(const Json &json) {
 	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
-		throw Fault(std::string("format: not a ") + FORMAT_NAME + " file");
+		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
 	}
 	if (number(json, "version") != FORMAT_VERSION) {
-		throw Fault("version: this program reads version " + std::to_string(FORMAT_VERSION));
+		throw Fault(json["version"], "version: this program reads version " + std::to_string(FORMAT_VERSION));
 	}
 	GestureModel model;
 	model.gesture = text(json, "gesture");
 	model.feature = text(json, "feature");
 	if (find_feature(model.feature) == nullptr) {
-		throw Fault("feature: there is no feature '" + model.feature + "'");
+		throw Fault(json["feature"], "feature: there is no feature '" + model.feature + "'");
 	}
 	model.typical_task.start_m = point(json, "typical_start_m");
 	model.typical_task.axis = point(json, "typical_axis");
-	model.typical_task.amplitude_m = positive(json, "typical_amplitude_m");
+	model.typical_task.amplitude_m = within(json, "typical_amplitude_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
 	model.both_ways = optional_flag(json, "both_ways");
-	model.duration_mean_s = positive(json, "duration_mean_s");
-	model.duration_deviation_s = number(json, "duration_deviation_s");
+	model.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_S);
+	model.duration_deviation_s =
+			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * model.duration_mean_s);
 	model.reference_mean = reference(json, "reference_mean");
 	model.reference_deviation = reference(json, "reference_deviation");
 
@@ -222,7 +298,7 @@ GestureModel model_from_json(const Json &json) {
 	const Eigen::MatrixXd codebook = matrix(quantiser, "codebook", false);
 	const Eigen::VectorXd scale = vector(member(quantiser, "scale"), "scale", false);
 	if (codebook.cols() != 2 || scale.size() != 2 || !(scale.minCoeff() > 0.0)) {
-		throw Fault("quantiser: the codebook must be M x 2, the scale two numbers greater than 0");
+		throw Fault(quantiser, "quantiser: the codebook must be M x 2, the scale two numbers greater than 0");
 	}
 	model.quantiser = VectorQuantiser(codebook, scale);
 
@@ -230,30 +306,31 @@ GestureModel model_from_json(const Json &json) {
 	Result<DiscreteHmm> checked = validated({ vector(array(hmm, "log_pi"), "log_pi", true),
 			matrix(hmm, "log_a", true), matrix(hmm, "log_b", true) });
 	if (!checked) {
-		throw Fault("hmm: " + checked.error());
+		throw Fault(hmm, "hmm: " + checked.error());
 	}
 	model.hmm = std::move(checked).value();
 
 	const Json &elements = array(json, "elements");
 	if (elements.size() > MAX_STATES) {
-		throw Fault("elements: more than " + std::to_string(MAX_STATES) + " states");
+		throw Fault(elements, "elements: more than " + std::to_string(MAX_STATES) + " states");
 	}
 	for (const Json &element : elements) {
 		model.elements.push_back(element_from_json(element));
 	}
 	if (static_cast<Eigen::Index>(model.elements.size()) != model.hmm.states() ||
 			model.quantiser.symbols() != model.hmm.symbols()) {
-		throw Fault("the counts of states (elements) and symbols (codebook) differ from the hmm's");
+		throw Fault(elements, "the counts of states (elements) and symbols (codebook) differ from the hmm's");
 	}
 	double reached = 0.0;
-	for (const PrimitiveMotionElement &element : model.elements) {
-		if (element.phase_begin != reached) {
-			throw Fault("elements: each phase_begin must be the phase_end before it, and the first 0");
+	for (std::size_t i = 0; i < model.elements.size(); ++i) {
+		if (model.elements[i].phase_begin != reached) {
+			throw Fault(elements[i]["phase_begin"],
+					"elements: each phase_begin must be the phase_end before it, and the first 0");
 		}
-		reached = element.phase_end;
+		reached = model.elements[i].phase_end;
 	}
 	if (reached != 1.0) {
-		throw Fault("elements: the last phase_end must be 1");
+		throw Fault(elements.back()["phase_end"], "elements: the last phase_end must be 1");
 	}
 	model.provenance = provenance_from_json(member(json, "provenance"));
 	return model;
@@ -299,8 +376,10 @@ std::string format_model(const GestureModel &model) {
 
 Result<GestureModel> parse_model(std::string_view text, std::string_view source_name) {
 	const std::string source(source_name);
+	Json document; // outlives the faults, which point into it
 	try {
-		return model_from_json(Json::parse(text));
+		document = Json::parse(text);
+		return model_from_json(document);
 	} catch (const Json::parse_error &fault) {
 		const std::string_view before = text.substr(0, fault.byte > 0 ? fault.byte - 1 : 0);
 		const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -310,7 +389,8 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 		const std::string_view what = fault.what();
 		return Error{ source + ": " + std::string(what.substr(what.find("] ") + 2)) };
 	} catch (const Fault &fault) {
-		return Error{ source + ": " + fault.what() };
+		const std::size_t line = line_of_value(text, values_before(document, fault.place));
+		return Error{ source + ":" + std::to_string(line) + ": " + fault.what() };
 	}
 }
 

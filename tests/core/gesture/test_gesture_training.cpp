@@ -332,26 +332,37 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 	CHECK(parse_model(cut, "a.gesture").error() ==
 			"a.gesture:" + std::to_string(last_line) + ": not valid JSON");
 	CHECK(replaced("\"version\": 1", "\"version\": 1e400") == "a.gesture: number overflow parsing '1e400'");
-	CHECK(parse_model("[1, 2]", "a.gesture").error() == "a.gesture: format: not a steadyhand-gesture file");
-	CHECK(replaced("\"version\": 1", "\"version\": 9") == "a.gesture: version: this program reads version 1");
+	CHECK(parse_model("\n[1, 2]", "a.gesture").error() ==
+			"a.gesture:2: format: not a steadyhand-gesture file");
+	const auto at = [&](const std::string &key) {
+		const std::size_t place = text.find("\"" + key + "\"");
+		return "a.gesture:" +
+				std::to_string(1 +
+						std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n')) +
+				": ";
+	};
+	CHECK(replaced("\"version\": 1", "\"version\": 9") ==
+			at("version") + "version: this program reads version 1");
 	CHECK(replaced("\"feature\": \"index_along_axis\"", "\"feature\": \"toe\"") ==
-			"a.gesture: feature: there is no feature 'toe'");
+			at("feature") + "feature: there is no feature 'toe'");
 	CHECK(replaced("\"duration_mean_s\": ", "\"duration_mean_s\": -") ==
-			"a.gesture: duration_mean_s: must be greater than 0");
+			at("duration_mean_s") + "duration_mean_s: not within 1e-05 .. 3600");
 	const auto field = [&](const std::string &key, const std::string &value) {
 		std::string damaged = text;
 		const std::size_t from = damaged.find("\"" + key + "\": ") + key.size() + 4;
 		damaged.replace(from, damaged.find_first_of(",\n", from) - from, value);
 		return parse_model(damaged, "a.gesture").error();
 	};
-	CHECK(field("typical_amplitude_m", "0") == "a.gesture: typical_amplitude_m: must be greater than 0");
-	CHECK(field("recordings", "-1") == "a.gesture: recordings: not a number of recordings");
-	CHECK(field("recordings", "1e10") == "a.gesture: recordings: not a number of recordings");
-	CHECK(field("version", "0") == "a.gesture: version: this program reads version 1");
-	CHECK(field("phase_end", "0.0") == "a.gesture: elements: phase_begin must be less than phase_end");
-	CHECK(field("deviation", "null") == "a.gesture: deviation: not a number");
-	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") == "a.gesture: both_ways: not true or false");
-	CHECK(replaced("\"log_b\"", "\"log_x\"") == "a.gesture: log_b: missing");
+	CHECK(field("typical_amplitude_m", "0") ==
+			at("typical_amplitude_m") + "typical_amplitude_m: not within 1e-06 .. 1e+09");
+	CHECK(field("recordings", "-1") == at("recordings") + "recordings: not a number of recordings");
+	CHECK(field("recordings", "1e10") == at("recordings") + "recordings: not a number of recordings");
+	CHECK(field("version", "0") == at("version") + "version: this program reads version 1");
+	CHECK(field("phase_end", "0.0") == at("phase_end") + "elements: phase_begin must be less than phase_end");
+	CHECK(field("deviation", "null") == at("deviation") + "deviation: not a number");
+	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") ==
+			at("both_ways") + "both_ways: not true or false");
+	CHECK(replaced("\"log_b\"", "\"log_x\"") == at("hmm") + "log_b: missing");
 	for (std::size_t length = 0; length < text.size(); length += 97) {
 		CHECK_FALSE(parse_model(text.substr(0, length), "cut").ok());
 	}

@@ -30,7 +30,7 @@ std::string error_of(const std::function<void(Json &r_file)> &change) {
 TEST_CASE("a model file is refused where its shapes do not belong together") {
 	CHECK(error_of([](Json &) {}).empty());
 	const std::string counts =
-			"a.gesture: the counts of states (elements) and symbols (codebook) differ from the hmm's";
+			"a.gesture:1: the counts of states (elements) and symbols (codebook) differ from the hmm's";
 	CHECK(error_of([](Json &r_file) { r_file["elements"].erase(0); }) == counts);
 	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["codebook"].erase(0); }) == counts);
 	CHECK(error_of([](Json &r_file) {
@@ -38,7 +38,7 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 		codebook.push_back(codebook[0]);
 	}) == counts);
 	const std::string shape =
-			"a.gesture: quantiser: the codebook must be M x 2, the scale two numbers greater than 0";
+			"a.gesture:1: quantiser: the codebook must be M x 2, the scale two numbers greater than 0";
 	CHECK(error_of([](Json &r_file) {
 		for (Json &row : r_file["quantiser"]["codebook"]) {
 			row.push_back(0.0);
@@ -48,63 +48,87 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["scale"] = { 1.0 }; }) == shape);
 	CHECK(error_of([](Json &r_file) {
 		r_file["hmm"]["log_b"][2].erase(0);
-	}).starts_with("a.gesture: log_b, row 2: "));
+	}).starts_with("a.gesture:1: log_b, row 2: "));
 	CHECK(error_of([](Json &r_file) {
 		r_file["hmm"]["log_b"][2].push_back(nullptr);
-	}).starts_with("a.gesture: log_b, row 2: "));
+	}).starts_with("a.gesture:1: log_b, row 2: "));
 	CHECK(error_of([](Json &r_file) {
 		r_file["hmm"]["log_pi"].push_back(nullptr);
-	}).starts_with("a.gesture: hmm: the sizes of pi (5)"));
+	}).starts_with("a.gesture:1: hmm: the sizes of pi (5)"));
 	for (const char *const curve : { "reference_mean", "reference_deviation" }) {
 		CHECK(error_of([&](Json &r_file) { r_file[curve].push_back(1.0); }) ==
-				"a.gesture: " + std::string(curve) + ": 102 points, not 101");
+				"a.gesture:1: " + std::string(curve) + ": 102 points, not 101");
 		CHECK(error_of([&](Json &r_file) { r_file[curve].erase(0); }) ==
-				"a.gesture: " + std::string(curve) + ": 100 points, not 101");
+				"a.gesture:1: " + std::string(curve) + ": 100 points, not 101");
 	}
 	CHECK(error_of([](Json &r_file) { r_file["typical_axis"].push_back(0.0); }) ==
-			"a.gesture: typical_axis: not three numbers");
+			"a.gesture:1: typical_axis: not three numbers");
 	CHECK(error_of([](Json &r_file) {
 		Json &polynomial = r_file["elements"][1]["polynomial"];
 		polynomial.push_back(0.0);
-	}) == "a.gesture: polynomial: more than 8 coefficients");
+	}) == "a.gesture:1: polynomial: more than 8 coefficients");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = -1e300; }) ==
-			"a.gesture: polynomial: a coefficient is beyond 1e6");
+			"a.gesture:1: polynomial[0]: beyond 1e9");
+	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = 1e5; }) ==
+			"a.gesture:1: polynomial: its curve leaves -10 .. 11, on a way from 0 to 1");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["phase_begin"] = 0.0; }) ==
-			"a.gesture: elements: each phase_begin must be the phase_end before it, and the first 0");
+			"a.gesture:1: elements: each phase_begin must be the phase_end before it, and the first 0");
 	CHECK(error_of([](Json &r_file) { r_file["elements"].back()["phase_end"] = 1e20; }) ==
-			"a.gesture: elements: the last phase_end must be 1");
+			"a.gesture:1: elements: the last phase_end must be 1");
 	CHECK(error_of([](Json &r_file) {
 		Json &elements = r_file["elements"];
 		while (elements.size() <= 256) {
 			elements.push_back(elements[0]);
 		}
-	}) == "a.gesture: elements: more than 256 states");
+	}) == "a.gesture:1: elements: more than 256 states");
 }
 
 TEST_CASE("a model file is refused where a number could not be one of a model") {
 	const auto first_element = [](const char *key, const Json &value) {
 		return error_of([&](Json &r_file) { r_file["elements"][0][key] = value; });
 	};
-	CHECK(first_element("phase_end", 0.0) == "a.gesture: elements: phase_begin must be less than phase_end");
-	CHECK(first_element("duration_mean_s", 0.0) == "a.gesture: duration_mean_s: must be greater than 0");
-	CHECK(first_element("duration_mean_s", "1") == "a.gesture: duration_mean_s: not a number");
+	CHECK(first_element("phase_end", 0.0) ==
+			"a.gesture:1: elements: phase_begin must be less than phase_end");
+	CHECK(first_element("duration_mean_s", 0.0) == "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600");
+	CHECK(first_element("duration_mean_s", "1") == "a.gesture:1: duration_mean_s: not a number");
 	CHECK(error_of([](Json &r_file) { r_file["typical_amplitude_m"] = 0.0; }) ==
-			"a.gesture: typical_amplitude_m: must be greater than 0");
+			"a.gesture:1: typical_amplitude_m: not within 1e-06 .. 1e+09");
 	CHECK(error_of([](Json &r_file) { r_file["quantiser"]["codebook"][3][1] = nullptr; }) ==
-			"a.gesture: codebook[1]: not a number");
+			"a.gesture:1: codebook[1]: not a number");
 	CHECK(error_of([](Json &r_file) { r_file["reference_mean"][7] = nullptr; }) ==
-			"a.gesture: reference_mean[7]: not a number");
+			"a.gesture:1: reference_mean[7]: not a number");
 	// log 0 is null, where there are logarithms.
 	CHECK(error_of([](Json &r_file) { r_file["provenance"]["objective"] = { nullptr, -3.0 }; }).empty());
 	for (const Json &recordings : { Json(-1), Json(2e9), Json("12") }) {
 		CHECK(error_of([&](Json &r_file) {
 			r_file["provenance"]["recordings"] = recordings;
-		}).starts_with("a.gesture: recordings: not a number"));
+		}).starts_with("a.gesture:1: recordings: not a number"));
 	}
 	for (const Json &version : { Json(0), Json(2), Json(1.5) }) {
 		CHECK(error_of([&](Json &r_file) { r_file["version"] = version; }) ==
-				"a.gesture: version: this program reads version 1");
+				"a.gesture:1: version: this program reads version 1");
 	}
+}
+
+TEST_CASE("a model file is refused where a duration or deviation would make the motion no number") {
+	for (const double mean_s : { 1e-300, -1.0, 1e200 }) {
+		const std::string wanted = "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600";
+		CHECK(error_of([&](Json &r_file) { r_file["duration_mean_s"] = mean_s; }) == wanted);
+		CHECK(error_of([&](Json &r_file) { r_file["elements"][2]["duration_mean_s"] = mean_s; }) == wanted);
+	}
+	for (const double deviation_s : { 1e200, -1e200, -1.0 }) {
+		const std::string wanted = "a.gesture:1: duration_deviation_s: not within 0 .. ";
+		CHECK(error_of([&](Json &r_file) {
+			r_file["duration_deviation_s"] = deviation_s;
+		}).starts_with(wanted));
+		CHECK(error_of([&](Json &r_file) {
+			r_file["elements"][2]["duration_deviation_s"] = deviation_s;
+		}).starts_with(wanted));
+	}
+	CHECK(error_of([](Json &r_file) { r_file["elements"][2]["deviation"] = -0.1; }) ==
+			"a.gesture:1: deviation: not within 0 .. 10");
+	CHECK(error_of([](Json &r_file) { r_file["typical_amplitude_m"] = 1e-300; }) ==
+			"a.gesture:1: typical_amplitude_m: not within 1e-06 .. 1e+09");
 }
 
 TEST_CASE("the phase of a value is 0 below the reference, 1 beyond it, and where it passes in between") {
