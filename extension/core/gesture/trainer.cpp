@@ -92,9 +92,12 @@ std::string range_error(const TrainingOptions &options) {
 	return {};
 }
 
-/// Of a recording whose gesture is not, or not wholly, where its reference can show it.
-std::optional<std::string> span_error(const TrainingRecording &recording) {
+/// Of a recording whose gesture has no length, or is not wholly where its reference can show it.
+std::optional<std::string> recording_error(const TrainingRecording &recording) {
 	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
+	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
+		return recording.name + ": its amplitude_m is empty or not above 0";
+	}
 	const std::vector<HandFrame> &frames = recording.reference.frames;
 	if (frames.empty()) {
 		return recording.name + ": its reference has no frames";
@@ -134,7 +137,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	std::vector<Movement> movements;
 	std::vector<Eigen::VectorXd> curves;
 	for (const TrainingRecording &recording : recordings) {
-		if (std::optional<std::string> fault = span_error(recording)) {
+		if (std::optional<std::string> fault = recording_error(recording)) {
 			return Error{ gesture + ": " + *fault };
 		}
 		const RecordedCurve curve = reference_motion(*feature, recording);

@@ -44,9 +44,9 @@ struct TrainingOptions {
 /// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
 /// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
 /// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
-/// unknown feature, a span that is not within its reference, no recording in which the feature moves, options
-/// out of range, stopped by progress.
-/// r_recordings, if given: the recordings in which it moves, in their order.
+/// unknown feature, an amplitude that is not above 0, a span that is not within its reference, no recording
+/// in which the feature moves, options out of range, stopped by progress. r_recordings, if given: the
+/// recordings in which it moves, in their order.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
 		std::vector<NormalisedRecording> *r_recordings = nullptr);

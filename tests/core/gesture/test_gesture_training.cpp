@@ -299,6 +299,17 @@ TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step o
 	CHECK((sum / model.provenance.recordings - model.reference_mean).norm() < 1e-12);
 }
 
+TEST_CASE("a recording without an amplitude is refused by name") {
+	std::vector<TrainingRecording> recordings = test::drag_recordings();
+	recordings[3].name = "third";
+	for (const double amplitude_m : { 0.0, -0.2, 1e-9 }) {
+		recordings[3].task.amplitude_m = amplitude_m;
+		const Result<GestureModel> trained = train("drag", "index_along_axis", recordings, {});
+		REQUIRE_FALSE(trained.ok());
+		CHECK(trained.error() == "drag: third: its amplitude_m is empty or not above 0");
+	}
+}
+
 TEST_CASE("one recording, and recordings of one frame, train or say why not") {
 	std::vector<TrainingRecording> one = test::drag_recordings();
 	one.resize(1);
