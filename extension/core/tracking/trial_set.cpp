@@ -54,7 +54,7 @@ public:
 	Result<std::vector<Trial>> read() {
 		std::string_view line;
 		while (lines_.next(line)) {
-			if (line.starts_with('#') || trim(line).empty()) {
+			if (trim(line).empty() || (names_.empty() && line.starts_with('#'))) {
 				continue;
 			}
 			if (auto wrong = names_.empty() ? read_header(line) : read_row(line)) {

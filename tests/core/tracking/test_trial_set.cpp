@@ -154,6 +154,13 @@ TEST_SUITE("trial set") {
 		CHECK(parse_trials_csv("", "x").error() == "x:1: trial: no header line");
 	}
 
+	TEST_CASE("a trial may be named as a comment begins, which stands before the header alone") {
+		const std::vector<Trial> trials =
+				parsed("# made by hand\n" + HEADER + "#1,tap,stable,s,0,1,1,2,3,0,0,-1,0.15\n");
+		REQUIRE(trials.size() == 1);
+		CHECK(trials[0].trial == "#1");
+	}
+
 	TEST_CASE("real trial sets are read, and each trial's tracks are there") {
 		for (const std::filesystem::path folder : { "../shared/real/drags", "../shared/real/drags_train" }) {
 			if (!std::filesystem::exists(folder)) {
