@@ -36,8 +36,9 @@ func run(
 	settings = settings.merged({sensor_latency_s = default_sensor_latency_s()})
 	var report := EvaluationReport.new(out_folder)
 	var progress := Progress.new(_trials(trial_set.get_count()))
+	broken = trial_set.get_left_out_count()
 	_is_empty = trial_set.get_count() == 0
-	if _is_empty:
+	if _is_empty and broken == 0:
 		printerr("no row in %s" % trial_set.get_path().path_join("trials.csv"))
 	for index in trial_set.get_count():
 		if not report.error.is_empty():
@@ -81,7 +82,7 @@ func run(
 ## it does.
 func shortcoming() -> String:
 	if _is_empty:
-		return "there was no trial to run"
+		return "there was no trial to run" + (", see above" if broken > 0 else "")
 	var parts := PackedStringArray()
 	if broken > 0:
 		parts.append("%s left out" % _trials(broken))

@@ -79,6 +79,9 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:
 	if trial_set == null or not _has_folder(out_file):
 		return false
+	if trial_set.get_left_out_count() > 0:
+		printerr("train: mend or remove the rows above first")
+		return false
 	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
 	trainer.feature = feature

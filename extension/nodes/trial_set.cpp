@@ -120,13 +120,17 @@ Ref<TrialSet> TrialSet::load_folder(const String &p_path) {
 	const String table = p_path.path_join("trials.csv");
 	const steadyhand::Result<std::string> text = read_text_file(table);
 	ERR_FAIL_COND_V_MSG(!text, Ref<TrialSet>(), to_godot(text.error()));
-	steadyhand::Result<std::vector<steadyhand::Trial>> trials =
+	steadyhand::Result<steadyhand::TrialTable> rows =
 			steadyhand::parse_trials_csv(text.value(), to_core(table));
-	ERR_FAIL_COND_V_MSG(!trials, Ref<TrialSet>(), to_godot(trials.error()));
+	ERR_FAIL_COND_V_MSG(!rows, Ref<TrialSet>(), to_godot(rows.error()));
+	for (const std::string &fault : rows.value().faults) {
+		ERR_PRINT(to_godot(fault + "; the trial is left out"));
+	}
 	Ref<TrialSet> set;
 	set.instantiate();
 	set->path_ = p_path;
-	set->trials_ = std::move(trials).value();
+	set->left_out_ = static_cast<int>(rows.value().faults.size());
+	set->trials_ = std::move(rows).value().trials;
 	return set;
 }
 
@@ -157,6 +161,7 @@ Error TrialSet::write_synthetic(const String &p_path, const Dictionary &p_option
 void TrialSet::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_path"), &TrialSet::get_path);
 	ClassDB::bind_method(D_METHOD("get_count"), &TrialSet::get_count);
+	ClassDB::bind_method(D_METHOD("get_left_out_count"), &TrialSet::get_left_out_count);
 	ClassDB::bind_method(D_METHOD("get_trial", "index"), &TrialSet::get_trial);
 	ClassDB::bind_method(D_METHOD("get_measured_path", "index"), &TrialSet::get_measured_path);
 	ClassDB::bind_method(D_METHOD("get_reference_path", "index"), &TrialSet::get_reference_path);

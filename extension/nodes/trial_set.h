@@ -16,6 +16,7 @@ class TrialSet : public RefCounted {
 
 	String path_;
 	std::vector<steadyhand::Trial> trials_;
+	int left_out_ = 0;
 
 	static String track_path(const String &p_folder, const steadyhand::Trial &p_trial, const char *p_kind);
 
@@ -29,11 +30,14 @@ public:
 	steadyhand::Result<steadyhand::TrainingRecording> read_recording(const steadyhand::Trial &p_trial) const;
 
 	int get_count() const { return static_cast<int>(trials_.size()); }
+	/// Bad rows of trials.csv.
+	int get_left_out_count() const { return left_out_; }
 	Dictionary get_trial(int p_index) const;
 	String get_measured_path(int p_index) const;
 	String get_reference_path(int p_index) const;
 
-	/// Null and one error in the log where trials.csv is missing or bad.
+	/// Null and one error in the log where trials.csv is missing or no table of trials; one error for each
+	/// row that is left out.
 	static Ref<TrialSet> load_folder(const String &p_path);
 	/// Options, all optional: population, subjects, trials_per_subject, gestures, paces, duration,
 	/// earlier_rounds.

@@ -39,12 +39,12 @@ inline std::vector<SyntheticTrial> tuning_trials(
 inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	std::vector<SyntheticTrial> trials;
 	const std::string path = folder + "/trials.csv";
-	const Result<std::vector<Trial>> rows = parse_trials_csv(read_text(path), path);
-	if (!rows) {
-		std::fprintf(stderr, "%s\n", rows.error().c_str());
+	const Result<TrialTable> rows = parse_trials_csv(read_text(path), path);
+	if (!rows || !rows.value().faults.empty()) {
+		std::fprintf(stderr, "%s\n", rows ? rows.value().faults.front().c_str() : rows.error().c_str());
 		return {};
 	}
-	for (const Trial &row : rows.value()) {
+	for (const Trial &row : rows.value().trials) {
 		SyntheticTrial &trial = trials.emplace_back(row, Track{}, Track{});
 		for (const auto &[track, ending] : { std::pair{ &trial.measured, ".measured.csv" },
 					 std::pair{ &trial.reference, ".reference.csv" } }) {

@@ -93,10 +93,14 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	_write_blind_reference(trials, 3)
 	_replace_cells(table, 5, {1: "swipe"})
 	_replace_cells(table, 6, {1: "ring", 6: "", 7: "", 8: "", 9: "", 10: "", 11: "", 12: ""})
+	table.append(table[8])
+	_replace_cells(table, 9, {0: "backwards", 12: "-0.2"})
 	FileAccess.open(_path("odd/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
 
 	var run := ToolRun.new("evaluate", ["--trials", _path("odd"), "--out", _path("odd_out")])
 	check_equal(run.exit_code, 1, "exit code")
+	var row := "trials.csv:10: amplitude_m: '-0.2' is not positive; the trial is left out"
+	check_equal(run.not_said([row]), "", "a bad row is said")
 	for place: int in [0, 1, 2]:
 		var reference := trials.get_reference_path(place)
 		_check_left_out(run, names[place], ["is not within the reference", reference])
@@ -104,7 +108,7 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	_check_left_out(run, names[5], ["no amplitude_m"])
 	var without := "trial %s has no figures: no model of 'swipe'" % names[4]
 	check_equal(run.not_said([without]), "", "a gesture without model is said")
-	var number := "5 trials left out, 1 trial without figures"
+	var number := "6 trials left out, 1 trial without figures"
 	check_equal(run.not_said([number]), "", "and how many")
 
 	var rows := _lines("odd_out/results.csv")

@@ -36,7 +36,8 @@ constexpr std::array<std::string_view, COLUMN_COUNT> COLUMN_NAMES = { "trial", "
 	"amplitude_m" };
 
 constexpr double TIME_MAX_S = 1e12;
-constexpr double UNIT_LENGTH_TOLERANCE = 1e-3; // files print axes to a few decimals
+constexpr double UNIT_LENGTH_TOLERANCE = 0.05; // files print axes to a few decimals
+constexpr double AS_UNIT_LENGTH = 1e-5;        // is taken as it is, to the last bit
 constexpr std::size_t FILE_NAME_MAX = 200;     // leaves room for ".reference.csv" in the usual 255 bytes
 
 /// Which of the seven task cells a row fills.
@@ -51,21 +52,25 @@ class Reader {
 public:
 	Reader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
 
-	Result<std::vector<Trial>> read() {
+	Result<TrialTable> read() {
 		std::string_view line;
 		while (lines_.next(line)) {
 			if (trim(line).empty() || (names_.empty() && line.starts_with('#'))) {
 				continue;
 			}
-			if (auto wrong = names_.empty() ? read_header(line) : read_row(line)) {
-				return *std::move(wrong);
+			if (names_.empty()) {
+				if (auto wrong = read_header(line)) {
+					return *std::move(wrong);
+				}
+			} else if (const auto wrong = read_row(line)) {
+				table_.faults.push_back(wrong->message);
 			}
 		}
 		if (names_.empty()) {
 			return error_at(
 					source_, std::max<std::size_t>(lines_.line_number(), 1), "trial", "no header line");
 		}
-		return std::move(trials_);
+		return std::move(table_);
 	}
 
 private:
@@ -105,7 +110,7 @@ private:
 		if (auto wrong = read_task(trial)) {
 			return wrong;
 		}
-		trials_.push_back(std::move(trial));
+		table_.trials.push_back(std::move(trial));
 		return std::nullopt;
 	}
 
@@ -191,10 +196,16 @@ private:
 				return error(column, quoted(cell(column)) + " where " + r_trial.gesture + " has none");
 			}
 		}
-		if (cells == TaskCells::AXIS && std::abs(r_trial.axis.norm() - 1.0) > UNIT_LENGTH_TOLERANCE) {
-			std::string message = "the axis is no unit vector, its length is ";
-			append_number(message, r_trial.axis.norm());
-			return error(AXIS_X, message);
+		if (cells == TaskCells::AXIS) {
+			const double off = std::abs(r_trial.axis.norm() - 1.0);
+			if (off > UNIT_LENGTH_TOLERANCE) {
+				std::string message = "the axis is no unit vector, its length is ";
+				append_number(message, r_trial.axis.norm());
+				return error(AXIS_X, message);
+			}
+			if (off > AS_UNIT_LENGTH) {
+				r_trial.axis.normalize();
+			}
 		}
 		if (cells != TaskCells::NONE && r_trial.amplitude_m <= 0.0) {
 			return error(AMPLITUDE_M, quoted(cell(AMPLITUDE_M)) + " is not positive");
@@ -211,7 +222,7 @@ private:
 	std::array<std::size_t, COLUMN_COUNT> place_{};
 	std::vector<std::string_view> cells_;
 	std::set<std::string, std::less<>> seen_;
-	std::vector<Trial> trials_;
+	TrialTable table_;
 };
 
 void append_trial(std::string &r_out, const Trial &trial) {
@@ -239,7 +250,7 @@ void append_trial(std::string &r_out, const Trial &trial) {
 
 } // namespace
 
-Result<std::vector<Trial>> parse_trials_csv(std::string_view text, std::string_view source_name) {
+Result<TrialTable> parse_trials_csv(std::string_view text, std::string_view source_name) {
 	return Reader(text, source_name).read();
 }
 

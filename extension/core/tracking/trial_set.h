@@ -34,9 +34,14 @@ struct Trial {
 	[[nodiscard]] bool has_axis() const { return !axis.isZero(0.0); }
 };
 
-/// All rows, or the first error as "source:line: column: what".
-[[nodiscard]] Result<std::vector<Trial>> parse_trials_csv(
-		std::string_view text, std::string_view source_name);
+struct TrialTable {
+	std::vector<Trial> trials;
+	std::vector<std::string> faults; ///< of the rows left out, each "source:line: column: what"
+};
+
+/// All rows that are good. An axis whose length is within 5 % of 1, as of a few decimals, is made a unit
+/// vector. The error, of a file without a header of these columns: "source:line: column: what".
+[[nodiscard]] Result<TrialTable> parse_trials_csv(std::string_view text, std::string_view source_name);
 
 /// Reads back as the same trials, to the last bit of every number.
 [[nodiscard]] std::string format_trials_csv(const std::vector<Trial> &trials);

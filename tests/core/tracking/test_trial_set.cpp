@@ -17,14 +17,16 @@ const std::string HEADER =
 		"amplitude_m\n";
 
 std::string error_of(const std::string &rows) {
-	const Result<std::vector<Trial>> trials = parse_trials_csv(HEADER + rows, "trials.csv");
-	return trials ? "no error" : trials.error();
+	const Result<TrialTable> table = parse_trials_csv(HEADER + rows, "trials.csv");
+	REQUIRE_MESSAGE(table.ok(), table.error());
+	return table.value().faults.empty() ? "no error" : table.value().faults.front();
 }
 
 std::vector<Trial> parsed(const std::string &text) {
-	Result<std::vector<Trial>> trials = parse_trials_csv(text, "trials.csv");
-	REQUIRE_MESSAGE(trials.ok(), trials.error());
-	return std::move(trials).value();
+	Result<TrialTable> table = parse_trials_csv(text, "trials.csv");
+	REQUIRE_MESSAGE(table.ok(), table.error());
+	CHECK(table.value().faults.empty());
+	return std::move(table).value().trials;
 }
 
 } // namespace
@@ -152,6 +154,32 @@ TEST_SUITE("trial set") {
 		CHECK(parse_trials_csv("trial,gesture\n", "x").error() ==
 				"x:1: position: the header has no such column");
 		CHECK(parse_trials_csv("", "x").error() == "x:1: trial: no header line");
+	}
+
+	TEST_CASE("a bad row costs no other row") {
+		const Result<TrialTable> table = parse_trials_csv(HEADER +
+						"t1,tap,stable,s,0,1,1,2,3,0,0,-1,0.15\n"
+						"t2,tap,stable,s,0,1,1,2,3,0,0,-1,-0.15\n"
+						"t3,tap,stable,s,0,1,1,2,3,0,0,-1,0.15\n"
+						"t4,tap,sta",
+				"trials.csv");
+		REQUIRE(table.ok());
+		REQUIRE(table.value().trials.size() == 2);
+		CHECK(table.value().trials[1].trial == "t3");
+		CHECK(table.value().faults ==
+				std::vector<std::string>{ "trials.csv:3: amplitude_m: '-0.15' is not positive",
+						"trials.csv:5: subject: the row ends after 3 cells of 13" });
+	}
+
+	TEST_CASE("an axis that was rounded is a unit vector") {
+		const std::vector<Trial> trials = parsed(HEADER +
+				"t1,tap,stable,s,0,1,1,2,3,0.94,0,-0.34,0.15\n"
+				"t2,tap,stable,s,0,1,1,2,3,0.93969,0,-0.34202,0.15\n"
+				"t3,tap,stable,s,0,1,1,2,3,0.57,0.57,0.57,0.15\n");
+		REQUIRE(trials.size() == 3);
+		CHECK((trials[0].axis - Eigen::Vector3d(0.94, 0, -0.34).normalized()).norm() < 1e-15);
+		CHECK(trials[1].axis == Eigen::Vector3d(0.93969, 0, -0.34202));
+		CHECK(trials[2].axis.norm() == doctest::Approx(1.0).epsilon(1e-15));
 	}
 
 	TEST_CASE("a trial may be named as a comment begins, which stands before the header alone") {
