@@ -1,10 +1,15 @@
 extends RefCounted
-## The files of an evaluation: TRIAL.curves.csv and a row of results.csv for each trial as it is
-## done, summary.json at the end.
+## The files of an evaluation: TRIAL.curves.csv and a row of results.csv.part for each trial as it
+## is done; at the end that is results.csv, and summary.json is beside it. What an earlier one left
+## in the folder goes first.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const TrialRun := preload("trial_run.gd")
 
+const RESULTS := "results.csv"
+const PART := "results.csv.part"
+const SUMMARY := "summary.json"
+const CURVES := "%s.curves.csv"
 const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
 ## What summary.json tells of each figure.
 const STATISTICS: Dictionary[String, PackedStringArray] = {
@@ -35,14 +40,14 @@ var _none_s := 0.0
 func _init(folder: String) -> void:
 	_folder = folder
 	DirAccess.make_dir_recursive_absolute(folder)
-	_results = _open("results.csv")
-	if _results == null:
-		return
 	var header := PackedStringArray(["trial", "gesture", "position", "subject", "recognised"])
 	for condition in Conditions.NAMES:
 		for figure in FIGURES:
 			header.append("%s_%s" % [figure, condition])
-	_results.store_csv_line(header)
+	_remove_earlier(header)
+	_results = _open(PART)
+	if _results != null:
+		_results.store_csv_line(header)
 
 
 ## `trial`: a row of TrialSet.get_trial().
@@ -86,7 +91,7 @@ func finish(settings: Dictionary) -> void:
 			if not judged.is_empty():
 				group["conditions"][condition] = _summarise(judged, condition)
 		groups.append(group)
-	var summary := _open("summary.json")
+	var summary := _open(SUMMARY)
 	if summary != null:
 		var content := {
 			settings = settings,
@@ -98,6 +103,10 @@ func finish(settings: Dictionary) -> void:
 			groups = groups,
 		}
 		summary.store_line(JSON.stringify(content, "\t", false, true))
+	_results.close()
+	var renamed := DirAccess.rename_absolute(_folder.path_join(PART), _folder.path_join(RESULTS))
+	if renamed != OK and error.is_empty():
+		error = "cannot write %s: %s" % [_folder.path_join(RESULTS), error_string(renamed)]
 
 
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
@@ -151,8 +160,25 @@ static func _cell(figures: Dictionary, condition: String, figure: String) -> Str
 	return "%.6f" % figures[condition][figure]
 
 
+## Of an evaluation into the same folder, whole or cut short: its tables say which curves are its.
+## Half of one beside half of another would pass for one.
+func _remove_earlier(header: PackedStringArray) -> void:
+	for table: String in [RESULTS, PART]:
+		var path := _folder.path_join(table)
+		var rows := FileAccess.open(path, FileAccess.READ)
+		if rows == null or rows.get_csv_line() != header:
+			continue
+		DirAccess.remove_absolute(_folder.path_join(SUMMARY))
+		while not rows.eof_reached():
+			var trial := rows.get_csv_line()[0]
+			if trial == trial.get_file() and not trial.is_empty():
+				DirAccess.remove_absolute(_folder.path_join(CURVES % trial))
+		rows.close()
+		DirAccess.remove_absolute(path)
+
+
 func _write_curves(name: String, run: TrialRun) -> void:
-	var file := _open("%s.curves.csv" % name)
+	var file := _open(CURVES % name)
 	if file == null:
 		return
 	file.store_line("t,reference,%s" % ",".join(Conditions.NAMES))

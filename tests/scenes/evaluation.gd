@@ -4,6 +4,7 @@ extends "support/scene_test.gd"
 const Rig := preload("support/rig.gd")
 const CommandLine := preload("res://tools/command_line.gd")
 const Evaluation := preload("res://tools/evaluation.gd")
+const EvaluationReport := preload("res://tools/evaluation_report.gd")
 const ModelFolder := preload("res://tools/model_folder.gd")
 const ToolRun := preload("support/tool_run.gd")
 
@@ -146,6 +147,34 @@ func test_a_set_without_trials() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("none"), "--out", _path("none_out")])
 	check_equal(run.exit_code, 1, "exit code")
 	check_equal(run.not_said(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
+
+
+func test_nothing_of_an_earlier_evaluation_stays() -> void:
+	var trials := Rig.write_trials(_path("earlier"), 2)
+	_evaluate(trials, "again")
+	var name: String = trials.get_trial(0)["trial"]
+	for own: String in ["notes.curves.csv", "results.csv.old"]:
+		FileAccess.open(_path("again").path_join(own), FileAccess.WRITE).store_line("mine")
+	var report := EvaluationReport.new(_path("again"))
+	var left := DirAccess.get_files_at(_path("again"))
+	check_equal(
+		Array(left), ["notes.curves.csv", "results.csv.old", "results.csv.part"], "a new one begins"
+	)
+	var cut := FileAccess.open(_path("again/results.csv.part"), FileAccess.WRITE)
+	cut.store_line(_lines("out/results.csv")[0])
+	cut.store_line("%s,tap,st" % name)
+	cut.close()
+	FileAccess.open(_path("again/%s.curves.csv" % name), FileAccess.WRITE).store_line("cut")
+	check_equal(report.error, "", "no fault")
+	EvaluationReport.new(_path("again"))
+	left = DirAccess.get_files_at(_path("again"))
+	check_equal(left.size(), 3, "so does one after one that was cut short")
+	_evaluate(trials, "again")
+	left = DirAccess.get_files_at(_path("again"))
+	check_equal(
+		left.size(), 2 + 2 + trials.get_count(), "results, summary, curves and what is mine"
+	)
+	check(not "results.csv.part" in left, "and the table is whole")
 
 
 func test_confusion_and_false_alarms() -> void:
