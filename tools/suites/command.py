@@ -21,6 +21,8 @@ KILL_S = 120
 
 def outcomes() -> Iterator[Outcome]:
     yield from helps()
+    with tempfile.TemporaryDirectory(prefix="steadyhand_refusals") as folder:
+        yield from refusals(Path(folder))
     yield from study_logs.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
@@ -43,6 +45,28 @@ def helps() -> Iterator[Outcome]:
     status, output = run(["./steadyhand", "evaluate", "--trials", "x", "-h"])
     good = (status, output) == parts["evaluate"]
     yield Outcome.of("command/evaluate -h after other options", good, output)
+
+
+def refusals(folder: Path) -> Iterator[Outcome]:
+    """What cannot be done ends with 2, before anything is built, and one line that says why."""
+    (folder / "set").mkdir()
+    (folder / "set/trials.csv").touch()
+    (folder / "file").touch()
+    evaluate = ["evaluate", "--out", folder / "out", "--trials"]
+    for arguments, told in (
+        ([*evaluate, folder], f"no trials.csv in {folder}"),
+        ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
+        (["evaluate", "--trials", folder / "set", "--out", folder / "file"], f"cannot make the folder {folder}/file"),
+        (
+            ["train", "--trials", folder, "--gesture", "tap", "--out", folder / "a.gesture"],
+            f"no trials.csv in {folder}",
+        ),
+        (["demo", "--out", folder / "file/demo"], f"cannot make the folder {folder}/file/demo"),
+        (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
+    ):
+        status, output = run(["./steadyhand", *arguments])
+        good = status == 2 and output == f"steadyhand: {told}\n"
+        yield Outcome.of(f"command/{arguments[0]}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
 
 
 def training(folder: Path) -> Iterator[Outcome]:
