@@ -113,7 +113,7 @@ if find_own; then exit 0; fi
 mapfile -t packages <"$tools/requirements/godot-root.txt"
 key="$SUITE ${packages[*]} $(declare -f unpack write_wrapper | sha256sum | cut -c 1-16)"
 lock_cache
-if ! once godot "$key"; then
+if ! [[ -x $WRAPPER && -x $ROOT/usr/bin/godot ]] || ! once godot "$key"; then
 	[[ "$(uname -m) $(sed -n 's/^ID=//p' /etc/os-release)" == 'x86_64 debian' ]] ||
 		fail "a Godot can be fetched on Debian on x86-64 only; $advice"
 	fetch "${packages[@]}"

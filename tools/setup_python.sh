@@ -5,6 +5,9 @@ tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tools/shell.sh
 source "$tools/shell.sh"
 
+# A folder that somebody has emptied makes no stamp true.
+[[ -x $CACHE/venv/bin/python && -x $CACHE/venv/bin/pip ]] || rm -f "$CACHE/stamps"/python-*
+
 lists=() requirements=()
 for list in "$@"; do
 	once "python-$list" "$(<"$tools/requirements/python-$list.txt")" && continue

@@ -23,6 +23,7 @@ def outcomes() -> Iterator[Outcome]:
     yield from helps()
     with tempfile.TemporaryDirectory(prefix="steadyhand_refusals") as folder:
         yield from refusals(Path(folder))
+        yield from emptied_cache(Path(folder))
     yield from study_logs.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
@@ -67,6 +68,21 @@ def refusals(folder: Path) -> Iterator[Outcome]:
         status, output = run(["./steadyhand", *arguments])
         good = status == 2 and output == f"steadyhand: {told}\n"
         yield Outcome.of(f"command/{arguments[0]}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
+
+
+def emptied_cache(folder: Path) -> Iterator[Outcome]:
+    """A stamp says that packages are installed, into a folder that is gone."""
+    stamp = folder / "cache/stamps/python-plots"
+    stamp.parent.mkdir(parents=True)
+    stamp.write_text((ROOT / "tools/requirements/python-plots.txt").read_text())
+    python = folder / "bin/python3"
+    python.parent.mkdir()
+    python.write_text("#!/bin/sh\nexit 1\n")
+    python.chmod(0o755)
+    environment = {"STEADYHAND_CACHE": str(folder / "cache"), "PATH": f"{python.parent}:{os.environ['PATH']}"}
+    status, output = run(["tools/setup_python.sh", "plots"], **environment)
+    good = status == 1 and "python3 -m venv failed" in output
+    yield Outcome.of("command/setup: a stamp without its folder is not believed", good, f"{status}\n{output}")
 
 
 def training(folder: Path) -> Iterator[Outcome]:
