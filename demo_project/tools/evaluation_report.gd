@@ -78,7 +78,7 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 func finish(settings: Dictionary) -> void:
 	for key: String in _rows:
 		var rows := _rows[key]
-		var names := key.split("/")
+		var names := key.rsplit("/", true, 1)
 		var group := {
 			gesture = names[0],
 			position = names[1],

@@ -123,8 +123,8 @@ private:
 			return error(TRIAL, quoted(r_trial.trial) + " comes twice");
 		}
 		r_trial.gesture = cell(GESTURE);
-		if (r_trial.gesture.empty()) {
-			return error(GESTURE, "empty");
+		if (const std::string_view fault = file_name_fault(r_trial.gesture); !fault.empty()) {
+			return error(GESTURE, quoted(r_trial.gesture) + ' ' + std::string(fault));
 		}
 		for (const HandPosition position : { HandPosition::STABLE, HandPosition::UNSTABLE }) {
 			if (cell(POSITION) == position_name(position)) {

@@ -48,7 +48,8 @@ struct TrialTable {
 
 [[nodiscard]] std::string_view position_name(HandPosition position);
 
-/// Why `name` cannot name a file on every system, empty where it can: a trial's tracks are files of its name.
+/// Why `name` cannot name a file on every system, empty where it can: a trial's tracks are files of its name,
+/// a gesture's model is one.
 [[nodiscard]] std::string_view file_name_fault(std::string_view name);
 
 } // namespace steadyhand

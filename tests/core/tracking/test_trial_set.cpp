@@ -129,7 +129,9 @@ TEST_SUITE("trial set") {
 				"trials.csv:2: trial: '" + std::string(40, 'n') + "...' is too long for a file name");
 		CHECK(error_of("t1,tap,stable,s," + task + "t1,tap,stable,s," + task) ==
 				"trials.csv:3: trial: 't1' comes twice");
-		CHECK(error_of("t1,,stable,s," + task) == "trials.csv:2: gesture: empty");
+		CHECK(error_of("t1,,stable,s," + task) == "trials.csv:2: gesture: '' is empty");
+		CHECK(error_of("t1,zoom/in,stable,s," + task) ==
+				"trials.csv:2: gesture: 'zoom/in' has a character that no file name may have");
 		CHECK(error_of("t1,tap,shaky,s," + task) ==
 				"trials.csv:2: position: 'shaky' is neither stable nor unstable");
 		CHECK(error_of("t1,tap,stable,s,,1,1,2,3,0,0,-1,0.15\n") == "trials.csv:2: start_s: empty");
