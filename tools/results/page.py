@@ -284,7 +284,8 @@ def false_alarms(study: Study) -> str:
     )
     return (
         f"In {minutes:.0f} minutes of other motion: {nothing[0]:.2f} false alarms a minute in `paper` mode, "
-        f"{nothing[1]:.2f} in `phase` mode; where a scene waits for one task, {task[0]:.2f} and {task[1]:.2f}."
+        f"{nothing[1]:.2f} in `phase` mode; where a scene waits for one task, {task[0]:.2f} and {task[1]:.2f}. "
+        "That motion is random, and its reaches keep 30 degrees away from the way of any drag or tap."
     )
 
 

@@ -78,7 +78,7 @@ HandWay reach(double span_s, Random &r_random) {
 HandWay type(double span_s, Random &r_random) {
 	std::vector<Stroke> strokes;
 	for (double t_s = r_random.uniform(0.1, 0.4); t_s < span_s;) {
-		// Keys 150..500 ms apart (Angelaki, Soechting 1993), 10..30 mm deep, down and up in 80..120 ms each.
+		// Keys 150..500 ms apart (Angelaki, Soechting 1993), 10..30 mm deep, down and up in 50..70 ms each.
 		const Eigen::Vector3d depth_m(0.0, -r_random.uniform(0.010, 0.030), 0.0);
 		const double half_s = r_random.uniform(0.05, 0.07);
 		const double interval_s = r_random.uniform(0.15, 0.5);
