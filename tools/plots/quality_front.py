@@ -9,6 +9,14 @@ from matplotlib.axes import Axes
 from plots.style import BLACK, BLUE, GREEN, GREY, VERMILION, plt, save
 
 PRESET_COLOURS = {"paper": VERMILION, "fast": GREEN, "balanced": GREEN, "accurate": GREEN}
+KINDS = [
+    ("o", VERMILION, 8, "paper mode as it ships"),
+    ("o", VERMILION, 4, "paper mode: another model, or float"),
+    ("v", VERMILION, 5, "paper mode: fixed-lag Viterbi"),
+    ("^", VERMILION, 5, "paper mode: filter"),
+    ("o", GREEN, 8, "phase mode: a preset"),
+    ("o", GREY, 4, "phase mode: another setting"),
+]
 COST = "x_paper"
 
 
@@ -58,8 +66,8 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
         ms=8,
         label="250 outputs a second",
     )
-    for marker, label in (("^", "filter"), ("v", "fixed-lag Viterbi")):
-        axes.plot([], [], marker, color=PRESET_COLOURS["paper"], ms=5, label=label)
+    for marker, colour, size, label in KINDS:
+        axes.plot([], [], marker, color=colour, ms=size, label=label)
     axes.set_xscale("log")
     ticks = [0.5, 1, 2, 4, 8]
     axes.set_xticks(ticks, [str(tick) for tick in ticks])
@@ -75,11 +83,11 @@ def main() -> None:
     given = parser.parse_args()
 
     rows = read_rows(given.rows)
-    figure, panels = plt.subplots(1, 3, figsize=(14, 4.4), layout="constrained")
+    figure, panels = plt.subplots(1, 3, figsize=(14, 5), layout="constrained")
     draw(panels[0], rows, "r2_zero_stable", "mean R$^2$ at no lag, stable tracking")
     draw(panels[1], rows, "r2_zero_unstable", "mean R$^2$ at no lag, unstable tracking")
     draw(panels[2], rows, "t_diff_s", "mean size of T_diff, s", sign=-1)
-    panels[1].legend(loc="lower right", fontsize=9)
+    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=9)
     save(figure, given.out)
 
 

@@ -169,8 +169,10 @@ def draw(studies: list[Study], images: Path) -> dict[str, str]:
         draw_small_multiples(
             path, {worst_title(row): (study.curves(row["trial"]), *spans[row["trial"]]) for row in worst}
         )
-    tables = {study.name: study.open["phase"].summary["confusion"] for study in studies}
-    draw_confusions(add("confusion", "results_confusion.png", "Confusion tables, nothing given"), tables)
+    tables = {f"{study.name}, phase mode": study.open["phase"].summary["confusion"] for study in studies}
+    draw_confusions(
+        add("confusion", "results_confusion.png", "Confusion tables of `phase` mode, nothing given"), tables
+    )
     return pictures
 
 
