@@ -1,7 +1,7 @@
 @tool
 extends Control
 ## Waveform and spectrum of a HapticEffect, with a movement of 20 cm in 0.8 s. What is short is
-## shown larger.
+## shown larger; each is as high as its own peak, which is told.
 
 const RATE_HZ := 8000
 const SILENT := 1e-3
@@ -83,7 +83,7 @@ func _draw_waveform(area: Rect2) -> void:
 		var top := Vector2(x + 0.5, middle - scale_y * highest - 0.5)
 		draw_line(top, Vector2(top.x, middle - scale_y * lowest + 0.5), LINE)
 	_write(Vector2(0, area.end.y), "%.2f s" % (float(shown.x) / RATE_HZ))
-	_write(Vector2(area.get_center().x, area.end.y), "peak %.2f" % peak)
+	_write(Vector2(area.get_center().x, area.end.y), "full height: %.2f" % peak)
 	_write(Vector2(area.end.x, area.end.y), "%.2f s" % (float(shown.y) / RATE_HZ))
 
 
@@ -115,16 +115,9 @@ func _draw_spectrum(area: Rect2) -> void:
 	draw_line(Vector2(0, area.end.y), area.end, FAINT)
 	draw_polyline(line, LINE, 1.0, true)
 	_write(Vector2(0, area.end.y), "0 Hz")
-	_write(Vector2(line[highest].x, area.end.y), "%.0f Hz" % _peak_frequency(highest))
-
-
-## Between the points of the spectrum: of the parabola through the highest and its neighbours.
-func _peak_frequency(highest: int) -> float:
-	var left := _spectrum[maxi(highest - 1, 0)]
-	var right := _spectrum[mini(highest + 1, _spectrum.size() - 1)]
-	var bend := left - 2.0 * _spectrum[highest] + right
-	var shift := 0.5 * (left - right) / bend if bend < 0.0 else 0.0
-	return _frequencies[highest] + shift * (_frequencies[1] - _frequencies[0])
+	var setting_x := area.size.x * effect.frequency / (_frequencies[-1] + 0.5 * _frequencies[0])
+	_write(Vector2(setting_x, area.end.y), "%.0f Hz" % effect.frequency)
+	_write(area.end, "full height: %.4f" % _spectrum[highest])
 
 
 ## Below `place`; not beyond the right edge.
