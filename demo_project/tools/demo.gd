@@ -5,7 +5,7 @@ extends "tool.gd"
 ## Runs trials of synthetic people, and those of real hands where they are there, through the real
 ## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET (as of
 ## evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one unstable trial vibration.wav
-## and vibration.curves.csv.
+## and vibration.curves.csv. Its second run, for these, logs to replays/, which is no study's.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
@@ -108,9 +108,7 @@ func _play_scene(set_name: String, trial_set: TrialSet, gesture: String) -> void
 
 
 func _keep_vibration(trial_set: TrialSet, trial_name: String, evaluation_folder: String) -> void:
-	var player := ScenePlayer.new(
-		Tasks.SCENES[SHOWN_GESTURE], _out.path_join("logs/vibration"), root
-	)
+	var player := ScenePlayer.new(Tasks.SCENES[SHOWN_GESTURE], _out.path_join("replays"), root)
 	player.play_to_wav(trial_set, trial_name, _out.path_join("vibration.wav"))
 	player.free_scene()
 	DirAccess.copy_absolute(

@@ -49,7 +49,7 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 	var scene: TaskScene = (load(Tasks.SCENES[gesture]) as PackedScene).instantiate()
 	scene.autoplay = false
 	scene.trial_folder = trials_folder
-	scene.log_folder = out_folder.path_join("logs/screenshot")
+	scene.log_folder = out_folder.path_join("replays")
 	var tracker: HandTracker = scene.get_node("HandTracker")
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	root.add_child(scene)
