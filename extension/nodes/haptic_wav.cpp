@@ -133,7 +133,7 @@ void HapticWav::write_block(std::size_t p_frames) {
 		flush();
 	}
 	const std::span<std::uint8_t> free(bytes_.ptrw() + used_bytes_, 2 * p_frames);
-	steadyhand::wav_encode(samples, steadyhand::WavSample::PCM16, std::as_writable_bytes(free));
+	steadyhand::wav_encode(samples, std::as_writable_bytes(free));
 	used_bytes_ += size;
 	frames_ += p_frames;
 	connected_frames_ += p_frames;

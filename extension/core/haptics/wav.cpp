@@ -1,7 +1,6 @@
 #include "haptics/wav.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string_view>
@@ -40,12 +39,11 @@ constexpr std::uint32_t RIFF_OVERHEAD_BYTES = WAV_HEADER_BYTES - 8;
 } // namespace
 
 std::array<std::byte, WAV_HEADER_BYTES> wav_header(const WavFormat &format, std::uint64_t frames) {
-	const auto frame_bytes = static_cast<std::uint16_t>(format.channels * format.bytes_per_sample());
+	const auto frame_bytes = static_cast<std::uint16_t>(format.channels * WAV_SAMPLE_BYTES);
 	const std::uint64_t most_bytes = std::numeric_limits<std::uint32_t>::max() - RIFF_OVERHEAD_BYTES;
 	const std::uint64_t most_frames = frame_bytes > 0 ? most_bytes / frame_bytes : 0;
 	const auto data_bytes = static_cast<std::uint32_t>(std::min(frames, most_frames) * frame_bytes);
 	constexpr std::uint16_t TAG_PCM = 1;
-	constexpr std::uint16_t TAG_IEEE_FLOAT = 3;
 
 	std::array<std::byte, WAV_HEADER_BYTES> header{};
 	ByteWriter writer(header);
@@ -53,27 +51,23 @@ std::array<std::byte, WAV_HEADER_BYTES> wav_header(const WavFormat &format, std:
 	writer.number(data_bytes + RIFF_OVERHEAD_BYTES);
 	writer.text("WAVEfmt ");
 	writer.number(FMT_CHUNK_BYTES);
-	writer.number(format.sample == WavSample::PCM16 ? TAG_PCM : TAG_IEEE_FLOAT);
+	writer.number(TAG_PCM);
 	writer.number(format.channels);
 	writer.number(format.sample_rate_hz);
 	writer.number(format.sample_rate_hz * frame_bytes);
 	writer.number(frame_bytes);
-	writer.number(static_cast<std::uint16_t>(8 * format.bytes_per_sample()));
+	writer.number(static_cast<std::uint16_t>(8 * WAV_SAMPLE_BYTES));
 	writer.text("data");
 	writer.number(data_bytes);
 	return header;
 }
 
-void wav_encode(std::span<const float> samples, WavSample format, std::span<std::byte> out) {
+void wav_encode(std::span<const float> samples, std::span<std::byte> out) {
 	ByteWriter writer(out);
 	for (const float raw : samples) {
 		const float sample = std::isnan(raw) ? 0.0F : raw;
-		if (format == WavSample::PCM16) {
-			const long rounded = std::lround(std::clamp(sample, -1.0F, 1.0F) * 32767.0F);
-			writer.number(static_cast<std::uint16_t>(rounded));
-		} else {
-			writer.number(std::bit_cast<std::uint32_t>(sample));
-		}
+		const long rounded = std::lround(std::clamp(sample, -1.0F, 1.0F) * 32767.0F);
+		writer.number(static_cast<std::uint16_t>(rounded));
 	}
 }
 

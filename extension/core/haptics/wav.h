@@ -7,17 +7,13 @@
 
 namespace steadyhand {
 
-enum class WavSample : std::uint8_t { PCM16, FLOAT32 };
-
 struct WavFormat {
 	std::uint32_t sample_rate_hz = 48000;
 	std::uint16_t channels = 1;
-	WavSample sample = WavSample::PCM16;
-
-	[[nodiscard]] std::uint16_t bytes_per_sample() const { return sample == WavSample::PCM16 ? 2 : 4; }
 };
 
 inline constexpr std::size_t WAV_HEADER_BYTES = 44;
+inline constexpr std::uint16_t WAV_SAMPLE_BYTES = 2;
 
 /// The bytes before the samples (RIFF WAVE, little endian on any machine). To stream: write the header for 0
 /// frames, then frames as they come, and at the end the header for all of them in its place; a file that was
@@ -26,8 +22,8 @@ inline constexpr std::size_t WAV_HEADER_BYTES = 44;
 [[nodiscard]] std::array<std::byte, WAV_HEADER_BYTES> wav_header(
 		const WavFormat &format, std::uint64_t frames);
 
-/// Samples (channels interleaved) as the file holds them. `out` must have samples.size() * bytes_per_sample()
-/// bytes. PCM16: -1..1 to -32767..32767, rounded, beyond that held. NaN is written as silence.
-void wav_encode(std::span<const float> samples, WavSample format, std::span<std::byte> out);
+/// Samples (channels interleaved) as the file holds them, 16-bit PCM: -1..1 to -32767..32767, rounded, beyond
+/// that held; NaN is silence. `out` must have samples.size() * WAV_SAMPLE_BYTES bytes.
+void wav_encode(std::span<const float> samples, std::span<std::byte> out);
 
 } // namespace steadyhand

@@ -312,27 +312,6 @@ TEST_CASE("percentiles are NumPy's") {
 	CHECK(percentile(values, NOT_A_NUMBER) == 0.0);
 }
 
-TEST_CASE("a summary drops no trial") {
-	std::vector<CurveComparison> trials(101);
-	for (std::size_t i = 0; i < trials.size(); ++i) {
-		const double share = static_cast<double>(i) / 100.0;
-		trials[i] = { share, share - 1.0, 0.02 * share * share, share * share - 0.5, -2.0, i < 3 };
-	}
-	const ConditionSummary summary = summarise(trials);
-	CHECK(summary.trials == 101);
-	CHECK(summary.missed == 3);
-	CHECK(summary.mean_r2 == doctest::Approx(0.5));
-	CHECK(summary.worst_r2 == doctest::Approx(0.05));
-	CHECK(summary.mean_r2_zero == doctest::Approx(-0.5));
-	CHECK(summary.median_lag_s == doctest::Approx(0.005));
-	CHECK(summary.median_t_diff_s == doctest::Approx(-0.25));
-	// Between the second and the third square, half-way.
-	CHECK(summary.low_t_diff_s == doctest::Approx(0.5 * (0.02 * 0.02 + 0.03 * 0.03) - 0.5));
-	CHECK(summary.high_t_diff_s == doctest::Approx(0.5 * (0.97 * 0.97 + 0.98 * 0.98) - 0.5));
-	CHECK(summary.mean_sparc == doctest::Approx(-2.0));
-	CHECK(summarise({}).trials == 0);
-}
-
 TEST_CASE("a confusion table counts every trial") {
 	ConfusionTable table(2);
 	table.add(0, 0);
