@@ -21,7 +21,10 @@ constexpr double LONGEST_GAP_S = 1.0;
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
 /// Between two halves of one gesture the hand rests no longer than this.
-constexpr double HESITATION_S = 0.6;
+constexpr double HESITATION_S = 1.0;
+/// A hand that rests so long after a stroke has ended it: the longer it rests, the less of the stroke's bow is
+/// in the mean over its time.
+constexpr double RESTS_S = 0.6;
 
 } // namespace
 
@@ -194,7 +197,7 @@ void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 	strokes_[0] = between(onset, now, peak_m_s_);
 	stroke_count_ = 1;
 	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
-	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
+	if (goes_on ? onset.t_s - earlier_end_s_ < HESITATION_S : now.t_s - earlier_end_s_ < RESTS_S) {
 		for (std::size_t i = earlier_count_; i > 0; --i) {
 			const Earlier &earlier = earlier_[i - 1];
 			Stroke &stroke = strokes_[stroke_count_++];

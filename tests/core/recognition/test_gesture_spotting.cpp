@@ -168,6 +168,10 @@ TEST_CASE("a hand that hesitates half-way makes one gesture") {
 	const Drag second{ .onset_s = 1.4, .duration_s = 0.6, .amplitude_m = 0.1 };
 	CHECK(in_the_open(along(X, { first, second }), 3.0).said == times(1, "sideways"));
 	CHECK(in_a_task(along(X, { first, second }), 3.0).said == times(1, "sideways"));
+	// A slow hand seems to rest for longer: it is as good as still before and after.
+	const Drag slow{ .onset_s = 0.6, .duration_s = 1.2, .amplitude_m = 0.1 };
+	const Drag goes_on{ .onset_s = 2.2, .duration_s = 1.2, .amplitude_m = 0.1 };
+	CHECK(in_the_open(along(X, { slow, goes_on }), 4.2).said == times(1, "sideways"));
 }
 
 TEST_CASE("with the task known a hand that draws back first makes one gesture") {
