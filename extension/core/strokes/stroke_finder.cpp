@@ -22,8 +22,8 @@ constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
 /// Between two halves of one gesture the hand rests no longer than this.
 constexpr double HESITATION_S = 1.0;
-/// A hand that rests so long after a stroke has ended it: the longer it rests, the less of the stroke's bow is
-/// in the mean over its time.
+/// A hand that rests so long after a stroke has ended it: the longer it rests, the less of the stroke's bow
+/// is in the mean over its time.
 constexpr double RESTS_S = 0.6;
 
 } // namespace
