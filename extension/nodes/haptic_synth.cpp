@@ -84,6 +84,10 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 }
 
 void HapticSynth::on_motion_known() {
+	// AudioServer.set_bus_layout() tells nobody.
+	if (is_inside_tree() && (player_ != nullptr) != bus_exists()) {
+		on_buses_changed();
+	}
 	bool any_live = false;
 	for_each_sink([&](const HapticSink &sink) { any_live = any_live || sink.is_live(); });
 	if (!any_live) {
@@ -237,9 +241,11 @@ void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
 		update_player();
 		update_pulses();
+		listen_to_buses(true);
 		listen_to_joypads(true);
 	} else if (p_what == NOTIFICATION_EXIT_TREE) {
 		listen_to_joypads(false);
+		listen_to_buses(false);
 		drop_pulses();
 	} else if (p_what == NOTIFICATION_READY) {
 		// As GestureHMM does of its tracker.
@@ -254,11 +260,36 @@ void HapticSynth::_notification(int p_what) {
 	}
 }
 
+bool HapticSynth::bus_exists() const {
+	return bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
+}
+
+void HapticSynth::listen_to_buses(bool p_listen) {
+	AudioServer *const server = AudioServer::get_singleton();
+	const Callable layout = callable_mp(this, &HapticSynth::on_buses_changed);
+	const Callable name = callable_mp(this, &HapticSynth::on_bus_renamed);
+	if (p_listen) {
+		server->connect("bus_layout_changed", layout);
+		server->connect("bus_renamed", name);
+	} else {
+		server->disconnect("bus_layout_changed", layout);
+		server->disconnect("bus_renamed", name);
+	}
+}
+
+void HapticSynth::on_buses_changed() {
+	// One that is missing still has been told of.
+	if (player_ != nullptr || bus_exists()) {
+		update_player();
+	}
+	update_configuration_warnings();
+}
+
 void HapticSynth::update_player() {
 	if (Engine::get_singleton()->is_editor_hint()) {
 		return;
 	}
-	const bool exists = bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
+	const bool exists = bus_exists();
 	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
 		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
@@ -290,6 +321,8 @@ void HapticSynth::make_player() {
 /// The engine fades out what it plays; on another bus a new player begins in silence, where a player that
 /// changes its bus would be cut in half-way through its wave.
 void HapticSynth::drop_player() {
+	player_->set_autoplay(false); // where its parent is about to bring it into the tree
+	player_->stop();
 	player_->queue_free();
 	player_ = nullptr;
 	bus_sink_.reset();

@@ -118,6 +118,10 @@ private:
 
 	template <class Function> void for_each_sink(Function p_function) const;
 	void add_sink(HapticSink &p_sink);
+	bool bus_exists() const;
+	void listen_to_buses(bool p_listen);
+	void on_buses_changed();
+	void on_bus_renamed(int64_t, const StringName &, const StringName &) { on_buses_changed(); }
 	void update_player();
 	void make_player();
 	void drop_player();

@@ -20,7 +20,7 @@ PackedStringArray HapticSynth::_get_configuration_warnings() const {
 				"Set \"bus\" to an audio bus that leads to the actuator, \"controller\" or \"joypad\", or "
 				"\"wav_path\" to a file; otherwise the vibration goes nowhere, unless a script takes it by "
 				"get_buffer().");
-	} else if (bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) < 0) {
+	} else if (bus_ != StringName() && !bus_exists()) {
 		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
 				String("' in the Audio panel, or set \"bus\" to one that exists."));
 	}
