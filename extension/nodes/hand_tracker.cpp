@@ -157,7 +157,7 @@ void HandTracker::advance_to(double p_time_s) {
 	ERR_FAIL_COND_MSG(!running_, "HandTracker: start() it before its clock can advance");
 	ERR_FAIL_COND_MSG(!is_usable_time(p_time_s), "HandTracker: a time must be finite, and below 1e12 s");
 	constexpr double LONGEST_LOOPED_STEP_S = 3600.0;
-	ERR_FAIL_COND_MSG(playback_ && loop_ && p_time_s - time_s_ > LONGEST_LOOPED_STEP_S,
+	ERR_FAIL_COND_MSG(playback_ && playback_->is_looped() && p_time_s - time_s_ > LONGEST_LOOPED_STEP_S,
 			"HandTracker: a track in a loop is advanced by an hour at most");
 	if (p_time_s < time_s_) {
 		return;

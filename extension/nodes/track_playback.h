@@ -17,6 +17,7 @@ public:
 
 	double start_s() const { return frames_.front().t_s; }
 	double duration_s() const { return frames_.back().t_s - start_s(); }
+	bool is_looped() const { return loop_; }
 	/// No frame will follow.
 	bool finished() const { return next_ == frames_.size() && !loop_; }
 	/// The next frame is the first of a new round.

@@ -69,6 +69,21 @@ func test_loop_never_goes_back_in_time() -> void:
 	tracker.free()
 
 
+func test_loop_is_that_of_the_start() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+	tracker.recording_path = _write("track.csv", TRACK)
+	tracker.start()
+	tracker.loop = true
+	tracker.advance(4000.0)
+	check(tracker.is_finished(), "a track that was started without one has its end")
+	tracker.start()
+	tracker.loop = false
+	# expects error: a track in a loop is advanced by an hour at most
+	tracker.advance(1e9)
+	check_equal(tracker.get_time(), 1.0, "one that was started in a loop goes on in it")
+	tracker.free()
+
+
 func test_script_source() -> void:
 	var tracker := _make_tracker(HandTracker.SOURCE_SCRIPT)
 	tracker.start()
