@@ -101,6 +101,9 @@ func test_example_of_a_hand_of_the_xr_server() -> void:
 	var hand := XRHandTracker.new()
 	hand.name = &"/user/hand_tracker/right"
 	hand.has_tracking_data = true
+	# The engine leaves them uninitialised.
+	for joint in XRHandTracker.HAND_JOINT_MAX:
+		hand.set_hand_joint_flags(joint, 0)
 	hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), Vector3(0.1, 0.2, -0.3)))
 	hand.set_hand_joint_flags(INDEX_TIP, XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED)
 	XRServer.add_tracker(hand)
