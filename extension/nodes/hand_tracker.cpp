@@ -8,10 +8,12 @@
 #include "simulation/synthetic_trial.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace godot {
 
@@ -44,6 +46,14 @@ String fault_of(const Dictionary &p_joints) {
 		}
 	}
 	return "joints must map a Joint to a Vector3";
+}
+
+/// By another name too; false where one of them is no file yet.
+bool is_same_file(const String &p_path, const String &p_other) {
+	const ProjectSettings *const settings = ProjectSettings::get_singleton();
+	std::error_code is_none;
+	return std::filesystem::equivalent(
+			to_core(settings->globalize_path(p_path)), to_core(settings->globalize_path(p_other)), is_none);
 }
 
 } // namespace
@@ -81,6 +91,7 @@ Error HandTracker::start() {
 		return ERR_UNAVAILABLE;
 	}
 	playback_.reset();
+	played_path_ = String();
 	synthetic_trial_ = Dictionary();
 	finished_ = false;
 	clock_set_ = false;
@@ -95,6 +106,7 @@ Error HandTracker::start() {
 			return ERR_CANT_OPEN;
 		}
 		playback_.emplace(std::move(frames).value(), loop_);
+		played_path_ = source_ == SOURCE_RECORDED ? recording_path_ : String();
 		time_s_ = start_time_s_ = playback_->start_s();
 		duration_s_ = playback_->duration_s();
 	}
@@ -304,6 +316,11 @@ bool HandTracker::is_joint_tracked(Joint p_joint) const {
 }
 
 Error HandTracker::start_recording(const String &p_path) {
+	const bool is_played = running_ && is_same_file(p_path, played_path_);
+	const bool will_be_played = source_ == SOURCE_RECORDED && is_same_file(p_path, recording_path_);
+	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,
+			String("HandTracker: ") + p_path +
+					String(" is the recording that it plays; record to another file"));
 	stop_recording();
 	auto opened = std::make_unique<TrackRecorder>();
 	const Error error = opened->open(p_path);

@@ -99,6 +99,7 @@ private:
 	SignalNames names_;
 	ListenerList<FrameListener> listeners_;
 	std::optional<TrackPlayback> playback_;
+	String played_path_;
 	std::unique_ptr<TrackRecorder> recorder_;
 	Dictionary synthetic_trial_;
 	bool running_ = false;

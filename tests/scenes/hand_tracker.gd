@@ -177,6 +177,23 @@ func test_records_what_it_tracks() -> void:
 	copy.free()
 
 
+func test_what_is_played_is_not_recorded_over() -> void:
+	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
+	var path := _write("track.csv", TRACK)
+	var folder := path.get_base_dir()
+	tracker.recording_path = path
+	# expects error: track.csv is the recording that it plays; record to another file
+	check_equal(tracker.start_recording(path), ERR_FILE_ALREADY_IN_USE, "before it is started")
+	tracker.start()
+	tracker.recording_path = folder.path_join("other.csv")
+	var by_another_name := folder.path_join("../%s/./track.csv" % folder.get_file())
+	check_equal(tracker.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "while it plays")
+	check_equal(FileAccess.get_file_as_string(path), TRACK, "the file is as it was")
+	tracker.stop()
+	check_equal(tracker.start_recording(path), OK, "once it is no longer played")
+	tracker.free()
+
+
 ## Filled as frames come.
 func _collect_positions(tracker: HandTracker) -> Array[Vector3]:
 	var positions: Array[Vector3] = []
