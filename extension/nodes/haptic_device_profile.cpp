@@ -1,26 +1,32 @@
 #include "haptic_device_profile.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace godot {
 
 void HapticDeviceProfile::set_response(const PackedVector2Array &p_response) {
-	std::vector<steadyhand::DeviceProfile::Point> points;
-	double last_hz = 0.0;
-	for (int64_t i = 0; i < p_response.size(); ++i) {
-		const Vector2 point = p_response[i];
-		const double frequency_hz = static_cast<double>(point.x), response = static_cast<double>(point.y);
-		ERR_FAIL_COND_MSG(!(frequency_hz > last_hz) || !(response >= 0.0) || !std::isfinite(frequency_hz) ||
-						!std::isfinite(response),
-				"HapticDeviceProfile: response must be points (frequency in Hz, rising; response, 0 or "
-				"more)");
-		points.push_back({ frequency_hz, response });
-		last_hz = frequency_hz;
-	}
+	using Point = steadyhand::DeviceProfile::Point;
 	response_ = p_response;
-	profile_.response = std::move(points);
+	profile_.response.clear();
+	for (int64_t i = 0; i < p_response.size(); ++i) {
+		const Point point{ static_cast<double>(p_response[i].x), static_cast<double>(p_response[i].y) };
+		if (point.frequency_hz > 0.0 && std::isfinite(point.frequency_hz) && point.response >= 0.0 &&
+				std::isfinite(point.response)) {
+			profile_.response.push_back(point);
+		}
+	}
+	std::stable_sort(profile_.response.begin(), profile_.response.end(),
+			[](const Point &one, const Point &other) { return one.frequency_hz < other.frequency_hz; });
+	// The inspector adds (0, 0), to be filled in.
+	if (has_unusable_points() && !Engine::get_singleton()->is_editor_hint()) {
+		WARN_PRINT(
+				"HapticDeviceProfile: points of \"response\" are left out whose frequency is not above 0 Hz "
+				"or whose response is below 0");
+	}
 	emit_changed();
 }
 

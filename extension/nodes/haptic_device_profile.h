@@ -11,12 +11,15 @@ namespace godot {
 class HapticDeviceProfile : public Resource {
 	GDCLASS(HapticDeviceProfile, Resource)
 
-	PackedVector2Array response_;
+	PackedVector2Array response_; ///< as given
 	steadyhand::DeviceProfile profile_;
 
 public:
 	void set_response(const PackedVector2Array &p_response);
 	PackedVector2Array get_response() const { return response_; }
+	bool has_unusable_points() const {
+		return response_.size() != static_cast<int64_t>(profile_.response.size());
+	}
 	void set_resonance(double p_resonance_hz);
 	double get_resonance() const { return profile_.resonance_hz; }
 	void set_maximum_amplitude(double p_amplitude);

@@ -206,6 +206,10 @@ void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	effects_ = p_effects;
 	connect_effects(true);
 	on_effects_changed();
+}
+
+void HapticSynth::on_effects_changed() {
+	effects_are_set_ = false;
 	update_configuration_warnings();
 }
 

@@ -132,7 +132,7 @@ private:
 	void on_joypad_changed(int64_t p_joypad, bool p_is_connected);
 	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();
-	void on_effects_changed() { effects_are_set_ = false; }
+	void on_effects_changed();
 	void build_effects();
 	StringName expected_gesture() const;
 	void drop_old_tables();

@@ -37,6 +37,10 @@ PackedStringArray HapticSynth::_get_configuration_warnings() const {
 		warnings.push_back(String("Remove effects: only the first ") +
 				itos(static_cast<int64_t>(steadyhand::EffectSet::MOST)) + String(" are felt."));
 	}
+	if (device_.is_valid() && device_->has_unusable_points()) {
+		warnings.push_back("Give the points of the \"response\" of \"device\" a frequency above 0 Hz and a "
+						   "response of 0 or more; others are left out.");
+	}
 	return warnings;
 }
 

@@ -104,6 +104,31 @@ func test_the_device_decides_frequency_and_strength() -> void:
 	check_near(at_resonance, 0.5, 0.02, "at its resonance")
 
 
+func test_a_response_is_filled_in_point_by_point() -> void:
+	# expects warning: HapticDeviceProfile: points of "response" are left out
+	var device := HapticDeviceProfile.new()
+	var synth := HapticSynth.new()
+	synth.device = device
+	edited_scene_root = synth
+	root.add_child(synth)
+	var refreshed: Array[Node] = []
+	var note := func(node: Node) -> void: refreshed.append(node)
+	node_configuration_warning_changed.connect(note)
+	var points := PackedVector2Array([Vector2(720, 0.2), Vector2(0, 0), Vector2(45, 1.0)])
+	device.response = points
+	check_equal(device.response, points, "as given")
+	check_equal(refreshed, [synth] as Array[Node], "the synth's warnings are refreshed")
+	node_configuration_warning_changed.disconnect(note)
+	edited_scene_root = null
+	root.remove_child(synth)
+	var spring := SpringEffect.new()
+	spring.drive = HapticEffect.DRIVE_CONSTANT
+	spring.frequency = 180.0
+	spring.gain = 0.3
+	var played := _play("horizontal_drag", [spring], Callable(), synth)
+	check_near(Waveform.peak(played["samples"]), 0.3 / 0.6, 5e-3, "half-way over the octaves: 0.6")
+
+
 func test_a_script_takes_the_live_vibration() -> void:
 	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
 	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
