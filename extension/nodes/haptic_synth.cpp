@@ -203,7 +203,7 @@ void HapticSynth::connect_effects(bool p_connect) {
 
 void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	connect_effects(false);
-	effects_ = p_effects;
+	effects_ = p_effects.duplicate();
 	connect_effects(true);
 	on_effects_changed();
 }

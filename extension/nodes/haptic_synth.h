@@ -35,7 +35,8 @@ public:
 	void set_gesture_hmm(GestureHMM *p_gesture_hmm);
 	GestureHMM *get_gesture_hmm() const { return gesture_hmm_; }
 	void set_effects(const TypedArray<HapticEffect> &p_effects);
-	TypedArray<HapticEffect> get_effects() const { return effects_; }
+	/// A copy: what a script changes in it takes effect when it is set.
+	TypedArray<HapticEffect> get_effects() const { return effects_.duplicate(); }
 	void set_gain(double p_gain);
 	double get_gain() const { return gain_; }
 	void set_arrival_level(double p_level);

@@ -82,6 +82,13 @@ func test_the_arrays_are_copies() -> void:
 	models.clear()
 	check_equal(hmm.models.size(), 2, "nor is the array that was set")
 	rig.free_nodes()
+	var synth := HapticSynth.new()
+	var effects: Array[HapticEffect] = [SpringEffect.new()]
+	synth.effects = effects
+	effects.append(null)
+	synth.effects.clear()
+	check_equal(synth.effects.size(), 1, "and so with a synth's effects")
+	synth.free()
 
 
 func test_tasks_are_saved_with_their_scene() -> void:

@@ -58,8 +58,9 @@ func test_effects_change_while_they_play_without_a_click() -> void:
 	var sets: Array[Array] = [[spring], [other], [], [spring]]
 	var changes := func(synth: HapticSynth, step: int) -> void:
 		if step % 37 == 0:
-			synth.effects.assign(sets[step / 37 % sets.size()])
-			synth.effects = synth.effects
+			var effects: Array[HapticEffect] = []
+			effects.assign(sets[step / 37 % sets.size()])
+			synth.effects = effects
 		elif step % 101 == 0:
 			spring.gain = 0.2 if spring.gain == 1.0 else 1.0
 	var played := _play("horizontal_drag", [spring], changes)
@@ -157,14 +158,16 @@ func test_a_script_takes_the_live_vibration() -> void:
 ## A trial through the nodes and into a file. Of the result, `arrival` is the number of the first
 ## sample at or after the arrival, `speed` the hand's there, m/s.
 func _play(
-	gesture: String, effects: Array, each: Callable = Callable(), synth := HapticSynth.new()
+	gesture: String,
+	effects: Array[HapticEffect],
+	each: Callable = Callable(),
+	synth := HapticSynth.new()
 ) -> Dictionary:
 	var trials := Rig.write_trials(_folder.get_current_dir(), 1, gesture)
 	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 	var wav_path := _folder.get_current_dir().path_join("%s.wav" % gesture)
 	synth.gesture_hmm = rig.gesture_hmm
-	synth.effects.assign(effects)
-	synth.effects = synth.effects
+	synth.effects = effects
 	synth.wav_path = wav_path
 	root.add_child(synth)
 	rig.tracker.start()
