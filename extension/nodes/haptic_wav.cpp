@@ -29,8 +29,6 @@ HapticWav::~HapticWav() {
 	if (file_.is_valid()) {
 		write_known(true);
 		flush();
-		file_->seek(0);
-		write_header();
 	}
 }
 
@@ -141,6 +139,10 @@ void HapticWav::write_block(std::size_t p_frames) {
 
 void HapticWav::flush() {
 	file_->store_buffer(bytes_.slice(0, used_bytes_));
+	// A program that is killed leaves a file that says how long it is.
+	file_->seek(0);
+	write_header();
+	file_->seek_end();
 	file_->flush();
 	used_bytes_ = 0;
 	if (file_->get_error() != OK && !complained_) {

@@ -75,6 +75,21 @@ func test_equal_runs_give_equal_files() -> void:
 	check(texts[0].size() > 100000 and texts[0] == texts[1], "the same bytes")
 
 
+func test_a_file_under_way_can_be_read() -> void:
+	var wav_path := _folder.get_current_dir().path_join("under_way.wav")
+	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
+	var synth := _make_synth(rig, wav_path)
+	rig.record(_first_step(rig), LAST_STEP)
+	var samples := Waveform.read_wav(wav_path, RATE_HZ)
+	check(samples.size() > RATE_HZ, "%d samples are there" % samples.size())
+	synth.stop_wav()
+	var whole := Waveform.read_wav(wav_path, RATE_HZ)
+	check(whole.size() > samples.size(), "and more in the end")
+	check_equal(whole.slice(0, samples.size()), samples, "after those")
+	synth.free()
+	rig.free_nodes()
+
+
 ## The vibration begins with the first control instant after the first frame.
 func _first_step(rig: Rig) -> int:
 	rig.tracker.start()
