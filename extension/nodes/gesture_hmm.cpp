@@ -198,7 +198,8 @@ double GestureHMM::get_acceleration() const {
 }
 
 double GestureHMM::get_progress() const {
-	return current(motion_).progress;
+	// What frames correct is blended in: for some ms it may be beyond the end by a little.
+	return std::clamp(current(motion_).progress, 0.0, 1.0);
 }
 
 double GestureHMM::get_confidence() const {

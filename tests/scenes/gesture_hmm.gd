@@ -33,6 +33,23 @@ func test_signals_of_a_drag() -> void:
 	rig.free_nodes()
 
 
+func test_progress_is_a_share() -> void:
+	var folder := _folder.get_current_dir().path_join("taps")
+	var trials := Rig.write_trials(folder, 2, "tap")
+	var least := INF
+	var most := -INF
+	for trial in trials.get_count():
+		var rig := Rig.new(trials.get_trial(trial), trials.get_measured_path(trial), root)
+		rig.tracker.start()
+		for step in 2400:
+			rig.tracker.advance_to(step * Rig.STEP_S)
+			least = minf(least, rig.gesture_hmm.progress)
+			most = maxf(most, rig.gesture_hmm.progress)
+		rig.free_nodes()
+	check_equal(least, 0.0, "from 0")
+	check_equal(most, 1.0, "to 1")
+
+
 func test_a_drag_that_is_given_up_is_aborted() -> void:
 	for leaves: bool in [false, true]:
 		var events: Array[String] = []
