@@ -44,10 +44,10 @@ public:
 	String get_synthetic_gesture() const { return synthetic_gesture_; }
 	void set_synthetic_position(SyntheticPosition p_position);
 	SyntheticPosition get_synthetic_position() const { return synthetic_position_; }
-	void set_synthetic_seed(int p_seed) { synthetic_seed_ = p_seed; }
-	int get_synthetic_seed() const { return synthetic_seed_; }
-	void set_synthetic_subject(int p_subject);
-	int get_synthetic_subject() const { return synthetic_subject_; }
+	void set_synthetic_seed(int64_t p_seed) { synthetic_seed_ = p_seed; }
+	int64_t get_synthetic_seed() const { return synthetic_seed_; }
+	void set_synthetic_subject(int64_t p_subject);
+	int64_t get_synthetic_subject() const { return synthetic_subject_; }
 
 	Error start();
 	void stop();
@@ -93,8 +93,8 @@ private:
 	bool loop_ = false;
 	String synthetic_gesture_ = "horizontal_drag";
 	SyntheticPosition synthetic_position_ = POSITION_STABLE;
-	int synthetic_seed_ = 0;
-	int synthetic_subject_ = 0;
+	int64_t synthetic_seed_ = 0;
+	int64_t synthetic_subject_ = 0;
 
 	SignalNames names_;
 	ListenerList<FrameListener> listeners_;

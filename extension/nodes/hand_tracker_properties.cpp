@@ -9,6 +9,8 @@
 #include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <limits>
+
 namespace godot {
 
 void HandTracker::set_source(Source p_source) {
@@ -36,8 +38,9 @@ void HandTracker::set_synthetic_position(SyntheticPosition p_position) {
 	synthetic_position_ = p_position;
 }
 
-void HandTracker::set_synthetic_subject(int p_subject) {
-	ERR_FAIL_COND_MSG(p_subject < 0, "HandTracker: synthetic_subject must be 0 or more");
+void HandTracker::set_synthetic_subject(int64_t p_subject) {
+	ERR_FAIL_COND_MSG(p_subject < 0 || p_subject > std::numeric_limits<std::uint32_t>::max(),
+			"HandTracker: synthetic_subject must be in 0..4294967295");
 	synthetic_subject_ = p_subject;
 }
 

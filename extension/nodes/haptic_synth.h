@@ -49,7 +49,7 @@ public:
 	XRNode3D *get_controller() const;
 	void set_controller_action(const StringName &p_action);
 	StringName get_controller_action() const { return controller_action_; }
-	void set_joypad(int p_joypad);
+	void set_joypad(int64_t p_joypad);
 	int get_joypad() const { return joypad_; }
 	void set_wav_path(const String &p_path);
 	String get_wav_path() const { return wav_path_; }

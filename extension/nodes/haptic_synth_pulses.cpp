@@ -10,6 +10,8 @@
 #include <godot_cpp/classes/xr_server.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <limits>
+
 namespace godot {
 
 void HapticSynth::set_controller(XRNode3D *p_controller) {
@@ -26,9 +28,10 @@ void HapticSynth::set_controller_action(const StringName &p_action) {
 	update_pulses();
 }
 
-void HapticSynth::set_joypad(int p_joypad) {
-	ERR_FAIL_COND_MSG(p_joypad < NO_JOYPAD, "HapticSynth: joypad must be -1 (none) or the number of one");
-	joypad_ = p_joypad;
+void HapticSynth::set_joypad(int64_t p_joypad) {
+	ERR_FAIL_COND_MSG(p_joypad < NO_JOYPAD || p_joypad > std::numeric_limits<int>::max(),
+			"HapticSynth: joypad must be -1 (none) or the number of one");
+	joypad_ = static_cast<int>(p_joypad);
 	update_pulses();
 }
 

@@ -129,7 +129,17 @@ func test_numbers_that_are_none() -> void:
 	var far := {HandTracker.JOINT_INDEX: Vector3(3e38, 0.0, 0.0)}
 	check_equal(tracker.push_frame(0.0, far), OK, "a place that is none is taken")
 	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "as not tracked")
+	tracker.synthetic_seed = 1 << 40
+	check_equal(tracker.synthetic_seed, 1 << 40, "a seed may have all bits")
+	# expects error: HandTracker: synthetic_subject must be in 0..4294967295
+	tracker.synthetic_subject = 1 << 40
+	check_equal(tracker.synthetic_subject, 0, "a subject has 32")
 	tracker.free()
+	var synth := HapticSynth.new()
+	# expects error: HapticSynth: joypad must be -1 (none) or the number of one
+	synth.joypad = 1 << 40
+	check_equal(synth.joypad, -1, "and no joypad has such a number")
+	synth.free()
 
 
 func test_a_gesture_that_needs_its_task_says_so() -> void:
