@@ -46,6 +46,15 @@ void HapticEffect::set_not_negative(double &r_member, double p_value, const char
 	emit_changed();
 }
 
+void HapticEffect::set_within(
+		double &r_member, double p_value, const char *p_name, double p_least, double p_most) {
+	ERR_FAIL_COND_MSG(!(p_value >= p_least) || !(p_value <= p_most),
+			String(get_class()) + ": " + p_name + " must be within " + String::num(p_least) + ".." +
+					String::num(p_most));
+	r_member = p_value;
+	emit_changed();
+}
+
 void HapticEffect::set_frequency(double p_frequency_hz) {
 	set_positive(effect_.frequency_hz, p_frequency_hz, "frequency");
 }
@@ -263,8 +272,8 @@ void CustomEffect::_bind_methods() {
 			PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,2,0.001,or_greater,suffix:s"),
 			"set_duration", "get_duration");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "waveform"), "set_waveform", "get_waveform");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "waveform_rate", PROPERTY_HINT_RANGE,
-						 "1000,192000,1,or_greater,suffix:Hz"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "waveform_rate", PROPERTY_HINT_RANGE, "1000,192000,1,suffix:Hz"),
 			"set_waveform_rate", "get_waveform_rate");
 }
 

@@ -51,6 +51,11 @@ protected:
 	/// Refuses what is not above 0 and finite.
 	void set_positive(double &r_member, double p_value, const char *p_name);
 	void set_not_negative(double &r_member, double p_value, const char *p_name);
+	void set_within(double &r_member, double p_value, const char *p_name, double p_least, double p_most);
+	/// What is felt at an arrival ends in time.
+	void set_duration(double p_duration) {
+		set_within(effect_.duration_s, p_duration, "duration", 0.001, 10.0);
+	}
 };
 
 /// M sin(2 pi f t), M by the motion: a spring that is stretched.
@@ -78,7 +83,7 @@ class ImpulseEffect : public HapticEffect {
 public:
 	ImpulseEffect() : HapticEffect(steadyhand::impulse_effect()) {}
 
-	void set_decay(double p_decay) { set_positive(effect_.decay_per_s, p_decay, "decay"); }
+	void set_decay(double p_decay) { set_within(effect_.decay_per_s, p_decay, "decay", 1.0, 10000.0); }
 	double get_decay() const { return effect_.decay_per_s; }
 	void set_full_speed(double p_speed) { set_positive(effect_.full_scale, p_speed, "full_speed"); }
 	double get_full_speed() const { return effect_.full_scale; }
@@ -98,7 +103,7 @@ class InertialViscousEffect : public HapticEffect {
 public:
 	InertialViscousEffect() : HapticEffect(steadyhand::inertial_viscous_effect()) {}
 
-	void set_duration(double p_duration) { set_positive(effect_.duration_s, p_duration, "duration"); }
+	void set_duration(double p_duration) { HapticEffect::set_duration(p_duration); }
 	double get_duration() const { return effect_.duration_s; }
 	void set_speed(double p_speed) { set_not_negative(speed_m_s_, p_speed, "speed"); }
 	double get_speed() const { return speed_m_s_; }
@@ -129,13 +134,15 @@ public:
 	Trigger get_trigger() const { return HapticEffect::get_trigger(); }
 	void set_full_scale(double p_full_scale) { set_positive(effect_.full_scale, p_full_scale, "full_scale"); }
 	double get_full_scale() const { return effect_.full_scale; }
-	void set_duration(double p_duration) { set_positive(effect_.duration_s, p_duration, "duration"); }
+	void set_duration(double p_duration) { HapticEffect::set_duration(p_duration); }
 	double get_duration() const { return effect_.duration_s; }
 	void set_curve(const Ref<Curve> &p_curve);
 	Ref<Curve> get_curve() const { return curve_; }
 	void set_waveform(const PackedFloat32Array &p_waveform);
 	PackedFloat32Array get_waveform() const { return waveform_; }
-	void set_waveform_rate(double p_rate) { set_positive(effect_.table_rate_hz, p_rate, "waveform_rate"); }
+	void set_waveform_rate(double p_rate) {
+		set_within(effect_.table_rate_hz, p_rate, "waveform_rate", 1000.0, 192000.0);
+	}
 	double get_waveform_rate() const { return effect_.table_rate_hz; }
 
 	steadyhand::Effect to_core(Tables &r_tables) const override;

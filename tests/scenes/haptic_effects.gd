@@ -90,6 +90,27 @@ func test_a_custom_waveform_is_played_at_the_arrival() -> void:
 	check_equal(Waveform.peak(samples.slice(arrival + int(0.03 * RATE_HZ))), 0.0, "then silence")
 
 
+func test_an_effect_ends_in_time() -> void:
+	# expects error: ImpulseEffect: decay must be within 1.0..10000.0
+	# expects error: InertialViscousEffect: duration must be within 0.001..10.0
+	# expects error: CustomEffect: duration must be within 0.001..10.0
+	# expects error: CustomEffect: waveform_rate must be within 1000.0..192000.0
+	var impulse := ImpulseEffect.new()
+	var cue := InertialViscousEffect.new()
+	var custom := CustomEffect.new()
+	for number: float in [1e-300, 0.0, -1.0, 1e300, INF, NAN]:
+		impulse.decay = number
+		cue.duration = number
+		custom.duration = number
+		custom.waveform_rate = number
+	check_equal(impulse.decay, 200.0, "the decay stays")
+	check_equal(cue.duration, 0.06, "and so does the cue's duration")
+	check_equal(custom.duration, 0.06, "a curve's")
+	check_equal(custom.waveform_rate, 48000.0, "and a waveform's rate")
+	cue.duration = 10.0
+	check_equal(cue.duration, 10.0, "the longest is taken")
+
+
 func test_the_device_decides_frequency_and_strength() -> void:
 	var device := HapticDeviceProfile.new()
 	device.resonance = 175.0
