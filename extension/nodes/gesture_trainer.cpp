@@ -17,6 +17,22 @@ constexpr double READING = 0.3;
 
 } // namespace
 
+void GestureTrainer::set_states(int p_states) {
+	ERR_FAIL_COND_MSG(p_states < 1 || p_states > 20, "GestureTrainer: states must be in 1..20");
+	states_ = p_states;
+}
+
+void GestureTrainer::set_symbols(int p_symbols) {
+	ERR_FAIL_COND_MSG(p_symbols < 1 || p_symbols > 1024, "GestureTrainer: symbols must be in 1..1024");
+	symbols_ = p_symbols;
+}
+
+void GestureTrainer::set_r2_threshold(double p_threshold) {
+	ERR_FAIL_COND_MSG(
+			!(p_threshold >= 0.0) || p_threshold > 1.0, "GestureTrainer: r2_threshold must be within 0..1");
+	r2_threshold_ = p_threshold;
+}
+
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
 	cancelled_ = false;

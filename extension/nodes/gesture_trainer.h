@@ -32,11 +32,11 @@ protected:
 public:
 	void set_feature(const String &p_feature) { feature_ = p_feature; }
 	String get_feature() const { return feature_; }
-	void set_states(int p_states) { states_ = p_states; }
+	void set_states(int p_states);
 	int get_states() const { return states_; }
-	void set_symbols(int p_symbols) { symbols_ = p_symbols; }
+	void set_symbols(int p_symbols);
 	int get_symbols() const { return symbols_; }
-	void set_r2_threshold(double p_threshold) { r2_threshold_ = p_threshold; }
+	void set_r2_threshold(double p_threshold);
 	double get_r2_threshold() const { return r2_threshold_; }
 
 	/// Null where it is cancelled; null and one error in the log where it fails.

@@ -102,6 +102,19 @@ func test_training_on_what_is_not_there() -> void:
 	check(GestureTrainer.new().train(_trials, &"zoom") == null, "no trial of it: null")
 
 
+func test_settings_out_of_range_are_refused() -> void:
+	# expects error: GestureTrainer: states must be in 1..20
+	# expects error: GestureTrainer: symbols must be in 1..1024
+	# expects error: GestureTrainer: r2_threshold must be within 0..1
+	var trainer := GestureTrainer.new()
+	trainer.states = 0
+	trainer.symbols = 99999
+	trainer.r2_threshold = 5.0
+	check_equal(trainer.states, 4, "states")
+	check_equal(trainer.symbols, 16, "symbols")
+	check_equal(trainer.r2_threshold, 0.9, "r2_threshold")
+
+
 func test_saving_leaves_no_half() -> void:
 	# expects error: no_such_folder
 	var model := GestureTrainer.new().train(_trials, GESTURE)
