@@ -113,6 +113,7 @@ private:
 	double output_latency_s_ = 0.0;
 	std::unique_ptr<HapticPulses> controller_pulses_;
 	std::unique_ptr<HapticPulses> joypad_pulses_;
+	PackedStringArray told_; ///< what was missing when it was last looked at
 	std::unique_ptr<BufferSink> buffer_;
 	std::unique_ptr<HapticWav> wav_;
 	bool wav_wanted_ = false; ///< opened with the first motion

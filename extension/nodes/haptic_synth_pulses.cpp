@@ -11,6 +11,7 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include <limits>
+#include <utility>
 
 namespace godot {
 
@@ -67,8 +68,11 @@ void HapticSynth::update_pulses() {
 	PackedStringArray missing;
 	add_sink_warnings(missing);
 	for (int64_t i = 0; i < missing.size(); ++i) {
-		WARN_PRINT(String("HapticSynth: ") + missing[i]);
+		if (!told_.has(missing[i])) {
+			WARN_PRINT(String("HapticSynth: ") + missing[i]);
+		}
 	}
+	told_ = std::move(missing);
 }
 
 void HapticSynth::listen_to_joypads(bool p_listen) {

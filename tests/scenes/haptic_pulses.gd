@@ -126,6 +126,25 @@ func test_the_warning_of_a_missing_joypad_follows_joypads_that_come_and_go() -> 
 	synth.free()
 
 
+func test_what_is_missing_is_said_once() -> void:
+	# expects one warning: Connect joypad 7,
+	# expects one warning: Connect joypad 8,
+	# expects one warning: Set the "tracker" of the node in "controller"
+	var synth := HapticSynth.new()
+	synth.joypad = 7
+	var controller := XRNode3D.new()
+	for node: Node in [controller, synth]:
+		root.add_child(node)
+	synth.controller = controller
+	synth.controller_action = &"pulse"
+	root.remove_child(synth)
+	root.add_child(synth)
+	synth.joypad = 8
+	check_equal(synth.joypad, 8, "another that is not there is said too")
+	for node: Node in [synth, controller]:
+		node.free()
+
+
 func test_low_frequencies_are_the_heavy_motor_s() -> void:
 	var heaviest := [0.0]
 	var each := func(_synth: HapticSynth, _value: float) -> void:

@@ -2,7 +2,8 @@
 
 A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
 Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
-it provokes it. `# expects warning: TEXT` says the same of a warning, which fails nothing where it is not announced.
+it provokes it. `# expects warning: TEXT` says the same of a warning, which fails nothing where it is not announced;
+`# expects one warning: TEXT`, that it comes no second time.
 """
 
 import os
@@ -20,6 +21,7 @@ COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR)
 EXPECTED = re.compile(r"^\s*#+ expects error: (.+)$", re.MULTILINE)
 WARNING = re.compile(r"^\s*WARNING: (.*)$", re.MULTILINE)
 EXPECTED_WARNING = re.compile(r"^\s*#+ expects warning: (.+)$", re.MULTILINE)
+EXPECTED_ONCE = re.compile(r"^\s*#+ expects one warning: (.+)$", re.MULTILINE)
 
 
 def outcomes() -> Iterator[Outcome]:
@@ -46,6 +48,10 @@ def run_script(godot: str, script: Path) -> Outcome:
     for text in EXPECTED_WARNING.findall(script.read_text()):
         if not any(text in said for said in warnings):
             faults.append(f"expected warning did not come: {text}")
+    for text in EXPECTED_ONCE.findall(script.read_text()):
+        times = sum(text in said for said in warnings)
+        if times != 1:
+            faults.append(f"expected warning came {times} times: {text}")
     if len(ends) != 1:
         faults.append(f"{len(ends)} END lines")
     elif passed + failed == 0 and "\nSKIP " in output and not faults:
