@@ -1,5 +1,7 @@
 #include "haptic_effect.h"
 
+#include "conversions.h"
+
 #include "haptics/effect_preview.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -73,13 +75,15 @@ void HapticEffect::set_channels(int p_channels) {
 }
 
 void HapticEffect::set_drive(Drive p_drive) {
-	ERR_FAIL_INDEX(static_cast<int>(p_drive), DRIVE_ACCELERATION + 1);
+	ERR_FAIL_COND_MSG(
+			!is_enumerator(p_drive, DRIVE_ACCELERATION), String(get_class()) + ": drive must be a Drive");
 	effect_.drive = static_cast<steadyhand::Drive>(p_drive);
 	emit_changed();
 }
 
 void HapticEffect::set_trigger(Trigger p_trigger) {
-	ERR_FAIL_INDEX(static_cast<int>(p_trigger), TRIGGER_ARRIVAL + 1);
+	ERR_FAIL_COND_MSG(
+			!is_enumerator(p_trigger, TRIGGER_ARRIVAL), String(get_class()) + ": trigger must be a Trigger");
 	effect_.trigger = static_cast<steadyhand::Trigger>(p_trigger);
 	emit_changed();
 }

@@ -120,6 +120,13 @@ func test_numbers_that_are_none() -> void:
 	# expects error: GestureHMM: motion must be a Motion
 	hmm.motion = 7 as GestureHMM.Motion
 	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "nor of a motion")
+	var spring := SpringEffect.new()
+	# expects error: SpringEffect: drive must be a Drive
+	spring.drive = 9 as HapticEffect.Drive
+	check_equal(spring.drive, HapticEffect.DRIVE_POSITION, "of a drive")
+	# expects error: SpringEffect: trigger must be a Trigger
+	spring.trigger = -1 as HapticEffect.Trigger
+	check_equal(spring.trigger, HapticEffect.TRIGGER_MOVING, "of a trigger")
 	rig.free_nodes()
 
 	var tracker := HandTracker.new()
