@@ -16,11 +16,13 @@ namespace {
 enum Stream : std::uint64_t { MOTION, MEASURED, REFERENCE };
 
 template <class Row>
-Error unknown_name(std::string_view what, std::string_view name, std::span<const Row> table) {
+Error unknown_name(std::string_view what, std::string_view name, std::span<const Row> table,
+		std::string_view one_more = {}) {
 	std::string message = "no synthetic " + std::string(what) + " '" + std::string(name) + "', there are:";
 	for (const Row &row : table) {
 		message += ' ' + std::string(row.name);
 	}
+	message += one_more;
 	return Error{ std::move(message) };
 }
 
@@ -64,7 +66,7 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 	} else {
 		const SimulatedGesture *const gesture = find_simulated_gesture(request.gesture);
 		if (gesture == nullptr) {
-			return unknown_name("gesture", request.gesture, simulated_gestures());
+			return unknown_name("gesture", request.gesture, simulated_gestures(), " none");
 		}
 		const GestureTask task = draw_task(*gesture, request.position, random);
 		motion = after_earlier_rounds(make_gesture_motion(*gesture, task, request.position, request.subject,

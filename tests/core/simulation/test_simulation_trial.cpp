@@ -274,7 +274,7 @@ TEST_SUITE("synthetic trial") {
 	TEST_CASE("a name in no table is an error that lists what there is") {
 		CHECK(make_synthetic_trial(request_of("wave", 1)).error() ==
 				"no synthetic gesture 'wave', there are: horizontal_drag vertical_drag tap zoom "
-				"circle");
+				"circle none");
 		SyntheticTrialRequest request = request_of("tap", 1);
 		request.sensor = "kinect";
 		CHECK(make_synthetic_trial(request).error() ==
