@@ -15,13 +15,41 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace godot {
 
 namespace {
 
-constexpr std::array SYNTHETIC_OPTIONS = { "population", "subjects", "trials_per_subject", "gestures",
-	"paces", "duration", "earlier_rounds" };
+struct SyntheticOption {
+	std::string_view name, is_a;
+};
+
+constexpr std::array<SyntheticOption, 7> SYNTHETIC_OPTIONS{ {
+		{ "population", "name" },
+		{ "subjects", "number" },
+		{ "trials_per_subject", "number" },
+		{ "gestures", "list" },
+		{ "paces", "list" },
+		{ "duration", "number" },
+		{ "earlier_rounds", "number" },
+} };
+
+/// Why an option cannot be read; empty where it can.
+std::string fault_of(const std::string &p_key, const Variant &p_value) {
+	const auto option = std::find_if(SYNTHETIC_OPTIONS.begin(), SYNTHETIC_OPTIONS.end(),
+			[&](const SyntheticOption &candidate) { return candidate.name == p_key; });
+	if (option == SYNTHETIC_OPTIONS.end()) {
+		return "there is no option '" + p_key + "'";
+	}
+	const Variant::Type type = p_value.get_type();
+	const bool is_number = type == Variant::INT || type == Variant::FLOAT;
+	const bool is_list = type >= Variant::ARRAY; // the packed ones follow it
+	if ((option->is_a == "number" && !is_number) || (option->is_a == "list" && !is_list)) {
+		return p_key + ": '" + to_core(p_value.stringify()) + "' is not a " + std::string(option->is_a);
+	}
+	return {};
+}
 
 /// Error names the option and its value.
 steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionary &p_options) {
@@ -29,9 +57,9 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 	steadyhand::SyntheticSetOptions options;
 	const Array given = p_options.keys();
 	for (int64_t i = 0; i < given.size(); ++i) {
-		const std::string key = to_core(String(given[i]));
-		if (std::find(SYNTHETIC_OPTIONS.begin(), SYNTHETIC_OPTIONS.end(), key) == SYNTHETIC_OPTIONS.end()) {
-			return steadyhand::Error{ "there is no option '" + key + "'" };
+		const std::string fault = fault_of(to_core(String(given[i])), p_options.get(given[i], Variant()));
+		if (!fault.empty()) {
+			return steadyhand::Error{ fault };
 		}
 	}
 	const String population = p_options.get("population", "train");

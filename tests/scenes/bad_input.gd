@@ -66,7 +66,15 @@ func test_a_synthetic_set_by_options_that_are_none() -> void:
 	# expects error: there is no option 'subject'
 	# expects error: duration: -1.000000 s is not 0 or more
 	# expects error: paces: 100.000000 is not in 0.1..10
-	for options: Dictionary in [{subject = 1}, {duration = -1.0}, {paces = [1.0, 100.0]}]:
+	# expects error: subjects: 'a' is not a number
+	# expects error: gestures: 'tap' is not a list
+	for options: Dictionary in [
+		{subject = 1},
+		{duration = -1.0},
+		{paces = [1.0, 100.0]},
+		{subjects = "a"},
+		{gestures = "tap"},
+	]:
 		var refused := TrialSet.write_synthetic(_path("no_set_made"), options)
 		check_equal(refused, ERR_INVALID_PARAMETER, "%s is refused" % options)
 	check(not DirAccess.dir_exists_absolute(_path("no_set_made")), "and nothing is written")
