@@ -7,7 +7,7 @@ var _folder := DirAccess.create_temp("steadyhand_model")
 
 
 func test_installed_models_load() -> void:
-	for gesture: String in ["horizontal_drag", "vertical_drag"]:
+	for gesture: String in ["horizontal_drag", "vertical_drag", "tap", "zoom"]:
 		var model := load(Rig.MODEL % gesture) as GestureModel
 		check(model != null, "%s loads" % gesture)
 		check_equal(String(model.gesture), gesture, "its gesture")
