@@ -93,6 +93,12 @@ func test_script_source() -> void:
 	check_equal(_stamps, [10.0, 10.02] as Array[float], "each pushed frame is received")
 	check_equal(tracker.get_joint_position(HandTracker.JOINT_INDEX), tip * 2.0, "its position")
 	check_equal(tracker.get_time(), 10.02, "the clock is the last stamp")
+	tracker.advance(0.5)
+	check_near(tracker.get_time(), 10.52, 1e-12, "or the time advanced to")
+	check_equal(_events, ["found", "lost"] as Array[String], "none has come for long")
+	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the last one holds the index tip")
+	tracker.stop()
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "until the tracker is stopped")
 	tracker.free()
 
 
