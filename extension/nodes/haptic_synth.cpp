@@ -5,8 +5,6 @@
 #include "gesture_task.h"
 #include "listener_list.h"
 
-#include <godot_cpp/classes/audio_server.hpp>
-#include <godot_cpp/classes/audio_stream_player.hpp>
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -233,14 +231,6 @@ void HapticSynth::set_device(const Ref<HapticDeviceProfile> &p_device) {
 	on_effects_changed();
 }
 
-void HapticSynth::set_bus(const StringName &p_bus) {
-	bus_ = p_bus;
-	if (is_inside_tree()) {
-		update_player();
-	}
-	update_configuration_warnings();
-}
-
 void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
 		update_player();
@@ -262,77 +252,6 @@ void HapticSynth::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);
 	}
-}
-
-bool HapticSynth::bus_exists() const {
-	return bus_ != StringName() && AudioServer::get_singleton()->get_bus_index(bus_) >= 0;
-}
-
-void HapticSynth::listen_to_buses(bool p_listen) {
-	AudioServer *const server = AudioServer::get_singleton();
-	const Callable layout = callable_mp(this, &HapticSynth::on_buses_changed);
-	const Callable name = callable_mp(this, &HapticSynth::on_bus_renamed);
-	if (p_listen) {
-		server->connect("bus_layout_changed", layout);
-		server->connect("bus_renamed", name);
-	} else {
-		server->disconnect("bus_layout_changed", layout);
-		server->disconnect("bus_renamed", name);
-	}
-}
-
-void HapticSynth::on_buses_changed() {
-	// One that is missing still has been told of.
-	if (player_ != nullptr || bus_exists()) {
-		update_player();
-	}
-	update_configuration_warnings();
-}
-
-void HapticSynth::update_player() {
-	if (Engine::get_singleton()->is_editor_hint()) {
-		return;
-	}
-	const bool exists = bus_exists();
-	if (bus_ != StringName() && !exists) {
-		// The engine would play on Master: through the loudspeakers.
-		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
-				String("'; nothing is played"));
-	}
-	if (player_ != nullptr && (!exists || player_->get_bus() != bus_)) {
-		drop_player();
-	}
-	if (player_ == nullptr && exists) {
-		make_player();
-	}
-}
-
-void HapticSynth::make_player() {
-	bus_sink_ = std::make_unique<LiveSink>();
-	bus_sink_->link()->tables = tables_;
-	add_sink(*bus_sink_);
-	output_latency_s_ = AudioServer::get_singleton()->get_output_latency();
-	Ref<HapticStream> stream;
-	stream.instantiate();
-	stream->follow(bus_sink_->link());
-	player_ = memnew(AudioStreamPlayer);
-	player_->set_stream(stream);
-	player_->set_autoplay(true);
-	player_->set_bus(bus_);
-	add_child(player_, false, INTERNAL_MODE_FRONT);
-}
-
-/// The engine fades out what it plays; on another bus a new player begins in silence, where a player that
-/// changes its bus would be cut in half-way through its wave.
-void HapticSynth::drop_player() {
-	player_->set_autoplay(false); // where its parent is about to bring it into the tree
-	player_->stop();
-	player_->queue_free();
-	player_ = nullptr;
-	bus_sink_.reset();
-	// The audio thread may mix once more: what it reads then is left alone.
-	tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
-	output_latency_s_ = 0.0;
 }
 
 void HapticSynth::set_wav_path(const String &p_path) {
