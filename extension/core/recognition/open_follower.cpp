@@ -147,7 +147,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &strokes) const {
 	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero();
 	int frames = 0;
-	double since_s = -INFINITY;
+	double since_s = -std::numeric_limits<double>::infinity();
 	const auto end_part = [&] {
 		if (frames > 0 && (sum / frames - start).dot(way_) < 0.0) {
 			start = sum / frames;
