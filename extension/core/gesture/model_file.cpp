@@ -1,78 +1,29 @@
 #include "gesture/model_file.h"
 
 #include "gesture/feature.h"
+#include "gesture/json_fields.h"
 #include "gesture/reference_curve.h"
 #include "gesture/task.h"
-#include "tracking/csv_text.h"
 #include "tracking/frame.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <vector>
 
 namespace steadyhand {
-namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace json_fields;
+
+namespace {
 
 constexpr const char *FORMAT_NAME = "steadyhand-gesture";
 constexpr int FORMAT_VERSION = 1;
 /// Far more than any gesture needs; a file that asks for more is damaged.
 constexpr std::size_t MAX_STATES = 256;
-
-/// Found while reading; caught in parse_model, never leaves this file.
-struct Fault : std::runtime_error {
-	Fault(const Json &value, const std::string &what) : std::runtime_error(what), place(&value) {}
-	const Json *place; ///< of the document that is read
-};
-
-/// How many values begin before `place` in the document's text.
-std::size_t values_before(const Json &document, const Json *place) {
-	std::vector<const Json *> ahead{ &document };
-	for (std::size_t before = 0; !ahead.empty(); ++before) {
-		const Json *value = ahead.back();
-		if (value == place) {
-			return before;
-		}
-		ahead.pop_back();
-		for (auto child = value->rbegin(); child != value->rend() && value->is_structured(); ++child) {
-			ahead.push_back(&*child);
-		}
-	}
-	return 0;
-}
-
-/// Line on which the value begins that `before` others begin before, in text that is JSON.
-std::size_t line_of_value(std::string_view text, std::size_t before) {
-	constexpr std::string_view SPACE = " \t\r\n";
-	std::size_t i = text.find_first_not_of(SPACE);
-	for (; i < text.size(); i = text.find_first_not_of(SPACE, i)) {
-		const std::size_t begin = i++;
-		if (text[begin] == '"') {
-			while (text[i] != '"') {
-				i += text[i] == '\\' ? 2 : 1;
-			}
-			const std::size_t next = text.find_first_not_of(SPACE, ++i);
-			if (next < text.size() && text[next] == ':') {
-				continue;
-			}
-		} else if (std::string_view(",:]}").find(text[begin]) != std::string_view::npos) {
-			continue;
-		} else if (text[begin] != '[' && text[begin] != '{') {
-			i = std::min(text.find_first_of(" \t\r\n,]}", i), text.size());
-		}
-		if (before-- == 0) {
-			i = begin;
-			break;
-		}
-	}
-	const std::string_view passed = text.substr(0, i);
-	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
-}
+/// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
+constexpr double SHORTEST_S = 1e-5;
+constexpr double LONGEST_S = 3600.0;
+constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
+constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
 
 template <class Row> Json row_to_json(const Row &row) {
 	Json out = Json::array();
@@ -86,114 +37,6 @@ template <class Matrix> Json matrix_to_json(const Matrix &matrix) {
 	Json out = Json::array();
 	for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
 		out.push_back(row_to_json(matrix.row(i)));
-	}
-	return out;
-}
-
-const Json &member(const Json &object, const char *key) {
-	if (!object.is_object() || !object.contains(key)) {
-		throw Fault(object, std::string(key) + ": missing");
-	}
-	return object[key];
-}
-
-double number(const Json &object, const char *key) {
-	const Json &value = member(object, key);
-	if (!value.is_number() || !std::isfinite(value.get<double>())) {
-		throw Fault(value, std::string(key) + ": not a number");
-	}
-	return value.get<double>();
-}
-
-/// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
-constexpr double SHORTEST_S = 1e-5;
-constexpr double LONGEST_S = 3600.0;
-constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
-constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
-
-double within(const Json &object, const char *key, double smallest, double largest) {
-	const double value = number(object, key);
-	if (value < smallest || value > largest) {
-		std::string message = std::string(key) + ": not within ";
-		append_number(message, smallest);
-		message += " .. ";
-		append_number(message, largest);
-		throw Fault(object[key], message);
-	}
-	return value;
-}
-
-std::string text(const Json &object, const char *key) {
-	const Json &value = member(object, key);
-	if (!value.is_string()) {
-		throw Fault(value, std::string(key) + ": not a string");
-	}
-	return value.get<std::string>();
-}
-
-/// False where it is missing, as in files of before there was the flag.
-bool optional_flag(const Json &object, const char *key) {
-	const auto found = object.find(key);
-	if (found == object.end()) {
-		return false;
-	}
-	if (!found->is_boolean()) {
-		throw Fault(*found, std::string(key) + ": not true or false");
-	}
-	return found->get<bool>();
-}
-
-const Json &array(const Json &object, const char *key) {
-	const Json &value = member(object, key);
-	if (!value.is_array() || value.empty()) {
-		throw Fault(value, std::string(key) + ": not an array with entries");
-	}
-	return value;
-}
-
-/// null stands for log 0 where `null_is_log_zero`, and is a fault elsewhere.
-Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zero) {
-	if (!values.is_array()) {
-		throw Fault(values, std::string(key) + ": not an array");
-	}
-	Eigen::VectorXd out(static_cast<Eigen::Index>(values.size()));
-	for (std::size_t i = 0; i < values.size(); ++i) {
-		if (values[i].is_null() && null_is_log_zero) {
-			out(static_cast<Eigen::Index>(i)) = -std::numeric_limits<double>::infinity();
-		} else if (values[i].is_number()) {
-			out(static_cast<Eigen::Index>(i)) = values[i].get<double>();
-			if (!null_is_log_zero && std::abs(values[i].get<double>()) > FARTHEST_M) {
-				throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: beyond 1e9");
-			}
-		} else {
-			throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: not a number");
-		}
-	}
-	return out;
-}
-
-Eigen::Vector3d point(const Json &object, const char *key) {
-	const Eigen::VectorXd values = vector(member(object, key), key, false);
-	if (values.size() != 3) {
-		throw Fault(object[key], std::string(key) + ": not three numbers");
-	}
-	return values;
-}
-
-Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zero) {
-	const Json &rows = array(object, key);
-	Eigen::MatrixXd out;
-	for (std::size_t i = 0; i < rows.size(); ++i) {
-		const Eigen::VectorXd row = vector(rows[i], key, null_is_log_zero);
-		if (i == 0) {
-			out.resize(static_cast<Eigen::Index>(rows.size()), row.size());
-		}
-		if (row.size() != out.cols()) {
-			throw Fault(rows[i],
-					std::string(key) + ", row " + std::to_string(i) + ": " + std::to_string(row.size()) +
-							" numbers where the first row has " + std::to_string(out.cols()));
-		}
-		out.row(static_cast<Eigen::Index>(i)) = row.transpose();
 	}
 	return out;
 }
@@ -389,8 +232,8 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 		const std::string_view what = fault.what();
 		return Error{ source + ": " + std::string(what.substr(what.find("] ") + 2)) };
 	} catch (const Fault &fault) {
-		const std::size_t line = line_of_value(text, values_before(document, fault.place));
-		return Error{ source + ":" + std::to_string(line) + ": " + fault.what() };
+		return Error{ source + ":" + std::to_string(line_of(text, document, *fault.place)) + ": " +
+			fault.what() };
 	}
 }
 

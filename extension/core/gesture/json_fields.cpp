@@ -1,0 +1,164 @@
+#include "gesture/json_fields.h"
+
+#include "tracking/csv_text.h"
+#include "tracking/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace steadyhand::json_fields {
+namespace {
+
+/// How many values begin before `place` in the document's text.
+std::size_t values_before(const Json &document, const Json *place) {
+	std::vector<const Json *> ahead{ &document };
+	for (std::size_t before = 0; !ahead.empty(); ++before) {
+		const Json *value = ahead.back();
+		if (value == place) {
+			return before;
+		}
+		ahead.pop_back();
+		for (auto child = value->rbegin(); child != value->rend() && value->is_structured(); ++child) {
+			ahead.push_back(&*child);
+		}
+	}
+	return 0;
+}
+
+/// Line on which the value begins that `before` others begin before, in text that is JSON.
+std::size_t line_of_value(std::string_view text, std::size_t before) {
+	constexpr std::string_view SPACE = " \t\r\n";
+	std::size_t i = text.find_first_not_of(SPACE);
+	for (; i < text.size(); i = text.find_first_not_of(SPACE, i)) {
+		const std::size_t begin = i++;
+		if (text[begin] == '"') {
+			while (text[i] != '"') {
+				i += text[i] == '\\' ? 2 : 1;
+			}
+			const std::size_t next = text.find_first_not_of(SPACE, ++i);
+			if (next < text.size() && text[next] == ':') {
+				continue;
+			}
+		} else if (std::string_view(",:]}").find(text[begin]) != std::string_view::npos) {
+			continue;
+		} else if (text[begin] != '[' && text[begin] != '{') {
+			i = std::min(text.find_first_of(" \t\r\n,]}", i), text.size());
+		}
+		if (before-- == 0) {
+			i = begin;
+			break;
+		}
+	}
+	const std::string_view passed = text.substr(0, i);
+	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+}
+
+} // namespace
+
+std::size_t line_of(std::string_view text, const Json &document, const Json &value) {
+	return line_of_value(text, values_before(document, &value));
+}
+
+const Json &member(const Json &object, const char *key) {
+	if (!object.is_object() || !object.contains(key)) {
+		throw Fault(object, std::string(key) + ": missing");
+	}
+	return object[key];
+}
+
+double number(const Json &object, const char *key) {
+	const Json &value = member(object, key);
+	if (!value.is_number() || !std::isfinite(value.get<double>())) {
+		throw Fault(value, std::string(key) + ": not a number");
+	}
+	return value.get<double>();
+}
+
+double within(const Json &object, const char *key, double smallest, double largest) {
+	const double value = number(object, key);
+	if (value < smallest || value > largest) {
+		std::string message = std::string(key) + ": not within ";
+		append_number(message, smallest);
+		message += " .. ";
+		append_number(message, largest);
+		throw Fault(object[key], message);
+	}
+	return value;
+}
+
+std::string text(const Json &object, const char *key) {
+	const Json &value = member(object, key);
+	if (!value.is_string()) {
+		throw Fault(value, std::string(key) + ": not a string");
+	}
+	return value.get<std::string>();
+}
+
+bool optional_flag(const Json &object, const char *key) {
+	const auto found = object.find(key);
+	if (found == object.end()) {
+		return false;
+	}
+	if (!found->is_boolean()) {
+		throw Fault(*found, std::string(key) + ": not true or false");
+	}
+	return found->get<bool>();
+}
+
+const Json &array(const Json &object, const char *key) {
+	const Json &value = member(object, key);
+	if (!value.is_array() || value.empty()) {
+		throw Fault(value, std::string(key) + ": not an array with entries");
+	}
+	return value;
+}
+
+Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zero) {
+	if (!values.is_array()) {
+		throw Fault(values, std::string(key) + ": not an array");
+	}
+	Eigen::VectorXd out(static_cast<Eigen::Index>(values.size()));
+	for (std::size_t i = 0; i < values.size(); ++i) {
+		if (values[i].is_null() && null_is_log_zero) {
+			out(static_cast<Eigen::Index>(i)) = -std::numeric_limits<double>::infinity();
+		} else if (values[i].is_number()) {
+			out(static_cast<Eigen::Index>(i)) = values[i].get<double>();
+			if (!null_is_log_zero && std::abs(values[i].get<double>()) > FARTHEST_M) {
+				throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: beyond 1e9");
+			}
+		} else {
+			throw Fault(values[i], std::string(key) + "[" + std::to_string(i) + "]: not a number");
+		}
+	}
+	return out;
+}
+
+Eigen::Vector3d point(const Json &object, const char *key) {
+	const Eigen::VectorXd values = vector(member(object, key), key, false);
+	if (values.size() != 3) {
+		throw Fault(object[key], std::string(key) + ": not three numbers");
+	}
+	return values;
+}
+
+Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zero) {
+	const Json &rows = array(object, key);
+	Eigen::MatrixXd out;
+	for (std::size_t i = 0; i < rows.size(); ++i) {
+		const Eigen::VectorXd row = vector(rows[i], key, null_is_log_zero);
+		if (i == 0) {
+			out.resize(static_cast<Eigen::Index>(rows.size()), row.size());
+		}
+		if (row.size() != out.cols()) {
+			throw Fault(rows[i],
+					std::string(key) + ", row " + std::to_string(i) + ": " + std::to_string(row.size()) +
+							" numbers where the first row has " + std::to_string(out.cols()));
+		}
+		out.row(static_cast<Eigen::Index>(i)) = row.transpose();
+	}
+	return out;
+}
+
+} // namespace steadyhand::json_fields

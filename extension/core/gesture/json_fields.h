@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace steadyhand::json_fields {
+
+using Json = nlohmann::ordered_json;
+
+/// What is wrong with a document, and where: a value of it, or the object in which one is missing. Thrown by
+/// those that read a field, for the one who parses to catch.
+struct Fault : std::runtime_error {
+	Fault(const Json &value, const std::string &what) : std::runtime_error(what), place(&value) {}
+	const Json *place; ///< of the document that is read
+};
+
+/// From 1, in the text that the document was parsed from.
+[[nodiscard]] std::size_t line_of(std::string_view text, const Json &document, const Json &value);
+
+[[nodiscard]] const Json &member(const Json &object, const char *key);
+/// Finite.
+[[nodiscard]] double number(const Json &object, const char *key);
+[[nodiscard]] double within(const Json &object, const char *key, double smallest, double largest);
+[[nodiscard]] std::string text(const Json &object, const char *key);
+/// False where it is missing, as in files of before there was the flag.
+[[nodiscard]] bool optional_flag(const Json &object, const char *key);
+/// With one entry at least.
+[[nodiscard]] const Json &array(const Json &object, const char *key);
+/// Numbers, of 1e9 at most; with null_is_log_zero logarithms, null for that of 0. key: what they are called.
+[[nodiscard]] Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zero);
+[[nodiscard]] Eigen::Vector3d point(const Json &object, const char *key);
+/// Rows of equal length, as of vector().
+[[nodiscard]] Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zero);
+
+} // namespace steadyhand::json_fields
