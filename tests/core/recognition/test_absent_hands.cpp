@@ -55,6 +55,19 @@ TEST_CASE("with nothing given a hand that is gone half-way has made none: that i
 	CHECK(none_ends(in_the_open(along(X, { DRAG }), HALF_WAY_S + 1.0 - 2.0 * AHEAD_S, HALF_WAY_S)));
 }
 
+TEST_CASE("what was seen of a hand that is gone has made the gesture from 0.7 of the amplitude on") {
+	// In `paper` mode: in `phase` mode what goes on unseen may arrive before. Where its stroke was told, the
+	// hand had gone 0.04 of the way.
+	for (const double share : { 0.71, 0.78 }) {
+		double lost_s = DRAG.onset_s;
+		while (DRAG.x_m(lost_s) < share * DRAG.amplitude_m) {
+			lost_s += 0.001;
+		}
+		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PAPER);
+		CHECK(none_ends(watch(recogniser, along(X, { DRAG }), 4.0, lost_s, 1e9)) == (share < 0.74));
+	}
+}
+
 TEST_CASE("with nothing given a gesture goes on after a gap, at the end and half-way") {
 	for (const double lost_s : { HALF_WAY_S, NEAR_END_S - 0.1 }) {
 		const Events events = in_the_open(along(X, { DRAG }), 3.0, lost_s, lost_s + 0.28);
