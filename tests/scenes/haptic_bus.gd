@@ -1,22 +1,17 @@
 extends "support/scene_test.gd"
 ## The vibration on an audio bus, as the audio thread mixes it.
 
+const HeardSpring := preload("support/heard_spring.gd")
 const Rig := preload("support/rig.gd")
 const Waveform := preload("support/waveform.gd")
 
 const FREQUENCY_HZ := 180.0
 const LEVEL := 0.5
-const BUS := "Wristband"
 const HEARD_S := 0.5
-const PATIENCE_S := 10.0
 ## Below 24 bits.
 const SILENCE := 1e-7
 
-var _tracker := HandTracker.new()
-var _task := GestureTask.new()
-var _gesture_hmm := GestureHMM.new()
-var _synth := HapticSynth.new()
-var _capture := AudioEffectCapture.new()
+var _spring: HeardSpring
 
 
 func test_the_bus_carries_the_vibration() -> void:
@@ -45,10 +40,10 @@ func test_rest_is_silent() -> void:
 func test_a_tracker_that_stops_is_silent() -> void:
 	await _listen(LEVEL)
 	await create_timer(1.5).timeout
-	var samples := _capture.get_buffer(_capture.get_frames_available())
+	var capture := _spring.capture
+	var samples := capture.get_buffer(capture.get_frames_available())
 	check(samples.size() > 0 and samples[-1] == Vector2.ZERO, "nothing where no motion comes")
-	for node: Node in [_synth, _gesture_hmm, _task, _tracker]:
-		node.free()
+	_spring.free_nodes()
 
 
 func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
@@ -57,15 +52,16 @@ func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
 	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 	var synth := HapticSynth.new()
 	synth.gesture_hmm = rig.gesture_hmm
-	synth.bus = BUS
+	synth.bus = HeardSpring.BUS
 	root.add_child(synth)
-	_capture.clear_buffer()
+	var capture := _spring.capture
+	capture.clear_buffer()
 	rig.tracker.update_mode = HandTracker.UPDATE_IDLE
 	rig.tracker.start()
 	var heard := PackedFloat32Array()
 	while not rig.tracker.is_finished():
 		await process_frame
-		for frame in _capture.get_buffer(_capture.get_frames_available()):
+		for frame in capture.get_buffer(capture.get_frames_available()):
 			heard.append(frame.x)
 	synth.free()
 	rig.free_nodes()
@@ -90,49 +86,16 @@ func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
 func _build() -> void:
 	AudioServer.add_bus()
 	var bus := AudioServer.bus_count - 1
-	AudioServer.set_bus_name(bus, BUS)
-	_capture.buffer_length = 2.0
-	AudioServer.add_bus_effect(bus, _capture)
-	_tracker.source = HandTracker.SOURCE_SCRIPT
-	_tracker.update_mode = HandTracker.UPDATE_MANUAL
-	_task.gesture = &"horizontal_drag"
-	_gesture_hmm.models = [load("res://addons/steadyhand/models/horizontal_drag.gesture")]
-	_gesture_hmm.tracker = _tracker
-	_gesture_hmm.task = _task
-	_gesture_hmm.motion = GestureHMM.MOTION_MEASURED
-	_synth.gesture_hmm = _gesture_hmm
-	var spring := SpringEffect.new()
-	spring.frequency = FREQUENCY_HZ
-	spring.trigger = HapticEffect.TRIGGER_ALWAYS
-	_synth.effects = [spring]
-	_synth.bus = BUS
-	for node: Node in [_tracker, _task, _gesture_hmm, _synth]:
-		root.add_child(node)
-	_tracker.start()
+	AudioServer.set_bus_name(bus, HeardSpring.BUS)
+	_spring = HeardSpring.new(self, bus)
 
 
 ## Half a second of the bus's left channel while the hand is held at `level` (share of the task's
-## amplitude), from `settling_s` after now on: the audio thread mixes in real time.
+## amplitude), from `settling_s` after now on.
 func _listen(level: float, settling_s: float = 0.3) -> PackedFloat32Array:
-	var began_s := _now_s()
-	while _now_s() - began_s < settling_s:
-		await _hold(level)
-	_capture.clear_buffer()
+	await _spring.settle(level, settling_s)
+	var samples := await _spring.hear(level, HEARD_S)
 	var wanted := int(HEARD_S * AudioServer.get_mix_rate())
-	while _capture.get_frames_available() < wanted and _now_s() - began_s < PATIENCE_S:
-		await _hold(level)
-	var samples := PackedFloat32Array()
-	for frame in _capture.get_buffer(mini(wanted, _capture.get_frames_available())):
-		samples.append(frame.x)
+	samples.resize(mini(wanted, samples.size()))
 	check_equal(samples.size(), wanted, "the bus is mixed in real time")
 	return samples
-
-
-func _hold(level: float) -> void:
-	var tip := Vector3(level * _task.amplitude, 0, 0)
-	_tracker.push_frame(_now_s(), {HandTracker.JOINT_INDEX: tip})
-	await process_frame
-
-
-static func _now_s() -> float:
-	return 1e-6 * Time.get_ticks_usec()
