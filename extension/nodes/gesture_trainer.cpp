@@ -18,12 +18,16 @@ constexpr double READING = 0.3;
 } // namespace
 
 void GestureTrainer::set_states(int p_states) {
-	ERR_FAIL_COND_MSG(p_states < 1 || p_states > 20, "GestureTrainer: states must be in 1..20");
+	constexpr int MOST = steadyhand::TrainingOptions::MOST_STATES;
+	ERR_FAIL_COND_MSG(
+			p_states < 1 || p_states > MOST, String("GestureTrainer: states must be in 1..") + itos(MOST));
 	states_ = p_states;
 }
 
 void GestureTrainer::set_symbols(int p_symbols) {
-	ERR_FAIL_COND_MSG(p_symbols < 1 || p_symbols > 1024, "GestureTrainer: symbols must be in 1..1024");
+	constexpr int MOST = steadyhand::TrainingOptions::MOST_SYMBOLS;
+	ERR_FAIL_COND_MSG(
+			p_symbols < 1 || p_symbols > MOST, String("GestureTrainer: symbols must be in 1..") + itos(MOST));
 	symbols_ = p_symbols;
 }
 

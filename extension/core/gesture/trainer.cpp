@@ -79,11 +79,14 @@ std::vector<std::optional<Observation>> observe(
 }
 
 std::string range_error(const TrainingOptions &options) {
-	if (options.states < 1 || options.states > 20) {
-		return "states: " + std::to_string(options.states) + " is not in 1..20";
+	const auto beyond = [](const char *what, int given, int most) {
+		return std::string(what) + ": " + std::to_string(given) + " is not in 1.." + std::to_string(most);
+	};
+	if (options.states < 1 || options.states > TrainingOptions::MOST_STATES) {
+		return beyond("states", options.states, TrainingOptions::MOST_STATES);
 	}
-	if (options.symbols < 1 || options.symbols > 1024) {
-		return "symbols: " + std::to_string(options.symbols) + " is not in 1..1024";
+	if (options.symbols < 1 || options.symbols > TrainingOptions::MOST_SYMBOLS) {
+		return beyond("symbols", options.symbols, TrainingOptions::MOST_SYMBOLS);
 	}
 	const bool is_share = options.r2_threshold >= 0.0 && options.r2_threshold <= 1.0;
 	if (!is_share) {

@@ -32,6 +32,8 @@ struct NormalisedRecording {
 };
 
 struct TrainingOptions {
+	static constexpr int MOST_STATES = 20, MOST_SYMBOLS = 1024;
+
 	int states = 4; ///< paper: four for every gesture
 	int symbols = 16;
 	double r2_threshold = 0.9; ///< T_h; the paper found it by trial and error for each gesture
