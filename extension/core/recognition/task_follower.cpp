@@ -2,6 +2,7 @@
 
 #include "strokes/stroke_evidence.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
@@ -17,6 +18,15 @@ constexpr double BACK_VALUE = 0.15;
 /// A movement that is still at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
 constexpr double DOUBT_S = 0.3; ///< at its end a stroke may still turn out to have been the gesture
+/// A hand that is seen to stay for so long, no nearer to the start than this, ended short of its task.
+constexpr double SHORT_END = 0.7;
+constexpr double STAYS_S = 0.4;
+constexpr double STAYS = 0.05;
+/// So did one that turns back from here, once it has come back that far.
+constexpr double TURNED_FROM = 0.8;
+constexpr double TURNED_BY = 0.1;
+/// What was seen no longer ago says where the hand is.
+constexpr double SEEN_S = 0.1;
 
 } // namespace
 
@@ -53,7 +63,8 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			} else if (!is_rejected_ && has_begun(t_s)) {
 				set_log_odds(strokes_.judge(strokes));
 				strokes_.begin();
-				at_end_since_s_ = t_s;
+				at_end_since_s_ = stays_since_s_ = t_s;
+				furthest_ = 0.0;
 				begin(t_s, value());
 				decode(t_s);
 			}
@@ -61,7 +72,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::MOVING:
 			if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if (is_at_end(t_s)) {
+			} else if (is_at_end(t_s) || ends_short(t_s, strokes)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -98,6 +109,19 @@ bool TaskFollower::was_nothing(double t_s) const {
 bool TaskFollower::is_back(double t_s) const {
 	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
 	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
+}
+
+bool TaskFollower::ends_short(double t_s, const StrokeFinder &strokes) {
+	if (mode() == MotionMode::PAPER) {
+		return false; // plays to the end
+	}
+	const double value = estimate(t_s).value;
+	if (value < SHORT_END || std::abs(value - stays_at_) > STAYS || t_s - strokes.news_s() > SEEN_S) {
+		stays_since_s_ = t_s;
+		stays_at_ = value;
+	}
+	furthest_ = std::max(furthest_, value);
+	return t_s - stays_since_s_ > STAYS_S || (furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY);
 }
 
 void TaskFollower::come_to_end(double t_s) {

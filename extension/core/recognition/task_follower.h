@@ -21,13 +21,18 @@ private:
 	TaskStrokes strokes_;
 	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
 	double at_end_since_s_ = 0.0;
-	double seen_s_ = -INFINITY; ///< of the newest frame that held what the feature needs
+	double stays_since_s_ = 0.0; ///< short of the end
+	double stays_at_ = 0.0;      ///< amplitudes
+	double furthest_ = 0.0;      ///< of a gesture under way, amplitudes
+	double seen_s_ = -INFINITY;  ///< of the newest frame that held what the feature needs
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] bool has_begun(double t_s) const;
 	[[nodiscard]] bool was_nothing(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s) const;
+	/// To be asked at each step of a gesture under way.
+	[[nodiscard]] bool ends_short(double t_s, const StrokeFinder &strokes);
 	void come_to_end(double t_s);
 	void come_to_rest(double t_s);
 	void lose(double t_s);

@@ -1,0 +1,82 @@
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+using namespace steadyhand;
+using test::Drag;
+using test::Events;
+using test::in_a_task;
+
+// A hand that ends short of its task has made the gesture all the same: people stop a tenth or two of the way
+// before a target that they cannot feel.
+
+namespace {
+
+constexpr double TASK_M = 0.2; ///< of Task{}
+const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
+
+/// To `far` of the task's way, where it stays.
+std::vector<Drag> to(double far, double onset_s = 0.5, double duration_s = 1.0) {
+	return { Drag{ .onset_s = onset_s, .duration_s = duration_s, .amplitude_m = far * TASK_M } };
+}
+
+std::vector<Drag> and_on(std::vector<Drag> way, double far, double onset_s, double duration_s) {
+	way.push_back(to(far, onset_s, duration_s).front());
+	return way;
+}
+
+} // namespace
+
+TEST_CASE("a hand that stays short of its task's end has made the gesture, once it has stayed") {
+	for (const double far : { 0.72, 0.8, 0.88 }) {
+		for (const double duration_s : { 0.3, 1.0, 2.5 }) {
+			CAPTURE(far);
+			CAPTURE(duration_s);
+			const Events events = in_a_task(test::along(X, to(far, 0.5, duration_s)), duration_s + 2.0);
+			CHECK(events.said == test::times(1, "sideways"));
+			CHECK(test::x_m(to(far, 0.5, duration_s), events.last_ended_s) > (far - 0.01) * TASK_M);
+			CHECK(events.last_ended_s < 0.5 + duration_s + 0.6);
+			CHECK(std::abs(events.last_value_m - far * TASK_M) < 0.002);
+		}
+	}
+}
+
+TEST_CASE("one that halts half-way has not, however long it stays") {
+	for (const double far : { 0.3, 0.5, 0.65 }) {
+		CAPTURE(far);
+		CHECK(test::none_ends(in_a_task(test::along(X, to(far)), 6.0)));
+	}
+}
+
+TEST_CASE("a hand that hesitates before its end, or is slow there, ends where it ends") {
+	const auto hesitating = and_on(to(0.75, 0.5, 0.8), 0.25, 1.6, 0.5); // stands for 0.3 s
+	const Events events = in_a_task(test::along(X, hesitating), 3.5);
+	CHECK(events.said == test::times(1, "sideways"));
+	CHECK(events.last_ended_s > 1.6);
+
+	constexpr double SLOW_S = 4.0;
+	const Events slow = in_a_task(test::along(X, to(1.0, 0.5, SLOW_S)), 6.5);
+	CHECK(slow.said == test::times(1, "sideways"));
+	CHECK(test::x_m(to(1.0, 0.5, SLOW_S), slow.last_ended_s) > 0.9 * TASK_M);
+}
+
+TEST_CASE("a hand that halted short of the end and is not seen there has ended nothing yet") {
+	constexpr double LOST_S = 1.45, FOUND_S = 2.2;
+	const auto way = and_on(to(0.75, 0.5, 0.8), 0.25, 2.3, 0.5);
+	const Events events = in_a_task(test::along(X, way), 4.0, LOST_S, FOUND_S);
+	CHECK(events.said == test::times(1, "sideways"));
+	CHECK(events.last_ended_s > FOUND_S);
+}
+
+TEST_CASE("a hand that turns back shortly before its end has made the gesture, one that does half-way has "
+		  "not") {
+	for (const double far : { 0.84, 0.9, 0.95 }) {
+		CAPTURE(far);
+		CHECK(in_a_task(test::along(X, and_on(to(far, 0.5, 0.4), -far, 0.95, 0.5)), 3.0).said ==
+				test::times(1, "sideways"));
+	}
+	for (const double far : { 0.5, 0.7 }) {
+		CAPTURE(far);
+		CHECK(test::none_ends(in_a_task(test::along(X, and_on(to(far, 0.5, 0.4), -far, 0.95, 0.5)), 3.0)));
+	}
+}
