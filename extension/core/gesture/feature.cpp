@@ -48,15 +48,20 @@ std::optional<double> tips_circumradius(const HandFrame &frame, const Task &task
 	return circle ? std::optional(circle->radius - task.start_m.x()) : std::nullopt;
 }
 
+/// Fingers that open keep their shape: the circle grows as their own size does, not as it comes to be flat.
 std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
 	const std::optional<Circle> circle = tips_circle(frame);
 	if (!circle) {
 		return std::nullopt;
 	}
-	const double mean_z = (frame.position(Joint::THUMB).z() + frame.position(Joint::INDEX).z() +
-								  frame.position(Joint::MIDDLE).z()) /
-			3.0;
-	return FeaturePlace(circle->centre.x(), circle->centre.y(), mean_z, circle->radius);
+	const Eigen::Vector2d thumb = frame.position(Joint::THUMB).head<2>(),
+						  index = frame.position(Joint::INDEX).head<2>(),
+						  middle = frame.position(Joint::MIDDLE).head<2>();
+	const Eigen::Vector2d mean = (thumb + index + middle) / 3.0;
+	const double size = std::sqrt(
+			((thumb - mean).squaredNorm() + (index - mean).squaredNorm() + (middle - mean).squaredNorm()) /
+			3.0);
+	return FeaturePlace(mean.x(), mean.y(), circle->radius - size, circle->radius);
 }
 
 FeaturePlace along_size(const Task & /*task*/) {
@@ -91,7 +96,7 @@ constexpr double WHILE_IT_OPENS = 0.2;
 constexpr std::array FEATURES{
 	Feature{ "index_along_axis", INDEX_TIP, index_along_axis, index_place, along_axis },
 	Feature{ "tips_circumradius", THREE_TIPS, tips_circumradius, tips_place, along_size, nullptr, true,
-			WHILE_IT_OPENS },
+			{ WHILE_IT_OPENS, WHILE_IT_OPENS, 1.0, 1.0 } },
 	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference },
 };
 

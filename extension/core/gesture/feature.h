@@ -3,6 +3,7 @@
 #include "gesture/task.h"
 #include "tracking/frame.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -10,7 +11,8 @@
 
 namespace steadyhand {
 
-/// Where a hand is for a feature, m, the start left out of account: x, y, z and a size.
+/// Where a hand is for a feature, m, the start left out of account. Of a fingertip: x, y, z and 0; of three:
+/// x, y, how far their circle is from being their own size, and its radius.
 using FeaturePlace = Eigen::Vector4d;
 
 /// A motion element: one number in metres, 0 where the task starts and the task's amplitude where it ends.
@@ -29,8 +31,8 @@ struct Feature {
 	/// either side of 0, and MotionElement counts the rounds. Null where there is no such way.
 	double (*period_m)(const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, and no place
-	/// What a metre of x, y, z counts in strokes, beside a metre of the size.
-	double place_share = 1.0;
+	/// What a metre of each coordinate of places counts in strokes.
+	std::array<double, 4> place_shares{ 1.0, 1.0, 1.0, 1.0 };
 };
 
 /// Every feature there is. A new one is a row of the table in feature.cpp.

@@ -57,8 +57,8 @@ GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, Moti
 				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
 		if (known == watched_.end()) {
-			const double share = feature->place_share;
-			watched_.push_back({ feature, StrokeFinder({ share, share, share, 1.0 }, smallest_m), {} });
+			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
+			watched_.push_back({ feature, StrokeFinder(shares, smallest_m), {} });
 		} else {
 			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
 		}

@@ -185,6 +185,31 @@ TEST_CASE("a radius is put out where an error of the tips is magnified by less t
 	CHECK(withheld > 2000);
 }
 
+TEST_CASE("beside its radius a zoom's place has how far the tips' circle is beyond their own size") {
+	// The mean square distance of points on a circle from their mean g is R^2 - |o - g|^2.
+	const Feature &zoom = *find_feature("tips_circumradius");
+	std::mt19937_64 random(4);
+	std::uniform_real_distribution<double> angle(0.0, 2.0 * PI);
+	for (int i = 0; i < 1000; ++i) {
+		const Vector2d centre(0.1, -0.2);
+		const Triangle t{ on_circle(centre, 0.03, angle(random)), on_circle(centre, 0.03, angle(random)),
+			on_circle(centre, 0.03, angle(random)) };
+		const std::optional<FeaturePlace> place = zoom.place(tips(t));
+		if (!place) {
+			continue;
+		}
+		const Vector2d mean = (t[0] + t[1] + t[2]) / 3.0;
+		const double size = std::sqrt(0.03 * 0.03 - (centre - mean).squaredNorm());
+		REQUIRE((*place - FeaturePlace(mean.x(), mean.y(), 0.03 - size, 0.03)).norm() < 1e-12);
+	}
+	// Tips that spread as they are keep their shape: a third of a circle apart, the two are alike.
+	const auto third = [](double radius) {
+		return Triangle{ on_circle({ 0, 0 }, radius, 0.1), on_circle({ 0, 0 }, radius, 0.1 + 2.0 * PI / 3.0),
+			on_circle({ 0, 0 }, radius, 0.1 - 2.0 * PI / 3.0) };
+	};
+	CHECK(std::abs((*zoom.place(tips(third(0.05))))(2)) < 1e-15);
+}
+
 TEST_CASE("tips in line, two or all in one point, at any size: no radius, and never one that is not finite") {
 	for (const double size : { 1e-300, 1e-9, 1.0, 1e9, 1e300 }) {
 		const Vector2d a(0.1 * size, 0.7 * size), along(0.3 * size, -0.2 * size);
