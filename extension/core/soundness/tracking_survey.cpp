@@ -1,5 +1,7 @@
 #include "soundness/tracking_survey.h"
 
+#include "base/random.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,10 +15,11 @@ constexpr double AWAY_S = 10.0;
 /// Of a candidate: near it, and in its own cell.
 constexpr double LEAST_POOLED_S = 2.0;
 constexpr double LEAST_OWN_S = 0.3;
-/// Beyond is no hand; differences stay finite.
-constexpr double FURTHEST_M = 100.0;
 /// In the variance of a count that may be 0 (Jeffreys' prior of a Poisson rate).
 constexpr double UNSEEN_FAULTS = 0.5;
+
+/// So that a search ends after few steps, and at an empty one.
+constexpr std::size_t SLOTS_PER_CELL = 2;
 
 /// Of the difference of two places' unsoundness, as that of two Poisson rates.
 double deviation_of_difference(const TrackingSurvey::Place &one, const TrackingSurvey::Place &other) {
@@ -30,7 +33,7 @@ double deviation_of_difference(const TrackingSurvey::Place &one, const TrackingS
 
 } // namespace
 
-TrackingSurvey::TrackingSurvey() : cells_(static_cast<std::size_t>(CELLS) * CELLS * CELLS) {}
+TrackingSurvey::TrackingSurvey() : cells_(MOST_CELLS), slots_(SLOTS_PER_CELL * MOST_CELLS) {}
 
 void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
 	bool fault = false;
@@ -50,15 +53,15 @@ void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
 	t_s_ = t_s;
 	const double count = faults(dt_s, frozen, fault);
 	// What goes wrong does so where the hand was last seen.
-	if (last_ != nullptr) {
-		last_->seconds += dt_s;
-		last_->faults += count;
+	if (last_ != NO_CELL) {
+		cells_[last_].seconds += dt_s;
+		cells_[last_].faults += count;
 	}
 	last_ = cell_at(position_m);
-	if (last_ != nullptr) {
-		last_->frames += 1.0;
-		last_->jitter_m += jitter * AMPLITUDE_M;
-		last_->position_m += position_m;
+	if (last_ != NO_CELL) {
+		cells_[last_].frames += 1.0;
+		cells_[last_].jitter_m += jitter * AMPLITUDE_M;
+		cells_[last_].position_m += position_m;
 	}
 }
 
@@ -75,24 +78,40 @@ double TrackingSurvey::faults(double dt_s, bool frozen, bool fault) {
 	return std::max(more, is_new ? 1.0 : 0.0);
 }
 
-TrackingSurvey::Cell *TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {
-	std::size_t index = 0;
-	for (Eigen::Index axis = 0; axis < 3; ++axis) {
-		const double place = std::floor(position_m[axis] / CELL_M + 0.5 * CELLS);
-		if (place < 0.0 || place >= CELLS) {
-			return nullptr;
-		}
-		index = index * CELLS + static_cast<std::size_t>(place);
+std::size_t TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {
+	if (position_m.cwiseAbs().maxCoeff() > FURTHEST_M) {
+		return NO_CELL;
 	}
-	return &cells_[index];
+	const Eigen::Vector3i number = (position_m / CELL_M).array().floor().cast<int>();
+	if (last_ != NO_CELL && cells_[last_].number == number) {
+		return last_;
+	}
+	std::uint64_t hash = 0;
+	for (const int along : number) {
+		hash = mix_bits(hash ^ static_cast<std::uint64_t>(along));
+	}
+	std::size_t slot = hash % slots_.size();
+	while (slots_[slot] != 0) {
+		const std::size_t index = slots_[slot] - std::size_t{ 1 };
+		if (cells_[index].number == number) {
+			return index;
+		}
+		slot = (slot + 1) % slots_.size();
+	}
+	if (visited_ == MOST_CELLS) {
+		return NO_CELL;
+	}
+	cells_[visited_].number = number;
+	slots_[slot] = static_cast<std::uint16_t>(visited_ + 1);
+	return visited_++;
 }
 
 template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wanted) const {
 	Place place;
 	double faults = 0.0;
 	double frames = 0.0;
-	for (const Cell &cell : cells_) {
-		if (cell.frames > 0.0 && wanted(Eigen::Vector3d(cell.position_m / cell.frames))) {
+	for (const Cell &cell : visited()) {
+		if (wanted(Eigen::Vector3d(cell.position_m / cell.frames))) {
 			place.position_m += cell.position_m;
 			place.seconds += cell.seconds;
 			place.jitter_m += cell.jitter_m;
@@ -108,8 +127,8 @@ template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wa
 
 std::vector<TrackingSurvey::Place> TrackingSurvey::candidates() const {
 	std::vector<Place> found;
-	for (const Cell &cell : cells_) {
-		if (cell.seconds < LEAST_OWN_S || cell.frames == 0.0) {
+	for (const Cell &cell : visited()) {
+		if (cell.seconds < LEAST_OWN_S) {
 			continue;
 		}
 		const Eigen::Vector3d middle_m = cell.position_m / cell.frames;

@@ -7,8 +7,10 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace steadyhand {
@@ -46,12 +48,14 @@ public:
 	static constexpr double POOL_M = 0.15;
 	static constexpr double APART_M = 0.25;
 	static constexpr double DISTINCT = 2.0;
+	/// From the origin, along an axis; beyond is no hand, and left out.
+	static constexpr double FURTHEST_M = 1e5;
 
 	/// Allocates all that it will ever need.
 	TrackingSurvey();
 
-	/// A frame in which the point was tracked; `t_s` and `position_m` are finite, stamps do not decrease.
-	/// Places further than 0.8 m from the tracker's origin along an axis are left out.
+	/// A frame in which the point was tracked; `t_s` and `position_m` are finite, stamps do not decrease. The
+	/// origin may be anywhere within FURTHEST_M.
 	void push(double t_s, const Eigen::Vector3d &position_m);
 	/// Stamp of the newest frame; nothing before the first.
 	[[nodiscard]] std::optional<double> newest_s() const {
@@ -65,11 +69,14 @@ public:
 private:
 	static constexpr double JITTER_OF_A_FAULT_M = 0.002;
 	static constexpr double CELL_M = 0.1;
-	static constexpr int CELLS = 16; ///< along an axis, the origin in the middle
+	/// What a hand reaches, 2 m wide, has half as many. Once all are taken other places are left out.
+	static constexpr std::size_t MOST_CELLS = 8192;
+	static constexpr std::size_t NO_CELL = MOST_CELLS;
 	/// TrackingSoundness knows a hand's speed and bend in amplitudes: those of a 20 cm drag.
 	static constexpr double AMPLITUDE_M = 0.2;
 
 	struct Cell {
+		Eigen::Vector3i number = Eigen::Vector3i::Zero(); ///< along each axis, from the origin
 		double seconds = 0.0;
 		double faults = 0.0;
 		double frames = 0.0;
@@ -78,8 +85,10 @@ private:
 	};
 
 	std::array<TrackingSoundness, 3> axes_;
-	std::vector<Cell> cells_;
-	Cell *last_ = nullptr; ///< where the newest frame's error began
+	std::vector<Cell> cells_; ///< MOST_CELLS, those visited first
+	std::size_t visited_ = 0;
+	std::vector<std::uint16_t> slots_; ///< a hash table of the cells visited: which one, counted from 1
+	std::size_t last_ = NO_CELL;       ///< where the newest frame's error began
 	bool begun_ = false;
 	double t_s_ = 0.0;
 	double duration_s_ = 0.0;
@@ -88,7 +97,9 @@ private:
 
 	/// Faults of the last dt_s, up to the newest frame.
 	[[nodiscard]] double faults(double dt_s, bool frozen, bool fault);
-	[[nodiscard]] Cell *cell_at(const Eigen::Vector3d &position_m);
+	/// NO_CELL where there is none, and none can be taken.
+	[[nodiscard]] std::size_t cell_at(const Eigen::Vector3d &position_m);
+	[[nodiscard]] std::span<const Cell> visited() const { return std::span(cells_).first(visited_); }
 	/// What was seen in the cells whose middles are `wanted`.
 	template <class Wanted> [[nodiscard]] Place gathered(Wanted wanted) const;
 	[[nodiscard]] std::vector<Place> candidates() const;

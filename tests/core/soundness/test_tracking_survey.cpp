@@ -34,7 +34,9 @@ double same_everywhere(const Vector3d & /*place_m*/) {
 
 using Severity = double (*)(const Vector3d &place_m);
 
-TrackingSurvey surveyed(Severity severity, double span_s, std::uint64_t seed) {
+/// What the sensor saw is told from an origin that is at -origin_m of its own space.
+TrackingSurvey surveyed(
+		Severity severity, double span_s, std::uint64_t seed, const Vector3d &origin_m = Vector3d::Zero()) {
 	TrueMotion motion;
 	motion.span_s = span_s;
 	motion.hand = [](double t_s) {
@@ -53,7 +55,7 @@ TrackingSurvey surveyed(Severity severity, double span_s, std::uint64_t seed) {
 	TrackingSurvey survey;
 	for (const HandFrame &frame : record_track(motion, profile, seed).frames) {
 		if (frame.has(Joint::INDEX)) {
-			survey.push(frame.t_s, frame.position(Joint::INDEX));
+			survey.push(frame.t_s, frame.position(Joint::INDEX) + origin_m);
 		}
 	}
 	return survey;
@@ -86,6 +88,37 @@ TEST_CASE("a practice run of two minutes finds where the sensor is good and wher
 	CHECK(stable_severity < 0.1);
 	CHECK(unstable_severity > 0.9);
 	CHECK(distinct >= 17);
+}
+
+TEST_CASE("a practice run finds the same wherever the origin is") {
+	// A headset's hands in world space: 1.6 m up, anywhere in the room, or far away in a large world.
+	for (const Vector3d &origin_m : { Vector3d(5.0, 1.6, -3.0), Vector3d(-40000.0, 120.0, 7000.0) }) {
+		CAPTURE(origin_m);
+		const TrackingSurvey::Proposal here = surveyed(far_away, 120.0, 1).propose().value();
+		const Result<TrackingSurvey::Proposal> there = surveyed(far_away, 120.0, 1, origin_m).propose();
+		REQUIRE_MESSAGE(there.ok(), there.error());
+		CHECK((there.value().stable.position_m - origin_m - here.stable.position_m).norm() < 1e-6);
+		CHECK((there.value().unstable.position_m - origin_m - here.unstable.position_m).norm() < 1e-6);
+		CHECK(there.value().unstable.faults_per_s == doctest::Approx(here.unstable.faults_per_s));
+		// What is on the border of two cells may be counted to either.
+		CHECK(there.value().contrast == doctest::Approx(here.contrast).epsilon(0.01));
+	}
+}
+
+TEST_CASE("a hand that is first seen at one end of its reach is followed to the other") {
+	TrackingSurvey survey;
+	Random random(3);
+	double t_s = 0.0;
+	for (int i = 0; i < 6000; ++i) {
+		const bool is_far = i >= 3000;
+		const Vector3d noise(random.normal(), random.normal(), random.normal());
+		survey.push(t_s, Vector3d(is_far ? 6.4 : 4.8, 1.35, -3.0) + 1e-4 * noise);
+		t_s += is_far && i % 100 == 50 ? 0.2 : 0.01;
+	}
+	const Result<TrackingSurvey::Proposal> proposal = survey.propose();
+	REQUIRE_MESSAGE(proposal.ok(), proposal.error());
+	CHECK((proposal.value().stable.position_m - Vector3d(4.8, 1.35, -3.0)).norm() < 1e-3);
+	CHECK((proposal.value().unstable.position_m - Vector3d(6.4, 1.35, -3.0)).norm() < 1e-3);
 }
 
 TEST_CASE("a sensor that is alike everywhere has no two positions") {
@@ -173,7 +206,7 @@ TEST_CASE("a run too short, or in one place, says what is missing") {
 	CHECK(TrackingSurvey().propose().error().find("too short") != std::string::npos);
 }
 
-TEST_CASE("places beyond the grid and stamps that stand still do no harm") {
+TEST_CASE("places that no hand reaches and stamps that stand still do no harm") {
 	TrackingSurvey survey;
 	for (int i = 0; i < 5000; ++i) {
 		const double far_m = i % 7 == 0 ? 1e9 : std::numeric_limits<double>::max();
@@ -188,4 +221,27 @@ TEST_CASE("places beyond the grid and stamps that stand still do no harm") {
 	CHECK(proposal.unstable.position_m.allFinite());
 	CHECK(std::isfinite(proposal.contrast));
 	CHECK(std::isfinite(proposal.unstable.jitter_m));
+}
+
+TEST_CASE("a tracker that shows the hand all over the world takes no place from where it was before") {
+	TrackingSurvey survey;
+	Random random(5);
+	double t_s = 0.0;
+	const auto rest = [&](double x_m) {
+		for (int i = 0; i < 1500; ++i) {
+			const Vector3d noise(random.normal(), random.normal(), random.normal());
+			survey.push(t_s += 0.01, Vector3d(x_m, 0.05, -0.35) + 1e-4 * noise);
+		}
+	};
+	rest(-0.35);
+	rest(0.35);
+	for (int i = 0; i < 20000; ++i) {
+		const auto anywhere = [&] { return random.uniform(-1e5, 1e5); };
+		survey.push(t_s += 0.01, { anywhere(), anywhere(), anywhere() });
+	}
+	const TrackingSurvey::Proposal proposal = survey.propose().value();
+	for (const TrackingSurvey::Place *place : { &proposal.stable, &proposal.unstable }) {
+		CHECK(std::abs(std::abs(place->position_m.x()) - 0.35) < 1e-3);
+		CHECK(place->seconds == doctest::Approx(15.0).epsilon(0.01));
+	}
 }
