@@ -87,16 +87,18 @@ func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 		fail(evaluation.shortcoming(), EXIT_INCOMPLETE)
 	_table.add(set_name, evaluation.groups)
 	for gesture in Tasks.SCENES:
-		_play_scene(set_name, trial_set, gesture)
+		_play_scene(set_name, trial_set, gesture, evaluation.left_out)
 	var shown := evaluation.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
 	if is_shown and not shown.is_empty():
 		_keep_vibration(trial_set, shown, evaluation_folder)
 
 
-func _play_scene(set_name: String, trial_set: TrialSet, gesture: String) -> void:
+func _play_scene(
+	set_name: String, trial_set: TrialSet, gesture: String, left_out: Array[String]
+) -> void:
 	var log_folder := _out.path_join("logs").path_join(set_name).path_join(gesture)
 	var player := ScenePlayer.new(Tasks.SCENES[gesture], log_folder, root)
-	var played_s := player.play_all(trial_set, gesture)
+	var played_s := player.play_all(trial_set, gesture, left_out)
 	if played_s > 0.0:
 		print(
 			(

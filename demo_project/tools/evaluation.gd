@@ -13,6 +13,8 @@ const CONTEXTS: Array[String] = ["scene", "open"]
 
 ## Trials that could not be judged; they are in no file of the report.
 var broken := 0
+## Those of them that have a row in the set, by name.
+var left_out: Array[String] = []
 ## Trials of a gesture that no model is of; they have a row and curves, but no figures.
 var without_model := 0
 ## Nothing could be written; empty when all is well.
@@ -56,7 +58,9 @@ func run(
 			settings["context"] == "scene"
 		)
 		if not trial_run.error.is_empty():
-			printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
+			if not trial_run.is_told:
+				printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
+			left_out.append(trial["trial"])
 			broken += 1
 		else:
 			report.add(trial, trial_run)

@@ -27,11 +27,12 @@ func free_scene() -> void:
 	_scene.free()
 
 
-## Plays all trials of the gesture; how long they last on their own clocks, s.
-func play_all(trial_set: TrialSet, gesture: String) -> float:
+## Plays all trials of the gesture but those `left_out`; how long they last on their own clocks, s.
+func play_all(trial_set: TrialSet, gesture: String, left_out: Array[String] = []) -> float:
 	var played_s := 0.0
 	for index in trial_set.get_count():
-		if trial_set.get_trial(index)["gesture"] == gesture:
+		var trial := trial_set.get_trial(index)
+		if trial["gesture"] == gesture and trial["trial"] not in left_out:
 			played_s += _play(trial_set, index)
 	return played_s
 

@@ -19,6 +19,8 @@ const LONGEST_RECORD_S := 6.0 * 3600.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
+## The log says it already.
+var is_told := false
 ## What is odd about the trial, which is judged all the same; empty when nothing is.
 var note := ""
 ## The gesture that was recognised to its end, NO_GESTURE where there was none.
@@ -204,5 +206,6 @@ func _make_tracker(path: String) -> HandTracker:
 	if tracker.start() == OK:
 		return tracker
 	error = "cannot read %s" % path
+	is_told = true
 	tracker.free()
 	return null

@@ -2,8 +2,8 @@
 
 A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
 Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
-it provokes it. `# expects warning: TEXT` says the same of a warning, which fails nothing where it is not announced;
-`# expects one warning: TEXT`, that it comes no second time.
+it provokes it; `# expects one error: TEXT`, that it comes no second time. `# expects warning: TEXT` and `# expects
+one warning: TEXT` say the same of a warning, which fails nothing where it is not announced.
 """
 
 import os
@@ -18,7 +18,8 @@ PROJECT = ROOT / "demo_project"
 KILL_S = 60
 END = re.compile(r"^END (\d+) passed, (\d+) failed$")
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR): (.*)|.*(Parse Error.*)")
-EXPECTED = re.compile(r"^\s*#+ expects error: (.+)$", re.MULTILINE)
+EXPECTED = re.compile(r"^\s*#+ expects (?:one )?error: (.+)$", re.MULTILINE)
+ERROR_ONCE = re.compile(r"^\s*#+ expects one error: (.+)$", re.MULTILINE)
 WARNING = re.compile(r"^\s*WARNING: (.*)$", re.MULTILINE)
 EXPECTED_WARNING = re.compile(r"^\s*#+ expects warning: (.+)$", re.MULTILINE)
 EXPECTED_ONCE = re.compile(r"^\s*#+ expects one warning: (.+)$", re.MULTILINE)
@@ -43,15 +44,14 @@ def run_script(godot: str, script: Path) -> Outcome:
     status, output = run([godot, "--headless", "--path", PROJECT, "--script", script], kill_s=KILL_S)
     ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
     passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
-    faults = unexpected(output, EXPECTED.findall(script.read_text()))
+    faults = unexpected(output, script.read_text())
     warnings = WARNING.findall(output)
     for text in EXPECTED_WARNING.findall(script.read_text()):
         if not any(text in said for said in warnings):
             faults.append(f"expected warning did not come: {text}")
     for text in EXPECTED_ONCE.findall(script.read_text()):
-        times = sum(text in said for said in warnings)
-        if times != 1:
-            faults.append(f"expected warning came {times} times: {text}")
+        if times(text, warnings) != 1:
+            faults.append(f"expected warning came {times(text, warnings)} times: {text}")
     if len(ends) != 1:
         faults.append(f"{len(ends)} END lines")
     elif passed + failed == 0 and "\nSKIP " in output and not faults:
@@ -64,9 +64,15 @@ def run_script(godot: str, script: Path) -> Outcome:
     return Outcome(f"scenes/{script.stem}", passed, failed + len(faults), output=text)
 
 
-def unexpected(output: str, expected: list[str]) -> list[str]:
-    """The engine's complaints that the script did not announce, and announced ones that did not come."""
+def unexpected(output: str, script: str) -> list[str]:
+    """The engine's complaints that the script did not announce, and announced ones that did not come, or came again."""
+    expected = EXPECTED.findall(script)
     complaints = [found[1] or found[2] for line in output.splitlines() if (found := COMPLAINT.match(line))]
     faults = [f"error: {said}" for said in complaints if not any(text in said for text in expected)]
-    missing = [text for text in expected if not any(text in said for said in complaints)]
-    return faults + [f"expected error did not come: {text}" for text in missing]
+    faults += [f"expected error did not come: {text}" for text in expected if times(text, complaints) == 0]
+    again = [text for text in ERROR_ONCE.findall(script) if times(text, complaints) > 1]
+    return faults + [f"expected error came {times(text, complaints)} times: {text}" for text in again]
+
+
+def times(text: str, complaints: list[str]) -> int:
+    return sum(text in said for said in complaints)

@@ -1,0 +1,68 @@
+extends "support/scene_test.gd"
+## What is wrong with a file that an evaluation or the demo meets is told in one line, with its
+## place.
+
+const Rig := preload("support/rig.gd")
+const ToolRun := preload("support/tool_run.gd")
+const Evaluation := preload("res://tools/evaluation.gd")
+const ModelFolder := preload("res://tools/model_folder.gd")
+const ScenePlayer := preload("res://tools/scene_player.gd")
+const Tasks := preload("res://scripts/tasks.gd")
+
+const TRACK := "t,index_x,index_y,index_z\n0,0,0,0\n1,0,0,0\n2,0,zero,0\n"
+
+var _folder := DirAccess.create_temp("steadyhand_told_once")
+
+
+func test_a_broken_track_in_an_evaluation() -> void:
+	var trials := Rig.write_trials(_path("trials"), 2)
+	var name := _break_one(trials)
+	var run := ToolRun.new("evaluate", ["--trials", _path("trials"), "--out", _path("out")])
+	check_equal(run.exit_code, 1, "exit code")
+	check_equal(_count(run, name), 1, "one line names it")
+	check_equal(run.not_said(["%s.measured.csv:4: index_y: 'zero'" % name]), "", "and its place")
+	check_equal(run.not_said(["evaluate: 1 trial left out, see above"]), "", "and how many")
+
+
+func test_a_broken_track_in_the_demo() -> void:
+	# expects one error: measured.csv:4
+	var trials := Rig.write_trials(_path("demo"), 2)
+	_break_one(trials)
+	var evaluation := Evaluation.new()
+	var settings := {mode = "phase", context = "scene", models = ModelFolder.INSTALLED}
+	var models := ModelFolder.load_all(ModelFolder.INSTALLED)
+	evaluation.run(trials, models, settings, _path("demo_out"), root)
+	var player := ScenePlayer.new(Tasks.SCENES["horizontal_drag"], _path("logs"), root)
+	var played_s := player.play_all(trials, "horizontal_drag", evaluation.left_out)
+	player.free_scene()
+	check(played_s > 0.0, "the others are played")
+
+
+func test_a_broken_model_in_an_evaluation() -> void:
+	Rig.write_trials(_path("sound"))
+	DirAccess.make_dir_recursive_absolute(_path("models"))
+	var text := FileAccess.get_file_as_string(Rig.MODEL % "tap")
+	var half := text.left(text.length() / 2)
+	FileAccess.open(_path("models/half.gesture"), FileAccess.WRITE).store_string(half)
+	var options := ["--trials", _path("sound"), "--out", _path("sound_out")]
+	var run := ToolRun.new("evaluate", options + ["--models", _path("models")])
+	check_equal(run.exit_code, 2, "exit code")
+	check_equal(_count(run, "half.gesture"), 1, "one line names it")
+	var line := half.count("\n") + 1
+	check_equal(run.not_said(["half.gesture:%d: not valid JSON" % line]), "", "and where it ends")
+
+
+## The name of the trial whose measured track is no track any more.
+static func _break_one(trials: TrialSet) -> String:
+	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(TRACK)
+	return trials.get_trial(1)["trial"]
+
+
+## Lines that have the text in them.
+static func _count(run: ToolRun, text: String) -> int:
+	var lines := Array(run.said.split("\n"))
+	return lines.filter(func(line: String) -> bool: return line.contains(text)).size()
+
+
+func _path(name: String) -> String:
+	return _folder.get_current_dir().path_join(name)
