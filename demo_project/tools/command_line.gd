@@ -1,6 +1,6 @@
 extends RefCounted
-## `--name value` pairs as a tool's user gave them. Godot runs in the project's folder and not in
-## the user's, so that a path must be absolute (`./steadyhand` makes it so).
+## `--name value` and `--name=value` as a tool's user gave them. Godot runs in the project's folder
+## and not in the user's, so that a path must be absolute (`./steadyhand` makes it so).
 
 ## What is wrong with the arguments, with the name of the culprit; empty when all is well.
 var error := ""
@@ -13,13 +13,17 @@ func _init(arguments: PackedStringArray, defaults: Dictionary[String, String]) -
 	_values = defaults.duplicate()
 	var i := 0
 	while i < arguments.size():
-		var option := arguments[i].trim_prefix("--")
+		var option := arguments[i].get_slice("=", 0).trim_prefix("--")
 		if not arguments[i].begins_with("--") or option not in defaults:
 			error = (
 				"unknown argument '%s'; known are --%s"
 				% [arguments[i], " --".join(defaults.keys())]
 			)
 			return
+		if "=" in arguments[i]:
+			_values[option] = arguments[i].substr(arguments[i].find("=") + 1)
+			i += 1
+			continue
 		if i + 1 >= arguments.size() or arguments[i + 1].begins_with("--"):
 			error = "--%s needs a value" % option
 			return

@@ -54,7 +54,7 @@ def refusals(folder: Path) -> Iterator[Outcome]:
     (folder / "set/trials.csv").touch()
     (folder / "file").touch()
     evaluate = ["evaluate", "--out", folder / "out", "--trials"]
-    for arguments, told in (
+    for given, told in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
         (["evaluate", "--trials", folder / "set", "--out", folder / "file"], f"cannot make the folder {folder}/file"),
@@ -64,10 +64,21 @@ def refusals(folder: Path) -> Iterator[Outcome]:
         ),
         (["demo", "--out", folder / "file/demo"], f"cannot make the folder {folder}/file/demo"),
         (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
+        (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
+        (["evaluate", "--out", folder / "a=b"], "evaluate wants --trials (./steadyhand --help)"),
     ):
-        status, output = run(["./steadyhand", *arguments])
-        good = status == 2 and output == f"steadyhand: {told}\n"
-        yield Outcome.of(f"command/{arguments[0]}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
+        for arguments in (given, with_equals_signs(given)):
+            status, output = run(["./steadyhand", *arguments])
+            good = status == 2 and output == f"steadyhand: {told}\n"
+            form = " ".join(str(word) for word in arguments).replace(str(folder), "DIR")
+            yield Outcome.of(f"command/{form}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
+    status, output = run(["./steadyhand", "study", folder, f"--out={folder}/none"])
+    yield Outcome.of("command/study --out=DIR", status == 2 and "no trial was read" in output, f"{status}\n{output}")
+
+
+def with_equals_signs(arguments: list) -> list[str]:
+    """A verb and pairs of --NAME and VALUE, as --NAME=VALUE."""
+    return [arguments[0], *(f"{name}={value}" for name, value in zip(arguments[1::2], arguments[2::2], strict=True))]
 
 
 def emptied_cache(folder: Path) -> Iterator[Outcome]:
@@ -103,7 +114,7 @@ def training(folder: Path) -> Iterator[Outcome]:
     good = status == 128 + signal.SIGINT and "cancelled" in output and not left
     yield Outcome.of("command/train: Ctrl-C cancels and leaves nothing", good, f"status {status}, {left}\n{output}")
 
-    status, output = run(command)
+    status, output = run(["./steadyhand", *with_equals_signs(command[1:])])
     good = status == 0 and model.read_bytes() == (folder / "models/tap.gesture").read_bytes()
     yield Outcome.of("command/train: the model", good, output)
     yield Outcome.of("command/train: progress by lines where there is no terminal", "##" not in output, output)
