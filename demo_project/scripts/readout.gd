@@ -32,9 +32,14 @@ func show_live(motion: GestureHMM, is_blind: bool) -> void:
 		_titles[row].modulate = colour
 		_values[row].modulate = colour
 		_values[row].text = "%.1f mm" % (1000.0 * motion.get_motion_value(Conditions.MOTIONS[row]))
-	var gesture := String(motion.gesture) if motion.gesture else "at rest"
-	var status := "%s   state %d   %3.0f %%" % [gesture, motion.state, 100.0 * motion.progress]
-	_status.text = notice if notice else status
+	_status.text = notice if notice else _status_of(motion)
+
+
+## A gesture that is not under way has no state, and nothing of it is done.
+static func _status_of(motion: GestureHMM) -> String:
+	if motion.gesture.is_empty():
+		return "at rest"
+	return "%s   state %d   %.0f %%" % [motion.gesture, motion.state, 100.0 * motion.progress]
 
 
 func _add_label(text: String) -> Label:

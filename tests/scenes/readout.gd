@@ -1,0 +1,36 @@
+extends "support/scene_test.gd"
+## What the task scenes tell of the gesture.
+
+const Rig := preload("support/rig.gd")
+const TaskPlayer := preload("support/task_player.gd")
+
+var _folder := DirAccess.create_temp("steadyhand_readout")
+
+
+func test_the_readout_tells_of_a_gesture_while_there_is_one() -> void:
+	var trials := Rig.write_trials(_folder.get_current_dir().path_join("trials"), 2)
+	var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
+	var scene := player.scene
+	scene.play(trials.get_trial(0), trials.get_measured_path(0))
+	scene.tracker.advance(0.1)
+	await _shown()
+	check_equal(_status(player), "at rest", "before the gesture")
+	while scene.gesture_hmm.progress < 0.5 and not scene.tracker.is_finished():
+		scene.tracker.advance(Rig.STEP_S)
+	await _shown()
+	var under_way := RegEx.create_from_string("^horizontal_drag   state [0-3]   5[0-9] %$")
+	check(under_way.search(_status(player)) != null, "half-way: %s" % _status(player))
+	scene.gesture_hmm.reset()
+	await _shown()
+	check_equal(_status(player), "at rest", "and afterwards")
+	scene.free()
+
+
+## The signal comes before the nodes' own work.
+func _shown() -> void:
+	await process_frame
+	await process_frame
+
+
+static func _status(player: TaskPlayer) -> String:
+	return (player.scene.get_node("Readout/Panel/Rows/Status") as Label).text
