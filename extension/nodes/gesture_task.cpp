@@ -1,10 +1,31 @@
 #include "gesture_task.h"
 
+#include "name_suggestions.h"
+
+#include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <cmath>
 
 namespace godot {
+
+namespace {
+
+/// Of the models that came with the add-on, or were put beside them.
+PackedStringArray installed_gestures() {
+	const String folder = "res://addons/steadyhand/models";
+	PackedStringArray gestures;
+	if (DirAccess::dir_exists_absolute(folder)) {
+		for (const String &file : DirAccess::get_files_at(folder)) {
+			if (file.get_extension() == "gesture") {
+				gestures.push_back(file.get_basename());
+			}
+		}
+	}
+	return gestures;
+}
+
+} // namespace
 
 GestureTask::GestureTask() {
 	set_notify_transform(true);
@@ -77,6 +98,12 @@ PackedStringArray GestureTask::_get_configuration_warnings() const {
 						   "both are zero.");
 	}
 	return warnings;
+}
+
+void GestureTask::_validate_property(PropertyInfo &p_property) const {
+	if (p_property.name == StringName("gesture")) {
+		suggest(installed_gestures(), p_property);
+	}
 }
 
 void GestureTask::_bind_methods() {

@@ -19,6 +19,7 @@ class GestureTask : public Node3D {
 protected:
 	static void _bind_methods();
 	void _notification(int p_what);
+	void _validate_property(PropertyInfo &p_property) const;
 
 public:
 	GestureTask();

@@ -1,6 +1,7 @@
 #include "gesture_trainer.h"
 
 #include "conversions.h"
+#include "name_suggestions.h"
 
 #include "base/version.h"
 #include "gesture/feature.h"
@@ -114,12 +115,11 @@ String GestureTrainer::get_version() {
 
 void GestureTrainer::_validate_property(PropertyInfo &p_property) const {
 	if (p_property.name == StringName("feature")) {
-		String names;
+		PackedStringArray names;
 		for (const steadyhand::Feature &known : steadyhand::features()) {
-			names += (names.is_empty() ? String() : String(",")) + to_godot(known.name);
+			names.push_back(to_godot(known.name));
 		}
-		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
-		p_property.hint_string = std::move(names);
+		suggest(names, p_property);
 	}
 }
 

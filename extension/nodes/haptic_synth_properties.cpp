@@ -2,6 +2,7 @@
 
 #include "gesture_hmm.h"
 #include "haptic_synth.h"
+#include "name_suggestions.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
 #include <godot_cpp/classes/xr_node3d.hpp>
@@ -47,12 +48,11 @@ PackedStringArray HapticSynth::_get_configuration_warnings() const {
 void HapticSynth::_validate_property(PropertyInfo &p_property) const {
 	if (p_property.name == StringName("bus")) {
 		AudioServer *const server = AudioServer::get_singleton();
-		String names;
+		PackedStringArray names;
 		for (int32_t i = 0; i < server->get_bus_count(); ++i) {
-			names += (i > 0 ? String(",") : String()) + String(server->get_bus_name(i));
+			names.push_back(server->get_bus_name(i));
 		}
-		p_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
-		p_property.hint_string = std::move(names);
+		suggest(names, p_property);
 	}
 }
 
@@ -101,8 +101,10 @@ void HapticSynth::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bus"), "set_bus", "get_bus");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "controller", PROPERTY_HINT_NODE_TYPE, "XRNode3D"),
 			"set_controller", "get_controller");
-	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "controller_action"), "set_controller_action",
-			"get_controller_action");
+	// What the action map that Godot makes for OpenXR calls it.
+	ADD_PROPERTY(
+			PropertyInfo(Variant::STRING_NAME, "controller_action", PROPERTY_HINT_ENUM_SUGGESTION, "haptic"),
+			"set_controller_action", "get_controller_action");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "joypad", PROPERTY_HINT_RANGE, "-1,15,1,or_greater"),
 			"set_joypad", "get_joypad");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "wav_path", PROPERTY_HINT_GLOBAL_SAVE_FILE, "*.wav"),
