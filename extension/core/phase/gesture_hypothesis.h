@@ -7,8 +7,8 @@
 
 namespace steadyhand {
 
-/// Along the way, in amplitudes: a hand that is no further is where it started,
-inline constexpr double AT_START = 0.15;
+/// Along the way, in amplitudes: a hand that is no further may yet be where it started,
+inline constexpr double NEAR_START = 0.15;
 /// and one that is so near to the end is there.
 inline constexpr double AT_END = 0.1;
 

@@ -97,7 +97,7 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 }
 
 void HypothesisBirths::begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
-	if (std::abs(r_bank.hand_deviation(HypothesisBank::AT_REST)) > AT_START) {
+	if (std::abs(r_bank.hand_deviation(HypothesisBank::AT_REST)) > NEAR_START) {
 		return; // no gesture begins from elsewhere
 	}
 	const GestureHypothesis at_rest = r_bank.hypothesis(HypothesisBank::AT_REST);
@@ -125,7 +125,7 @@ void HypothesisBirths::come_to_rest(HypothesisBank &r_bank) const {
 	const double log_probability = std::log(AT_REST_PER_S * period_s_);
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
 		const double log_weight = r_bank.log_weight(i) + log_probability;
-		if (!r_bank.on_its_way(i) && std::abs(r_bank.hand_deviation(i)) < AT_START &&
+		if (!r_bank.on_its_way(i) && std::abs(r_bank.hand_deviation(i)) < NEAR_START &&
 				log_weight > r_bank.log_weight(HypothesisBank::AT_REST)) {
 			GestureHypothesis rested = r_bank.hypothesis(i).in(Regime::REST);
 			rested.log_weight = log_weight;
@@ -177,7 +177,7 @@ void HypothesisBirths::leave_unseen(
 void HypothesisBirths::rest_anew(HypothesisBank &r_bank, double x) {
 	const double log_weight = r_bank.greatest_log_weight() + LED_ASTRAY;
 	if (r_bank.log_weight(HypothesisBank::AT_REST) < log_weight) {
-		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < AT_START ? x : 0.0);
+		GestureHypothesis at_rest = GestureHypothesis::resting(std::abs(x) < NEAR_START ? x : 0.0);
 		at_rest.log_weight = log_weight;
 		r_bank.set(HypothesisBank::AT_REST, at_rest);
 	}

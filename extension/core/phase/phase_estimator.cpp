@@ -39,7 +39,7 @@ PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &eff
 /// A hand that moves, or is elsewhere than at the start, may be about something else than to rest there.
 void PhaseEstimator::begin(double t_s, double d, double velocity) {
 	bank_.start(GestureHypothesis::resting(d));
-	if (velocity != 0.0 || std::abs(d) > AT_START) {
+	if (velocity != 0.0 || std::abs(d) > NEAR_START) {
 		bank_.add(GestureHypothesis::leaving(d, velocity));
 	}
 	seen_s_ = told_s_ = t_s;

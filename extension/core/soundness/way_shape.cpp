@@ -6,8 +6,8 @@
 namespace steadyhand {
 namespace {
 
-/// A hand that is no further is where it started.
-constexpr double AT_START = 0.05;
+/// A hand that is no further has yet to set out.
+constexpr double SET_OUT = 0.05;
 /// Between these it is on its way: before, a bow explains everything; after, hands correct themselves.
 constexpr double FROM = 0.15, TO = 0.8;
 constexpr int FEWEST = 5; ///< a bow goes through three
@@ -22,7 +22,7 @@ constexpr double REGULARISED = 1e-9; ///< a hand that all but stands has no bow
 } // namespace
 
 void WayShape::push(double x, const FeaturePlace &place, double noise) {
-	if (x < AT_START) {
+	if (x < SET_OUT) {
 		frames_ = {};
 		frames_.first = place;
 		log_ratio_ = 0.0;
