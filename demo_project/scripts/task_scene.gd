@@ -21,8 +21,6 @@ const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 const TrialTask := preload("trial_task.gd")
 
-## Share of the whole way at which a task is done: that of the metrics.
-const ARRIVED := 0.95
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
 const POSITIONS: Array[HandTracker.SyntheticPosition] = [
@@ -51,6 +49,8 @@ var _live_trials := 0
 var _order := StudyOrder.new()
 var _participant := Participant.new()
 var _practice: Practice = null
+## Share of the whole way at which a task is done: that of the metrics, where a vibration arrives.
+var _arrived: float = ClassDB.class_get_property_default_value(&"HapticSynth", &"arrival_level")
 
 @onready var tracker: HandTracker = $HandTracker
 @onready var task: GestureTask = $GestureTask
@@ -310,7 +310,7 @@ func _on_practice_ended(proposal: Dictionary) -> void:
 
 func _on_motion_updated(time_s: float) -> void:
 	var done := _stage.show_motion(gesture_hmm.value)
-	if is_nan(course.end_s) and not is_nan(course.start_s) and done >= ARRIVED:
+	if is_nan(course.end_s) and not is_nan(course.start_s) and done >= _arrived:
 		course.end_s = time_s
 		_stage.mark_arrived()
 	_stage.show_hand(tracker)

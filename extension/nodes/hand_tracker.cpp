@@ -22,11 +22,10 @@ namespace {
 /// A hand that has not been seen for this long is lost, even if its device goes quiet instead of saying so.
 constexpr double LOST_AFTER_S = 0.25;
 
-/// As in track CSV. Control instants are counted in whole milliseconds: beyond it the count would overflow.
-constexpr double TIME_MAX_S = 1e12;
+constexpr const char *TIME_FAULT = "the time must be finite, and below 1e12 s";
 
 bool is_usable_time(double p_time_s) {
-	return std::abs(p_time_s) <= TIME_MAX_S;
+	return std::abs(p_time_s) <= steadyhand::FARTHEST_S;
 }
 
 /// Otherwise the joint is not tracked: no track CSV could hold it.
@@ -167,7 +166,7 @@ void HandTracker::advance(double p_seconds) {
 
 void HandTracker::advance_to(double p_time_s) {
 	ERR_FAIL_COND_MSG(!running_, "HandTracker: start() it before its clock can advance");
-	ERR_FAIL_COND_MSG(!is_usable_time(p_time_s), "HandTracker: a time must be finite, and below 1e12 s");
+	ERR_FAIL_COND_MSG(!is_usable_time(p_time_s), String("HandTracker: ") + TIME_FAULT);
 	constexpr double LONGEST_LOOPED_STEP_S = 3600.0;
 	ERR_FAIL_COND_MSG(playback_ && playback_->is_looped() && p_time_s - time_s_ > LONGEST_LOOPED_STEP_S,
 			"HandTracker: a track in a loop is advanced by an hour at most");
@@ -221,7 +220,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		return refuse_frame("start() the tracker first");
 	}
 	if (!is_usable_time(p_time_s)) {
-		return refuse_frame("the time must be finite, and below 1e12 s");
+		return refuse_frame(TIME_FAULT);
 	}
 	if (clock_set_ && p_time_s < time_s_) {
 		return refuse_frame(String("the time ") + String::num(p_time_s) + String(" s is before ") +

@@ -89,8 +89,8 @@ void HapticEffect::set_trigger(Trigger p_trigger) {
 }
 
 PackedFloat32Array HapticEffect::get_preview(int p_sample_rate_hz) const {
-	ERR_FAIL_COND_V_MSG(p_sample_rate_hz < 8000 || p_sample_rate_hz > 192000, PackedFloat32Array(),
-			String(get_class()) + ": the sample rate must be in 8000..192000 Hz");
+	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), PackedFloat32Array(),
+			sample_rate_fault(String(get_class()) + ": the sample rate"));
 	Tables tables;
 	return packed(steadyhand::preview_of(to_core(tables), p_sample_rate_hz));
 }
@@ -276,8 +276,8 @@ void CustomEffect::_bind_methods() {
 			PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,2,0.001,or_greater,suffix:s"),
 			"set_duration", "get_duration");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_FLOAT32_ARRAY, "waveform"), "set_waveform", "get_waveform");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "waveform_rate", PROPERTY_HINT_RANGE, "1000,192000,1,suffix:Hz"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "waveform_rate", PROPERTY_HINT_RANGE,
+						 String("1000,") + itos(HIGHEST_RATE_HZ) + String(",1,suffix:Hz")),
 			"set_waveform_rate", "get_waveform_rate");
 }
 

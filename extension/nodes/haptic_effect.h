@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sample_rates.h"
+
 #include "haptics/effect.h"
 
 #include <godot_cpp/classes/curve.hpp>
@@ -141,7 +143,7 @@ public:
 	void set_waveform(const PackedFloat32Array &p_waveform);
 	PackedFloat32Array get_waveform() const { return waveform_; }
 	void set_waveform_rate(double p_rate) {
-		set_within(effect_.table_rate_hz, p_rate, "waveform_rate", 1000.0, 192000.0);
+		set_within(effect_.table_rate_hz, p_rate, "waveform_rate", 1000.0, HIGHEST_RATE_HZ);
 	}
 	double get_waveform_rate() const { return effect_.table_rate_hz; }
 

@@ -4,6 +4,7 @@
 #include "gesture_hmm.h"
 #include "gesture_task.h"
 #include "listener_list.h"
+#include "sample_rates.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
@@ -271,8 +272,7 @@ void HapticSynth::open_wav() {
 }
 
 void HapticSynth::set_wav_sample_rate(int p_rate_hz) {
-	ERR_FAIL_COND_MSG(p_rate_hz < 8000 || p_rate_hz > 192000,
-			"HapticSynth: wav_sample_rate must be in 8000..192000 Hz");
+	ERR_FAIL_COND_MSG(!is_sample_rate(p_rate_hz), sample_rate_fault("HapticSynth: wav_sample_rate"));
 	wav_sample_rate_hz_ = p_rate_hz;
 }
 
@@ -282,8 +282,7 @@ void HapticSynth::stop_wav() {
 }
 
 void HapticSynth::set_buffer_sample_rate(int p_rate_hz) {
-	ERR_FAIL_COND_MSG(p_rate_hz < 8000 || p_rate_hz > 192000,
-			"HapticSynth: buffer_sample_rate must be in 8000..192000 Hz");
+	ERR_FAIL_COND_MSG(!is_sample_rate(p_rate_hz), sample_rate_fault("HapticSynth: buffer_sample_rate"));
 	buffer_sample_rate_hz_ = p_rate_hz;
 	buffer_.reset();
 }

@@ -3,6 +3,7 @@
 #include "gesture_hmm.h"
 #include "haptic_synth.h"
 #include "name_suggestions.h"
+#include "sample_rates.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
 #include <godot_cpp/classes/xr_node3d.hpp>
@@ -109,11 +110,9 @@ void HapticSynth::_bind_methods() {
 			"set_joypad", "get_joypad");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "wav_path", PROPERTY_HINT_GLOBAL_SAVE_FILE, "*.wav"),
 			"set_wav_path", "get_wav_path");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "wav_sample_rate", PROPERTY_HINT_RANGE, "8000,192000,1,suffix:Hz"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "wav_sample_rate", PROPERTY_HINT_RANGE, sample_rate_hint()),
 			"set_wav_sample_rate", "get_wav_sample_rate");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "buffer_sample_rate", PROPERTY_HINT_RANGE, "8000,192000,1,suffix:Hz"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "buffer_sample_rate", PROPERTY_HINT_RANGE, sample_rate_hint()),
 			"set_buffer_sample_rate", "get_buffer_sample_rate");
 }
 

@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from gesture_end import END_LEVEL
 from matplotlib.axes import Axes
 from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, plt, save
 
 MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
-LEFT, ARRIVED = 0.02, 0.95  # share of the amplitude
+LEFT = 0.02  # share of the amplitude
 
 
 @dataclass
@@ -63,7 +64,7 @@ def shown_span(curves: dict[str, np.ndarray]) -> tuple[float, float]:
     reference = curves.get("reference", curves["measured"])
     leaves = t[np.argmax(reference > LEFT)]
     motions = [curve for name, curve in curves.items() if name != "t"]
-    arrivals = [t[np.argmax(motion >= ARRIVED)] for motion in motions if max(motion) >= ARRIVED]
+    arrivals = [t[np.argmax(motion >= END_LEVEL)] for motion in motions if max(motion) >= END_LEVEL]
     return max(leaves - MARGIN_S, t[0]), min(max(arrivals, default=t[-1]) + MARGIN_S, t[-1])
 
 

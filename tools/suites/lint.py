@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from gesture_end import END_LEVEL
 from suites.outcome import Outcome
 from suites.process import ROOT, run, scons
 
@@ -19,6 +20,7 @@ def outcomes() -> Iterator[Outcome]:
     cpp, headers, gd, python = files(".cpp"), files(".h", ".hpp"), files(".gd"), files(".py")
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
     yield one_version()
+    yield one_end()
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
@@ -36,6 +38,13 @@ def one_version() -> Outcome:
     found = re.search(r'^version="([^"]+)"', (ROOT / "demo_project/addons/steadyhand/plugin.cfg").read_text(), re.M)
     good = wanted is not None and found is not None and wanted[1] == found[1]
     return Outcome.of("lint/plugin.cfg has the version of version.h", good, f"{wanted} {found}")
+
+
+def one_end() -> Outcome:
+    """The tools that look at curves cannot read the core's header."""
+    wanted = re.search(r"END_LEVEL = ([\d.]+);", (ROOT / "extension/core/gesture/task.h").read_text())
+    good = wanted is not None and float(wanted[1]) == END_LEVEL
+    return Outcome.of("lint/gesture_end.py has the level of task.h", good, f"{wanted} {END_LEVEL}")
 
 
 def files(*endings: str) -> list[Path]:

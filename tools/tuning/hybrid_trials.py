@@ -10,9 +10,13 @@ Equal arguments give equal files.
 
 import argparse
 import csv
+import sys
 from pathlib import Path
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from gesture_end import END_LEVEL
 
 AXES = ("x", "y", "z")
 SCENE_AMPLITUDE_M = 0.2
@@ -144,7 +148,7 @@ def main() -> None:
         if given.corrections:
             other = corrected(way, t, *span, rng)
             hand = hand + ((other - way) * amplitude_m)[:, None] * direction
-            level = 0.95 * other[np.argmin(np.abs(t - span[1]))]
+            level = END_LEVEL * other[np.argmin(np.abs(t - span[1]))]
             reached_s = t[np.argmax((other >= level) & (t > span[0]))]
             way, span = other, (span[0], min(t[-1] - 0.05, max(span[1], reached_s + 0.05)))
         hand = start + (hand - start) * (SCENE_AMPLITUDE_M / amplitude_m)

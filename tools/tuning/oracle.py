@@ -23,10 +23,10 @@ import numpy as np
 from hybrid_trials import minimum_jerk
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from gesture_end import END_LEVEL
 from results.asked import is_inside
 
 MARGIN_S = 0.25
-END_LEVEL = 0.95
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
 LATE_MS = 30.0  # what the lags of simulated trackers differ by from trial to trial at the unstable position

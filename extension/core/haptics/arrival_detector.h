@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gesture/task.h"
 #include "haptics/motion_snapshot.h"
 
 namespace steadyhand {
@@ -10,7 +11,7 @@ namespace steadyhand {
 /// between.
 class ArrivalDetector {
 public:
-	static constexpr double DEFAULT_LEVEL = 0.95;
+	static constexpr double DEFAULT_LEVEL = END_LEVEL;
 
 	void set_level(double level) { level_ = level; }
 	[[nodiscard]] double level() const { return level_; }

@@ -1,5 +1,6 @@
 #include "haptics/effect_preview.h"
 
+#include "gesture/task.h"
 #include "haptics/vibration.h"
 #include "signal/minimum_jerk.h"
 
@@ -12,12 +13,11 @@ namespace steadyhand {
 namespace {
 
 constexpr double PERIOD_S = 0.01;
-constexpr double ARRIVED = 0.95;
 
 MotionSnapshot::Knot knot_at(double t_s) {
 	const Polynomial::Point point = minimum_jerk(t_s / PREVIEW_MOVEMENT_S);
 	return { point.value, point.first / PREVIEW_MOVEMENT_S,
-		point.second / (PREVIEW_MOVEMENT_S * PREVIEW_MOVEMENT_S), point.value < ARRIVED };
+		point.second / (PREVIEW_MOVEMENT_S * PREVIEW_MOVEMENT_S), point.value < END_LEVEL };
 }
 
 MotionSnapshot snapshot_at(double from_s) {
@@ -46,7 +46,7 @@ std::vector<float> preview_of(const Effect &effect, double sample_rate_hz) {
 	std::span<float> left(samples);
 	while (!left.empty()) {
 		MotionSnapshot snapshot = snapshot_at(vibration.time_s());
-		if (const double time_s = snapshot.reaches_s(ARRIVED, snapshot.time_s);
+		if (const double time_s = snapshot.reaches_s(END_LEVEL, snapshot.time_s);
 				arrival.number == 0 && std::isfinite(time_s)) {
 			arrival = { 1, time_s, PREVIEW_AMPLITUDE_M * snapshot.at(time_s).velocity };
 		}

@@ -1,5 +1,6 @@
 #include "metrics/curve_comparison.h"
 
+#include "gesture/task.h"
 #include "metrics/spectral_arc_length.h"
 #include "signal/sample_clock.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double MARGIN_S = 0.25;
 constexpr double LARGEST_LAG_S = 0.5;
-constexpr double END_LEVEL = 0.95;
 /// The lag search takes a step a sample; no sensor or synthesiser is faster.
 constexpr double LARGEST_RATE_HZ = 1e6;
 /// Of the largest value, rms: a curve that varies less is constant but for rounding.

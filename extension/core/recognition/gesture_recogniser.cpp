@@ -10,8 +10,6 @@
 namespace steadyhand {
 namespace {
 
-/// No clock counts further: beyond, a symbol's period is lost in rounding.
-constexpr double LARGEST_TIME_S = 1e12;
 /// The gesture shown changes for one that is likelier by this factor, in nats.
 constexpr double SWITCH_MARGIN = 1.0;
 /// Of the smallest amplitude: what is shorter is no stroke of its own.
@@ -66,7 +64,7 @@ GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, Moti
 }
 
 void GestureRecogniser::push(const HandFrame &frame) {
-	if (!(std::abs(frame.t_s) <= LARGEST_TIME_S) || frame.t_s < time_s_) {
+	if (!(std::abs(frame.t_s) <= FARTHEST_S) || frame.t_s < time_s_) {
 		return;
 	}
 	// What is due before this frame must not see the stroke that it makes.
@@ -93,7 +91,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 }
 
 void GestureRecogniser::advance(double t_s) {
-	if (!(t_s > time_s_) || t_s > LARGEST_TIME_S) {
+	if (!(t_s > time_s_) || t_s > FARTHEST_S) {
 		return;
 	}
 	advance_followers(t_s);

@@ -29,6 +29,9 @@ constexpr std::uint8_t joint_bits(std::initializer_list<Joint> joints) {
 
 /// No coordinate of a file is further from its origin, m: what is, is no place.
 inline constexpr double FARTHEST_M = 1e9;
+/// Nor a time from 0, s: it would be of another unit, or damaged. No clock counts further: beyond, a symbol's
+/// period is lost in rounding, and the count of control instants, whole milliseconds, overflows.
+inline constexpr double FARTHEST_S = 1e12;
 
 /// One moment of a tracked hand. Positions in metres, x right, y up, -z forward (Godot's convention); time in
 /// seconds on the device's own clock.

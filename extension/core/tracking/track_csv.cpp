@@ -13,9 +13,6 @@ namespace {
 
 constexpr std::string_view AXES = "xyz";
 
-// Beyond these a number is no hand's: a column of another unit or a damaged file.
-constexpr double TIME_MAX_S = 1e12;
-
 enum class ColumnKind : std::uint8_t { TIME, COORDINATE, CONFIDENCE, UNKNOWN };
 
 struct Column {
@@ -156,7 +153,7 @@ private:
 				continue;
 			}
 			const bool is_time = column.kind == ColumnKind::TIME;
-			const Result<double> number = parse_number(cells_[i], is_time ? TIME_MAX_S : FARTHEST_M);
+			const Result<double> number = parse_number(cells_[i], is_time ? FARTHEST_S : FARTHEST_M);
 			if (!number) {
 				return error(header_.names[i], number.error());
 			}

@@ -35,7 +35,6 @@ constexpr std::array<std::string_view, COLUMN_COUNT> COLUMN_NAMES = { "trial", "
 	"subject", "start_s", "end_s", "start_x", "start_y", "start_z", "axis_x", "axis_y", "axis_z",
 	"amplitude_m" };
 
-constexpr double TIME_MAX_S = 1e12;
 constexpr double UNIT_LENGTH_TOLERANCE = 0.05; // files print axes to a few decimals
 constexpr double AS_UNIT_LENGTH = 1e-5;        // is taken as it is, to the last bit
 constexpr std::size_t FILE_NAME_MAX = 200;     // leaves room for ".reference.csv" in the usual 255 bytes
@@ -152,10 +151,10 @@ private:
 		if (r_trial.gesture == "none" && cell(START_S).empty() && cell(END_S).empty()) {
 			return std::nullopt;
 		}
-		if (auto wrong = read_number(START_S, TIME_MAX_S, r_trial.start_s)) {
+		if (auto wrong = read_number(START_S, FARTHEST_S, r_trial.start_s)) {
 			return wrong;
 		}
-		if (auto wrong = read_number(END_S, TIME_MAX_S, r_trial.end_s)) {
+		if (auto wrong = read_number(END_S, FARTHEST_S, r_trial.end_s)) {
 			return wrong;
 		}
 		const bool takes_time = r_trial.gesture != "none";

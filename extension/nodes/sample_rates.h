@@ -1,0 +1,29 @@
+#pragma once
+
+#include "haptics/vibration.h"
+
+#include <godot_cpp/variant/string.hpp>
+
+namespace godot {
+
+// What a Vibration is made at, for properties and methods of whole Hz.
+
+inline constexpr int LOWEST_RATE_HZ = static_cast<int>(steadyhand::Vibration::LOWEST_RATE_HZ);
+inline constexpr int HIGHEST_RATE_HZ = static_cast<int>(steadyhand::Vibration::HIGHEST_RATE_HZ);
+
+constexpr bool is_sample_rate(int p_rate_hz) {
+	return p_rate_hz >= LOWEST_RATE_HZ && p_rate_hz <= HIGHEST_RATE_HZ;
+}
+
+/// Of a property's range in the inspector.
+inline String sample_rate_hint() {
+	return itos(LOWEST_RATE_HZ) + String(",") + itos(HIGHEST_RATE_HZ) + String(",1,suffix:Hz");
+}
+
+/// Why `p_what` is refused.
+inline String sample_rate_fault(const String &p_what) {
+	return p_what + String(" must be in ") + itos(LOWEST_RATE_HZ) + String("..") + itos(HIGHEST_RATE_HZ) +
+			String(" Hz");
+}
+
+} // namespace godot
