@@ -1,16 +1,15 @@
 #include "gesture/trainer.h"
 
 #include "gesture/feature.h"
-#include "gesture/motion_element.h"
 #include "gesture/motion_elements.h"
 #include "gesture/observation.h"
+#include "gesture/recorded_movements.h"
 #include "gesture/reference_curve.h"
-#include "gesture/symbol_clock.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace steadyhand {
 namespace {
@@ -21,62 +20,21 @@ constexpr double OBSERVED = 0.3;
 constexpr double QUANTISED = 0.7;
 constexpr double RE_ESTIMATED = 0.95;
 
-/// What is left of a recording once its reference has been looked at.
-struct Movement {
-	const TrainingRecording *recording = nullptr;
-	MovementSpan span;
+/// Tells how far the work is, until it is told to stop.
+class TrainingProgress {
+public:
+	explicit TrainingProgress(const std::function<bool(double done)> &told) : told_(told) {}
+
+	/// False: stop, now and at every later call.
+	[[nodiscard]] bool go_on(double done) {
+		is_stopped_ = is_stopped_ || (told_ && !told_(done));
+		return !is_stopped_;
+	}
+
+private:
+	const std::function<bool(double done)> &told_;
+	bool is_stopped_ = false;
 };
-
-RecordedCurve reference_motion(const Feature &feature, const TrainingRecording &recording) {
-	RecordedCurve curve;
-	MotionElement element(feature);
-	for (const HandFrame &frame : recording.reference.frames) {
-		if (frame.t_s <= recording.start_s) {
-			element.restart();
-		}
-		const std::optional<double> x_m = element.measure(frame, recording.task);
-		if (x_m && (curve.t_s.empty() || frame.t_s > curve.t_s.back())) {
-			curve.t_s.push_back(frame.t_s);
-			curve.x_m.push_back(*x_m);
-		}
-	}
-	return curve;
-}
-
-/// Normalised observations at the symbol clock's instants over the movement; empty ones where nothing new was
-/// seen.
-std::vector<std::optional<Observation>> observe(
-		const Feature &feature, const Movement &movement, double duration_mean_s) {
-	const TrainingRecording &recording = *movement.recording;
-	std::vector<std::optional<Observation>> observations;
-	ObservationWindow window;
-	MotionElement element(feature);
-	SymbolClock clock;
-	clock.start(movement.span.onset_s);
-	bool fresh = false;
-	const auto tick_until = [&](double t_s) {
-		while (clock.due(std::min(t_s, movement.span.end_s))) {
-			observations.push_back(fresh
-							? std::optional(window.normalised(recording.task.amplitude_m, duration_mean_s))
-							: std::nullopt);
-			fresh = false;
-			clock.advance();
-		}
-	};
-	for (const HandFrame &frame : recording.measured.frames) {
-		// An instant before this frame saw only the frames before it.
-		tick_until(std::nextafter(frame.t_s, -INFINITY));
-		if (frame.t_s <= movement.span.onset_s) {
-			element.restart();
-		}
-		if (const std::optional<double> x_m = element.measure(frame, recording.task)) {
-			window.push(frame.t_s, *x_m);
-			fresh = true;
-		}
-	}
-	tick_until(movement.span.end_s);
-	return observations;
-}
 
 std::string range_error(const TrainingOptions &options) {
 	const auto beyond = [](const char *what, int given, int most) {
@@ -95,23 +53,117 @@ std::string range_error(const TrainingOptions &options) {
 	return {};
 }
 
-/// Of a recording whose gesture has no length, or is not wholly where its reference can show it.
-std::optional<std::string> recording_error(const TrainingRecording &recording) {
-	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
-	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
-		return recording.name + ": its amplitude_m is empty or not above 0";
+std::string unknown_feature(const std::string &name) {
+	std::string message = "there is no feature '" + name + "', there are:";
+	for (const Feature &known : features()) {
+		message += ' ' + std::string(known.name);
 	}
-	const std::vector<HandFrame> &frames = recording.reference.frames;
-	if (frames.empty()) {
-		return recording.name + ": its reference has no frames";
+	return message;
+}
+
+/// Those that the reference is the mean of; the others are named in the model.
+std::vector<Movement> keep_alike(
+		const RecordedMovements &recorded, const ReferenceCurve &reference, GestureModel &r_model) {
+	std::vector<Movement> kept;
+	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
+		if (reference.kept[i]) {
+			kept.push_back(recorded.movements[i]);
+		} else {
+			r_model.provenance.dropped.push_back(recorded.movements[i].recording->name);
+		}
 	}
-	if (recording.start_s < recording.end_s && recording.start_s >= frames.front().t_s - ROUNDING_S &&
-			recording.end_s <= frames.back().t_s + ROUNDING_S) {
-		return std::nullopt;
+	r_model.provenance.recordings = static_cast<int>(kept.size());
+	return kept;
+}
+
+/// The mean of their tasks.
+void set_typical_task(const std::vector<Movement> &kept, GestureModel &r_model) {
+	Task typical = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0 };
+	for (const Movement &movement : kept) {
+		const Task &task = movement.recording->task;
+		typical.start_m += task.start_m;
+		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
+		const double way = std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis));
+		typical.axis += way * task.axis;
+		r_model.both_ways = r_model.both_ways || way < 0.0;
+		typical.amplitude_m += task.amplitude_m;
 	}
-	return recording.name + ": start_s " + std::to_string(recording.start_s) + " .. end_s " +
-			std::to_string(recording.end_s) + " is not within its reference, " +
-			std::to_string(frames.front().t_s) + " .. " + std::to_string(frames.back().t_s) + " s";
+	const double n = static_cast<double>(kept.size());
+	typical.start_m /= n;
+	typical.axis.normalize(); // a radius has none: stays zero
+	typical.amplitude_m /= n;
+	r_model.typical_task = std::move(typical);
+}
+
+std::vector<double> durations_of(const std::vector<Movement> &kept) {
+	std::vector<double> durations_s;
+	durations_s.reserve(kept.size());
+	for (const Movement &movement : kept) {
+		durations_s.push_back(movement.duration_s());
+	}
+	return durations_s;
+}
+
+std::vector<NormalisedRecording> report(RecordedMovements recorded, const ReferenceCurve &reference) {
+	std::vector<NormalisedRecording> rows;
+	rows.reserve(recorded.movements.size());
+	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
+		rows.push_back({ recorded.movements[i].recording->name, std::move(recorded.curves[i]),
+				reference.r2[i], reference.kept[i] });
+	}
+	return rows;
+}
+
+/// Of each movement: empty ones where nothing new was seen.
+using Observations = std::vector<std::vector<std::optional<Observation>>>;
+
+Observations observe(const Feature &feature, const std::vector<Movement> &kept, double duration_mean_s) {
+	Observations observed;
+	observed.reserve(kept.size());
+	for (const Movement &movement : kept) {
+		observed.push_back(observe(feature, movement, duration_mean_s));
+	}
+	return observed;
+}
+
+/// Of fewer symbols where it is told to stop.
+VectorQuantiser codebook_of(const Observations &observed, int symbols, TrainingProgress &r_progress) {
+	std::vector<Observation> seen;
+	for (const auto &observations : observed) {
+		for (const std::optional<Observation> &o : observations) {
+			if (o) {
+				seen.push_back(*o);
+			}
+		}
+	}
+	return VectorQuantiser::trained(seen, symbols, [&](int codewords) {
+		return r_progress.go_on(OBSERVED + (QUANTISED - OBSERVED) * codewords / symbols);
+	});
+}
+
+std::vector<SymbolSequence> in_symbols(const Observations &observed, const VectorQuantiser &quantiser) {
+	std::vector<SymbolSequence> sequences;
+	for (const auto &observations : observed) {
+		SymbolSequence &sequence = sequences.emplace_back();
+		for (const std::optional<Observation> &o : observations) {
+			sequence.push_back(o ? quantiser.symbol(*o) : UNSEEN);
+		}
+	}
+	return sequences;
+}
+
+void re_estimate(const std::vector<SymbolSequence> &sequences, const TrainingOptions &options,
+		TrainingProgress &r_progress, GestureModel &r_model) {
+	BaumWelchOptions baum_welch_options = options.baum_welch;
+	baum_welch_options.go_on = [&](int iterations) {
+		return r_progress.go_on(
+				QUANTISED + (RE_ESTIMATED - QUANTISED) * iterations / options.baum_welch.max_iterations);
+	};
+	BaumWelchResult trained = baum_welch(left_right_from_equal_segments(sequences, options.states,
+												 options.symbols, options.baum_welch.pseudo),
+			sequences, baum_welch_options);
+	r_model.hmm = std::move(trained.hmm);
+	r_model.provenance.objective = std::move(trained.objective);
 }
 
 } // namespace
@@ -124,123 +176,47 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	}
 	const Feature *feature = find_feature(feature_name);
 	if (feature == nullptr) {
-		std::string message = gesture + ": there is no feature '" + feature_name + "', there are:";
-		for (const Feature &known : features()) {
-			message += ' ' + std::string(known.name);
-		}
-		return Error{ std::move(message) };
+		return Error{ gesture + ": " + unknown_feature(feature_name) };
 	}
-	bool is_stopped = false;
-	const auto go_on = [&](double done) {
-		is_stopped = is_stopped || (options.progress && !options.progress(done));
-		return !is_stopped;
-	};
+	Result<RecordedMovements> recorded = recorded_movements(*feature, recordings);
+	if (!recorded) {
+		return Error{ gesture + ": " + recorded.error() };
+	}
+	TrainingProgress progress(options.progress);
 	const Error stopped{ gesture + ": training was stopped" };
-
-	std::vector<Movement> movements;
-	std::vector<Eigen::VectorXd> curves;
-	for (const TrainingRecording &recording : recordings) {
-		if (std::optional<std::string> fault = recording_error(recording)) {
-			return Error{ gesture + ": " + *fault };
-		}
-		const RecordedCurve curve = reference_motion(*feature, recording);
-		if (curve.t_s.size() < 2) {
-			continue;
-		}
-		const MovementSpan span = movement_span(curve, recording.start_s, recording.end_s);
-		Eigen::VectorXd normalised = normalised_curve(curve, span);
-		if (!normalised.isZero(0.0)) {
-			movements.push_back({ &recording, span });
-			curves.push_back(std::move(normalised));
-		}
-	}
-	if (movements.empty()) {
-		return Error{ gesture + ": the feature '" + feature_name + "' moves in none of the " +
-			std::to_string(recordings.size()) + " recordings" };
-	}
 
 	GestureModel model;
 	model.gesture = gesture;
 	model.feature = feature_name;
-	const ReferenceCurve reference = reference_curve(curves, options.r2_threshold);
+	const ReferenceCurve reference = reference_curve(recorded.value().curves, options.r2_threshold);
 	model.reference_mean = reference.mean;
 	model.reference_deviation = reference.deviation;
 	model.provenance.r2_threshold = options.r2_threshold;
-	std::vector<Movement> kept;
-	std::vector<double> durations_s;
-	model.typical_task = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0 };
-	for (std::size_t i = 0; i < movements.size(); ++i) {
-		if (!reference.kept[i]) {
-			model.provenance.dropped.push_back(movements[i].recording->name);
-			continue;
-		}
-		kept.push_back(movements[i]);
-		durations_s.push_back(movements[i].span.end_s - movements[i].span.onset_s);
-		const Task &task = movements[i].recording->task;
-		model.typical_task.start_m += task.start_m;
-		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
-		const double way = std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis));
-		model.typical_task.axis += way * task.axis;
-		model.both_ways = model.both_ways || way < 0.0;
-		model.typical_task.amplitude_m += task.amplitude_m;
-	}
-	model.provenance.recordings = static_cast<int>(kept.size());
+	const std::vector<Movement> kept = keep_alike(recorded.value(), reference, model);
+	set_typical_task(kept, model);
+	const std::vector<double> durations_s = durations_of(kept);
 	const MeanAndDeviation duration = mean_and_deviation(durations_s);
 	model.duration_mean_s = duration.mean;
 	model.duration_deviation_s = duration.deviation;
-	const double n = static_cast<double>(kept.size());
-	model.typical_task.start_m /= n;
-	model.typical_task.axis.normalize(); // a radius has none: stays zero
-	model.typical_task.amplitude_m /= n;
-	if (!go_on(CURVES_READ)) {
+	if (!progress.go_on(CURVES_READ)) {
 		return stopped;
 	}
-
 	if (r_recordings != nullptr) {
-		r_recordings->clear();
-		for (std::size_t i = 0; i < movements.size(); ++i) {
-			r_recordings->push_back({ movements[i].recording->name, std::move(curves[i]), reference.r2[i],
-					reference.kept[i] });
-		}
+		*r_recordings = report(std::move(recorded).value(), reference);
 	}
 
-	std::vector<std::vector<std::optional<Observation>>> observed;
-	std::vector<Observation> seen;
-	for (const Movement &movement : kept) {
-		observed.push_back(observe(*feature, movement, model.duration_mean_s));
-		for (const std::optional<Observation> &o : observed.back()) {
-			if (o) {
-				seen.push_back(*o);
-			}
-		}
-	}
-	model.quantiser = VectorQuantiser::trained(seen, options.symbols, [&](int codewords) {
-		return go_on(OBSERVED + (QUANTISED - OBSERVED) * codewords / options.symbols);
-	});
-	if (!go_on(QUANTISED)) {
+	const Observations observed = observe(*feature, kept, model.duration_mean_s);
+	model.quantiser = codebook_of(observed, options.symbols, progress);
+	if (!progress.go_on(QUANTISED)) {
 		return stopped;
 	}
-	std::vector<SymbolSequence> sequences;
-	for (const auto &observations : observed) {
-		SymbolSequence &sequence = sequences.emplace_back();
-		for (const std::optional<Observation> &o : observations) {
-			sequence.push_back(o ? model.quantiser.symbol(*o) : UNSEEN);
-		}
-	}
-	BaumWelchOptions baum_welch_options = options.baum_welch;
-	baum_welch_options.go_on = [&](int iterations) {
-		return go_on(QUANTISED + (RE_ESTIMATED - QUANTISED) * iterations / options.baum_welch.max_iterations);
-	};
-	BaumWelchResult trained = baum_welch(left_right_from_equal_segments(sequences, options.states,
-												 options.symbols, options.baum_welch.pseudo),
-			sequences, baum_welch_options);
-	if (!go_on(RE_ESTIMATED)) {
+	const std::vector<SymbolSequence> sequences = in_symbols(observed, model.quantiser);
+	re_estimate(sequences, options, progress, model);
+	if (!progress.go_on(RE_ESTIMATED)) {
 		return stopped;
 	}
-	model.hmm = std::move(trained.hmm);
-	model.provenance.objective = std::move(trained.objective);
 	cut_into_elements(sequences, durations_s, options.polynomial_degree, model);
-	if (!go_on(1.0)) {
+	if (!progress.go_on(1.0)) {
 		return stopped;
 	}
 	return model;
