@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from suites import study_logs, worked_example
+from suites import installed_godot_cpp, study_logs, worked_example
 from suites.outcome import Outcome
 from suites.process import ROOT, run
 
@@ -32,6 +32,7 @@ def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:
         yield from haptics(Path(folder))
     yield from worked_example.outcomes()
+    yield from installed_godot_cpp.outcomes()
 
 
 def helps() -> Iterator[Outcome]:
