@@ -92,11 +92,19 @@ double circumference(const Task &task) {
 
 /// A hand that opens may move by several times the radius' growth.
 constexpr double WHILE_IT_OPENS = 0.2;
+/// How far fingers open is a matter of the hand, and of how far it was closed.
+constexpr double UNTOLD_GROWTH = 4.5;
 
 constexpr std::array FEATURES{
 	Feature{ "index_along_axis", INDEX_TIP, index_along_axis, index_place, along_axis },
-	Feature{ "tips_circumradius", THREE_TIPS, tips_circumradius, tips_place, along_size, nullptr, true,
-			{ WHILE_IT_OPENS, WHILE_IT_OPENS, 1.0, 1.0 } },
+	Feature{ .name = "tips_circumradius",
+			.joints = THREE_TIPS,
+			.measure = tips_circumradius,
+			.place = tips_place,
+			.direction = along_size,
+			.is_radius = true,
+			.open_gain_spread = UNTOLD_GROWTH,
+			.place_shares = { WHILE_IT_OPENS, WHILE_IT_OPENS, 1.0, 1.0 } },
 	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference },
 };
 

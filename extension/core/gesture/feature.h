@@ -31,6 +31,8 @@ struct Feature {
 	/// either side of 0, and MotionElement counts the rounds. Null where there is no such way.
 	double (*period_m)(const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, and no place
+	/// How many times as freely as with a task lengths differ from the model's where no task says them.
+	double open_gain_spread = 1.0;
 	/// What a metre of each coordinate of places counts in strokes.
 	std::array<double, 4> place_shares{ 1.0, 1.0, 1.0, 1.0 };
 };

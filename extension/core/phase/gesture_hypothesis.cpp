@@ -42,13 +42,13 @@ void GestureHypothesis::begin_error() {
 }
 
 GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double onset_deviation_s,
-		double log_duration, double log_duration_deviation) const {
+		double log_duration, double log_duration_deviation, double gain_spread) const {
 	GestureHypothesis h = in(regime);
 	const RegimeNumbers &numbers = regime_numbers(regime);
 	h.on_its_way_ = true;
 	h.begin_at(ONSET, onset_s, onset_deviation_s);
 	h.begin_at(LOG_DURATION, log_duration, log_duration_deviation);
-	h.begin_at(GAIN, 0.0, numbers.gain_deviation);
+	h.begin_at(GAIN, 0.0, gain_spread * numbers.gain_deviation);
 	h.begin_at(SHAPE, SHAPE_MEAN, SHAPE_DEVIATION);
 	h.rate_per_s_ = std::exp(-log_duration);
 	const double lags = 1.0 / (1.0 + LAG_SETTLING_S * h.rate_per_s_);

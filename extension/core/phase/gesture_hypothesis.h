@@ -42,9 +42,10 @@ public:
 	static GestureHypothesis resting(double d);
 	/// No longer in a gesture, and not yet at rest; d' is about that.
 	static GestureHypothesis leaving(double d, double d_rate);
-	/// The same hand and tracker, on its way since onset_s; deviations: standard.
+	/// The same hand and tracker, on its way since onset_s; deviations: standard. gain_spread: by which that
+	/// of g is multiplied.
 	[[nodiscard]] GestureHypothesis begun(Regime regime, double onset_s, double onset_deviation_s,
-			double log_duration, double log_duration_deviation) const;
+			double log_duration, double log_duration_deviation, double gain_spread = 1.0) const;
 	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
 	/// The same hand from now on free, before a tracker that is right: of one that erred, it is where that

@@ -69,8 +69,9 @@ void choose_rest(HypothesisBank &r_bank) {
 
 } // namespace
 
-HypothesisBirths::HypothesisBirths(const GestureModel &model, const PhaseEffort &effort) :
-		model_(&model), period_s_(effort.branch_period_s), durations_(effort.durations) {
+HypothesisBirths::HypothesisBirths(const GestureModel &model, const PhaseEffort &effort, double gain_spread) :
+		model_(&model), period_s_(effort.branch_period_s), gain_spread_(gain_spread),
+		durations_(effort.durations) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
 	const double centre = std::log(model.duration_mean_s) - 0.5 * spread * spread;
@@ -115,8 +116,8 @@ void HypothesisBirths::begin(HypothesisBank &r_bank, const TrackingSoundness &so
 
 void HypothesisBirths::start(HypothesisBank &r_bank, const GestureHypothesis &at_rest, std::size_t duration,
 		Regime regime, double onset_s, double onset_deviation_s, double log_probability) const {
-	const GestureHypothesis started = at_rest.begun(
-			regime, onset_s, onset_deviation_s, log_durations_[duration], log_duration_deviation_);
+	const GestureHypothesis started = at_rest.begun(regime, onset_s, onset_deviation_s,
+			log_durations_[duration], log_duration_deviation_, gain_spread_);
 	r_bank.add(started, log_probability + log_prior_[duration]);
 }
 

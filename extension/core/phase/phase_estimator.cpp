@@ -32,9 +32,11 @@ constexpr double ERRING_SETTLING_S = 0.15;
 
 } // namespace
 
-PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s) :
-		curve_(model), births_(model, effort), branch_period_s_(effort.branch_period_s),
-		latency_s_(latency_s), bank_(effort) {}
+PhaseEstimator::PhaseEstimator(
+		const GestureModel &model, const PhaseEffort &effort, double latency_s, double gain_spread) :
+		curve_(model),
+		births_(model, effort, gain_spread), branch_period_s_(effort.branch_period_s), latency_s_(latency_s),
+		bank_(effort) {}
 
 /// A hand that moves, or is elsewhere than at the start, may be about something else than to rest there.
 void PhaseEstimator::begin(double t_s, double d, double velocity) {

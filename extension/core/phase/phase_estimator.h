@@ -30,9 +30,10 @@ namespace steadyhand {
 class PhaseEstimator {
 public:
 	/// model must outlive the estimator. latency_s: how old what a frame shows always is; the estimate is
-	/// that much ahead of the frames.
-	explicit PhaseEstimator(
-			const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0);
+	/// that much ahead of the frames. gain_spread: how many times as freely as with a task a hand may go
+	/// further than 1, or less far.
+	explicit PhaseEstimator(const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0,
+			double gain_spread = 1.0);
 
 	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
 	/// takes it. In amplitudes.

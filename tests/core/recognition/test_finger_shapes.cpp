@@ -49,44 +49,81 @@ Tips flattened(double radius_m) {
 	return { Eigen::Vector2d(-half_m, 0.0), Eigen::Vector2d(0.0, height_m), Eigen::Vector2d(half_m, 0.0) };
 }
 
-int gestures_ended(Tips (*shape)(double), const Eigen::Vector3d &shift_m = Eigen::Vector3d::Zero()) {
+struct Opening {
+	Tips (*shape)(double radius_m) = opened;
+	double growth_m = GROWTH_M;
+	Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();
+	double lost_from_s = 1e9, lost_to_s = 1e9;
+};
+
+struct Outcome {
+	int ended = 0;      ///< gestures
+	double off_m = 0.0; ///< the motion's radius from the hand's, root mean square from 0.2 s after its end on
+};
+
+/// From 1 to 1.9 s, then still.
+Outcome watch(const Opening &opening) {
 	GestureRecogniser hmm({ zoom_model() }, std::nullopt, MotionMode::PHASE);
 	std::mt19937_64 random(3);
 	std::normal_distribution<double> noise(0.0, 2e-4);
-	int ended = 0;
+	Outcome outcome;
+	double sum = 0.0;
+	int frames = 0;
 	GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
-	for (int i = 0; i < 300; ++i) {
+	for (int i = 0; i < 260; ++i) {
 		const double t_s = i / 100.0, gone = minimum_jerk((t_s - 1.0) / 0.9).value;
-		const Tips tips = shape(CLOSED_M + gone * GROWTH_M);
+		const Tips tips = opening.shape(CLOSED_M + gone * opening.growth_m);
 		HandFrame frame;
 		frame.t_s = t_s;
 		const std::array joints{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
 		for (std::size_t k = 0; k < 3; ++k) {
 			const Eigen::Vector2d trembling(noise(random), noise(random));
-			Eigen::Vector3d place = gone * shift_m;
+			Eigen::Vector3d place = gone * opening.shift_m;
 			place.head<2>() += tips[k] + trembling;
 			frame.set(joints[k], place);
 		}
-		hmm.push(frame);
+		if (t_s < opening.lost_from_s || t_s >= opening.lost_to_s) {
+			hmm.push(frame);
+		}
+		hmm.advance(t_s);
 		const GestureFollower::Stage now =
 				hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-		ended += now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
+		outcome.ended += now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
 		stage = now;
+		if (t_s > 2.1) {
+			sum += std::pow(hmm.motion(MotionSource::SYNTHESISED).value_m - opening.growth_m, 2);
+			++frames;
+		}
 	}
-	return ended;
+	outcome.off_m = std::sqrt(sum / frames);
+	return outcome;
 }
 
 } // namespace
 
 TEST_CASE("fingers that open are a zoom, also where the hand moves meanwhile") {
-	CHECK(gestures_ended(opened) == 1);
-	CHECK(gestures_ended(opened, { 0.03, 0.02, 0.0 }) == 1);
-	CHECK(gestures_ended(opened, { 0.0, 0.0, -0.1 }) == 1);
+	CHECK(watch({}).ended == 1);
+	CHECK(watch({ .shift_m = { 0.03, 0.02, 0.0 } }).ended == 1);
+	CHECK(watch({ .shift_m = { 0.0, 0.0, -0.1 } }).ended == 1);
 }
 
 TEST_CASE("fingers that come into one line are no zoom, though their circle grows twofold") {
 	// As the zoom does.
 	const auto radius = [](const Tips &tips) { return circumcircle(tips[0], tips[1], tips[2])->radius; };
 	CHECK(radius(flattened(0.06)) == doctest::Approx(radius(opened(0.06))));
-	CHECK(gestures_ended(flattened) == 0);
+	CHECK(watch({ .shape = flattened }).ended == 0);
+}
+
+TEST_CASE("fingers that open further or less far than the model knows are shown as far open, also after a "
+		  "gap") {
+	for (const double length : { 0.75, 1.0, 1.4 }) {
+		for (const double lost_s : { 0.0, 0.1, 0.2 }) {
+			CAPTURE(length);
+			CAPTURE(lost_s);
+			const Outcome outcome =
+					watch({ .growth_m = length * GROWTH_M, .lost_from_s = 1.35, .lost_to_s = 1.35 + lost_s });
+			CHECK(outcome.ended == 1);
+			CHECK(outcome.off_m < 0.06 * GROWTH_M);
+		}
+	}
 }
