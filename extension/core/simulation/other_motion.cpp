@@ -109,8 +109,32 @@ HandWay wander(double /*span_s*/, Random &r_random) {
 	return [way = Oscillation(0.1, 0.8, deviation_m, r_random)](double t_s) { return way.at(t_s); };
 }
 
-constexpr std::array<OtherMotion, 5> OTHERS = { {
+/// Thumb, index and middle finger, each by itself about where it happens to be in a loose hand.
+class Fingers {
+public:
+	Fingers(double deviation_m, Random &r_random) {
+		for (std::size_t i = 0; deviation_m > 0.0 && i < MOVED.size(); ++i) {
+			const double x = r_random.normal(), y = r_random.normal(), z = r_random.normal();
+			places_m_.push_back(LOOSE_M * Eigen::Vector3d(x, y, z));
+			ways_.emplace_back(0.2, 1.2, deviation_m * r_random.uniform(0.5, 1.5), r_random);
+		}
+	}
+	void apply(double t_s, HandFrame &r_frame) const {
+		for (std::size_t i = 0; i < ways_.size(); ++i) {
+			r_frame.set(MOVED[i], r_frame.position(MOVED[i]) + places_m_[i] + ways_[i].at(t_s));
+		}
+	}
+
+private:
+	static constexpr std::array MOVED{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
+	static constexpr double LOOSE_M = 0.015;
+	std::vector<Eigen::Vector3d> places_m_;
+	std::vector<Oscillation> ways_;
+};
+
+constexpr std::array<OtherMotion, 6> OTHERS = { {
 		{ "idle", stay },
+		{ "fidgeting", stay, 0.005 },
 		{ "reaching", reach },
 		{ "typing", type },
 		{ "circling", circle },
@@ -138,8 +162,11 @@ TrueMotion make_other_motion(const OtherMotion &kind, HandPosition position, con
 	motion.end_s = motion.span_s - MARGIN_S;
 	const HandWay way = kind.make(motion.span_s, r_random);
 	const auto unrest = std::make_shared<const Unrest>(subject, r_random);
-	motion.hand = [way, unrest, place_m = hand_place_m(position), scale = subject.hand_scale](double t_s) {
+	const auto fingers = std::make_shared<const Fingers>(kind.fingers_m, r_random);
+	motion.hand = [way, fingers, unrest, place_m = hand_place_m(position), scale = subject.hand_scale](
+						  double t_s) {
 		HandFrame frame = pointing_hand(scale);
+		fingers->apply(t_s, frame);
 		shift_hand(frame, place_m + way(t_s));
 		unrest->apply(t_s, frame);
 		frame.t_s = t_s;

@@ -16,10 +16,11 @@ struct OtherMotion {
 	std::string_view name;
 	/// Displacement of the hand over 0 .. span_s.
 	HandWay (*make)(double span_s, Random &r_random);
+	double fingers_m = 0.0; ///< standard deviation of fingertips by themselves, in a hand that is loose
 };
 
-/// idle, reaching (aimed, but at least 30 degrees off every axis that a trained gesture runs along), typing,
-/// circling, wandering.
+/// idle, fidgeting (fingers alone), reaching (aimed, but at least 30 degrees off every axis that a trained
+/// gesture runs along), typing, circling, wandering.
 [[nodiscard]] std::span<const OtherMotion> other_motions();
 /// Null where there is none of that name.
 [[nodiscard]] const OtherMotion *find_other_motion(std::string_view name);

@@ -1,6 +1,8 @@
 #include "gesture/circumcircle.h"
 #include "recognition/gesture_recogniser.h"
 #include "signal/minimum_jerk.h"
+#include "simulation/other_motion.h"
+#include "simulation/subject.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -112,6 +114,26 @@ TEST_CASE("fingers that come into one line are no zoom, though their circle grow
 	const auto radius = [](const Tips &tips) { return circumcircle(tips[0], tips[1], tips[2])->radius; };
 	CHECK(radius(flattened(0.06)) == doctest::Approx(radius(opened(0.06))));
 	CHECK(watch({ .shape = flattened }).ended == 0);
+}
+
+TEST_CASE("fingers that move each by itself make hardly a zoom") {
+	const Subject subject = draw_subject(Population::TUNE, 1);
+	int zooms = 0;
+	for (std::uint64_t seed = 0; seed < 60; ++seed) {
+		Random random(seed);
+		const TrueMotion hand = make_other_motion(
+				*find_other_motion("fidgeting"), HandPosition::STABLE, subject, 10.0, random);
+		GestureRecogniser hmm({ zoom_model() }, std::nullopt, MotionMode::PHASE);
+		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+		for (int i = 0; i < 1000; ++i) {
+			hmm.push(hand.hand(i / 100.0));
+			const GestureFollower::Stage now =
+					hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
+			zooms += now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
+			stage = now;
+		}
+	}
+	CHECK(zooms <= 2); // in ten minutes: 0.2 a minute
 }
 
 TEST_CASE("fingers that open further or less far than the model knows are shown as far open, also after a "

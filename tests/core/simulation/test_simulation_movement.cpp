@@ -300,14 +300,23 @@ TEST_SUITE("simulated movement") {
 			double way_m = 0.0;
 			double along_m = 0.0;
 			double farthest_m = 0.0;
+			double palm_m = 0.0, spread_m = 0.0; ///< by which palm, and index from thumb, change places
 			for (std::uint64_t seed = 0; seed < 20; ++seed) {
 				Random random(seed);
 				const TrueMotion motion = make_other_motion(kind, HandPosition::STABLE, subject, 6.0, random);
 				CHECK(motion.span_s == 6.0);
-				const Eigen::Vector3d place_m = motion.hand(0.0).position(Joint::INDEX);
+				const HandFrame first = motion.hand(0.0);
+				const Eigen::Vector3d place_m = first.position(Joint::INDEX);
+				const auto span_m = [](const HandFrame &hand) {
+					return (hand.position(Joint::INDEX) - hand.position(Joint::THUMB)).norm();
+				};
 				Eigen::Vector3d previous_m = place_m;
 				for (const double t_s : instants(0.01, 6.0, 0.01)) {
-					const Eigen::Vector3d now_m = motion.hand(t_s).position(Joint::INDEX);
+					const HandFrame hand = motion.hand(t_s);
+					const Eigen::Vector3d now_m = hand.position(Joint::INDEX);
+					palm_m = std::max(
+							palm_m, (hand.position(Joint::PALM) - first.position(Joint::PALM)).norm());
+					spread_m = std::max(spread_m, std::abs(span_m(hand) - span_m(first)));
 					way_m += (now_m - previous_m).norm() / 20.0;
 					along_m = std::max(along_m, (now_m - previous_m).norm() / 0.01);
 					farthest_m = std::max(farthest_m, (now_m - place_m).norm());
@@ -321,6 +330,8 @@ TEST_SUITE("simulated movement") {
 			} else {
 				CHECK(way_m > 0.2);
 			}
+			CHECK((palm_m < 0.01) == (kind.name == "idle" || kind.name == "fidgeting"));
+			CHECK((spread_m > 0.02) == (kind.name == "fidgeting"));
 		}
 		CHECK(find_other_motion("sleeping") == nullptr);
 	}

@@ -283,7 +283,7 @@ TEST_SUITE("synthetic trial") {
 		request = request_of("none", 1);
 		request.kind = "sleeping";
 		CHECK(make_synthetic_trial(request).error() ==
-				"no synthetic kind of other motion 'sleeping', there are: idle reaching typing circling "
-				"wandering");
+				"no synthetic kind of other motion 'sleeping', there are: idle fidgeting reaching "
+				"typing circling wandering");
 	}
 }
