@@ -2,6 +2,8 @@ extends RefCounted
 ## A participant's stable and unstable position for each task, as practice runs found them, in a
 ## file of the participant's own: user://participants/NAME.json.
 
+const Stored := preload("stored.gd")
+
 ## In the order of their blocks of trials.
 const POSITIONS: Array[String] = ["stable", "unstable"]
 const FIGURES: Array[String] = ["seconds", "faults_per_s", "jitter"]
@@ -73,8 +75,10 @@ func _write() -> Error:
 	var result := FileAccess.get_open_error()
 	if file != null:
 		file.store_string(JSON.stringify(_tasks, "\t") + "\n")
+		result = OK if Stored.is_written(file) else ERR_FILE_CANT_WRITE
 		file.close()
-		result = file.get_error()
+		if result != OK:
+			DirAccess.remove_absolute(part)
 	if result == OK and not error.is_empty():
 		result = DirAccess.rename_absolute(_path, "%s.%d.bad" % [_path, Time.get_ticks_usec()])
 	if result == OK:

@@ -3,6 +3,7 @@ extends RefCounted
 ## trial. A crash loses a second at most.
 
 const Conditions := preload("conditions.gd")
+const Stored := preload("stored.gd")
 const TrialCourse := preload("trial_course.gd")
 
 ## Columns are added at the end alone: programs that know the first ones go on.
@@ -16,6 +17,7 @@ var _folder := ""
 var _trial: Dictionary = {}
 var _samples: FileAccess = null
 var _flushed_s := -INF
+var _complained := false
 
 
 ## `trial`: {trial, gesture, position ("stable", "unstable" or empty), participant (empty: not
@@ -46,17 +48,20 @@ func add(time_s: float, condition: String, motion: GestureHMM, vibration: float)
 		row += ",%.6f" % motion.get_motion_value(source)
 	_samples.store_line(row + ",%.4f,%d,%.4f" % [motion.progress, motion.state, vibration])
 	if time_s - _flushed_s >= FLUSH_INTERVAL_S:
-		_samples.flush()
+		_check(_samples)
 		_flushed_s = time_s
 
 
 ## `condition`: the last one of the trial.
 func close(condition: String, course: TrialCourse) -> void:
-	_samples = null
+	if _samples != null:
+		_check(_samples)
+		_samples = null
 	var path := _folder.path_join("trials.csv")
 	var is_new := not FileAccess.file_exists(path)
 	var trials := FileAccess.open(path, FileAccess.WRITE if is_new else FileAccess.READ_WRITE)
 	if trials == null:
+		push_error("%s: %s" % [path, error_string(FileAccess.get_open_error())])
 		return
 	trials.seek_end()
 	if is_new:
@@ -72,6 +77,14 @@ func close(condition: String, course: TrialCourse) -> void:
 	for number: float in [course.end_value_m, course.gesture_end_s]:
 		row.append(_number(number))
 	trials.store_csv_line(row)
+	_check(trials)
+
+
+## Said once a trial.
+func _check(file: FileAccess) -> void:
+	if not Stored.is_written(file) and not _complained:
+		_complained = true
+		push_error("%s: rows are being lost; is the disk full?" % file.get_path())
 
 
 static func _number(number: float) -> String:

@@ -4,6 +4,7 @@ extends RefCounted
 ## in the folder goes first.
 
 const Conditions := preload("res://scripts/conditions.gd")
+const Stored := preload("res://scripts/stored.gd")
 const TrialRun := preload("trial_run.gd")
 
 const RESULTS := "results.csv"
@@ -60,7 +61,7 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 		for figure in FIGURES:
 			row.append(_cell(run.figures, condition, figure))
 	_results.store_csv_line(row)
-	_results.flush()
+	_check(_results)
 
 	var key := "%s/%s" % [trial["gesture"], trial["position"]]
 	_rows.get_or_add(key, []).append(
@@ -103,9 +104,13 @@ func finish(settings: Dictionary) -> void:
 			groups = groups,
 		}
 		summary.store_line(JSON.stringify(content, "\t", false, true))
+		_check(summary)
 	_results.close()
+	if not error.is_empty():
+		DirAccess.remove_absolute(_folder.path_join(SUMMARY))
+		return
 	var renamed := DirAccess.rename_absolute(_folder.path_join(PART), _folder.path_join(RESULTS))
-	if renamed != OK and error.is_empty():
+	if renamed != OK:
 		error = "cannot write %s: %s" % [_folder.path_join(RESULTS), error_string(renamed)]
 
 
@@ -197,6 +202,12 @@ func _write_curves(name: String, run: TrialRun) -> void:
 		if has_reference:
 			first += "%.9f" % reference[i]
 		file.store_line(first + numbers % cells)
+	_check(file)
+
+
+func _check(file: FileAccess) -> void:
+	if not Stored.is_written(file) and error.is_empty():
+		error = "cannot write %s: is the disk full?" % file.get_path()
 
 
 func _open(name: String) -> FileAccess:

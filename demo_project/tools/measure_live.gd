@@ -7,6 +7,7 @@ extends "tool.gd"
 ## samples (NAME.f32) and live.json, which says what was done when.
 
 const BusRecorder := preload("bus_recorder.gd")
+const Stored := preload("res://scripts/stored.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
@@ -66,7 +67,7 @@ func _measure(arguments: PackedStringArray) -> void:
 	await create_timer(_two_blocks_s()).timeout
 	var file := FileAccess.open(_out.path_join("live.json"), FileAccess.WRITE)
 	file.store_string(JSON.stringify(_report, "\t", false))
-	exit_code = 0 if file.get_error() == OK else EXIT_BAD_INPUT
+	exit_code = 0 if Stored.is_written(file) else EXIT_BAD_INPUT
 	file.close()
 	quit(exit_code)
 

@@ -2,6 +2,7 @@ extends RefCounted
 ## The groups of evaluations as one table for the terminal.
 
 const Conditions := preload("res://scripts/conditions.gd")
+const Stored := preload("res://scripts/stored.gd")
 
 const FIGURE_ROWS: Array[String] = ["mean R2", "mean R2, no lag", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
@@ -48,6 +49,8 @@ func save_markdown(path: String) -> void:
 	file.store_line(title)
 	file.store_line("| --- | ---: |" + " ---: |".repeat(Conditions.NAMES.size()))
 	file.store_line("\n".join(_markdown))
+	if not Stored.is_written(file):
+		push_error("%s: is the disk full?" % path)
 
 
 static func _markdown_line(set_name: String, group: Dictionary) -> String:

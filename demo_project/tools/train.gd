@@ -16,6 +16,7 @@ extends "tool.gd"
 const OwnModels := preload("own_models.gd")
 const Progress := preload("progress.gd")
 const Repository := preload("repository.gd")
+const Stored := preload("res://scripts/stored.gd")
 
 const MODEL_ENDING := ".gesture"
 
@@ -145,4 +146,7 @@ func _report_recordings(trainer: GestureTrainer, gesture: String) -> bool:
 		for value: float in recording["curve"]:
 			row.append("%.6f" % value)
 		file.store_csv_line(row)
+	if not Stored.is_written(file):
+		printerr("cannot write %s: is the disk full?" % path)
+		return false
 	return true

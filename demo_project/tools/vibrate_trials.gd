@@ -9,6 +9,7 @@ extends "tool.gd"
 
 const Conditions := preload("res://scripts/conditions.gd")
 const RecordedHand := preload("recorded_hand.gd")
+const Stored := preload("res://scripts/stored.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
@@ -34,7 +35,7 @@ func work(arguments: PackedStringArray) -> void:
 		_vibrate(trials.get_trial(i), trials.get_measured_path(i), trials.get_reference_path(i))
 	var file := FileAccess.open(_out.path_join("vibrations.json"), FileAccess.WRITE)
 	file.store_string(JSON.stringify({wav_rate = WAV_HZ, curve_rate = CURVE_HZ, trials = _rows}))
-	exit_code = 0 if file.get_error() == OK else EXIT_BAD_INPUT
+	exit_code = 0 if Stored.is_written(file) else EXIT_BAD_INPUT
 
 
 func _vibrate(trial: Dictionary, measured_path: String, reference_path: String) -> void:

@@ -139,13 +139,14 @@ void HapticWav::write_block(std::size_t p_frames) {
 
 void HapticWav::flush() {
 	file_->store_buffer(bytes_.slice(0, used_bytes_));
+	const bool is_whole = is_written(file_);
 	// A program that is killed leaves a file that says how long it is.
 	file_->seek(0);
 	write_header();
 	file_->seek_end();
 	file_->flush();
 	used_bytes_ = 0;
-	if (file_->get_error() != OK && !complained_) {
+	if (!is_whole && !complained_) {
 		complained_ = true;
 		ERR_PRINT(path_ + String(": writing the vibration fails; is the disk full?"));
 	}

@@ -3,7 +3,6 @@
 #include "conversions.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
-#include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 #include <godot_cpp/variant/packed_byte_array.hpp>
 
@@ -34,6 +33,12 @@ steadyhand::Result<std::string> read_text_file(const String &p_path) {
 	return std::string(reinterpret_cast<const char *>(bytes.ptr()), static_cast<std::size_t>(bytes.size()));
 }
 
+bool is_written(const Ref<FileAccess> &p_file) {
+	const std::uint64_t end = p_file->get_position();
+	p_file->flush();
+	return p_file->get_error() == OK && p_file->get_length() == end;
+}
+
 Error write_text_file(const String &p_path, std::string_view p_text) {
 	const String part = p_path + String(".part");
 	const Ref<FileAccess> file = FileAccess::open(part, FileAccess::WRITE);
@@ -43,8 +48,7 @@ Error write_text_file(const String &p_path, std::string_view p_text) {
 	bytes.resize(static_cast<int64_t>(p_text.size()));
 	std::copy(p_text.begin(), p_text.end(), bytes.ptrw());
 	file->store_buffer(bytes);
-	file->flush();
-	Error error = file->get_error();
+	Error error = is_written(file) ? OK : ERR_FILE_CANT_WRITE;
 	file->close();
 	error = error == OK ? DirAccess::rename_absolute(part, p_path) : error;
 	if (error != OK) {

@@ -47,8 +47,7 @@ void TrackRecorder::flush() {
 	std::copy(rows_.begin(), rows_.end(), bytes.ptrw());
 	rows_.clear();
 	file_->store_buffer(bytes);
-	file_->flush();
-	if (file_->get_error() != OK) {
+	if (!is_written(file_)) {
 		complain(": recording fails, rows are being lost; is the disk full?");
 	}
 }

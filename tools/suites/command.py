@@ -12,7 +12,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from suites import installed_godot_cpp, study_logs, worked_example
+from suites import full_disk, installed_godot_cpp, study_logs, worked_example
 from suites.outcome import Outcome
 from suites.process import ROOT, run
 
@@ -27,6 +27,7 @@ def outcomes() -> Iterator[Outcome]:
     yield from study_logs.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
+    yield from full_disk.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
         yield from results(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:

@@ -1,0 +1,108 @@
+"""Files on a disk that is full: nothing passes for whole, and what was there before stays.
+
+A limit on the size of a file stands in for the disk. It is met after 8192 bytes: what comes then is less than a
+buffer, so that the engine believes it to be written.
+"""
+
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+from suites.outcome import Outcome
+from suites.process import ROOT, run
+
+LIMITED = ["bash", "-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "limited"]
+
+SCRIPT = """extends SceneTree
+
+const Participant := preload("res://scripts/participant.gd")
+const TrialLog := preload("res://scripts/trial_log.gd")
+
+var _folder := OS.get_cmdline_user_args()[0]
+
+
+func _initialize() -> void:
+	var model := load("res://addons/steadyhand/models/tap.gesture")
+	print("model refused: ", ResourceSaver.save(model, _folder.path_join("tap.gesture")) != OK)
+	print("positions refused: ", _keep("x".repeat(8500)) != OK)
+	_record()
+	_vibrate.call_deferred()
+	var log := TrialLog.new(_folder, {trial = "a", gesture = "tap", position = "", participant = ""})
+	var hmm := GestureHMM.new()
+	for i in 160:
+		log.add(0.5 * i, "measured", hmm, 0.0)
+	hmm.free()
+
+
+func _keep(gesture: String) -> Error:
+	var place := {position = Vector3.ZERO, seconds = 1.0, faults_per_s = 0.0, jitter = 0.0}
+	return Participant.new("ann", _folder).keep(gesture, {contrast = 1.0, stable = place, unstable = place})
+
+
+func _record() -> void:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.start()
+	tracker.start_recording(_folder.path_join("frames.csv"))
+	for i in 400:
+		tracker.push_frame(0.1 * i, {HandTracker.JOINT_INDEX: Vector3(0.1, 0.2, 0.001 * i)})
+	tracker.free()
+
+
+func _vibrate() -> void:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_SYNTHETIC
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	var hmm := GestureHMM.new()
+	hmm.tracker = tracker
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = hmm
+	synth.wav_sample_rate = 8000
+	synth.wav_path = _folder.path_join("short.wav")
+	for node: Node in [tracker, hmm, synth]:
+		root.add_child(node)
+	tracker.start()
+	tracker.advance(0.6)
+	synth.stop_wav()
+	quit()
+"""
+
+
+def outcomes() -> Iterator[Outcome]:
+    with tempfile.TemporaryDirectory(prefix="steadyhand_full_disk") as folder:
+        yield from files(Path(folder))
+        yield from evaluation(Path(folder))
+
+
+def godot(script: Path | str, *arguments: Path | str) -> list:
+    return [os.environ["GODOT"], "--headless", "--path", ROOT / "demo_project", "--script", script, "--", *arguments]
+
+
+def files(folder: Path) -> Iterator[Outcome]:
+    """What a program with the add-on and a study write."""
+    script = folder / "write.gd"
+    script.write_text(SCRIPT)
+    for name in ("tap.gesture", "ann.json"):
+        (folder / name).write_text("{}")
+    _, output = run([*LIMITED, *godot(script, folder)], kill_s=60)
+    for what, name in (("model", "tap.gesture"), ("positions", "ann.json")):
+        good = f"{what} refused: true" in output and (folder / name).read_text() == "{}"
+        yield Outcome.of(f"command/full disk: {name} stays as it was", good, output)
+        yield Outcome.of(f"command/full disk: no half of {name}", not (folder / f"{name}.part").exists(), output)
+    for name in ("frames.csv", "short.wav", "a.log.csv"):
+        full = (folder / name).stat().st_size == 8192
+        good = full and output.count(f"{folder / name}: ") == 1
+        yield Outcome.of(f"command/full disk: {name} is said to be cut short, once", good, output)
+
+
+def evaluation(folder: Path) -> Iterator[Outcome]:
+    synthetic = ["--out", folder / "set", "--gestures", "tap", "--subjects", "1", "--trials", "1"]
+    status, output = run(godot("res://tools/synthesise.gd", *synthetic))
+    if status == 0:
+        out = folder / "evaluation"
+        command = godot("res://tools/evaluate.gd", "--trials", folder / "set", "--out", out)
+        status, output = run([*LIMITED, *command])
+        left = sorted(path.name for path in out.iterdir())
+    good = status == 2 and ".curves.csv: is the disk full?" in output and not {"results.csv", "summary.json"} & {*left}
+    yield Outcome.of("command/full disk: an evaluation fails, and leaves no table", good, f"{status}, {left}\n{output}")
