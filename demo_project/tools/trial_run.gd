@@ -16,6 +16,8 @@ const ROUNDING_MS := 1e-6
 const AFTER_S := 1.5
 ## What a damaged stamp asks for is more than there is memory.
 const LONGEST_RECORD_S := 6.0 * 3600.0
+## Smoothness takes time with its square: here 4 s a curve. Stamps in milliseconds ask for hours.
+const LONGEST_GESTURE_S := 120.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
@@ -138,6 +140,11 @@ func _span(reference_path: String) -> bool:
 		error = (
 			"start_s %.6f .. end_s %.6f is not within the reference, %.6f .. %.6f s: %s"
 			% [start_s, end_s, begin_ms / RATE_HZ, end_ms / RATE_HZ, reference_path]
+		)
+	elif end_s - start_s > LONGEST_GESTURE_S:
+		error = (
+			"its gesture lasts %.0f s; at most %.0f s can be judged (are its times in seconds?)"
+			% [end_s - start_s, LONGEST_GESTURE_S]
 		)
 	return error.is_empty()
 

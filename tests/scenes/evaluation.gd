@@ -127,6 +127,25 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		check_near(r2, own[0].get_slice(",", 5).to_float(), 1e-6, "its R2 is the mean")
 
 
+func test_a_gesture_of_minutes_is_left_out() -> void:
+	var trials := Rig.write_trials(_path("minutes"))
+	var path := trials.get_reference_path(0)
+	var lines := FileAccess.get_file_as_string(path).split("\n", false)
+	lines[-1] = lines[-1].replace(lines[-1].get_slice(",", 0) + ",", "1500,")
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
+	var table := _lines("minutes/trials.csv")
+	_replace_cells(table, 1, {5: "1500"})
+	FileAccess.open(_path("minutes/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
+	var run := ToolRun.new(
+		"evaluate", ["--trials", _path("minutes"), "--out", _path("minutes_out")]
+	)
+	check_equal(run.exit_code, 1, "exit code")
+	_check_left_out(run, trials.get_trial(0)["trial"], ["its gesture lasts 1499", "in seconds?"])
+	check_equal(
+		_lines("minutes_out/results.csv").size(), trials.get_count(), "the others are there"
+	)
+
+
 func test_a_record_of_years_is_left_out() -> void:
 	var trials := Rig.write_trials(_path("years"))
 	var path := trials.get_reference_path(0)
