@@ -96,7 +96,9 @@ func run(
 		recognised = hmm.recognised
 	if not own.is_empty():
 		_compare()
-		if curves["measured"].count(0.0) == count:
+		# What is followed with a task only has no motion where none is given.
+		var is_still := _is_blank(curves["measured"])
+		if is_still and _is_blank(_feature_curve(measured_path, own[0].feature)):
 			note = "the hand is never seen by %s: %s" % [own[0].feature, measured_path]
 
 	for node: Node in [hmm, task, tracker]:
@@ -165,15 +167,21 @@ func _overlaps(tracker: HandTracker, measured_path: String) -> bool:
 
 
 func _measure_reference(reference_path: String, feature: String) -> bool:
-	var reference := MotionMetrics.feature_curve(
-		reference_path, feature, _trial, first_ms / RATE_HZ, RATE_HZ, count
-	)
-	# Of a hand that is never there, which no sensor says of one that is.
-	if reference.count(0.0) == reference.size():
+	var reference := _feature_curve(reference_path, feature)
+	if _is_blank(reference):
 		error = "the reference holds nothing of %s: %s" % [feature, reference_path]
 		return false
 	curves[REFERENCE] = reference
 	return true
+
+
+func _feature_curve(path: String, feature: String) -> PackedFloat64Array:
+	return MotionMetrics.feature_curve(path, feature, _trial, first_ms / RATE_HZ, RATE_HZ, count)
+
+
+## As of a hand that is never there: no sensor says 0 all the way of one that is.
+static func _is_blank(curve: PackedFloat64Array) -> bool:
+	return curve.count(0.0) == curve.size()
 
 
 func _record(tracker: HandTracker, hmm: GestureHMM, unit_m: float) -> void:

@@ -127,6 +127,24 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		check_near(r2, own[0].get_slice(",", 5).to_float(), 1e-6, "its R2 is the mean")
 
 
+func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
+	var trials := Rig.write_trials(_path("unseen"), 1, "circle")
+	DirAccess.make_dir_absolute(_path("circles"))
+	var model := GestureTrainer.new().train(trials, "circle")
+	check_equal(ResourceSaver.save(model, _path("circles/circle.gesture")), OK, "a model is made")
+	var blind := "t,index_x,index_y,index_z\n0,,,\n5,,,\n"
+	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(blind)
+	for context: String in Evaluation.CONTEXTS:
+		var options := ["--trials", _path("unseen"), "--out", _path("unseen_out")]
+		options += ["--models", _path("circles"), "--context", context]
+		var run := ToolRun.new("evaluate", options)
+		check_equal(run.exit_code, 0, "exit code")
+		var note := "trial %s: the hand is never seen"
+		check_equal(run.not_said([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
+		var seen := note % trials.get_trial(0)["trial"]
+		check(not run.said.contains(seen), "not of a hand that is seen: %s" % context)
+
+
 func test_a_gesture_of_minutes_is_left_out() -> void:
 	var trials := Rig.write_trials(_path("minutes"))
 	var path := trials.get_reference_path(0)
