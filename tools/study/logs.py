@@ -73,6 +73,8 @@ def read_file(path: Path) -> Iterator[Trial | str]:
                 yield f"{path}:1: no column {', '.join(missing)} (no study log, or of an earlier version)"
                 return
             for cells in lines:
+                if not cells:
+                    continue
                 try:
                     if len(cells) != len(header):
                         raise ValueError(f"{len(cells)} cells, the header has {len(header)}")

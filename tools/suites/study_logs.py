@@ -36,10 +36,10 @@ def outcomes() -> Iterator[Outcome]:
 def by_hand(folder: Path) -> Iterator[Outcome]:
     write_log(folder / "logs/first", "Ann, A.", ANN)
     write_log(folder / "logs/second", "Bob", BOB)
-    # A trial that never ended, and one of another condition that has no spread.
+    # A trial that never ended, one of another condition that has no spread, and the blank line that an editor leaves.
     with (folder / "logs/second/trials.csv").open("a") as file:
         file.write("x,tap,stable,synthesised,1.0,,,Bob,0.200000,0.004000,,\n")
-        file.write("y,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n")
+        file.write("y,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n\n")
     # A folder that is in another is read once.
     status, output = run(["./steadyhand", "study", folder / "logs", folder / "logs/first", "--out", folder / "out"])
     yield Outcome.of("command/study: exit code", status == 0, output)
