@@ -242,6 +242,10 @@ void HapticSynth::_notification(int p_what) {
 		listen_to_joypads(false);
 		listen_to_buses(false);
 		drop_pulses();
+		// A player that is played anew has a new reader, which the effects would not be told to.
+		if (player_ != nullptr) {
+			drop_player();
+		}
 	} else if (p_what == NOTIFICATION_READY) {
 		// As GestureHMM does of its tracker.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
