@@ -58,6 +58,7 @@ void HapticSynth::on_motion_started() {
 	arrivals_.restart();
 	strength_ = {};
 	effects_are_set_ = false;
+	told_s_ = NOT_TOLD;
 	for_each_sink([](HapticSink &sink) { sink.start_anew(); });
 }
 
@@ -87,6 +88,11 @@ void HapticSynth::on_motion_known() {
 	if (is_inside_tree() && (player_ != nullptr) != bus_exists()) {
 		on_buses_changed();
 	}
+	// At an Engine.time_scale of 0 frames go on; the motion does not.
+	if (gesture_hmm_->get_time() == told_s_) {
+		return;
+	}
+	told_s_ = gesture_hmm_->get_time();
 	bool any_live = false;
 	for_each_sink([&](const HapticSink &sink) { any_live = any_live || sink.is_live(); });
 	if (!any_live) {

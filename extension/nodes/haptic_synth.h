@@ -14,6 +14,7 @@
 #include <godot_cpp/variant/typed_array.hpp>
 
 #include <deque>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -76,6 +77,7 @@ protected:
 
 private:
 	static constexpr int NO_JOYPAD = -1;
+	static constexpr double NOT_TOLD = std::numeric_limits<double>::quiet_NaN();
 
 	/// For a script that takes samples as it needs them.
 	struct BufferSink : LiveSink {
@@ -107,6 +109,7 @@ private:
 	std::shared_ptr<std::deque<TablesInUse>> tables_ = std::make_shared<std::deque<TablesInUse>>();
 	steadyhand::ArrivalDetector arrivals_;
 	steadyhand::Strength strength_;
+	double told_s_ = NOT_TOLD; ///< the motion's time when it was last told of live
 
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
 	std::unique_ptr<LiveSink> bus_sink_;

@@ -176,6 +176,32 @@ func test_a_script_takes_the_live_vibration() -> void:
 	rig.free_nodes()
 
 
+func test_a_game_that_stands_still_is_silent() -> void:
+	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
+	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var spring := SpringEffect.new()
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	spring.drive = HapticEffect.DRIVE_CONSTANT
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.effects = [spring]
+	synth.buffer_sample_rate = 8000
+	root.add_child(synth)
+	rig.tracker.start()
+	var peaks := PackedFloat32Array()
+	for step in 100:
+		# As a frame of a game does at an Engine.time_scale of 1, and then of 0.
+		rig.tracker.advance(0.016 if step < 50 else 0.0)
+		var samples := PackedFloat32Array()
+		for frame in synth.get_buffer(128):
+			samples.append(frame.x)
+		peaks.append(Waveform.peak(samples))
+	check(peaks[49] > 0.9, "while time goes on: %s" % peaks[49])
+	check_equal(peaks[99], 0.0, "0.8 s after it has stopped")
+	synth.free()
+	rig.free_nodes()
+
+
 ## A trial through the nodes and into a file. Of the result, `arrival` is the number of the first
 ## sample at or after the arrival, `speed` the hand's there, m/s.
 func _play(
