@@ -27,9 +27,12 @@ bool is_usable(const Ref<GestureModel> &p_model) {
 }
 
 steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
-	const bool is_radius = steadyhand::find_feature(p_model.feature)->is_radius;
-	return { is_radius ? Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0) : to_core(p_task.get_start()),
-		to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
+	if (steadyhand::find_feature(p_model.feature)->is_radius) {
+		// Wherever the node is and however it is turned.
+		return { Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0), Eigen::Vector3d::UnitX(),
+			p_task.get_amplitude() };
+	}
+	return { to_core(p_task.get_start()), to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
 }
 
 String joint_list(uint8_t p_joints) {

@@ -79,6 +79,30 @@ func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
 	other.free()
 
 
+func test_a_task_of_a_radius_may_turn_and_move() -> void:
+	var task := _task(&"zoom", Vector3.ZERO, Vector3.RIGHT, 0.05)
+	task.start_radius = 0.02
+	var hmm := _hmm([task])
+	hmm.models = [load(Rig.MODEL % "zoom") as GestureModel]
+	var ended: Array[StringName] = []
+	hmm.gesture_ended.connect(
+		func(gesture: StringName, _time_s: float) -> void: ended.append(gesture)
+	)
+	hmm.tracker.start()
+	for frame in 220:
+		var p := smoothstep(60.0, 140.0, frame)
+		var joints := {}
+		for tip in 3:
+			joints[tip] = (0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
+		hmm.tracker.push_frame(frame * FRAME_S, joints)
+		task.rotation.y = 0.01 * frame
+		task.position.x = 0.01 * frame
+		task.force_update_transform()
+	check_equal(ended, [&"zoom"] as Array[StringName], "neither is used")
+	_free(hmm)
+	task.free()
+
+
 func test_a_task_that_the_gesture_itself_moves_is_told_of_and_never_ends() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([task])
