@@ -244,7 +244,8 @@ void GestureHMM::on_task_changed() {
 	if (!outdated_ && find_expected() == expected_) {
 		return;
 	}
-	if (++task_changes_ == TASK_CHANGES_TOLD) {
+	// In the editor, and where nothing has been seen since, there is nothing that could start anew.
+	if (!outdated_ && ++task_changes_ == TASK_CHANGES_TOLD) {
 		WARN_PRINT("GestureHMM: a GestureTask keeps moving, and the recognition starts anew each time; it "
 				   "must not "
 				   "be a child of what the gesture moves");
