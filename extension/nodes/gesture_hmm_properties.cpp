@@ -39,6 +39,7 @@ void GestureHMM::set_tracker(HandTracker *p_tracker) {
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
 	update_configuration_warnings();
+	reset();
 }
 
 void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {

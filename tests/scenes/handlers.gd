@@ -27,6 +27,25 @@ func test_a_handler_may_free_the_tracker() -> void:
 		rig.task.free()
 
 
+func test_a_tracker_that_is_freed_leaves_no_gesture() -> void:
+	var rig := _make_rig()
+	var hmm := rig.gesture_hmm
+	var states: Array[int] = []
+	hmm.state_changed.connect(func(state: int) -> void: states.append(state))
+	rig.tracker.start()
+	var step := 0
+	while hmm.gesture == &"" and step < 2400:
+		step += 1
+		rig.tracker.advance_to(step * Rig.STEP_S)
+	check(hmm.gesture != &"", "under way")
+	rig.tracker.free()
+	check_equal(hmm.gesture, &"", "none without a tracker")
+	check_equal(hmm.state, -1, "nor a state")
+	check_equal(states[-1], -1, "which is told")
+	hmm.free()
+	rig.task.free()
+
+
 func test_a_handler_may_push_the_next_frame() -> void:
 	var tracker := HandTracker.new()
 	tracker.autostart = false
