@@ -45,9 +45,13 @@ void GestureHMM::reset() {
 	}
 }
 
-void GestureHMM::prepare(double p_time_s) {
+bool GestureHMM::prepare(double p_time_s) {
+	const Watch watch(listeners_);
 	if (recogniser_ && std::abs(p_time_s - time_s_) > LONGEST_GAP_S) {
 		reset();
+		if (watch.is_gone()) {
+			return false;
+		}
 		if (++leaps_ == LEAPS_TOLD) {
 			WARN_PRINT("GestureHMM: time stamps leap by more than 10 s from frame to frame, and nothing is "
 					   "recognised across such a gap; stamps are seconds");
@@ -56,7 +60,7 @@ void GestureHMM::prepare(double p_time_s) {
 		leaps_ = 0;
 	}
 	if (!outdated_) {
-		return;
+		return true;
 	}
 	outdated_ = false;
 	++build_;
@@ -64,12 +68,14 @@ void GestureHMM::prepare(double p_time_s) {
 	next_instant_ = static_cast<int64_t>(std::ceil(p_time_s * CONTROL_RATE_HZ));
 	time_s_ = p_time_s;
 	listeners_.call(&MotionListener::on_motion_started);
+	return true;
 }
 
-void GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
+bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
+	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
 	// A script that is told of an instant may change settings, or push the next frame.
-	while (build_ == this_build && !outdated_) {
+	while (!watch.is_gone() && build_ == this_build && !outdated_) {
 		const double instant_s = static_cast<double>(next_instant_) / CONTROL_RATE_HZ;
 		if (instant_s > p_time_s || (instant_s == p_time_s && !p_up_to_and_including)) {
 			break;
@@ -79,22 +85,21 @@ void GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 		time_s_ = instant_s;
 		publish();
 	}
+	return !watch.is_gone();
 }
 
 void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
-	prepare(p_frame.t_s);
 	// An instant before this frame must not see it.
-	run_clock(p_frame.t_s, false);
-	prepare(p_frame.t_s);
+	if (!prepare(p_frame.t_s) || !run_clock(p_frame.t_s, false) || !prepare(p_frame.t_s)) {
+		return;
+	}
 	recogniser_->push(p_frame);
 	watch_joints(p_frame.tracked);
 	time_s_ = std::max(time_s_, p_frame.t_s);
 }
 
 void GestureHMM::on_time_advanced(double p_time_s) {
-	prepare(p_time_s);
-	run_clock(p_time_s, true);
-	if (!outdated_) {
+	if (prepare(p_time_s) && run_clock(p_time_s, true) && !outdated_) {
 		recogniser_->advance(p_time_s);
 		time_s_ = std::max(time_s_, p_time_s);
 		listeners_.call(&MotionListener::on_motion_known);
@@ -127,8 +132,9 @@ void GestureHMM::publish() {
 		listeners_.call(&MotionListener::on_motion, motion_at(instant_s));
 	}
 	// What was recognised before a script changed settings is no news after that.
+	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
-	const auto is_valid = [&] { return build_ == this_build && !outdated_; };
+	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
 	if (aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}

@@ -150,7 +150,11 @@ private:
 	int frames_with_hand_ = 0;                    ///< since the recogniser was made
 	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
 
-	void prepare(double p_time_s);
+	/// What is told may free this node with its scene.
+	using Watch = ListenerList<MotionListener>::Watch;
+
+	/// False where this node is gone since, as run_clock().
+	[[nodiscard]] bool prepare(double p_time_s);
 	/// By the models as they are now, at no place.
 	std::vector<Expected> find_usable() const;
 	/// By the models and tasks as they are now.
@@ -162,7 +166,7 @@ private:
 	String place_fault(const GestureTask &p_task) const;
 	/// Of a gesture that needs a task and has none; empty where there is no such.
 	String taskless_fault() const;
-	void run_clock(double p_time_s, bool p_up_to_and_including);
+	[[nodiscard]] bool run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.
 	steadyhand::Motion current(

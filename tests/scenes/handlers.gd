@@ -27,6 +27,22 @@ func test_a_handler_may_free_the_tracker() -> void:
 		rig.task.free()
 
 
+func test_a_handler_may_free_the_scene_of_the_gesture() -> void:
+	for told: StringName in [&"gesture_started", &"state_changed", &"motion_updated"]:
+		var rig := _make_rig()
+		var scene := Node.new()
+		root.add_child(scene)
+		rig.gesture_hmm.reparent(scene)
+		# expects error: was freed or unreferenced while a signal is being emitted from it
+		var leave := func() -> void: scene.free()
+		rig.gesture_hmm.connect(told, leave.unbind(1))
+		rig.tracker.start()
+		rig.tracker.advance_to(2.4)
+		check(not is_instance_valid(scene), "freed by a handler of %s" % told)
+		rig.tracker.free()
+		rig.task.free()
+
+
 func test_a_tracker_that_is_freed_leaves_no_gesture() -> void:
 	var rig := _make_rig()
 	var hmm := rig.gesture_hmm
