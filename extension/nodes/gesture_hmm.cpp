@@ -59,6 +59,12 @@ bool GestureHMM::prepare(double p_time_s) {
 	} else if (p_time_s > time_s_) {
 		leaps_ = 0;
 	}
+	if (!outdated_ && is_task_gone()) {
+		reset();
+	}
+	if (watch.is_gone()) {
+		return false;
+	}
 	if (!outdated_) {
 		return true;
 	}

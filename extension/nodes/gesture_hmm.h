@@ -159,6 +159,7 @@ private:
 	std::vector<Expected> find_usable() const;
 	/// By the models and tasks as they are now.
 	std::vector<Expected> find_expected() const;
+	bool is_task_gone() const;
 	void build_recogniser();
 	void warn_of_silence();
 	void watch_joints(uint8_t p_tracked);

@@ -10,6 +10,7 @@
 
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace godot {
@@ -75,10 +76,13 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
 		const GestureTask *const task = task_at(i);
 		// With several models nobody knows whose place it is.
-		if (task == nullptr || (task->get_gesture() == StringName() && anywhere.size() != 1)) {
+		if (task != nullptr && task->get_gesture() == StringName() && anywhere.size() != 1) {
 			continue;
 		}
 		is_told = true;
+		if (task == nullptr) {
+			continue;
+		}
 		for (const Expected &one : anywhere) {
 			if (task->get_gesture() == StringName() || task->get_gesture() == one.gesture) {
 				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()),
@@ -103,6 +107,13 @@ void GestureHMM::build_recogniser() {
 			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 }
 
+/// Who is freed tells nobody.
+bool GestureHMM::is_task_gone() const {
+	return std::any_of(expected_.begin(), expected_.end(), [](const Expected &one) {
+		return one.task.is_valid() && ObjectDB::get_instance(one.task) == nullptr;
+	});
+}
+
 /// Of what keeps it from recognising; once, however often it is made anew.
 void GestureHMM::warn_of_silence() {
 	String warning;
@@ -121,11 +132,13 @@ void GestureHMM::warn_of_silence() {
 	if (usable == 0 && warning == String()) {
 		warning = "GestureHMM: nothing will be recognised, since none of its models holds a gesture";
 	}
+	int64_t tasks = 0;
 	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
 		const GestureTask *const task = task_at(i);
 		if (task == nullptr) {
 			continue;
 		}
+		++tasks;
 		if (task->get_gesture() == StringName() && usable > 1) {
 			warning = String("GestureHMM: the place of a task is not used, since it does not say which of "
 							 "the ") +
@@ -139,6 +152,10 @@ void GestureHMM::warn_of_silence() {
 		} else if (const String fault = place_fault(*task); fault != String()) {
 			warning = String("GestureHMM: ") + fault;
 		}
+	}
+	if (warning == String() && tasks == 0 && !tasks_.is_empty()) {
+		warning = "GestureHMM: nothing will be recognised, since none of its tasks is there any more; set "
+				  "\"tasks\" to others, or to an empty array for gestures anywhere";
 	}
 	if (warning == String() && taskless_fault() != String()) {
 		warning = String("GestureHMM: ") + taskless_fault();

@@ -79,6 +79,28 @@ func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
 	other.free()
 
 
+func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
+	var end := Vector3(0.2, 0.0, 0.0)
+	for are_others: bool in [false, true]:
+		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+		var other := _task(&"vertical_drag", end, Vector3.UP, 0.2)
+		var tasks: Array[GestureTask] = [task]
+		if are_others:
+			tasks.append(other)
+		var hmm := _hmm(tasks)
+		# expects one warning: none of its tasks is there any more
+		hmm.tracker.frame_received.connect(
+			func(_time_s: float) -> void: task.free(), CONNECT_ONE_SHOT
+		)
+		var seen := _ends(_play(hmm, [Vector3.ZERO, end, end + 0.2 * Vector3.UP]))
+		var expected: Array[String] = []
+		if are_others:
+			expected.append("ended vertical_drag at task 1")
+		check_equal(seen, expected, "others are" if are_others else "the only one")
+		_free(hmm)
+		other.free()
+
+
 func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	var task := _task(&"zoom", Vector3.ZERO, Vector3.RIGHT, 0.05)
 	task.start_radius = 0.02
