@@ -159,9 +159,12 @@ void GestureHMM::publish() {
 }
 
 steadyhand::Motion GestureHMM::current(Motion p_motion, double p_time_s) const {
-	return recogniser_ && !outdated_ ? recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion),
-											   std::max(recogniser_->time_s(), p_time_s))
-									 : steadyhand::Motion{};
+	if (!recogniser_ || outdated_) {
+		return {};
+	}
+	const double now_s = recogniser_->time_s();
+	return recogniser_->motion(static_cast<steadyhand::MotionSource>(p_motion),
+			std::isfinite(p_time_s) ? std::max(now_s, p_time_s) : now_s);
 }
 
 MotionInstant GestureHMM::motion_at(double p_time_s) const {

@@ -148,7 +148,8 @@ func test_numbers_that_are_none() -> void:
 	var rig := _make_rig()
 	var hmm := rig.gesture_hmm
 	rig.record(0, 1000)
-	check_equal(hmm.get_value_at(NAN), hmm.value, "at no time: now")
+	for no_time: float in [NAN, INF, -INF]:
+		check_equal(hmm.get_value_at(no_time), hmm.value, "at no time: now")
 	# expects error: HandTracker: source must be a Source
 	rig.tracker.source = 9 as HandTracker.Source
 	check_equal(rig.tracker.source, HandTracker.SOURCE_RECORDED, "a source that there is none of")
