@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -88,7 +89,7 @@ TEST_SUITE("trial set") {
 			trial.trial = "trial " + std::to_string(i) + "_ä";
 			trial.gesture = std::array{ "horizontal_drag", "tap", "zoom", "none" }[i % 4];
 			trial.position = i % 3 == 0 ? HandPosition::UNSTABLE : HandPosition::STABLE;
-			trial.subject = "s" + std::to_string(i % 7);
+			trial.subject = std::array{ "s1", "s2", "s3" }[i % 3];
 			trial.start_s = uniform(engine);
 			trial.end_s = trial.start_s + uniform(engine) + 1.0;
 			if (i % 4 < 2) {
