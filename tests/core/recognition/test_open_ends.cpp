@@ -1,0 +1,85 @@
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+// With nothing given: what comes after a gesture, or what of it is the tracker's, and when one that was begun
+// is let go. Each from both sides.
+
+namespace {
+
+const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
+					  Z = Eigen::Vector3d::UnitZ();
+const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
+
+} // namespace
+
+TEST_CASE("a gesture that comes again soon after its way back needs no rest, a later one does") {
+	for (const double since_way_back_s : { 0.6, 0.7, 1.3, 1.4 }) {
+		CAPTURE(since_way_back_s);
+		const Drag back{ .onset_s = 2.1, .duration_s = 0.5, .amplitude_m = -0.2 };
+		const double again_s = 2.35 + since_way_back_s;
+		const Drag again{ .onset_s = again_s, .duration_s = 0.8, .amplitude_m = 0.2 };
+		// It comes from 12 cm away, where no gesture leads, and sets out at once.
+		const Drag away{ .onset_s = again_s - 0.5, .duration_s = 0.25, .amplitude_m = 0.12 };
+		const Drag near{ .onset_s = again_s - 0.25, .duration_s = 0.25, .amplitude_m = -0.12 };
+		const Eigen::Vector3d aside = (Y + Z).normalized();
+		const Way way = [&](double t_s) {
+			return Eigen::Vector3d(x_m({ DRAG, back, again }, t_s) * X + x_m({ away, near }, t_s) * aside);
+		};
+		CHECK(in_the_open(way, again_s + 2.0).said == times(since_way_back_s < 1.0 ? 2 : 1, "sideways"));
+	}
+}
+
+TEST_CASE("what little follows a gesture's end is the tracker's error, a long way aside is the hand's own") {
+	struct Tail {
+		double angle, amplitudes;
+	};
+	for (const auto &[angle, amplitudes] :
+			{ Tail{ 0.3, 0.1 }, { 0.3, 0.18 }, { 0.15, 0.33 }, { 0.3, 0.38 } }) {
+		CAPTURE(amplitudes);
+		const Eigen::Vector3d oblique(std::cos(angle), std::sin(angle), 0.0);
+		const Eigen::Vector3d aside(-std::sin(angle), std::cos(angle), 0.0);
+		// Too fast for a hand that has stopped. In `paper` mode: in `phase` mode it has arrived before.
+		const Way way = [&](double t_s) {
+			const double off_m = std::clamp(0.13 * (t_s - 1.4), 0.0, amplitudes * DRAG.amplitude_m);
+			return Eigen::Vector3d(DRAG.x_m(t_s) * oblique + off_m * aside);
+		};
+		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PAPER);
+		CHECK(none_ends(watch(recogniser, way, 3.5)) == (amplitudes > 0.25));
+	}
+}
+
+TEST_CASE("a hand that turns off half-way is let go at once, and not only after it has rested") {
+	// At a right angle, half-way; a gesture that halts there is waited for instead.
+	constexpr double TURNS_S = 0.6 + 0.36; // a quarter of twice the way: 10 s^3 - 15 s^4 + 6 s^5 = 0.25
+	const Way way = [](double t_s) {
+		const double gone_m = 2.0 * DRAG.x_m(t_s);
+		return Eigen::Vector3d(std::min(gone_m, 0.1), 0.0, std::max(gone_m - 0.1, 0.0));
+	};
+	const std::vector<std::string> let_go{ "started sideways", "aborted sideways" };
+	CHECK(in_the_open(way, TURNS_S + 0.4).said == let_go);
+	const Way halts = [&](double t_s) { return way(std::min(t_s, TURNS_S)); };
+	CHECK(in_the_open(halts, TURNS_S + 0.4).said == std::vector<std::string>{ "started sideways" });
+}
+
+TEST_CASE("from one gesture's motion to the next one's it takes a tenth of a second, without a step") {
+	const Drag next{ .onset_s = 2.0, .duration_s = 0.5, .amplitude_m = 0.1 };
+	const Way way = [&](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s) * X + next.x_m(t_s) * Y); };
+	const auto until = [&](double length_s) { return in_the_open(way, length_s); };
+	double switched_s = next.onset_s;
+	while (switched_s < 2.5 && until(switched_s).said.back() != "started upright") {
+		switched_s += 0.01;
+	}
+	REQUIRE(switched_s < 2.5);
+	// Of the 20 cm that the first one was at.
+	CHECK(std::abs(until(switched_s + 0.03).last_value_m - next.x_m(switched_s + 0.03)) > 0.03);
+	const Events later = until(switched_s + 0.11);
+	CHECK(std::abs(later.last_value_m - next.x_m(switched_s + 0.11)) < 0.02);
+	CHECK(later.largest_step < 1.2 * FASTEST_M_MS);
+}
