@@ -1,0 +1,64 @@
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+// `paper` mode with a task: when its motion starts, which is played to the end whatever the hand does, and
+// when it is let go.
+
+namespace {
+
+const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
+constexpr double TASK_M = 0.2; ///< of Task{}
+constexpr double ONSET_S = 0.5;
+
+Events on_paper(const Way &way, double length_s) {
+	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
+	return watch(recogniser, way, length_s);
+}
+
+/// To `far` of the task's way, quickly, where it stays.
+Way twitch(double far) {
+	return along(X, { Drag{ .onset_s = ONSET_S, .duration_s = 0.12, .amplitude_m = far * TASK_M } });
+}
+
+} // namespace
+
+TEST_CASE("a hand that drifts away from its start begins nothing, one that sets out slowly does") {
+	// To an eighth of the way at a constant speed. A drag of the model's duration would have 1 in the mean.
+	const auto starts = [](double speed) {
+		const double m_s = speed * TASK_M / drag_model().duration_mean_s;
+		const Way way = [=](double t_s) {
+			return Eigen::Vector3d(std::clamp(m_s * (t_s - ONSET_S), 0.0, 0.125 * TASK_M), 0.0, 0.0);
+		};
+		return !on_paper(way, 2.0).said.empty();
+	};
+	for (const double speed : { 0.1, 0.2, 0.22 }) {
+		CAPTURE(speed);
+		CHECK_FALSE(starts(speed));
+	}
+	for (const double speed : { 0.42, 0.5, 1.0 }) {
+		CAPTURE(speed);
+		CHECK(starts(speed));
+	}
+}
+
+TEST_CASE("a twitch of five millimetres begins nothing, one of a centimetre does") {
+	CHECK(on_paper(twitch(0.024), 1.5).said.empty());
+	CHECK(on_paper(twitch(0.05), 1.0).said == std::vector<std::string>{ "started sideways" });
+}
+
+TEST_CASE("a hand that stays at its start has half a second to go on, and is let go within a second or so") {
+	// The first of the model's four states lasts a quarter of a second.
+	const Way sets_out = twitch(0.05);
+	CHECK(on_paper(sets_out, ONSET_S + 0.6).said == std::vector<std::string>{ "started sideways" });
+	CHECK(on_paper(sets_out, ONSET_S + 1.2).said ==
+			std::vector<std::string>{ "started sideways", "aborted sideways" });
+	const Drag goes_on{ .onset_s = ONSET_S + 0.5, .duration_s = 0.8, .amplitude_m = 0.95 * TASK_M };
+	const Way way = [&](double t_s) { return Eigen::Vector3d(sets_out(t_s) + goes_on.x_m(t_s) * X); };
+	CHECK(on_paper(way, 3.0).said == times(1, "sideways"));
+}
