@@ -80,3 +80,39 @@ TEST_CASE("a hand that turns back shortly before its end has made the gesture, o
 		CHECK(test::none_ends(in_a_task(test::along(X, and_on(to(far, 0.5, 0.4), -far, 0.95, 0.5)), 3.0)));
 	}
 }
+
+TEST_CASE(
+		"a hand that slips back a little before its end goes on to it, one that slips further ended there") {
+	constexpr double TURNS_S = 1.3, GOES_ON_S = 1.55;
+	for (const double slip : { 0.06, 0.07, 0.14, 0.15 }) {
+		CAPTURE(slip);
+		auto way = and_on(to(0.85, 0.5, 0.8), -slip, TURNS_S, GOES_ON_S - TURNS_S);
+		way = and_on(way, 0.15 + slip, GOES_ON_S, 0.4);
+		const Events events = in_a_task(test::along(X, way), 3.5);
+		CHECK(events.said == test::times(1, "sideways"));
+		const double ends_s = events.last_ended_s;
+		CHECK((slip < 0.1 ? ends_s > GOES_ON_S + 0.13 : ends_s < GOES_ON_S - 0.02));
+	}
+}
+
+TEST_CASE("a hand that comes to its end far beside the way has a quarter of a second to have made the "
+		  "gesture") {
+	const test::Way beside = [](double t_s) {
+		return Eigen::Vector3d(test::x_m(to(1.0), t_s), 0.75 * TASK_M, 0.0);
+	};
+	// It is at the end 0.02 s before it stops there.
+	constexpr double END_S = 1.48;
+	CHECK(in_a_task(beside, END_S + 0.22).said == std::vector<std::string>{ "started sideways" });
+	CHECK(in_a_task(beside, END_S + 0.47).said ==
+			std::vector<std::string>{ "started sideways", "aborted sideways" });
+}
+
+TEST_CASE("a hand that comes back to near its start makes the gesture again, one that comes half-way back "
+		  "does not") {
+	for (const double left : { 0.05, 0.08, 0.22, 0.3, 0.5 }) {
+		CAPTURE(left);
+		auto way = and_on(to(1.0, 0.5, 0.8), left - 1.0, 2.0, 0.8);
+		way = and_on(way, 1.0 - left, 3.5, 0.8);
+		CHECK(in_a_task(test::along(X, way), 6.0).said == test::times(left < 0.15 ? 2 : 1, "sideways"));
+	}
+}
