@@ -115,3 +115,68 @@ TEST_CASE("motion that is no number is silence, and time may leap") {
 	motion.snapshot.knots[0].position = std::numeric_limits<double>::quiet_NaN();
 	CHECK(train.next(effects, motion)->amplitude == 0.0);
 }
+
+TEST_CASE("a motor is told fifty times a second, however many frames there are") {
+	const EffectSet effects = set_of(spring_effect());
+	PulseTrain train;
+	int told = 0;
+	for (int ms = 0; ms < 1000; ++ms) {
+		LiveMotion motion;
+		motion.heard_s = 0.001 * ms;
+		motion.snapshot = still(motion.heard_s, 0.5);
+		told += train.next(effects, motion).has_value() ? 1 : 0;
+	}
+	CHECK(told > 40);
+	CHECK(told < 60);
+}
+
+TEST_CASE(
+		"a motor goes on between the frames of a slow game, and stops soon after a game that stands still") {
+	LiveMotion motion;
+	motion.snapshot = still(0.0, 0.5);
+	PulseTrain train;
+	const double duration_s = train.next(set_of(spring_effect()), motion)->duration_s;
+	CHECK(duration_s > 1.0 / 15.0);
+	CHECK(duration_s < 0.15);
+}
+
+TEST_CASE("an arrival is told though it was noticed late, and not any more once that would be felt") {
+	const EffectSet effects = effects_of_gesture("tap");
+	for (const double late_s : { 0.01, 0.03, 0.07, 0.09 }) {
+		CAPTURE(late_s);
+		PulseTrain train;
+		LiveMotion motion;
+		motion.snapshot = still(0.0, 1.0);
+		for (motion.heard_s = 0.45; motion.heard_s < 0.5 + late_s; motion.heard_s += 0.01) {
+			CHECK_FALSE(train.next(effects, motion).has_value());
+		}
+		motion.heard_s = 0.5 + late_s;
+		motion.snapshot.arrival = { 1, 0.5, 0.5 };
+		const double told = train.next(effects, motion).value_or(Pulse{}).amplitude;
+		if (late_s < 0.05) {
+			CHECK(told == doctest::Approx(0.5));
+		} else {
+			CHECK(told < 0.15); // what is left of it
+		}
+	}
+}
+
+TEST_CASE("what was strongest between two frames is told, unless the game stood still in between") {
+	const EffectSet effects = set_of(spring_effect());
+	for (const double frame_s : { 0.07, 0.09, 0.15, 0.3 }) {
+		CAPTURE(frame_s);
+		PulseTrain train;
+		LiveMotion motion;
+		motion.snapshot.time_s = 0.0;
+		motion.snapshot.period_s = 0.5 * frame_s;
+		motion.snapshot.count = 3;
+		motion.snapshot.amplitude_m = AMPLITUDE_M;
+		for (const std::size_t knot : { 0U, 1U, 2U }) {
+			motion.snapshot.knots[knot] = { knot == 1 ? 0.8 : 0.2, 0.0, 0.0, true };
+		}
+		CHECK(train.next(effects, motion)->amplitude == doctest::Approx(0.2));
+		motion.heard_s = frame_s;
+		CHECK(train.next(effects, motion)->amplitude ==
+				doctest::Approx(frame_s < 0.1 ? 0.8 : 0.2).epsilon(0.02));
+	}
+}
