@@ -197,7 +197,10 @@ TEST_CASE("where the hand is lost for long is worse than where it is lost often 
 }
 
 TEST_CASE("a run too short, or in one place, says what is missing") {
-	CHECK(surveyed(far_away, 10.0, 1).propose().error().find("too short") != std::string::npos);
+	for (const double short_s : { 10.0, 16.0 }) {
+		CHECK(surveyed(far_away, short_s, 1).propose().error().find("too short") != std::string::npos);
+	}
+	CHECK(surveyed(far_away, 25.0, 1).propose().ok());
 	TrackingSurvey still;
 	for (int i = 0; i < 5000; ++i) {
 		still.push(0.01 * i, { 1e-4 * (i % 3), 0.0, -0.3 });
