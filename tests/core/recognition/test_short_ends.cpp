@@ -41,6 +41,22 @@ TEST_CASE("a hand that stays short of its task's end has made the gesture, once 
 	}
 }
 
+TEST_CASE("a hand that sways by some millimetres where it ended short has stayed there, one that goes on has "
+		  "not") {
+	const auto staying = [](double sway, double creep_per_s) {
+		return [=](double t_s) {
+			const double since_s = std::max(t_s - 1.5, 0.0);
+			const double share = sway * std::sin(9.0 * since_s) + creep_per_s * since_s;
+			return Eigen::Vector3d(test::x_m(to(0.78), t_s) + share * TASK_M, 0.0, 0.0);
+		};
+	};
+	const Events swaying = in_a_task(staying(0.018, 0.0), 3.0);
+	CHECK(swaying.said == test::times(1, "sideways"));
+	CHECK(swaying.last_ended_s < 2.1);
+	// By a fifth of the way a second: it is on its way to the end.
+	CHECK(in_a_task(staying(0.0, 0.2), 2.05).said == std::vector<std::string>{ "started sideways" });
+}
+
 TEST_CASE("one that halts half-way has not, however long it stays") {
 	for (const double far : { 0.3, 0.5, 0.65 }) {
 		CAPTURE(far);
