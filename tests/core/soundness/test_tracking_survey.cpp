@@ -209,6 +209,26 @@ TEST_CASE("a run too short, or in one place, says what is missing") {
 	CHECK(TrackingSurvey().propose().error().find("too short") != std::string::npos);
 }
 
+TEST_CASE("two positions are further apart than a hand is wide, and those of a reach of 40 cm are found") {
+	for (const double reach_m : { 0.1, 0.19, 0.4, 0.6 }) {
+		CAPTURE(reach_m);
+		TrackingSurvey survey;
+		for (int i = 0; i < 6000; ++i) { // from one end to the other and back in a second, with rests there
+			const double share = std::clamp(0.5 + 0.8 * std::sin(TWO_PI * 0.01 * i), 0.0, 1.0);
+			survey.push(0.01 * i, { reach_m * share + 1e-4 * (i % 3), 0.0, -0.3 });
+		}
+		CHECK(survey.propose().ok() == (reach_m > 0.3));
+	}
+}
+
+TEST_CASE("a place where the hand shakes by two millimetres is about as bad as one of a fault a second") {
+	TrackingSurvey::Place shaken, faulty;
+	shaken.jitter_m = 0.002;
+	faulty.faults_per_s = 1.0;
+	CHECK(shaken.unsoundness() > 0.7 * faulty.unsoundness());
+	CHECK(shaken.unsoundness() < 1.4 * faulty.unsoundness());
+}
+
 TEST_CASE("places that no hand reaches and stamps that stand still do no harm") {
 	TrackingSurvey survey;
 	for (int i = 0; i < 5000; ++i) {
