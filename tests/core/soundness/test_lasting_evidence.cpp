@@ -11,8 +11,10 @@ TEST_CASE("a tracker that lost the hand is known for one for some seconds, and h
 	TrackingSoundness soundness;
 	double t_s = 0.0;
 	const auto see_for = [&](double seconds) {
-		for (const double until_s = t_s + seconds; t_s < until_s; t_s += PERIOD_S) {
+		const double until_s = t_s + seconds;
+		while (t_s < until_s) {
 			soundness.push(t_s, SPEED_PER_S * t_s);
+			t_s += PERIOD_S;
 		}
 	};
 	see_for(1.0);
