@@ -25,6 +25,8 @@ constexpr double STAYS = 0.05;
 /// So did one that turns back from here, once it has come back that far.
 constexpr double TURNED_FROM = 0.8;
 constexpr double TURNED_BY = 0.1;
+/// Either has to be the task's way beyond doubt, log odds: hands that go about something else stop anywhere.
+constexpr double SURE = 9.0;
 /// What was seen no longer ago says where the hand is.
 constexpr double SEEN_S = 0.1;
 
@@ -121,7 +123,8 @@ bool TaskFollower::ends_short(double t_s, const StrokeFinder &strokes) {
 		stays_at_ = value;
 	}
 	furthest_ = std::max(furthest_, value);
-	return t_s - stays_since_s_ > STAYS_S || (furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY);
+	const bool has_turned = furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY;
+	return strokes_.best_log_odds() > SURE && (t_s - stays_since_s_ > STAYS_S || has_turned);
 }
 
 void TaskFollower::come_to_end(double t_s) {

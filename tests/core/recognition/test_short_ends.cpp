@@ -132,3 +132,12 @@ TEST_CASE("a hand that comes back to near its start makes the gesture again, one
 		CHECK(in_a_task(test::along(X, way), 6.0).said == test::times(left < 0.15 ? 2 : 1, "sideways"));
 	}
 }
+
+TEST_CASE("a hand that stops short and beside the task's way goes about something else") {
+	const auto beside = [](double angle_rad) {
+		const Eigen::Vector3d way(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+		return in_a_task(test::along(way, to(0.8 / std::cos(angle_rad))), 3.5);
+	};
+	CHECK(beside(0.15).said == test::times(1, "sideways"));
+	CHECK(test::none_ends(beside(0.5)));
+}
