@@ -48,6 +48,11 @@ def helps() -> Iterator[Outcome]:
     status, output = run(["./steadyhand", "evaluate", "--trials", "x", "-h"])
     good = (status, output) == parts["evaluate"]
     yield Outcome.of("command/evaluate -h after other options", good, output)
+    with tempfile.TemporaryDirectory(prefix="steadyhand_link") as folder:
+        link = Path(folder) / "steadyhand"
+        link.symlink_to(ROOT / "steadyhand")
+        status, output = run([link, "--help"])
+    yield Outcome.of("command/by a symbolic link from elsewhere", (status, output) == (0, whole), output)
 
 
 def refusals(folder: Path) -> Iterator[Outcome]:
