@@ -15,6 +15,10 @@
 
 namespace steadyhand::test {
 
+inline const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
+							 Z = Eigen::Vector3d::UnitZ();
+inline constexpr Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
+
 inline std::shared_ptr<const GestureModel> model(
 		const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
 	GestureModel trained = drag_model();

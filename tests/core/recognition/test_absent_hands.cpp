@@ -12,8 +12,6 @@ using namespace steadyhand::test;
 
 namespace {
 
-const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
-const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 /// Of DRAG: 10 s^3 - 15 s^4 + 6 s^5 is 0.93 at s = 0.76, and 0.64 at s = 0.57.
 constexpr double NEAR_END_S = 0.6 + 0.76, HALF_WAY_S = 0.6 + 0.57;
 constexpr double AHEAD_S = 1.0 / 110.0; ///< the last frame before is up to so much older

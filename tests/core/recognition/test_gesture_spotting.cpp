@@ -14,14 +14,6 @@
 using namespace steadyhand;
 using namespace steadyhand::test;
 
-namespace {
-
-const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
-					  Z = Eigen::Vector3d::UnitZ();
-const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
-
-} // namespace
-
 TEST_CASE("with nothing given each gesture is found, whichever way it goes") {
 	CHECK(in_the_open(along(X, { DRAG }), 2.5).said == times(1, "sideways"));
 	CHECK(in_the_open(along(-X, { DRAG }), 2.5).said == times(1, "sideways"));

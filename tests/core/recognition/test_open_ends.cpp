@@ -11,14 +11,6 @@ using namespace steadyhand::test;
 // With nothing given: what comes after a gesture, or what of it is the tracker's, and when one that was begun
 // is let go. Each from both sides.
 
-namespace {
-
-const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
-					  Z = Eigen::Vector3d::UnitZ();
-const Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
-
-} // namespace
-
 TEST_CASE("a gesture that comes again soon after its way back needs no rest, a later one does") {
 	for (const double since_way_back_s : { 0.6, 0.7, 1.3, 1.4 }) {
 		CAPTURE(since_way_back_s);

@@ -12,7 +12,6 @@ using namespace steadyhand::test;
 
 namespace {
 
-const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
 constexpr double TASK_M = 0.2; ///< of Task{}
 constexpr double ONSET_S = 0.5;
 

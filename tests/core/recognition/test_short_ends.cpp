@@ -6,6 +6,7 @@ using namespace steadyhand;
 using test::Drag;
 using test::Events;
 using test::in_a_task;
+using test::X;
 
 // A hand that ends short of its task has made the gesture all the same: people stop a tenth or two of the way
 // before a target that they cannot feel.
@@ -13,7 +14,6 @@ using test::in_a_task;
 namespace {
 
 constexpr double TASK_M = 0.2; ///< of Task{}
-const Eigen::Vector3d X = Eigen::Vector3d::UnitX();
 
 /// To `far` of the task's way, where it stays.
 std::vector<Drag> to(double far, double onset_s = 0.5, double duration_s = 1.0) {
