@@ -9,9 +9,6 @@ namespace {
 constexpr double IMPOSSIBLE = -std::numeric_limits<double>::infinity(); ///< log odds
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double SHORTEST = 0.12;
-/// How far off the model's axis people go, radians, and how well a tracker sees where they go, amplitudes.
-constexpr double AIM = 0.14;
-constexpr double AIM_SEEN = 0.03;
 /// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
 /// how far that is.
 constexpr double HOPELESS = -8.0;
@@ -90,16 +87,12 @@ StrokeEvidence OpenFollower::evidence_of(
 	return evidence;
 }
 
-/// The motion is the way along the hand's own direction; while that is short, between it and the axis.
+/// The motion is the way along the hand's own direction, once that can be told.
 void OpenFollower::aim(const FeaturePlace &to) {
 	const FeaturePlace chord = to - from_;
-	const double length = chord.norm() / task().amplitude_m;
-	if (feature().is_radius || length < SHORTEST) {
-		return;
+	if (!feature().is_radius && chord.norm() > SHORTEST * task().amplitude_m) {
+		way_ = chord.normalized();
 	}
-	const double seen = AIM_SEEN / length;
-	const double share = AIM * AIM / (AIM * AIM + seen * seen);
-	way_ = (axis_ + share * (chord.normalized() - axis_)).normalized();
 }
 
 double OpenFollower::amplitudes(const Stroke &stroke) const {
