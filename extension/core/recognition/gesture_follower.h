@@ -101,7 +101,6 @@ protected:
 	/// Of `phase` mode.
 	[[nodiscard]] PhaseEstimate estimate(double t_s) const { return phase_.at(t_s); }
 	/// No later state than the first has been decoded.
-	[[nodiscard]] bool is_in_first_state() const { return state_played_ == 0; }
 	/// What is put out is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
 

@@ -15,7 +15,7 @@ constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever i
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
-/// A movement that is still at its start after so many times its mean first state was none.
+/// A movement that is at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
 constexpr double DOUBT_S = 0.3; ///< at its end a stroke may still turn out to have been the gesture
 /// A hand that is seen to stay for so long, no nearer to the start than this, ended short of its task.
@@ -101,7 +101,7 @@ bool TaskFollower::has_begun(double t_s) const {
 
 bool TaskFollower::was_nothing(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
-		return is_in_first_state() && value() < BACK_VALUE &&
+		return value() < BACK_VALUE &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
 	}
 	const PhaseEstimate now = estimate(t_s);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
@@ -60,4 +61,15 @@ TEST_CASE("a hand that stays at its start has half a second to go on, and is let
 	const Drag goes_on{ .onset_s = ONSET_S + 0.5, .duration_s = 0.8, .amplitude_m = 0.95 * TASK_M };
 	const Way way = [&](double t_s) { return Eigen::Vector3d(sets_out(t_s) + goes_on.x_m(t_s) * X); };
 	CHECK(on_paper(way, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("a hand that set out and is back at its start is let go, also from half-way") {
+	for (const double far : { 0.1, 0.2, 0.3, 0.4, 0.5 }) {
+		CAPTURE(far);
+		const Drag out{ .onset_s = ONSET_S, .duration_s = 0.5, .amplitude_m = far * TASK_M };
+		const Drag back{ .onset_s = ONSET_S + 0.6, .duration_s = 0.5, .amplitude_m = -far * TASK_M };
+		const Events events = on_paper(along(X, { out, back }), 6.0);
+		CHECK(std::abs(events.last_value_m) < 1e-9);
+		CHECK(events.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	}
 }
