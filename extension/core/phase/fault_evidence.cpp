@@ -69,10 +69,7 @@ void weigh_erring(HypothesisBank &r_bank, double t_s, double log_ratio, bool is_
 	const Likelihood right{ -log_ratio, std::exp(-log_ratio) }, erring{ 0.0, 1.0 };
 	weigh(
 			r_bank,
-			[&](std::size_t i) {
-				return r_bank.on_its_way(i) &&
-						(!r_bank.is_over(i, t_s) || (is_jump && r_bank.regime(i) != Regime::FREE));
-			},
+			[&](std::size_t i) { return r_bank.on_its_way(i) && (is_jump || !r_bank.is_over(i, t_s)); },
 			[&](std::size_t i) { return r_bank.regime(i) == Regime::UNSOUND ? erring : right; });
 }
 

@@ -60,7 +60,7 @@ std::size_t likeliest_on_its_way(const HypothesisBank &bank) {
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
 void choose_rest(HypothesisBank &r_bank) {
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
-		if (r_bank.regime(i) == Regime::REST && r_bank.error(i) != TrackerError::SLIDING_BACK &&
+		if (r_bank.regime(i) == Regime::REST &&
 				r_bank.log_weight(i) > r_bank.log_weight(HypothesisBank::AT_REST)) {
 			r_bank.swap(i, HypothesisBank::AT_REST);
 		}
@@ -93,7 +93,7 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 	come_to_rest(r_bank);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
-	set_free(r_bank, soundness, t_s);
+	set_free(r_bank, t_s);
 	begin(r_bank, soundness, t_s);
 }
 
@@ -147,21 +147,13 @@ void HypothesisBirths::come_to_end(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-/// The hand of the likeliest one on its way may do something else from now on; so may the one at rest, but
-/// where the tracker errs that is less likely to be what is seen.
-void HypothesisBirths::set_free(
-		HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
-	const double log_probability = std::log(FREED_PER_S * period_s_);
+/// The hand of the likeliest one on its way may do something else from now on.
+void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	const std::size_t likeliest = likeliest_on_its_way(r_bank);
 	if (r_bank.is_over(likeliest, t_s)) {
 		r_bank.add(r_bank.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * period_s_));
 	} else if (likeliest != HypothesisBank::AT_REST) {
-		r_bank.add(r_bank.hypothesis(likeliest).freed(), log_probability);
-	}
-	const double sound = 1.0 - soundness.unsoundness();
-	const double from_rest = log_probability + std::log(sound * sound + std::numeric_limits<double>::min());
-	if (!r_bank.is_hopeless(Regime::FREE, r_bank.log_weight(HypothesisBank::AT_REST) + from_rest)) {
-		r_bank.add(r_bank.hypothesis(HypothesisBank::AT_REST).in(Regime::FREE), from_rest);
+		r_bank.add(r_bank.hypothesis(likeliest).freed(), std::log(FREED_PER_S * period_s_));
 	}
 }
 

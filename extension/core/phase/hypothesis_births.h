@@ -42,7 +42,7 @@ private:
 	void begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
 	void come_to_rest(HypothesisBank &r_bank) const;
 	void come_to_end(HypothesisBank &r_bank, double t_s) const;
-	void set_free(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
+	void set_free(HypothesisBank &r_bank, double t_s) const;
 };
 
 } // namespace steadyhand
