@@ -3,17 +3,16 @@
 #include "conversions.h"
 #include "track_file.h"
 #include "trial_dictionary.h"
+#include "written_file.h"
 
 #include "simulation/gesture_motion.h"
 #include "simulation/synthetic_trial.h"
 
 #include <godot_cpp/classes/engine.hpp>
-#include <godot_cpp/classes/project_settings.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace godot {
 
@@ -45,14 +44,6 @@ String fault_of(const Dictionary &p_joints) {
 		}
 	}
 	return "joints must map a Joint to a Vector3";
-}
-
-/// By another name too; false where one of them is no file yet.
-bool is_same_file(const String &p_path, const String &p_other) {
-	const ProjectSettings *const settings = ProjectSettings::get_singleton();
-	std::error_code is_none;
-	return std::filesystem::equivalent(
-			to_core(settings->globalize_path(p_path)), to_core(settings->globalize_path(p_other)), is_none);
 }
 
 } // namespace
@@ -320,9 +311,12 @@ Error HandTracker::start_recording(const String &p_path) {
 	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,
 			String("HandTracker: ") + p_path +
 					String(" is the recording that it plays; record to another file"));
+	if (const Error error = WrittenFile::check_free(*this, p_path); error != OK) {
+		return error;
+	}
 	stop_recording();
 	auto opened = std::make_unique<TrackRecorder>();
-	const Error error = opened->open(p_path);
+	const Error error = opened->open(*this, p_path);
 	if (error == OK) {
 		recorder_ = std::move(opened);
 	}

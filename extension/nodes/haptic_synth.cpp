@@ -273,8 +273,11 @@ void HapticSynth::set_wav_path(const String &p_path) {
 
 void HapticSynth::open_wav() {
 	wav_wanted_ = false;
+	if (WrittenFile::check_free(*this, wav_path_) != OK) {
+		return;
+	}
 	wav_ = std::make_unique<HapticWav>(wav_sample_rate_hz_);
-	if (wav_->open(wav_path_) == OK) {
+	if (wav_->open(*this, wav_path_) == OK) {
 		add_sink(*wav_);
 	} else {
 		wav_.reset();

@@ -32,11 +32,12 @@ HapticWav::~HapticWav() {
 	}
 }
 
-Error HapticWav::open(const String &p_path) {
+Error HapticWav::open(const Node &p_owner, const String &p_path) {
 	path_ = p_path;
 	file_ = FileAccess::open(p_path, FileAccess::WRITE);
 	ERR_FAIL_COND_V_MSG(file_.is_null(), FileAccess::get_open_error(),
 			String("HapticSynth cannot write to ") + cannot_open(p_path, FileAccess::get_open_error()));
+	written_.emplace(p_owner, p_path);
 	write_header();
 	return OK;
 }

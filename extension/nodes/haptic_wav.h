@@ -1,6 +1,7 @@
 #pragma once
 
 #include "haptic_sink.h"
+#include "written_file.h"
 
 #include "haptics/vibration.h"
 
@@ -8,6 +9,7 @@
 #include <godot_cpp/variant/packed_byte_array.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace godot {
@@ -21,8 +23,8 @@ public:
 	HapticWav(const HapticWav &) = delete;
 	HapticWav &operator=(const HapticWav &) = delete;
 
-	/// Reports in the log why it cannot write there.
-	Error open(const String &p_path);
+	/// Reports in the log why it cannot write there. p_owner outlives it.
+	Error open(const Node &p_owner, const String &p_path);
 
 	void set_effects(const steadyhand::EffectSet &p_effects) override;
 	std::uint64_t oldest_generation() const override { return vibration_.oldest_generation(); }
@@ -37,6 +39,7 @@ private:
 
 	Ref<FileAccess> file_;
 	String path_;
+	std::optional<WrittenFile> written_;
 	std::uint32_t sample_rate_hz_;
 	steadyhand::Vibration vibration_;
 	steadyhand::MotionSnapshot known_; ///< from what is not written yet up to the last instant

@@ -16,11 +16,12 @@ constexpr steadyhand::TrackColumns COLUMNS{ (1U << steadyhand::JOINT_COUNT) - 1U
 
 } // namespace
 
-Error TrackRecorder::open(const String &p_path) {
+Error TrackRecorder::open(const Node &p_owner, const String &p_path) {
 	path_ = p_path;
 	file_ = FileAccess::open(p_path, FileAccess::WRITE);
 	ERR_FAIL_COND_V_MSG(file_.is_null(), FileAccess::get_open_error(),
 			String("HandTracker cannot record to ") + cannot_open(p_path, FileAccess::get_open_error()));
+	written_.emplace(p_owner, p_path);
 	rows_.reserve(CAPACITY_BYTES + ROW_BYTES_MAX);
 	rows_ = steadyhand::track_csv_header(COLUMNS, { { "origin", "SteadyHand HandTracker" } });
 	flush();

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "written_file.h"
+
 #include "tracking/frame.h"
 
 #include <godot_cpp/classes/file_access.hpp>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace godot {
@@ -13,8 +16,8 @@ namespace godot {
 /// reach the disk at least once a second of the frames' own time, and when the recorder goes.
 class TrackRecorder {
 public:
-	/// Reports in the log why it cannot write there.
-	Error open(const String &p_path);
+	/// Reports in the log why it cannot write there. p_owner outlives it.
+	Error open(const Node &p_owner, const String &p_path);
 	/// A frame that is older than the one before is left out, which is said once: a track's time never
 	/// decreases.
 	void write(const steadyhand::HandFrame &p_frame);
@@ -28,6 +31,7 @@ private:
 
 	Ref<FileAccess> file_;
 	String path_;
+	std::optional<WrittenFile> written_;
 	std::string rows_; ///< not written yet
 	double last_s_ = -std::numeric_limits<double>::infinity();
 	double flushed_s_ = -std::numeric_limits<double>::infinity();

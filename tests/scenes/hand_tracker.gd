@@ -200,6 +200,31 @@ func test_what_is_played_is_not_recorded_over() -> void:
 	tracker.free()
 
 
+func test_two_trackers_do_not_record_to_one_file() -> void:
+	var path := _folder.get_current_dir().path_join("both.csv")
+	var by_another_name := path.get_base_dir().path_join("./both.csv")
+	var trackers: Array[HandTracker] = []
+	for name: String in ["Left", "Right"]:
+		trackers.append(_make_tracker(HandTracker.SOURCE_SCRIPT))
+		trackers[-1].name = name
+		trackers[-1].start()
+	var left := trackers[0]
+	var right := trackers[1]
+	check_equal(left.start_recording(path), OK, "one records")
+	# expects one error: HandTracker '/root/Right'
+	# expects one error: both.csv is being written by HandTracker '/root/Left'
+	check_equal(right.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "the other not")
+	for i in 3:
+		for tracker in trackers:
+			tracker.push_frame(i, {HandTracker.JOINT_INDEX: Vector3.ONE})
+	left.stop_recording()
+	var rows := FileAccess.get_file_as_string(path).split("\n", false)
+	check_equal(rows.size(), 5, "all of the first one's rows are there, under two lines of header")
+	check_equal(right.start_recording(path), OK, "a file that is no longer written is free")
+	left.free()
+	right.free()
+
+
 ## Filled as frames come.
 func _collect_positions(tracker: HandTracker) -> Array[Vector3]:
 	var positions: Array[Vector3] = []

@@ -90,6 +90,24 @@ func test_a_file_under_way_can_be_read() -> void:
 	rig.free_nodes()
 
 
+func test_two_synths_do_not_write_one_file() -> void:
+	var alone_path := _folder.get_current_dir().path_join("alone.wav")
+	var wav_path := _folder.get_current_dir().path_join("both.wav")
+	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
+	var synths: Array[HapticSynth] = []
+	for path: String in [wav_path, wav_path, alone_path]:
+		synths.append(_make_synth(rig, path))
+	synths[1].name = &"Other"
+	# expects one error: HapticSynth '/root/Other'
+	# expects one error: both.wav is being written by HapticSynth
+	rig.record(_first_step(rig), LAST_STEP)
+	for synth in synths:
+		synth.free()
+	rig.free_nodes()
+	var bytes := FileAccess.get_file_as_bytes(wav_path)
+	check_equal(bytes, FileAccess.get_file_as_bytes(alone_path), "what one writes is whole")
+
+
 ## The vibration begins with the first control instant after the first frame.
 func _first_step(rig: Rig) -> int:
 	rig.tracker.start()
