@@ -4,6 +4,7 @@
 
 #include "conversions.h"
 #include "gesture_task.h"
+#include "node_label.h"
 
 #include "gesture/feature.h"
 #include "recognition/gesture_recogniser.h"
@@ -84,9 +85,10 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 			continue;
 		}
 		for (const Expected &one : anywhere) {
-			if (task->get_gesture() == StringName() || task->get_gesture() == one.gesture) {
-				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()),
-						core_task(*task, *one.model) });
+			const steadyhand::Task place = core_task(*task, *one.model);
+			const bool is_its = task->get_gesture() == StringName() || task->get_gesture() == one.gesture;
+			if (is_its && place.start_m.allFinite()) {
+				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()), place });
 			}
 		}
 	}
@@ -202,6 +204,9 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
 						String("' to the radius at its start; it is 0.");
 			}
+		} else if (!place.start_m.allFinite()) {
+			return String("Place ") + node_label(p_task) + String(", the task of '") + String(one.gesture) +
+					String("': its global position is not finite.");
 		} else if (place.axis.isZero()) {
 			return String("Set \"direction\" of the task of '") + String(one.gesture) +
 					String("' to the way the hand moves; it is zero.");

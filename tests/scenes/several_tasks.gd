@@ -101,6 +101,24 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		other.free()
 
 
+func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
+	var nowhere := _task(&"tap", Vector3(NAN, INF, 0.0), Vector3.FORWARD, 0.15)
+	nowhere.name = &"Nowhere"
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var hmm := _hmm([nowhere, task])
+	# expects one warning: GestureTask '/root/Nowhere'
+	hmm.tracker.frame_received.connect(
+		func(_time_s: float) -> void:
+			nowhere.position.y = NAN
+			nowhere.force_update_transform()
+	)
+	var seen := _ends(_play(hmm, [Vector3.ZERO, Vector3(0.2, 0.0, 0.0)]))
+	check_equal(seen, ["ended horizontal_drag at task 1"] as Array[String], "the other one is")
+	_free(hmm)
+	nowhere.free()
+	task.free()
+
+
 func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	var task := _task(&"zoom", Vector3.ZERO, Vector3.RIGHT, 0.05)
 	task.start_radius = 0.02
@@ -118,7 +136,7 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 			joints[tip] = (0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
 		hmm.tracker.push_frame(frame * FRAME_S, joints)
 		task.rotation.y = 0.01 * frame
-		task.position.x = 0.01 * frame
+		task.position = Vector3(0.01 * frame, NAN, 0.0)
 		task.force_update_transform()
 	check_equal(ended, [&"zoom"] as Array[StringName], "neither is used")
 	_free(hmm)
