@@ -84,9 +84,8 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 }
 
 void HapticSynth::on_motion_known() {
-	// AudioServer.set_bus_layout() tells nobody.
-	if (is_inside_tree() && (player_ != nullptr) != bus_exists()) {
-		on_buses_changed();
+	if (is_inside_tree()) {
+		look_at_audio();
 	}
 	// At an Engine.time_scale of 0 frames go on; the motion does not.
 	if (gesture_hmm_->get_time() == told_s_) {

@@ -113,6 +113,7 @@ private:
 
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
 	std::unique_ptr<LiveSink> bus_sink_;
+	double mix_rate_hz_ = 0.0; ///< of player_
 	double output_latency_s_ = 0.0;
 	std::unique_ptr<HapticPulses> controller_pulses_;
 	std::unique_ptr<HapticPulses> joypad_pulses_;
@@ -125,6 +126,7 @@ private:
 	void add_sink(HapticSink &p_sink);
 	bool bus_exists() const;
 	void listen_to_buses(bool p_listen);
+	void look_at_audio();
 	void on_buses_changed();
 	void on_bus_renamed(int64_t, const StringName &, const StringName &) { on_buses_changed(); }
 	void update_player();

@@ -36,6 +36,16 @@ void HapticSynth::listen_to_buses(bool p_listen) {
 	}
 }
 
+/// Of AudioServer.set_bus_layout(), and of an output device that is mixed at another rate, nobody is told.
+void HapticSynth::look_at_audio() {
+	if (player_ != nullptr && AudioServer::get_singleton()->get_mix_rate() != mix_rate_hz_) {
+		drop_player();
+	}
+	if ((player_ != nullptr) != bus_exists()) {
+		on_buses_changed();
+	}
+}
+
 void HapticSynth::on_buses_changed() {
 	// One that is missing still has been told of.
 	if (player_ != nullptr || bus_exists()) {
@@ -66,6 +76,7 @@ void HapticSynth::make_player() {
 	bus_sink_ = std::make_unique<LiveSink>();
 	bus_sink_->link()->tables = tables_;
 	add_sink(*bus_sink_);
+	mix_rate_hz_ = AudioServer::get_singleton()->get_mix_rate();
 	output_latency_s_ = AudioServer::get_singleton()->get_output_latency();
 	Ref<HapticStream> stream;
 	stream.instantiate();
