@@ -284,6 +284,41 @@ TEST_CASE("the motion's clock runs at most 2 % off, and steps where it is far of
 	}
 }
 
+TEST_CASE("in slow motion the motion's clock does not step once it knows how slow that is") {
+	MotionClock clock;
+	double motion_s = 5.0, greatest_step_s = 0.0, greatest_off_s = 0.0;
+	// Frames of 60 Hz, each with its samples; 2 s at a pace, the second of which is looked at.
+	for (const double pace : { 1.0, 0.25, 1.0, 2.0, 0.5, 1.0 }) {
+		for (int frame = 0; frame < 120; ++frame) {
+			const double before_s = clock.now_s();
+			clock.follow(motion_s);
+			const double off_s = clock.now_s() - motion_s;
+			if (frame > 60) {
+				greatest_step_s = std::max(greatest_step_s, std::abs(clock.now_s() - before_s));
+				greatest_off_s = std::max(greatest_off_s, std::abs(off_s));
+			}
+			clock.advance(1.0 / 60.0);
+			motion_s += pace / 60.0;
+		}
+	}
+	CHECK(greatest_step_s == 0.0);
+	CHECK(greatest_off_s < 1e-3);
+}
+
+TEST_CASE("the motion's clock goes on at the samples' pace after a leap, and after two") {
+	MotionClock clock;
+	clock.follow(1.0);
+	clock.advance(0.5);
+	clock.follow(2.0);
+	CHECK(clock.pace() == 1.0);
+	clock.advance(0.5);
+	clock.follow(2.6);
+	CHECK(clock.pace() == 1.0);
+	clock.follow(2.7); // no sample later
+	clock.follow(2.8);
+	CHECK(clock.pace() == 1.0);
+}
+
 TEST_CASE("the reader takes the newest value once") {
 	LatestValue<int> box;
 	CHECK(box.take() == nullptr);
