@@ -24,6 +24,8 @@ var groups: Array[Dictionary] = []
 
 var _report: EvaluationReport = null
 var _is_empty := false
+## Gestures that no model is of, which is said.
+var _without_model: Array[String] = []
 
 
 ## `settings`: {mode, context, models}, and sensor_latency_s where it is not the node's own; all are
@@ -67,8 +69,7 @@ func run(
 			if not trial_run.note.is_empty():
 				printerr("trial %s: %s" % [trial["trial"], trial_run.note])
 			if trial["gesture"] != TrialRun.NO_GESTURE and trial_run.figures.is_empty():
-				var missing := [trial["trial"], trial["gesture"], settings["models"]]
-				printerr("trial %s has no figures: no model of '%s' in %s" % missing)
+				_tell_without_model(trial["gesture"], settings["models"])
 				without_model += 1
 		progress.show(float(index + 1) / trial_set.get_count())
 	if report.error.is_empty():
@@ -98,6 +99,13 @@ func shortcoming() -> String:
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	return _report.typical_trial(gesture, position)
+
+
+## Once for all its trials.
+func _tell_without_model(gesture: String, models_folder: String) -> void:
+	if not gesture in _without_model:
+		_without_model.append(gesture)
+		printerr("trials of '%s' have no figures: no model of it in %s" % [gesture, models_folder])
 
 
 ## As GestureHMM has it.

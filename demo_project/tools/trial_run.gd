@@ -83,7 +83,8 @@ func run(
 	hmm.mode = mode
 	hmm.sensor_latency = sensor_latency_s
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
-	hmm.tracker = tracker
+	# It would warn, at each trial, that nothing is recognised.
+	hmm.tracker = null if hmm.models.is_empty() else tracker
 	hmm.task = task
 	hmm.gesture_ended.connect(
 		func(ended: StringName, time_s: float) -> void:

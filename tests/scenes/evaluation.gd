@@ -107,7 +107,7 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		_check_left_out(run, names[place], ["is not within the reference", reference])
 	_check_left_out(run, names[3], ["the reference holds nothing of index_along_axis"])
 	_check_left_out(run, names[5], ["no amplitude_m"])
-	var without := "trial %s has no figures: no model of 'swipe'" % names[4]
+	var without := "trials of 'swipe' have no figures: no model of it in %s" % ModelFolder.INSTALLED
 	check_equal(run.not_said([without]), "", "a gesture without model is said")
 	var number := "6 trials left out, 1 trial without figures"
 	check_equal(run.not_said([number]), "", "and how many")

@@ -52,6 +52,21 @@ func test_a_broken_model_in_an_evaluation() -> void:
 	check_equal(run.not_said(["half.gesture:%d: not valid JSON" % line]), "", "and where it ends")
 
 
+func test_a_gesture_that_no_model_is_of() -> void:
+	var trials := Rig.write_trials(_path("unknown"), 2)
+	var table := FileAccess.get_file_as_string(_path("unknown/trials.csv"))
+	var renamed := table.replace(",horizontal_drag,", ",swipe,")
+	FileAccess.open(_path("unknown/trials.csv"), FileAccess.WRITE).store_string(renamed)
+	for context: String in Evaluation.CONTEXTS:
+		var options := ["--trials", _path("unknown"), "--out", _path("unknown_out")]
+		var run := ToolRun.new("evaluate", options + ["--context", context])
+		check_equal(run.exit_code, 1, "exit code")
+		check_equal(_count(run, "no model of it"), 1, "one line for all its trials: %s" % context)
+		check_equal(_count(run, "WARNING"), 0, "and no other")
+		var number := "evaluate: %d trials without figures, see above" % trials.get_count()
+		check_equal(run.not_said([number]), "", "and how many")
+
+
 ## The name of the trial whose measured track is no track any more.
 static func _break_one(trials: TrialSet) -> String:
 	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(TRACK)
