@@ -61,6 +61,7 @@ def refusals(folder: Path) -> Iterator[Outcome]:
     (folder / "set/trials.csv").touch()
     (folder / "file").touch()
     evaluate = ["evaluate", "--out", folder / "out", "--trials"]
+    train = ["train", "--trials", folder / "set", "--gesture", "tap", "--out"]
     for given, told in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
@@ -69,6 +70,8 @@ def refusals(folder: Path) -> Iterator[Outcome]:
             ["train", "--trials", folder, "--gesture", "tap", "--out", folder / "a.gesture"],
             f"no trials.csv in {folder}",
         ),
+        ([*train, folder / "set"], f"--out is a folder, {folder}/set: name a file in it, as NAME.gesture"),
+        ([*train, folder / "file/a.gesture"], f"cannot make the folder {folder}/file"),
         (["demo", "--out", folder / "file/demo"], f"cannot make the folder {folder}/file/demo"),
         (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
         (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
