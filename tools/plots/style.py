@@ -1,6 +1,7 @@
 """What all pictures have in common."""
 
 import os
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -21,8 +22,15 @@ plt.rcParams.update(
 
 
 def save(figure: Figure, path: Path) -> None:
-    """In one step: nobody sees a half of it, and it stays away where the work is broken off."""
+    """In one step: nobody sees a half of it, and it stays away where the work is broken off.
+
+    Ends the program with one line where it cannot be written.
+    """
     part = path.with_name(path.name + ".part")
-    figure.savefig(part, dpi=150, format="png")
+    try:
+        figure.savefig(part, dpi=150, format="png")
+        os.replace(part, path)
+    except OSError as fault:
+        part.unlink(missing_ok=True)
+        sys.exit(f"{path}: the picture cannot be written: {fault.strerror or fault}")
     plt.close(figure)
-    os.replace(part, path)

@@ -5,6 +5,7 @@ buffer, so that the engine believes it to be written.
 """
 
 import os
+import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
@@ -72,6 +73,7 @@ func _vibrate() -> void:
 def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_full_disk") as folder:
         yield from files(Path(folder))
+        yield from picture(Path(folder))
         yield from evaluation(Path(folder))
 
 
@@ -94,6 +96,19 @@ def files(folder: Path) -> Iterator[Outcome]:
         full = (folder / name).stat().st_size == 8192
         good = full and output.count(f"{folder / name}: ") == 1
         yield Outcome.of(f"command/full disk: {name} is said to be cut short, once", good, output)
+
+
+def picture(folder: Path) -> Iterator[Outcome]:
+    """Of a model, which is there by then."""
+    out, recordings = folder / "tap.png", folder / "tap.recordings.csv"
+    out.write_text("as it was")
+    recordings.write_text("a,1,0.99,0,0.5,1\n")
+    draw = [sys.executable, "-m", "plots.model", ROOT / "models/tap.gesture", recordings, "--out", out]
+    status, output = run([*LIMITED, *draw], PYTHONPATH=str(ROOT / "tools"))
+    said = f"{out}: the picture cannot be written: File too large\n"
+    good = status == 1 and output == said and out.read_text() == "as it was"
+    yield Outcome.of("command/full disk: a picture is said to be missing, in one line", good, output)
+    yield Outcome.of("command/full disk: no half of it", not (folder / "tap.png.part").exists(), output)
 
 
 def evaluation(folder: Path) -> Iterator[Outcome]:
