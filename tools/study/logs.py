@@ -69,6 +69,9 @@ def read_file(path: Path) -> Iterator[Trial | str]:
         with path.open(encoding="utf-8-sig", newline="") as file:
             lines = csv.reader(file)
             header = next(lines, [])
+            if len(header) == 1 and ";" in header[0]:  # as spreadsheets write it where numbers have a decimal comma
+                yield f"{path}:1: cells are separated by ';': they must be by ',', and numbers have a '.'"
+                return
             if missing := [name for name in COLUMNS if name not in header]:
                 yield f"{path}:1: no column {', '.join(missing)} (no study log, or of an earlier version)"
                 return

@@ -175,6 +175,11 @@ std::optional<Error> check_header(
 			return error_at(source, line, names[i], "the column comes twice");
 		}
 	}
+	// As spreadsheets write it where numbers have a decimal comma.
+	if (names.size() == 1 && names.front().find(';') != std::string_view::npos) {
+		return error_at(
+				source, line, "cells are separated by ';': they must be by ',', and numbers have a '.'");
+	}
 	return std::nullopt;
 }
 

@@ -57,7 +57,8 @@ void append_plain_text(std::string &r_out, std::string_view text, bool keep_comm
 [[nodiscard]] Error error_at(
 		std::string_view source, std::size_t line, std::string_view column, std::string_view what);
 
-/// Why these header cells are no header: a byte that is not text or a name that comes twice.
+/// Why these header cells are no header: another separator, a byte that is not text or a name that comes
+/// twice.
 [[nodiscard]] std::optional<Error> check_header(
 		std::string_view source, std::size_t line, const std::vector<std::string_view> &names);
 

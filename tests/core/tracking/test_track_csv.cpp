@@ -215,6 +215,9 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of("# only: metadata\n") == "a.csv:1: t: no header line");
 		CHECK(error_of("time,index_x,index_y,index_z\n") == "a.csv:1: t: the header has no such column");
 		CHECK(error_of("# a: b\nt,t\n") == "a.csv:2: t: the column comes twice");
+		CHECK(error_of("# a: b\nt;index_x;index_y;index_z\n0,1;0,2;0,3;0,4\n") ==
+				"a.csv:2: cells are separated by ';': they must be by ',', and numbers have a '.'");
+		CHECK(error_of("t,a;b\n1,2;3\n") == "no error");
 		CHECK(error_of("t,note,note\n") == "a.csv:1: note: the column comes twice");
 		CHECK(error_of("t,index_x\n") ==
 				"a.csv:1: index_y: the header has no such column, but others of index");
