@@ -5,7 +5,7 @@
 
 namespace steadyhand {
 
-std::optional<Circle> circumcircle(
+std::optional<double> circumradius(
 		const Eigen::Vector2d &p, const Eigen::Vector2d &q, const Eigen::Vector2d &r) {
 	Eigen::Vector2d qr = r - q, rp = p - r, pq = q - p;
 	const double scale = std::max(
@@ -24,8 +24,7 @@ std::optional<Circle> circumcircle(
 	if (area_twice == 0.0 || weights.matrix().norm() > ERROR_GAIN_MAX * norm) {
 		return std::nullopt;
 	}
-	return Circle{ p + scale * (weights(1) * pq - weights(2) * rp) / norm,
-		scale * std::sqrt(squares.prod()) / (2.0 * area_twice) };
+	return scale * std::sqrt(squares.prod()) / (2.0 * area_twice);
 }
 
 } // namespace steadyhand

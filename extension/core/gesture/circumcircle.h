@@ -6,13 +6,8 @@
 
 namespace steadyhand {
 
-struct Circle {
-	Eigen::Vector2d centre;
-	double radius;
-};
-
-/// The circle through three points of a plane: R = a b c / (4 K), the sides over the area. Nothing where the
-/// points say too little of it.
+/// Radius of the circle through three points of a plane: R = a b c / (4 K), the sides over the area. Nothing
+/// where the points say too little of it.
 ///
 /// Where errors e_i of the points point away from the centre, the radius errs by sum w_i e_i, w being the
 /// centre's barycentric coordinates (from |p_i - o| = R by differentiation; sum w_i = 1):
@@ -23,7 +18,7 @@ struct Circle {
 /// two of them to one place, where no circle or no single one goes through them. Beyond ERROR_GAIN_MAX there
 /// is no value: a frame that does not tell is better left to what is known of the gesture than answered with
 /// a number that is all error. What comes out is finite for every finite input, and scales with it.
-std::optional<Circle> circumcircle(
+std::optional<double> circumradius(
 		const Eigen::Vector2d &p, const Eigen::Vector2d &q, const Eigen::Vector2d &r);
 
 /// 1 mm at the fingertips is then 1 cm of radius: a third of the whole zoom.

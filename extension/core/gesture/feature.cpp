@@ -34,24 +34,24 @@ FeaturePlace along_axis(const Task &task) {
 	return direction;
 }
 
-/// The circle through the tips of thumb, index and middle finger, z left out (paper, "zoom_R").
-std::optional<Circle> tips_circle(const HandFrame &frame) {
+/// Radius of the circle through the tips of thumb, index and middle finger, z left out (paper, "zoom_R").
+std::optional<double> tips_radius(const HandFrame &frame) {
 	if (!frame.has_all(THREE_TIPS)) {
 		return std::nullopt;
 	}
-	return circumcircle(frame.position(Joint::THUMB).head<2>(), frame.position(Joint::INDEX).head<2>(),
+	return circumradius(frame.position(Joint::THUMB).head<2>(), frame.position(Joint::INDEX).head<2>(),
 			frame.position(Joint::MIDDLE).head<2>());
 }
 
 std::optional<double> tips_circumradius(const HandFrame &frame, const Task &task) {
-	const std::optional<Circle> circle = tips_circle(frame);
-	return circle ? std::optional(circle->radius - task.start_m.x()) : std::nullopt;
+	const std::optional<double> radius_m = tips_radius(frame);
+	return radius_m ? std::optional(*radius_m - task.start_m.x()) : std::nullopt;
 }
 
 /// Fingers that open keep their shape: the circle grows as their own size does, not as it comes to be flat.
 std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
-	const std::optional<Circle> circle = tips_circle(frame);
-	if (!circle) {
+	const std::optional<double> radius_m = tips_radius(frame);
+	if (!radius_m) {
 		return std::nullopt;
 	}
 	const Eigen::Vector2d thumb = frame.position(Joint::THUMB).head<2>(),
@@ -61,7 +61,7 @@ std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
 	const double size = std::sqrt(
 			((thumb - mean).squaredNorm() + (index - mean).squaredNorm() + (middle - mean).squaredNorm()) /
 			3.0);
-	return FeaturePlace(mean.x(), mean.y(), circle->radius - size, circle->radius);
+	return FeaturePlace(mean.x(), mean.y(), *radius_m - size, *radius_m);
 }
 
 FeaturePlace along_size(const Task & /*task*/) {

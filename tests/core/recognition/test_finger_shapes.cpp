@@ -111,7 +111,7 @@ TEST_CASE("fingers that open are a zoom, also where the hand moves meanwhile") {
 
 TEST_CASE("fingers that come into one line are no zoom, though their circle grows twofold") {
 	// As the zoom does.
-	const auto radius = [](const Tips &tips) { return circumcircle(tips[0], tips[1], tips[2])->radius; };
+	const auto radius = [](const Tips &tips) { return *circumradius(tips[0], tips[1], tips[2]); };
 	CHECK(radius(flattened(0.06)) == doctest::Approx(radius(opened(0.06))));
 	CHECK(watch({ .shape = flattened }).ended == 0);
 }
