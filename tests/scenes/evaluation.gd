@@ -147,10 +147,7 @@ func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
 
 func test_a_gesture_of_minutes_is_left_out() -> void:
 	var trials := Rig.write_trials(_path("minutes"))
-	var path := trials.get_reference_path(0)
-	var lines := FileAccess.get_file_as_string(path).split("\n", false)
-	lines[-1] = lines[-1].replace(lines[-1].get_slice(",", 0) + ",", "1500,")
-	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
+	_end_reference(trials, "1500")
 	var table := _lines("minutes/trials.csv")
 	_replace_cells(table, 1, {5: "1500"})
 	FileAccess.open(_path("minutes/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
@@ -166,13 +163,11 @@ func test_a_gesture_of_minutes_is_left_out() -> void:
 
 func test_a_record_of_years_is_left_out() -> void:
 	var trials := Rig.write_trials(_path("years"))
-	var path := trials.get_reference_path(0)
-	var lines := FileAccess.get_file_as_string(path).split("\n", false)
-	lines[-1] = lines[-1].replace(lines[-1].get_slice(",", 0) + ",", "1e9,")
-	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
+	_end_reference(trials, "1e9")
 	var run := ToolRun.new("evaluate", ["--trials", _path("years"), "--out", _path("years_out")])
 	check_equal(run.exit_code, 1, "exit code")
-	_check_left_out(run, trials.get_trial(0)["trial"], ["its reference lasts 10000", path])
+	var why: Array[String] = ["its reference lasts 10000", trials.get_reference_path(0)]
+	_check_left_out(run, trials.get_trial(0)["trial"], why)
 	check(not run.said.contains("ERROR"), "nothing else is said of it")
 	check_equal(_lines("years_out/results.csv").size(), trials.get_count(), "the others are there")
 
@@ -283,6 +278,14 @@ static func _keep_frames(trials: TrialSet, index: int, from_s: float, to_s: floa
 		if not t.is_valid_float() or (t.to_float() >= from_s and t.to_float() <= to_s):
 			kept.append(line)
 	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(kept) + "\n")
+
+
+## The first trial's reference has its last frame at `time_s`.
+static func _end_reference(trials: TrialSet, time_s: String) -> void:
+	var path := trials.get_reference_path(0)
+	var lines := FileAccess.get_file_as_string(path).split("\n", false)
+	lines[-1] = time_s + lines[-1].substr(lines[-1].find(","))
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
 
 
 ## A reference that tracks the wrist alone.

@@ -152,17 +152,10 @@ func test_a_response_is_filled_in_point_by_point() -> void:
 
 
 func test_a_script_takes_the_live_vibration() -> void:
-	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
-	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 	var spring := SpringEffect.new()
-	spring.trigger = HapticEffect.TRIGGER_ALWAYS
 	spring.channels = 2
-	var synth := HapticSynth.new()
-	synth.gesture_hmm = rig.gesture_hmm
-	synth.effects = [spring]
-	synth.buffer_sample_rate = 8000
-	root.add_child(synth)
-	rig.tracker.start()
+	var rig := _make_rig("horizontal_drag")
+	var synth := _live_synth(rig, spring)
 	var left := 0.0
 	var right := 0.0
 	for step in range(ceili(rig.tracker.get_start_time() / 0.016), 150):
@@ -177,17 +170,10 @@ func test_a_script_takes_the_live_vibration() -> void:
 
 
 func test_a_game_that_stands_still_is_silent() -> void:
-	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
-	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 	var spring := SpringEffect.new()
-	spring.trigger = HapticEffect.TRIGGER_ALWAYS
 	spring.drive = HapticEffect.DRIVE_CONSTANT
-	var synth := HapticSynth.new()
-	synth.gesture_hmm = rig.gesture_hmm
-	synth.effects = [spring]
-	synth.buffer_sample_rate = 8000
-	root.add_child(synth)
-	rig.tracker.start()
+	var rig := _make_rig("horizontal_drag")
+	var synth := _live_synth(rig, spring)
 	var peaks := PackedFloat32Array()
 	for step in 100:
 		# As a frame of a game does at an Engine.time_scale of 1, and then of 0.
@@ -202,6 +188,23 @@ func test_a_game_that_stands_still_is_silent() -> void:
 	rig.free_nodes()
 
 
+func _make_rig(gesture: String) -> Rig:
+	var trials := Rig.write_trials(_folder.get_current_dir(), 1, gesture)
+	return Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+
+
+## Always felt, and taken at 8 kHz; the rig's tracker is started.
+func _live_synth(rig: Rig, spring: SpringEffect) -> HapticSynth:
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.effects = [spring]
+	synth.buffer_sample_rate = 8000
+	root.add_child(synth)
+	rig.tracker.start()
+	return synth
+
+
 ## A trial through the nodes and into a file. Of the result, `arrival` is the number of the first
 ## sample at or after the arrival, `speed` the hand's there, m/s.
 func _play(
@@ -210,8 +213,7 @@ func _play(
 	each: Callable = Callable(),
 	synth := HapticSynth.new()
 ) -> Dictionary:
-	var trials := Rig.write_trials(_folder.get_current_dir(), 1, gesture)
-	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var rig := _make_rig(gesture)
 	var wav_path := _folder.get_current_dir().path_join("%s.wav" % gesture)
 	synth.gesture_hmm = rig.gesture_hmm
 	synth.effects = effects

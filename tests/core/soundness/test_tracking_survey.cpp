@@ -61,6 +61,21 @@ TrackingSurvey surveyed(
 	return survey;
 }
 
+/// Half a minute at each of two places; at the other one every second brings a gap of 0.2 s.
+TrackingSurvey surveyed_at_two(
+		const Vector3d &first_m, const Vector3d &other_m, double first_noise_m, double other_noise_m) {
+	TrackingSurvey survey;
+	Random random(3);
+	double t_s = 0.0;
+	for (int i = 0; i < 6000; ++i) {
+		const bool is_other = i >= 3000;
+		const Vector3d noise(random.normal(), random.normal(), random.normal());
+		survey.push(t_s, (is_other ? other_m : first_m) + (is_other ? other_noise_m : first_noise_m) * noise);
+		t_s += is_other && i % 100 == 50 ? 0.2 : 0.01;
+	}
+	return survey;
+}
+
 } // namespace
 
 TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not") {
@@ -106,19 +121,11 @@ TEST_CASE("a practice run finds the same wherever the origin is") {
 }
 
 TEST_CASE("a hand that is first seen at one end of its reach is followed to the other") {
-	TrackingSurvey survey;
-	Random random(3);
-	double t_s = 0.0;
-	for (int i = 0; i < 6000; ++i) {
-		const bool is_far = i >= 3000;
-		const Vector3d noise(random.normal(), random.normal(), random.normal());
-		survey.push(t_s, Vector3d(is_far ? 6.4 : 4.8, 1.35, -3.0) + 1e-4 * noise);
-		t_s += is_far && i % 100 == 50 ? 0.2 : 0.01;
-	}
-	const Result<TrackingSurvey::Proposal> proposal = survey.propose();
+	const Vector3d near_m(4.8, 1.35, -3.0), far_m(6.4, 1.35, -3.0);
+	const Result<TrackingSurvey::Proposal> proposal = surveyed_at_two(near_m, far_m, 1e-4, 1e-4).propose();
 	REQUIRE_MESSAGE(proposal.ok(), proposal.error());
-	CHECK((proposal.value().stable.position_m - Vector3d(4.8, 1.35, -3.0)).norm() < 1e-3);
-	CHECK((proposal.value().unstable.position_m - Vector3d(6.4, 1.35, -3.0)).norm() < 1e-3);
+	CHECK((proposal.value().stable.position_m - near_m).norm() < 1e-3);
+	CHECK((proposal.value().unstable.position_m - far_m).norm() < 1e-3);
 }
 
 TEST_CASE("a sensor that is alike everywhere has no two positions") {
@@ -132,21 +139,10 @@ TEST_CASE("a sensor that is alike everywhere has no two positions") {
 }
 
 TEST_CASE("faults are counted at the place where they begin, jitter where it is") {
-	TrackingSurvey survey;
-	// Half a minute at each of two places; at the right one every second brings a gap of 0.2 s and 1 mm of
-	// noise.
-	Random random(3);
-	double t_s = 0.0;
-	for (int i = 0; i < 6000; ++i) {
-		const bool right = i >= 3000;
-		const double noise_m = right ? 1e-3 : 1e-4;
-		const Vector3d noise(random.normal(), random.normal(), random.normal());
-		survey.push(t_s, Vector3d(right ? 0.35 : -0.35, 0.05, -0.35) + noise_m * noise);
-		t_s += right && i % 100 == 50 ? 0.2 : 0.01;
-	}
-	const TrackingSurvey::Proposal proposal = survey.propose().value();
-	CHECK((proposal.stable.position_m - Vector3d(-0.35, 0.05, -0.35)).norm() < 1e-3);
-	CHECK((proposal.unstable.position_m - Vector3d(0.35, 0.05, -0.35)).norm() < 1e-3);
+	const Vector3d left_m(-0.35, 0.05, -0.35), right_m(0.35, 0.05, -0.35);
+	const TrackingSurvey::Proposal proposal = surveyed_at_two(left_m, right_m, 1e-4, 1e-3).propose().value();
+	CHECK((proposal.stable.position_m - left_m).norm() < 1e-3);
+	CHECK((proposal.unstable.position_m - right_m).norm() < 1e-3);
 	CHECK(proposal.stable.faults_per_s < 0.05); // the leap from the one to the other
 	CHECK(proposal.unstable.faults_per_s == doctest::Approx(30.0 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
 	CHECK(proposal.stable.jitter_m < 0.3e-3);
