@@ -115,20 +115,23 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	tracker.source = HandTracker.SOURCE_RECORDED
 	tracker.recording_path = measured_path
 	TrialTask.apply(trial, task)
-	_begin_trial(trial["trial"], trial["position"], trial.get("subject", ""))
-	return tracker.start()
+	var started := tracker.start()
+	if started == OK:
+		_begin_trial(trial["trial"], trial["position"], trial.get("subject", ""))
+	return started
 
 
-## The next trial of `trial_folder`, or of a synthetic person.
+## The next trial of `trial_folder` whose track can be read, or of a synthetic person.
 func play_next() -> void:
 	if trial_folder.is_empty():
 		_play_synthetic()
 		return
 	if _trials == null:
 		_trials = TrialList.new(trial_folder, task.gesture)
-	if not _trials.is_empty():
+	for i in _trials.get_count():
 		_trials.advance()
-		play(_trials.trial, _trials.measured_path)
+		if play(_trials.trial, _trials.measured_path) == OK:
+			return
 
 
 ## The mouse in place of the hand, or the played trials again.

@@ -21,8 +21,8 @@ func _init(folder: String, gesture: String) -> void:
 		push_error("%s: no trial of '%s' in it" % [folder, gesture])
 
 
-func is_empty() -> bool:
-	return _indices.is_empty()
+func get_count() -> int:
+	return _indices.size()
 
 
 func advance() -> void:

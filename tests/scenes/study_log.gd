@@ -75,6 +75,23 @@ func test_played_trials_name_their_subject() -> void:
 				check_near(end / amplitude, 1.0, 0.15, "and where it ended")
 
 
+func test_a_trial_whose_track_cannot_be_read_is_passed_over() -> void:
+	# expects one error: tune_0_tap_unstable_0.measured.csv: there is no such file
+	var folder := _folder.get_current_dir().path_join("unreadable")
+	var trials := Rig.write_trials(folder, 2, "tap")
+	DirAccess.remove_absolute(trials.get_measured_path(1))
+	var player := TaskPlayer.new("tap", folder.path_join("logs"), self)
+	player.scene.trial_folder = folder
+	for i in 3:
+		player.scene.play_next()
+		if player.scene.tracker.is_running():
+			player.play_to_end()
+	var rows := _rows(player.scene.session_folder, player)
+	var logged := rows.map(func(row: Dictionary) -> String: return row["trial"])
+	var expected := [0, 2, 3].map(func(i: int) -> String: return trials.get_trial(i)["trial"])
+	check_equal(logged, expected, "the others are played and logged")
+
+
 func test_a_trial_that_never_ends_says_so() -> void:
 	var player := TaskPlayer.new("tap", _folder.get_current_dir().path_join("never"), self)
 	player.scene.follow_live()
