@@ -51,6 +51,8 @@ std::string fault_of(const std::string &p_key, const Variant &p_value) {
 	return {};
 }
 
+constexpr double LONGEST_S = 3600.0;
+
 /// Error names the option and its value.
 steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionary &p_options) {
 	using steadyhand::Population;
@@ -83,8 +85,9 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 		*count = static_cast<std::uint32_t>(asked);
 	}
 	options.duration_s = p_options.get("duration", 0.0);
-	if (!(options.duration_s >= 0.0)) {
-		return steadyhand::Error{ "duration: " + std::to_string(options.duration_s) + " s is not 0 or more" };
+	if (!(options.duration_s >= 0.0) || options.duration_s > LONGEST_S) {
+		return steadyhand::Error{ "duration: " + std::to_string(options.duration_s) +
+			" s is not in 0..3600" };
 	}
 	const int64_t earlier_rounds = p_options.get("earlier_rounds", 0);
 	if (earlier_rounds < 0 || earlier_rounds > 100) {

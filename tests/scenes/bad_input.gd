@@ -64,13 +64,15 @@ func test_missing_trial_set() -> void:
 
 func test_a_synthetic_set_by_options_that_are_none() -> void:
 	# expects error: there is no option 'subject'
-	# expects error: duration: -1.000000 s is not 0 or more
+	# expects error: duration: -1.000000 s is not in 0..3600
+	# expects error: duration: inf s is not in 0..3600
 	# expects error: paces: 100.000000 is not in 0.1..10
 	# expects error: subjects: 'a' is not a number
 	# expects error: gestures: 'tap' is not a list
 	for options: Dictionary in [
 		{subject = 1},
 		{duration = -1.0},
+		{duration = INF},
 		{paces = [1.0, 100.0]},
 		{subjects = "a"},
 		{gestures = "tap"},
