@@ -72,6 +72,7 @@ def refusals(folder: Path) -> Iterator[Outcome]:
         ),
         ([*train, folder / "set"], f"--out is a folder, {folder}/set: name a file in it, as NAME.gesture"),
         ([*train, folder / "file/a.gesture"], f"cannot make the folder {folder}/file"),
+        (["results", "--out", folder / "file"], f"cannot make the folder {folder}/file"),
         (["demo", "--out", folder / "file/demo"], f"cannot make the folder {folder}/file/demo"),
         (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
         (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
