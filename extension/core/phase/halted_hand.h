@@ -9,8 +9,8 @@
 namespace steadyhand {
 
 /// Whether the hand has halted half-way, as it was last seen, and which faults speak of it then: that a
-/// tracker errs from now on says nothing of whether the hand has gone on; that it soon finds a hand which
-/// moves does.
+/// tracker errs from now on says nothing of whether the hand has gone on; that it jumps to the end does, or
+/// that it soon finds a hand which moves.
 class HaltedHand {
 public:
 	/// A hand that is first seen, at x.
@@ -33,8 +33,8 @@ public:
 	[[nodiscard]] double stays_since_s() const { return stays_.since_s; }
 
 	/// What counts by now of a frame's fault and of those that did not count before.
-	double counted(double t_s, double fault) {
-		if (is_halted_) {
+	double counted(double t_s, double fault, bool is_jump_to_end) {
+		if (is_halted_ && !is_jump_to_end) {
 			withheld_ = std::max(withheld_ + fault, 0.0);
 			withheld_s_ = fault > 0.0 ? t_s : withheld_s_;
 			return 0.0;
