@@ -120,7 +120,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 		branch_at_jump(bank_);
 		back_s_ = t_s + SLIDES_FOR_S;
 	}
-	seen_s_ = soundness_.frozen() ? seen_s_ : t_s;
+	seen_s_ = soundness_.frozen() ? std::min(seen_s_, told_s_) : t_s;
 	told_s_ = soundness_.told() ? t_s : told_s_;
 	const bool is_back = soundness_.jumped() || soundness_.returned();
 	if (is_back) {

@@ -82,7 +82,7 @@ private:
 	double filtered_s_ = 0.0;       ///< the filters are at this time
 	double back_s_ = INFINITY;      ///< by then a tracker that slides back from a jump is back
 	double absorbed_s_ = -INFINITY; ///< when a frame was last used
-	double seen_s_ = 0.0;           ///< the tracker was last not frozen
+	double seen_s_ = 0.0;           ///< the hand was last, by a tracker that is not frozen
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double told_x_ = 0.0;           ///< where that was
 	double next_branch_s_ = 0.0;

@@ -34,6 +34,10 @@ constexpr double NEARER = 0.5;
 constexpr double BLIND_S = 0.05;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
+/// A tracker that repeated itself no further from the start than AT_START, and then shows the hand where it
+/// was, has lost nothing: a hand at rest need not tremble.
+constexpr double AT_START = 0.05;
+constexpr double STILL_THERE = 0.005;
 /// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
 constexpr double JITTER_PER_BEND = 0.5117;
 constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
@@ -120,14 +124,42 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
 	fault_.late = loss_ + LATE_BY_JUMP * jump;
 	leap_.fault = fault_;
-	fault_.now -= taken_back.now;
-	fault_.lasting -= taken_back.lasting;
-	fault_.late -= taken_back.late;
-	const double lasts = std::exp(-frame_s / LASTING_MEMORY_S);
-	evidence_.now = std::max(evidence_.now * std::exp(-frame_s / MEMORY_S) + fault_.now, 0.0);
-	evidence_.lasting = std::max(evidence_.lasting * lasts + fault_.lasting, 0.0);
-	evidence_.late = std::max(evidence_.late * lasts + fault_.late, 0.0);
+	fault_.add(taken_back, -1.0);
+	evidence_.fade(frame_s);
+	freeze_.fault.fade(frame_s);
+	evidence_.add(fault_);
+	evidence_.add(needless_of_freeze(x), -1.0);
+	evidence_ = { std::max(evidence_.now, 0.0), std::max(evidence_.lasting, 0.0),
+		std::max(evidence_.late, 0.0) };
 	period_s_ = TrackerSilence::followed(period_s_, frame_s);
+}
+
+void TrackingSoundness::Evidence::fade(double dt_s) {
+	const double lasts = std::exp(-dt_s / LASTING_MEMORY_S);
+	now *= std::exp(-dt_s / MEMORY_S);
+	lasting *= lasts;
+	late *= lasts;
+}
+
+void TrackingSoundness::Evidence::add(const Evidence &other, double sign) {
+	now += sign * other.now;
+	lasting += sign * other.lasting;
+	late += sign * other.late;
+}
+
+/// What is left of a freeze's evidence when it is over and was no loss.
+TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
+	Evidence needless;
+	if (frozen()) {
+		freeze_.fault.add(fault_);
+	} else if (told()) {
+		const bool was_at_start = std::abs(freeze_.x) < AT_START;
+		if (was_at_start && !jumped_ && std::abs(x - freeze_.x) < STILL_THERE) {
+			needless = freeze_.fault;
+		}
+		freeze_ = { .x = x, .fault = {} };
+	}
+	return needless;
 }
 
 /// A repeated value that stands for a hand, or a tracker, that does not move.

@@ -70,12 +70,20 @@ private:
 		double now = 0.0;
 		double lasting = 0.0;
 		double late = 0.0;
+
+		void fade(double dt_s);
+		void add(const Evidence &other, double sign = 1.0);
 	};
 	/// A frame from which one leapt away.
 	struct Leap {
 		double t_s = 0.0;
 		double x = 0.0;
 		FeaturePlace place = FeaturePlace::Zero();
+		Evidence fault;
+	};
+	/// A freeze that goes on; before one, where it would begin.
+	struct Freeze {
+		double x = 0.0;
 		Evidence fault;
 	};
 
@@ -97,6 +105,7 @@ private:
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	Leap leap_;
+	Freeze freeze_;
 	bool leapt_ = false; ///< the newest frame that told something did
 	double jitter_ = 0.0;
 	int frames_ = 0;
@@ -109,6 +118,7 @@ private:
 	[[nodiscard]] double bend_of(const Way<Step> &way, const Step &step, double dt_s) const;
 	void weigh(double frame_s, double x, const FeaturePlace &place);
 	void stand();
+	[[nodiscard]] Evidence needless_of_freeze(double x);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();
 	void follow(double x, const FeaturePlace &place);

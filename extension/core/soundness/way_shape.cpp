@@ -13,7 +13,7 @@ constexpr double FROM = 0.15, TO = 0.8;
 constexpr int FEWEST = 5; ///< a bow goes through three
 /// Root mean square distance from the bow at which either kind of tracker is as likely, for each amplitude
 /// that the hand has come.
-constexpr double EVEN = 0.0045;
+constexpr double EVEN = 0.009;
 /// Nats for each time that it is e times as far, and in all.
 constexpr double NATS = 1.9, MOST = 2.0;
 constexpr double SMALLEST = 1e-9;    ///< squared distance

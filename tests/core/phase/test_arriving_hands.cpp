@@ -1,4 +1,5 @@
-// Hands that are first seen away from the task's start, come there, rest, and then make the gesture.
+// Hands that come to the task's start from elsewhere, and hands that rest there before a tracker that repeats
+// itself, and then make the gesture.
 
 #include "follow.h"
 #include "overlapping_drags.h"
@@ -8,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
+#include <utility>
 #include <vector>
 
 using namespace steadyhand;
@@ -41,6 +45,37 @@ TEST_CASE("a hand that comes from elsewhere to the start and rests there is foll
 			for (const double rest_s : { 0.1, 0.3, 0.6, 1.0 }) {
 				check_followed(from, stay_s, rest_s);
 			}
+		}
+	}
+}
+
+TEST_CASE("a tracker that repeats itself while a hand rests hardly moves the estimate, nor is the gesture "
+		  "after it early") {
+	// As before trackers that hold their last pose, or round away how the hand trembles.
+	const Drag drag{ .onset_s = 2.0, .duration_s = 0.7, .amplitude_m = 1.0 };
+	const auto off = [&](double repeats_for_s, std::uint64_t seed) {
+		PhaseEstimator estimator(test::drag_model());
+		std::mt19937_64 random(seed);
+		std::normal_distribution<double> trembling(0.0, 1e-3);
+		double shown = 0.0, at_rest = 0.0, ahead = 0.0;
+		const auto show = [&](double t_s) {
+			const bool repeats = t_s > 1.8 - repeats_for_s && t_s < 1.8;
+			shown = repeats ? shown : drag.x_m(t_s) + trembling(random);
+			return shown;
+		};
+		follow(estimator, 2.7, show, [&](double t_s, double value) {
+			double &worst = t_s < drag.onset_s ? at_rest : ahead;
+			worst = std::max(worst, value - drag.x_m(t_s));
+		});
+		return std::pair(at_rest, ahead);
+	};
+	for (const double repeats_for_s : { 0.0, 0.1, 0.2, 0.3 }) {
+		for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+			CAPTURE(repeats_for_s);
+			CAPTURE(seed);
+			const auto [at_rest, ahead] = off(repeats_for_s, seed);
+			CHECK(at_rest < 0.1);
+			CHECK(ahead < 0.02);
 		}
 	}
 }

@@ -16,7 +16,7 @@ using namespace steadyhand;
 namespace {
 
 constexpr double LEFT_OUT = 0.045, LEFT_OUT_SOUND = 0.012; ///< shares of intervals
-constexpr double NATS = 1.9, EVEN = 0.0045, MOST = 2.0;
+constexpr double NATS = 1.9, EVEN = 0.009, MOST = 2.0;
 
 /// Mean of the logarithm while a tracker leaves out that share of its frames.
 double mean_log_ratio(double share) {
@@ -129,7 +129,7 @@ TEST_CASE("a tracker that leaves out 1 % of its frames is hardly suspected, one 
 }
 
 TEST_CASE("a way's shape counts by its distance from the bow that fits it best") {
-	const Way way{ .bow = 0.1, .wanders = 0.012 };
+	const Way way{ .bow = 0.1, .wanders = 0.024 };
 	WayShape shape;
 	std::mt19937_64 random(3);
 	const int first = 2; // the last frame at the start
@@ -153,7 +153,7 @@ TEST_CASE("no bow, and no noise that is known, speaks against a tracker; wanderi
 		CAPTURE(bow);
 		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.0 }) == 0.0);
 		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.0, .noise = 0.002 }) < 1.0);
-		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.03 }) == MOST);
+		CHECK(greatest_log_ratio({ .bow = bow, .wanders = 0.06 }) == MOST);
 	}
 }
 

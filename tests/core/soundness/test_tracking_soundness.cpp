@@ -82,6 +82,30 @@ TEST_CASE("a burst of frames at the start does not make what follows a row of ga
 	CHECK(soundness.unsoundness() == 0.0);
 }
 
+TEST_CASE("a tracker that repeats itself at the start and shows the hand there still has lost nothing") {
+	// Trembles, repeats itself for 0.3 s, and shows the hand somewhere again.
+	const auto suspected = [](double rests_at, double shown_at) {
+		TrackingSoundness soundness;
+		std::mt19937_64 random(4);
+		std::normal_distribution<double> trembling(0.0, 0.001);
+		double t_s = 0.0, x = 0.0;
+		for (int i = 0; i < 150; ++i, t_s += PERIOD_S) {
+			x = i < 110 ? rests_at + trembling(random) : x;
+			soundness.push(t_s, x);
+		}
+		REQUIRE(soundness.frozen());
+		REQUIRE(soundness.unsoundness() > 0.9);
+		soundness.push(t_s, x + shown_at - rests_at);
+		REQUIRE_FALSE(soundness.frozen());
+		CHECK((soundness.lateness() > 0.0) == (soundness.unsoundness() > 0.0));
+		return soundness.unsoundness();
+	};
+	CHECK(suspected(0.0, 0.003) == 0.0);
+	CHECK(suspected(-0.03, -0.033) == 0.0);
+	CHECK(suspected(0.0, 0.01) > 0.9);
+	CHECK(suspected(0.3, 0.303) > 0.9);
+}
+
 TEST_CASE("what comes back from a freeze further on has returned, and the news is as old as the freeze") {
 	TrackingSoundness soundness;
 	const double frozen_s = move(soundness, 0.0, 0.0, 0.1, 20) - PERIOD_S;
