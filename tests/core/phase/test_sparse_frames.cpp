@@ -6,6 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 using namespace steadyhand;
 using test::follow;
 
@@ -54,4 +58,48 @@ TEST_CASE("what a quick hand does between the frames of a slow camera is caught 
 		CHECK(errors(0.2, rate_hz).estimate < 3.0 * errors(0.2, rate_hz).held);
 		CHECK(errors(0.15, rate_hz).estimate < 8.0 * errors(0.15, rate_hz).held);
 	}
+}
+
+TEST_CASE("a drag of 0.15 s before a camera of 30 Hz is shown a frame late, one of 0.3 s is not") {
+	struct Shown {
+		double since_onset_s, estimate, held;
+	};
+	constexpr double RATE_HZ = 30.0;
+	const auto show = [](double duration_s) {
+		std::vector<Shown> all;
+		for (int phase = 0; phase < PHASES; ++phase) {
+			PhaseEstimator estimator(test::drag_model());
+			const test::Drag drag{
+				.onset_s = 1.0 + phase / (PHASES * RATE_HZ), .duration_s = duration_s, .amplitude_m = 1.0
+			};
+			double held = 0.0;
+			follow(
+					estimator, drag.onset_s + duration_s + 0.4,
+					[&](double t_s) { return held = drag.x_m(t_s); },
+					[&](double t_s, double value) {
+						all.push_back({ t_s - drag.onset_s, value, held });
+					},
+					1.0 / RATE_HZ);
+		}
+		return all;
+	};
+	/// Where the hand was so long ago fits best.
+	const auto late_s = [](const std::vector<Shown> &all, double duration_s, double Shown::*value) {
+		const test::Drag drag{ .onset_s = 0.0, .duration_s = duration_s, .amplitude_m = 1.0 };
+		double best_s = 0.0, least = 1e9;
+		for (int ms = 0; ms < 60; ++ms) {
+			double sum = 0.0;
+			for (const Shown &shown : all) {
+				const double off = shown.*value - drag.x_m(shown.since_onset_s - ms / 1000.0);
+				sum += off * off;
+			}
+			best_s = sum < least ? ms / 1000.0 : best_s;
+			least = std::min(least, sum);
+		}
+		return best_s;
+	};
+	const std::vector<Shown> quick = show(0.15), usual = show(0.3);
+	CHECK(std::abs(late_s(quick, 0.15, &Shown::estimate) - 0.036) < 0.008);
+	CHECK(std::abs(late_s(quick, 0.15, &Shown::held) - 0.016) < 0.004);
+	CHECK(late_s(usual, 0.3, &Shown::estimate) < 0.01);
 }
