@@ -167,6 +167,30 @@ TEST_CASE("a tracker that jumps and comes back takes no hand along that has halt
 	}
 }
 
+TEST_CASE(
+		"a tracker that showed a hand where it had halted, and jumps to the end, is believed within 50 ms") {
+	for (const double goes_on_for_s : { 0.2, 0.3, 0.4 }) {
+		for (const double noise : { 3e-4, 1e-3 }) {
+			CAPTURE(goes_on_for_s);
+			CAPTURE(noise);
+			const test::Drag first{ .onset_s = 0.5, .duration_s = 0.6, .amplitude_m = 0.7 };
+			const test::Drag second{ .onset_s = 1.4, .duration_s = goes_on_for_s, .amplitude_m = 0.3 };
+			const double found_s = second.onset_s + goes_on_for_s;
+			PhaseEstimator estimator(test::drag_model());
+			std::mt19937_64 random(2);
+			std::normal_distribution<double> trembling(0.0, noise);
+			double off = 0.0;
+			const auto show = [&](double t_s) {
+				return first.x_m(t_s) + (t_s < found_s ? 0.0 : second.x_m(t_s)) + trembling(random);
+			};
+			follow(estimator, found_s + 0.2, show, [&](double t_s, double value) {
+				off = t_s > found_s + 0.05 ? std::max(off, std::abs(value - 1.0)) : 0.0;
+			});
+			CHECK(off < 0.15);
+		}
+	}
+}
+
 TEST_CASE("a hand that halts on its way after a fault stands where it is shown") {
 	struct Fault {
 		std::string name;

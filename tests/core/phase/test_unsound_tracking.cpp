@@ -228,6 +228,29 @@ TEST_CASE("a hand that a tracker led away fast is found within 60 ms where the t
 	}
 }
 
+TEST_CASE(
+		"a hand that set out while its tracker trembled where it had rested is found 30 ms after the jump") {
+	for (const double duration_s : { 0.5, 0.8, 1.2 }) {
+		for (const double found_at : { 0.5, 0.65, 0.8 }) {
+			CAPTURE(duration_s);
+			CAPTURE(found_at);
+			const test::Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 1.0 };
+			const double found_s = drag.onset_s + found_at * duration_s;
+			PhaseEstimator estimator(test::drag_model());
+			std::mt19937_64 random(8);
+			std::normal_distribution<double> normal;
+			double furthest = 0.0;
+			const auto show = [&](double t_s) {
+				return (t_s < found_s ? 0.0 : drag.x_m(t_s)) + 1e-3 * normal(random);
+			};
+			follow(estimator, found_s + 0.25, show, [&](double t_s, double value) {
+				furthest = t_s > found_s + 0.03 ? std::max(furthest, std::abs(value - drag.x_m(t_s))) : 0.0;
+			});
+			CHECK(furthest < 0.25);
+		}
+	}
+}
+
 TEST_CASE("a freeze does not move a hand that rests beside the end of its way") {
 	for (const double amplitude : { 0.85, 1.15 }) {
 		for (const double lost_s : { 0.05, 0.1, 0.2 }) {
