@@ -73,3 +73,54 @@ TEST_CASE("a hand that set out and is back at its start is let go, also from hal
 		CHECK(events.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
 	}
 }
+
+TEST_CASE("`paper` mode comes to the task's end, or waits at a state's, wherever the hand stops") {
+	const double first_end = drag_model().elements.front().phase_end;
+	for (const double far : { 0.6, 0.8, 1.2, 1.5 }) {
+		CAPTURE(far);
+		const Drag drag{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = far * TASK_M };
+		const Events events = on_paper(along(X, { drag }), 4.0);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_value_m == doctest::Approx(TASK_M).epsilon(1e-9));
+	}
+	// Three tenths of the way, slowly, are its first state.
+	const Drag short_of_it{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = 0.3 * TASK_M };
+	const Events waits = on_paper(along(X, { short_of_it }), 4.0);
+	CHECK(waits.said == std::vector<std::string>{ "started sideways" });
+	CHECK(waits.last_value_m ==
+			doctest::Approx(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
+}
+
+TEST_CASE("`paper` mode with a task rejects nothing that comes as far along its way") {
+	const Drag drag{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = 2.0 * TASK_M };
+	CHECK(on_paper(along((X + Y).normalized(), { drag }), 3.0).said == times(1, "sideways"));
+	const Way winding = [](double t_s) {
+		const Drag way{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = TASK_M };
+		return Eigen::Vector3d(way.x_m(t_s), 0.1 * std::sin(8.0 * t_s), 0.1 * std::cos(8.0 * t_s));
+	};
+	CHECK(on_paper(winding, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("`paper` mode ends early where a gesture is slower than its first states promised") {
+	const auto late_s = [](double duration_s) {
+		const Drag drag{ .onset_s = ONSET_S, .duration_s = duration_s, .amplitude_m = TASK_M };
+		return on_paper(along(X, { drag }), duration_s + 2.0).last_ended_s - ONSET_S - duration_s;
+	};
+	CHECK(std::abs(late_s(1.0)) < 0.1);
+	CHECK(late_s(4.0) < -1.0);
+}
+
+TEST_CASE("`paper` mode holds its end until the hand is back below 15 % of the way, and lets go in 0.1 s") {
+	constexpr double TURNS_S = 2.0, BACK_S = 2.3;
+	const auto shown_m = [](double left, double later_s) {
+		const Drag there{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = TASK_M };
+		const Drag back{
+			.onset_s = TURNS_S, .duration_s = BACK_S - TURNS_S, .amplitude_m = (left - 1.0) * TASK_M
+		};
+		return on_paper(along(X, { there, back }), BACK_S + later_s).last_value_m;
+	};
+	CHECK(shown_m(0.16, 1.0) == doctest::Approx(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.14, -0.04) == doctest::Approx(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.14, 0.1) < 0.05 * TASK_M);
+	CHECK(shown_m(0.14, 0.02) > 0.05 * TASK_M);
+}
