@@ -72,6 +72,24 @@ TEST_CASE("a whole circle is followed from 0 to its length, where it ends") {
 	}
 }
 
+TEST_CASE("a circle is found with its task only, and nothing that goes round there is rejected") {
+	const std::shared_ptr<const GestureModel> model = circle_model();
+	const test::Drag round{ .onset_s = 0.5, .duration_s = 1.3, .amplitude_m = ROUND_M };
+	const auto stage = [&](const std::optional<Task> &task, double narrower) {
+		GestureRecogniser hmm({ model }, task, MotionMode::PHASE);
+		for (HandFrame frame : rounds_track(110.0, 2.5, { round }).frames) {
+			Eigen::Vector3d place = frame.position(Joint::INDEX);
+			place.x() *= narrower;
+			frame.set(Joint::INDEX, place);
+			hmm.push(frame);
+		}
+		return hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
+	};
+	CHECK(stage(std::nullopt, 1.0) == GestureFollower::Stage::RESTING);
+	CHECK(stage(TASK, 1.0) == GestureFollower::Stage::ARRIVED);
+	CHECK(stage(TASK, 0.6) == GestureFollower::Stage::ARRIVED);
+}
+
 TEST_CASE("each further round is a circle again") {
 	const std::shared_ptr<const GestureModel> model = circle_model();
 	const std::vector<test::Drag> rounds{ { 0.5, 1.2, ROUND_M }, { 2.5, 1.2, ROUND_M },

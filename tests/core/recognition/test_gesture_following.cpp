@@ -219,6 +219,31 @@ TEST_CASE("the synthesised velocity and acceleration are the value's derivatives
 	}
 }
 
+TEST_CASE("`phase` mode takes nothing from the HMM, and of the durations only the whole movement's") {
+	const Track track = shaky_drag();
+	const auto values = [&](const GestureModel &model) {
+		GestureRecogniser hmm({ std::make_shared<const GestureModel>(model) }, Task{}, MotionMode::PHASE);
+		std::vector<double> shown;
+		for (const HandFrame &frame : track.frames) {
+			hmm.push(frame);
+			shown.push_back(hmm.motion(MotionSource::SYNTHESISED).value_m);
+		}
+		return shown;
+	};
+	const GestureModel &model = *test::shared_drag_model();
+	GestureModel other = model;
+	other.hmm.log_b.rowwise().reverseInPlace();
+	other.hmm.log_a.setConstant(-std::log(static_cast<double>(other.hmm.states())));
+	for (PrimitiveMotionElement &element : other.elements) {
+		element.duration_mean_s *= 3.0;
+		element.duration_deviation_s *= 3.0;
+		element.deviation *= 3.0;
+	}
+	CHECK(values(other) == values(model));
+	other.duration_mean_s *= 3.0;
+	CHECK(values(other) != values(model));
+}
+
 /// The largest change of the synthesised velocity within a step, m/s, as somebody pulls back and forth
 /// quickly; r_off_m: the most by which the value goes on in other ways than the velocity says.
 double largest_velocity_step(MotionMode mode, double step_s, double &r_off_m) {

@@ -284,6 +284,39 @@ TEST_CASE("a way that is off, bent or round is no gesture") {
 	CHECK(none_ends(in_a_task(round, 4.0)));
 	// With the task the arc would count: it leads from its start to its end.
 	CHECK(none_ends(in_the_open(arc, 4.0)));
+	for (const double angle : { 0.45, 0.53 }) { // 26 and 30 degrees
+		CAPTURE(angle);
+		const Eigen::Vector3d beside(std::cos(angle), std::sin(angle), 0.0);
+		CHECK(none_ends(in_the_open(along(beside, { DRAG }), 4.0)) == (angle > 0.5));
+	}
+}
+
+TEST_CASE("a hand that does anything begins a gesture every few seconds, which is given up with low "
+		  "confidence") {
+	double seconds = 0.0, greatest = 0.0, sum_of_greatest = 0.0; // confidences
+	int begun = 0;
+	for (std::uint32_t person = 0; person < 24; ++person) {
+		const SyntheticTrial trial =
+				make_synthetic_trial({ .name = "none",
+											 .gesture = "none",
+											 .subject = draw_subject(Population::TUNE, person),
+											 .seed = person })
+						.value();
+		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+		for (const HandFrame &frame : trial.measured.frames) {
+			recogniser.push(frame);
+			const double confidence = recogniser.confidence();
+			REQUIRE((recogniser.gesture() < 0 ||
+					recogniser.follower()->stage() != GestureFollower::Stage::ARRIVED));
+			begun += confidence > 0.0 && greatest == 0.0 ? 1 : 0;
+			sum_of_greatest += confidence == 0.0 ? greatest : 0.0;
+			greatest = confidence == 0.0 ? 0.0 : std::max(greatest, confidence);
+		}
+		seconds += trial.measured.frames.back().t_s - trial.measured.frames.front().t_s;
+	}
+	CHECK(begun > seconds / 10.0);
+	CHECK(begun < seconds / 2.0);
+	CHECK(sum_of_greatest < 0.4 * begun);
 }
 
 TEST_CASE("with the task known a stroke from elsewhere to its end is none") {
