@@ -90,6 +90,11 @@ TEST_CASE("with nothing given a hand that goes twice as far ends where it stops,
 	const Events events = in_the_open(along(X, { far }), 2.5);
 	CHECK(events.said == times(1, "sideways"));
 	CHECK(far.x_m(events.last_ended_s) > 0.36);
+	// Foretold where a slow hand has a quarter of its peak speed, which its stroke is known to have 0.05 s
+	// later.
+	const Drag slow{ .onset_s = 0.6, .duration_s = 1.5, .amplitude_m = 0.4 };
+	const double ended_s = in_the_open(along(X, { slow }), 3.0).last_ended_s;
+	CHECK(std::abs((ended_s - slow.onset_s) / slow.duration_s - (0.5 + std::sqrt(0.125))) < 0.025);
 }
 
 TEST_CASE("ten taps in a row each start and end once") {

@@ -47,6 +47,15 @@ TEST_CASE("a long gap is evidence, a lower rate from then on is none") {
 	const double t_s = move(soundness, 0.0, 0.0, 0.5, 50);
 	soundness.push(t_s + 0.3, 0.4);
 	CHECK(soundness.unsoundness() > 0.5);
+	for (const double gap_s : { 3.5 * PERIOD_S, 0.05, 0.07, 0.3 }) {
+		CAPTURE(gap_s);
+		TrackingSoundness lost;
+		move(lost, 0.0, 0.0, 0.1, 50);
+		const double last_s = 49.0 * PERIOD_S;
+		lost.push(last_s + gap_s, 0.1 * (last_s + gap_s));
+		const double beyond = gap_s > 4.0 * PERIOD_S ? (gap_s - 2.0 * PERIOD_S) / 0.061 : 0.0;
+		CHECK(lost.fault() == doctest::Approx(std::min(beyond, 1.0)));
+	}
 	TrackingSoundness slow;
 	for (int i = 0; i < 100; ++i) {
 		slow.push(i / 30.0, 0.01 * i);
@@ -59,6 +68,7 @@ TEST_CASE("values that repeat on the way are a frozen tracker, exact rest is not
 	const double t_s = move(on_the_way, 0.0, 0.0, 1.0, 50);
 	move(on_the_way, t_s, 49.0 * PERIOD_S, 0.0, 5);
 	CHECK(on_the_way.frozen());
+	CHECK(on_the_way.fault() == doctest::Approx(0.5));
 
 	TrackingSoundness at_rest;
 	move(at_rest, 0.0, 0.2, 0.0, 200);
@@ -176,7 +186,7 @@ TEST_CASE("a jump beside the way is a fault and is remembered, a hand that sweep
 	show(jumping, 0, 50, 0.0);
 	CHECK(jumping.lasting_unsoundness() == 0.0);
 	show(jumping, 50, 1, 0.2);
-	CHECK(jumping.fault() > 0.0);
+	CHECK(jumping.fault() == doctest::Approx(0.3));
 	CHECK_FALSE(jumping.jumped()); // not along the way
 	CHECK(jumping.lasting_unsoundness() > 0.6);
 	show(jumping, 51, 222, 0.2); // 2 s

@@ -74,6 +74,24 @@ TEST_CASE("a stroke is as long as the hand's way, at any rate") {
 	}
 }
 
+TEST_CASE("a stroke begins and ends where the hand has a quarter of its peak speed") {
+	// 16 s^2 (1 - s)^2 of the peak, at s = (1 -+ sqrt(1/2)) / 2; a slope over 0.1 s is that of 0.05 s before.
+	const double begins = 0.5 - std::sqrt(0.125), ends = 0.5 + std::sqrt(0.125);
+	for (const double duration_s : { 0.5, 1.0, 2.0 }) {
+		CAPTURE(duration_s);
+		const test::Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
+		StrokeFinder finder;
+		for (int ms = 0; !finder.ended() && ms < 4000; ++ms) {
+			const double t_s = ms / 1000.0;
+			finder.push(t_s, FeaturePlace(drag.x_m(t_s), 1e-6 * t_s, 0.0, 0.0));
+		}
+		REQUIRE(finder.ended());
+		const auto share = [&](double at_s) { return (at_s - 0.05 - drag.onset_s) / duration_s; };
+		CHECK(std::abs(share(finder.strokes().front().onset_s) - begins) < 0.03);
+		CHECK(std::abs(share(finder.strokes().front().now_s) - ends) < 0.03);
+	}
+}
+
 TEST_CASE("the middle of a stroke is its mean over time, of two strokes that of both") {
 	const auto way_s = [](double s) { return s * s * s * s * (2.5 + s * (-3.0 + s)); }; // of 10 s^3 ..
 	for (const double rate_hz : { 30.0, 110.0 }) {
