@@ -43,15 +43,15 @@ struct Deviation {
 struct RegimeNumbers {
 	Deviation hand;     ///< d: what the hand does that the gesture does not say
 	TrackerError error; ///< unless the tracker's has been seen to be another
-	double lag_s;       ///< expected lag at the end of the way
+	double lag_s;       ///< of a gesture begun in it: expected lag at the end of the way
 	double lag_deviation_s;
-	double gain_deviation; ///< g: how much further or less far than the task asks
+	double gain_deviation; ///< of a gesture begun in it; g: how much further or less far than the task asks
 };
 inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS{
-	RegimeNumbers{ { 0.025, 9.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.025, 9.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.0 },
 	RegimeNumbers{ { 0.06, 4.6 }, TrackerError::SLIGHT, 0.0, 0.0, 0.041 },
 	RegimeNumbers{ { 0.016, 11.0 }, TrackerError::GREAT, 0.09, 0.035, 0.025 },
-	RegimeNumbers{ { 0.55, 4.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.05 },
+	RegimeNumbers{ { 0.55, 4.0 }, TrackerError::SLIGHT, 0.0, 0.0, 0.0 },
 };
 [[nodiscard]] constexpr const RegimeNumbers &regime_numbers(Regime regime) {
 	return REGIME_NUMBERS[index_of(regime)];

@@ -16,7 +16,9 @@ constexpr double YET_TO_TURN = 0.35;
 constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
 /// About a task's axis: radians, each of two; aim and the tracker's error.
 constexpr double ANGLE = 0.14;
-constexpr double BOW = 0.05; ///< mean distance from the chord, in its lengths; half-normal
+/// Mean distance from the chord, in its lengths, within which a way is bowed.
+constexpr double BOW = 0.18;
+constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
 constexpr double LARGEST_BOW = 0.5;
 // Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m, and m for
 // each second that it takes. Of gestures, a share goes astray by so many times that, because the tracker
@@ -68,12 +70,18 @@ double direction_in_task(double off) {
 	return std::log(2.0 / (ANGLE * ANGLE)) - 0.5 * off * off / (ANGLE * ANGLE);
 }
 
+/// Ways are as likely bowed by anything within BOW, and hardly beyond: exp(-(bow / BOW)^4) against the
+/// uniform.
+double bow_evidence(double bow) {
+	const double square = bow * bow / (BOW * BOW);
+	return std::log(LARGEST_BOW / (BOW * GAMMA_FIVE_QUARTERS)) - square * square;
+}
+
 /// stroke: of length_m > 0.
 double straightness(const Stroke &stroke, double length_m) {
 	const FeaturePlace chord = stroke.to - stroke.from;
 	const FeaturePlace off = stroke.middle - 0.5 * (stroke.from + stroke.to);
-	const double bow = (off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m;
-	return std::log(2.0) + log_two_piece_normal(bow, BOW, BOW) + std::log(LARGEST_BOW);
+	return bow_evidence((off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m);
 }
 
 /// stroke: of length_m > 0.
@@ -147,8 +155,8 @@ StrokeEvidence stroke_evidence(
 }
 
 double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {
-	static const double at_most = std::log(2.0) + log_two_piece_normal(0.0, BOW, BOW) +
-			std::log(LARGEST_BOW) + std::log((1.0 - ASTRAY + ASTRAY / ASTRAY_TIMES) / DETOUR * OTHER_DETOUR) +
+	static const double at_most = bow_evidence(0.0) +
+			std::log((1.0 - ASTRAY + ASTRAY / ASTRAY_TIMES) / DETOUR * OTHER_DETOUR) +
 			std::log((1.0 - ON_THE_GO) * std::hypot(1.0, OTHER_UNREST_PER_S * Stroke::REST_S / UNREST) +
 					ON_THE_GO) +
 			size_evidence(0.0, 0.0);

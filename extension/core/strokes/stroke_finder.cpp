@@ -22,19 +22,16 @@ constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
 /// Between two halves of one gesture the hand rests no longer than this.
 constexpr double HESITATION_S = 1.0;
-/// A hand that rests so long after a stroke has ended it: the longer it rests, the less of the stroke's bow
-/// is in the mean over its time.
-constexpr double RESTS_S = 0.6;
 
 } // namespace
 
 Stroke joined(const Stroke &first, const Stroke &second) {
-	const double first_s = first.now_s - first.onset_s, second_s = second.now_s - second.onset_s;
 	Stroke both = first;
 	both.now_s = second.now_s;
 	both.to = second.to;
-	if (first_s + second_s > 0.0) {
-		both.middle = (first_s * first.middle + second_s * second.middle) / (first_s + second_s);
+	if (first.way_m + second.way_m > 0.0) {
+		both.middle =
+				(first.way_m * first.middle + second.way_m * second.middle) / (first.way_m + second.way_m);
 	}
 	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
 	both.way_m = first.way_m + (second.from - first.to).norm() + second.way_m;
@@ -108,8 +105,8 @@ Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak
 		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
 		.unrest_m = onset.unrest_m,
 		.watched_s = onset.watched_s };
-	if (now.t_s > onset.t_s) {
-		stroke.middle = (now.sum - onset.sum) / (now.t_s - onset.t_s);
+	if (now.way_m > onset.way_m) {
+		stroke.middle = (now.sum - onset.sum) / (now.way_m - onset.way_m);
 	}
 	return stroke;
 }
@@ -163,10 +160,10 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 		lost_->is_lost = true;
 	}
 	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
-	now.sum = newest_.sum + 0.5 * dt_s * (newest_.place_m + now.place_m);
 	// A slope is that of half a window ago.
 	now.speed_s = place.t_s - 0.5 * std::max(WINDOW_S, dt_s);
 	measure_way(now);
+	now.sum = newest_.sum + 0.5 * (now.way_m - newest_.way_m) * (newest_.place_m + now.place_m);
 	// Where the hand turned unseen, it was last seen nearest to where.
 	end_ = dt_s > PIECE_S ? newest_ : now;
 	newest_ = now;
@@ -197,7 +194,7 @@ void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 	strokes_[0] = between(onset, now, peak_m_s_);
 	stroke_count_ = 1;
 	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
-	if (goes_on ? onset.t_s - earlier_end_s_ < HESITATION_S : now.t_s - earlier_end_s_ < RESTS_S) {
+	if ((goes_on ? onset.t_s : now.t_s) - earlier_end_s_ < HESITATION_S) {
 		for (std::size_t i = earlier_count_; i > 0; --i) {
 			const Earlier &earlier = earlier_[i - 1];
 			Stroke &stroke = strokes_[stroke_count_++];

@@ -20,7 +20,7 @@ struct Stroke {
 	double now_s = 0.0;
 	FeaturePlace from = FeaturePlace::Zero();
 	FeaturePlace to = FeaturePlace::Zero();
-	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its time
+	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its way
 	double peak_m_s = 0.0;
 	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
 	FeaturePlace seen_from = FeaturePlace::Zero();
@@ -86,7 +86,7 @@ private:
 	struct Sample {
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero();
-		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over time, m s
+		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over the way, m^2
 		double speed_m_s = 0.0;
 		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
 		double way_m = 0.0;                         ///< gone so far

@@ -92,15 +92,26 @@ TEST_CASE("a stroke begins and ends where the hand has a quarter of its peak spe
 	}
 }
 
-TEST_CASE("the middle of a stroke is its mean over time, of two strokes that of both") {
-	const auto way_s = [](double s) { return s * s * s * s * (2.5 + s * (-3.0 + s)); }; // of 10 s^3 ..
+TEST_CASE("the middle of a stroke is its mean over the way, of two strokes that of both") {
 	for (const double rate_hz : { 30.0, 110.0 }) {
 		CAPTURE(rate_hz);
-		const Stroke line =
-				longest([](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); }, rate_hz);
-		const double from = std::clamp(line.onset_s - 1.0, 0.0, 1.0), to = std::min(line.now_s - 1.0, 1.0);
-		const double sum = way_s(to) - way_s(from) + std::max(line.now_s - 2.0, 0.0);
-		CHECK(std::abs(line.middle.x() - 0.2 * sum / (line.now_s - line.onset_s)) < 1e-3);
+		for (const double turn : { 0.5, 1.0 }) { // of a half circle
+			CAPTURE(turn);
+			const auto arc = [&](double t_s) {
+				const double angle = turn * std::numbers::pi * DRAG.x_m(t_s) / DRAG.amplitude_m;
+				return Eigen::Vector3d(0.1 * std::sin(angle), 0.1 * (1.0 - std::cos(angle)), 0.0);
+			};
+			const Stroke stroke = longest(arc, rate_hz);
+			// From angle a to b: (cos a - cos b, sin a - sin b) / (b - a) from the centre, which is at (0,
+			// 0.1).
+			const auto angle_of = [](const FeaturePlace &place) {
+				return std::atan2(place.x(), 0.1 - place.y());
+			};
+			const double a = angle_of(stroke.from), b = angle_of(stroke.to);
+			const double x = 0.1 * (std::cos(a) - std::cos(b)) / (b - a);
+			const double y = 0.1 - 0.1 * (std::sin(b) - std::sin(a)) / (b - a);
+			CHECK((stroke.middle - FeaturePlace(x, y, 0.0, 0.0)).norm() < 3e-3);
+		}
 	}
 	Stroke first = straight(0.2), second = straight(0.1);
 	second.onset_s = 1.3;
@@ -139,7 +150,8 @@ TEST_CASE("a stroke knows how still the hand was before it, as long as it was se
 
 TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	// What the gesture's density is, summed up, is 1; the null model's are those of docs/method.md.
-	const double straightness = -std::log(0.05 * std::sqrt(2.0 * std::numbers::pi));
+	constexpr double BOW = 0.18, LARGEST_BOW = 0.5;
+	const double straightness = std::log(LARGEST_BOW / (BOW * std::tgamma(1.25)));
 	const auto directions = [&](double angle) {
 		Stroke turned = straight(0.2);
 		turned.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
@@ -148,6 +160,12 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 		return std::exp(evidence(turned).path - straightness) * 0.5 * std::sin(angle);
 	};
 	CHECK(integral(directions, std::numbers::pi) == doctest::Approx(1.0).epsilon(1e-3));
+	const auto bows = [&](double bow) {
+		Stroke bent = straight(0.2);
+		bent.middle.y() += 0.2 * bow;
+		return std::exp(evidence(bent).path - evidence(straight(0.2)).path + straightness) / LARGEST_BOW;
+	};
+	CHECK(integral(bows, 1.0) == doctest::Approx(1.0).epsilon(1e-3));
 	const auto detours = [](double detour) {
 		Stroke winding = straight(0.2);
 		winding.way_m = (1.0 + detour) * 0.2;
