@@ -8,7 +8,7 @@ namespace steadyhand {
 /// The motion's time at the sample that is made next. It goes on by itself, and is drawn to the time that
 /// snapshots tell at no more than 2 %, so that the jitter of game frames shifts the motion by a fraction of a
 /// millisecond only. What is further off is a pause, a leap or a starved thread: there it steps. Where it
-/// would have to again and again, by alike, the motion is slower or faster than the samples (slow motion),
+/// would have to again and again, by steps alike, the motion is slower or faster than samples (slow motion),
 /// and from then on so is the clock.
 class MotionClock {
 public:
