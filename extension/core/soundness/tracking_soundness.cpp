@@ -126,7 +126,7 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	leap_.fault = fault_;
 	fault_.add(taken_back, -1.0);
 	evidence_.fade(frame_s);
-	freeze_.fault.fade(frame_s);
+	freeze_.fade(frame_s);
 	evidence_.add(fault_);
 	evidence_.add(needless_of_freeze(x), -1.0);
 	evidence_ = { std::max(evidence_.now, 0.0), std::max(evidence_.lasting, 0.0),
@@ -147,17 +147,16 @@ void TrackingSoundness::Evidence::add(const Evidence &other, double sign) {
 	late += sign * other.late;
 }
 
-/// What is left of a freeze's evidence when it is over and was no loss.
+/// What is left of a freeze's evidence when it is over and was no loss; leap_ is the frame that it repeated.
 TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
 	Evidence needless;
 	if (frozen()) {
-		freeze_.fault.add(fault_);
+		freeze_.add(fault_);
 	} else if (told()) {
-		const bool was_at_start = std::abs(freeze_.x) < AT_START;
-		if (was_at_start && !jumped_ && std::abs(x - freeze_.x) < STILL_THERE) {
-			needless = freeze_.fault;
+		if (std::abs(leap_.x) < AT_START && std::abs(x - leap_.x) < STILL_THERE) {
+			needless = freeze_;
 		}
-		freeze_ = { .x = x, .fault = {} };
+		freeze_ = {};
 	}
 	return needless;
 }

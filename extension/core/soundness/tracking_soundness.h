@@ -74,16 +74,11 @@ private:
 		void fade(double dt_s);
 		void add(const Evidence &other, double sign = 1.0);
 	};
-	/// A frame from which one leapt away.
+	/// The frame before the newest that told something: from which that may have leapt away.
 	struct Leap {
 		double t_s = 0.0;
 		double x = 0.0;
 		FeaturePlace place = FeaturePlace::Zero();
-		Evidence fault;
-	};
-	/// A freeze that goes on; before one, where it would begin.
-	struct Freeze {
-		double x = 0.0;
 		Evidence fault;
 	};
 
@@ -105,7 +100,7 @@ private:
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	Leap leap_;
-	Freeze freeze_;
+	Evidence freeze_;    ///< of the one that goes on, what has not faded
 	bool leapt_ = false; ///< the newest frame that told something did
 	double jitter_ = 0.0;
 	int frames_ = 0;
