@@ -211,8 +211,9 @@ func test_two_trackers_do_not_record_to_one_file() -> void:
 	var left := trackers[0]
 	var right := trackers[1]
 	check_equal(left.start_recording(path), OK, "one records")
-	# expects one error: HandTracker '/root/Right'
-	# expects one error: both.csv is being written by HandTracker '/root/Left'
+	# expects one error: /Right':
+	# expects one error: both.csv is being written by HandTracker '
+	# expects one error: /Left'; give each a file of its own
 	check_equal(right.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "the other not")
 	for i in 3:
 		for tracker in trackers:

@@ -98,7 +98,7 @@ func test_two_synths_do_not_write_one_file() -> void:
 	for path: String in [wav_path, wav_path, alone_path]:
 		synths.append(_make_synth(rig, path))
 	synths[1].name = &"Other"
-	# expects one error: HapticSynth '/root/Other'
+	# expects one error: /Other':
 	# expects one error: both.wav is being written by HapticSynth
 	rig.record(_first_step(rig), LAST_STEP)
 	for synth in synths:

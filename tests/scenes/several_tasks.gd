@@ -106,7 +106,7 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 	nowhere.name = &"Nowhere"
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([nowhere, task])
-	# expects one warning: GestureTask '/root/Nowhere'
+	# expects one warning: /Nowhere', the task of 'tap': its global position is not finite
 	hmm.tracker.frame_received.connect(
 		func(_time_s: float) -> void:
 			nowhere.position.y = NAN
