@@ -11,6 +11,8 @@ constexpr double LAG_SETTLING_S = 0.39;
 /// Of the minimum jerk's share in the curve: people differ from the recordings.
 constexpr double SHAPE_MEAN = 0.36;
 constexpr double SHAPE_DEVIATION = 0.33;
+constexpr double HALTED_BESIDE = 0.02; ///< deviation from where the tracker shows it
+constexpr double HALTED_FOR_S = 2.0;   ///< long enough for a gesture of a second to be over
 
 } // namespace
 
@@ -93,6 +95,17 @@ GestureHypothesis GestureHypothesis::at_end(double onset_s, double log_duration)
 	h.mean_[HAND] -= 1.0;
 	h.covariance_[entry(HAND, HAND)] += gain_variance;
 	h.covariance_[entry(GAIN, HAND)] = -gain_variance;
+	return h;
+}
+
+GestureHypothesis GestureHypothesis::halted(double x, double t_s) {
+	GestureHypothesis h = resting(0.0).begun(Regime::UNSOUND, t_s - HALTED_FOR_S, 0.0, 0.0, 0.0);
+	h.error_ = TrackerError::SLIGHT;
+	h.begin_at(HAND, 0.0, regime_numbers(Regime::UNSOUND).hand.amplitudes);
+	h.begin_at(HAND_RATE, 0.0, 0.0);
+	h.begin_at(GAIN, x - 1.0, HALTED_BESIDE);
+	h.begin_at(SHAPE, 1.0, 0.0);
+	h.begin_at(LAG, 0.0, 0.0);
 	return h;
 }
 

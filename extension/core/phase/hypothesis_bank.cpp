@@ -15,13 +15,16 @@ namespace {
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 /// Those that are over hold the same of what is to come.
-constexpr std::array<std::size_t, 4> MOST_SPENT{ 4, 3, 2, 3 };
+constexpr std::array<std::size_t, 5> MOST_SPENT{ 4, 3, 2, 3, HypothesisBank::MOST_HALTED };
 
 } // namespace
 
 HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
 	if (error(place) == TrackerError::SLIDING_BACK) {
 		return SLIDING_BACK;
+	}
+	if (is_halted(place)) {
+		return HALTED;
 	}
 	if (regime(place) == Regime::UNSOUND) {
 		return ERRING;
@@ -109,11 +112,11 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 		const Kind k = kind(i);
 		places[k][counts[k]++] = static_cast<Place>(i);
 	}
-	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0 };
+	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0, 0.0 };
 	double others = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
-	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK }) {
+	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK, HALTED }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, over));
 		const auto spent = std::partition(likely.begin(), likely.end(), [&](Place i) { return !over[i]; });
@@ -152,7 +155,7 @@ std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, const Marks &o
 
 /// Brings those that stay to the front; returns how many they are.
 std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, const Marks &over) {
-	double greatest = -std::numeric_limits<double>::infinity();
+	double greatest = kind == HALTED ? 0.0 : -std::numeric_limits<double>::infinity();
 	for (const Place i : r_places) {
 		greatest = std::max(greatest, log_weight(i));
 	}

@@ -86,6 +86,7 @@ private:
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double told_x_ = 0.0;           ///< where that was
 	double next_branch_s_ = 0.0;
+	double branched_x_ = 0.0;        ///< told_x_ at the last branching
 	double missing_ = 0.0;           ///< fault of the gap since the last frame that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration

@@ -16,4 +16,16 @@ namespace steadyhand {
 		60.0 * s * left * (1.0 - 2.0 * s) };
 }
 
+/// The share of the duration after which that much of the way is covered, by Newton's method, within 1e-5 of
+/// the way; held to 0.05..0.9 of it.
+[[nodiscard]] inline double minimum_jerk_share(double way) {
+	way = std::clamp(way, 0.05, 0.9);
+	double s = 0.5;
+	for (int step = 0; step < 4; ++step) {
+		const Polynomial::Point there = minimum_jerk(s);
+		s = std::clamp(s + (way - there.value) / there.first, 0.05, 0.95);
+	}
+	return s;
+}
+
 } // namespace steadyhand
