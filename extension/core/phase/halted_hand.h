@@ -8,9 +8,7 @@
 
 namespace steadyhand {
 
-/// Whether the hand has halted half-way, as it was last seen, and which faults speak of it then: that a
-/// tracker errs from now on says nothing of whether the hand has gone on; that it jumps to the end does, or
-/// that it soon finds a hand which moves.
+/// Whether the hand has halted half-way, as it was last seen.
 class HaltedHand {
 public:
 	/// A hand that is first seen, at x.
@@ -32,18 +30,6 @@ public:
 	/// It has been seen nowhere else since then.
 	[[nodiscard]] double stays_since_s() const { return stays_.since_s; }
 
-	/// What counts by now of a frame's fault and of those that did not count before.
-	double counted(double t_s, double fault, bool is_jump_to_end) {
-		if (is_halted_ && !is_jump_to_end) {
-			withheld_ = std::max(withheld_ + fault, 0.0);
-			withheld_s_ = fault > 0.0 ? t_s : withheld_s_;
-			return 0.0;
-		}
-		const double withheld = t_s - withheld_s_ < MOVES_S ? withheld_ : 0.0;
-		withheld_ = 0.0;
-		return fault + withheld;
-	}
-
 private:
 	/// A hand stands that has been slow for so long, as a tracker sees it that has neither erred of late nor
 	/// shakes; as another one sees it.
@@ -56,7 +42,6 @@ private:
 	static constexpr double STAYS_FROM = 0.2;  ///< nor one that stays here before a tracker that errs
 	static constexpr double ERRED = 0.2;       ///< unsoundness from which on it has
 	static constexpr double SHAKES = 0.003;    ///< jitter from which on it does
-	static constexpr double MOVES_S = 0.05; ///< a hand that moves so soon after a fault moved all the while
 
 	struct Stay {
 		double since_s = 0.0;
@@ -65,8 +50,6 @@ private:
 
 	Stay stays_;
 	bool is_halted_ = false;
-	double withheld_ = 0.0;   ///< faults since it halted that have not been counted
-	double withheld_s_ = 0.0; ///< the last of them
 
 	[[nodiscard]] bool has_halted(const TrackingSoundness &soundness, double t_s, double x) const {
 		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;

@@ -157,7 +157,9 @@ bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
 /// What a frame says by being at fault, or not.
 void PhaseEstimator::count_frame(double t_s, double dt_s, double x) {
 	const bool is_jump_to_end = soundness_.jumped() && std::abs(x - 1.0) < AT_END;
-	const double fault = halted_.counted(t_s, soundness_.fault() - missing_, is_jump_to_end);
+	// Where the hand has halted a fault says nothing of whether it has gone on, unless it shows it at the
+	// end.
+	const double fault = halted_.is_halted() && !is_jump_to_end ? 0.0 : soundness_.fault() - missing_;
 	missing_ = 0.0;
 	count_fault(bank_, t_s, fault, soundness_.jumped());
 	count_erring(bank_, t_s, soundness_.log_ratio_news());
