@@ -161,9 +161,13 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 }
 
 void HypothesisBirths::halt(HypothesisBank &r_bank, double t_s, double x, double moved) const {
-	if (x > NEAR_START && x < HALTS_TO && std::abs(moved) < STANDING_PER_S * period_s_) {
+	if (x < NEAR_START || x > HALTS_TO || std::abs(moved) > STANDING_PER_S * period_s_) {
+		return;
+	}
+	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });
+	if (begun != HypothesisBank::AT_REST) {
 		GestureHypothesis halted = GestureHypothesis::halted(x, t_s);
-		halted.log_weight = r_bank.greatest_log_weight();
+		halted.log_weight = r_bank.log_weight(begun);
 		r_bank.add(halted, std::log(HALTS_PER_S * period_s_));
 	}
 }

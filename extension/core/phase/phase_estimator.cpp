@@ -45,7 +45,7 @@ void PhaseEstimator::begin(double t_s, double d, double velocity) {
 		bank_.add(GestureHypothesis::leaving(d, velocity));
 	}
 	seen_s_ = told_s_ = t_s;
-	told_x_ = d;
+	told_x_ = branched_x_ = d;
 	halted_.start(t_s, d);
 	filtered_s_ = t_s;
 	absorbed_s_ = -std::numeric_limits<double>::infinity();

@@ -29,11 +29,15 @@ void check_followed(double from, double stay_s, double rest_s) {
 	const std::vector<Drag> strokes{ { stay_s, COMES_FOR_S, -from }, { onset_s, GESTURE_S, 1.0 } };
 	const auto hand = [&](double t_s) { return from + test::x_m(strokes, t_s); };
 	PhaseEstimator estimator(test::drag_model());
-	double furthest_off = 0.0;
+	double furthest_off = 0.0, begun_where_it_stays = 0.0;
 	follow(estimator, until_s, hand, [&](double t_s, double value) {
 		furthest_off = std::max(furthest_off, std::abs(value - hand(t_s)));
+		if (t_s < stay_s) {
+			begun_where_it_stays = std::max(begun_where_it_stays, estimator.at(t_s).moving);
+		}
 	});
 	CHECK(furthest_off < 0.1);
+	CHECK(begun_where_it_stays < 0.01);
 	CHECK(estimator.at(until_s).phase > 0.97); // the gesture's end
 }
 
