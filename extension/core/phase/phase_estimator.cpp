@@ -109,11 +109,7 @@ void PhaseEstimator::absorb(double t_s, double x) {
 	}
 	const double step_s = std::max(t_s - filtered_s_, 0.0), dt_s = std::min(step_s, LONGEST_STEP_S);
 	filtered_s_ = t_s;
-	Passages by = passages(step_s);
-	if (halted_.is_halted()) {
-		by.pace_variance = 0.0; // to stand is no slower pace
-	}
-	bank_.predict(curve_, t_s, by);
+	bank_.predict(curve_, t_s, passages(step_s));
 	count_lost();
 	if (soundness_.returned()) {
 		births_.leave_unseen(bank_, soundness_, t_s);

@@ -84,7 +84,7 @@ TEST_CASE("a hand that went its way in two halves stays at its end") {
 TEST_CASE("a hand that halted half-way is where it was while nothing is seen, and when it is seen again") {
 	for (const bool freezes : { false, true }) {
 		for (const double share : { 0.12, 0.3, 0.5, 0.7 }) {
-			for (const double rest_s : { 0.3, 0.6, 1.2 }) {
+			for (const double rest_s : { 0.03, 0.3, 0.6, 1.2 }) {
 				for (const double unseen_s : { 0.05, 0.1, 0.3, 0.6 }) {
 					CAPTURE(freezes);
 					CAPTURE(share);
