@@ -65,16 +65,6 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	return h;
 }
 
-GestureHypothesis GestureHypothesis::freed() const {
-	GestureHypothesis h = in(Regime::FREE);
-	if (regime_ == Regime::UNSOUND) {
-		h.add_to(HAND, ERROR);
-		h.add_to(HAND_RATE, ERROR_RATE);
-		h.forget_error();
-	}
-	return h;
-}
-
 GestureHypothesis GestureHypothesis::leaving_end() const {
 	GestureHypothesis h = in(Regime::FREE);
 	h.on_its_way_ = false;

@@ -48,9 +48,6 @@ public:
 			double log_duration, double log_duration_deviation, double gain_spread = 1.0) const;
 	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
-	/// The same hand from now on free, before a tracker that is right: of one that erred, it is where that
-	/// shows it.
-	[[nodiscard]] GestureHypothesis freed() const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
 	/// Of one that is free and on no way: the same hand, which has made the gesture and is beside its end.

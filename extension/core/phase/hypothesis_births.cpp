@@ -156,7 +156,7 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	if (r_bank.is_over(likeliest, t_s)) {
 		r_bank.add(r_bank.hypothesis(likeliest).leaving_end(), std::log(LEAVES_PER_S * period_s_));
 	} else if (likeliest != HypothesisBank::AT_REST) {
-		r_bank.add(r_bank.hypothesis(likeliest).freed(), std::log(FREED_PER_S * period_s_));
+		r_bank.add(r_bank.hypothesis(likeliest).in(Regime::FREE), std::log(FREED_PER_S * period_s_));
 	}
 }
 

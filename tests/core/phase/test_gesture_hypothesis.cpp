@@ -327,24 +327,3 @@ TEST_CASE(
 	CHECK(evaluate_onwards(test::drag_model(), 1.0).value == doctest::Approx(1.0));
 	CHECK(evaluate_onwards(test::drag_model(), 3.0).slope < 1e-12);
 }
-
-TEST_CASE("a hand that is free from now on is where the tracker shows it, whatever the tracker erred by") {
-	constexpr double SHOWN = 0.8, PERIOD_S = 0.01;
-	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
-		CAPTURE(static_cast<int>(regime));
-		Alone alone(GestureHypothesis::resting(0.0).begun(regime, 0.0, 0.01, std::log(0.5), 0.1));
-		double t_s = 2.0; // the way is over: its lag is no matter
-		for (int i = 0; i < 50; ++i, t_s += PERIOD_S) {
-			alone.predict(t_s, PERIOD_S);
-			alone.absorb(t_s, SHOWN, { .outlier = 0.0, .jitter = 0.0 });
-		}
-		const double before = hand(alone.get(), t_s, t_s).value;
-		const double free = hand(alone.get().freed(), t_s, t_s).value;
-		if (regime == Regime::UNSOUND) {
-			CHECK(before > SHOWN + 0.05); // the tracker's error, it takes it for
-			CHECK(free == doctest::Approx(SHOWN).epsilon(0.01));
-		} else {
-			CHECK(free == doctest::Approx(before));
-		}
-	}
-}

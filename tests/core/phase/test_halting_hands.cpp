@@ -2,14 +2,12 @@
 
 #include "follow.h"
 #include "minimum_jerk_drag.h"
-#include "signal/minimum_jerk.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -223,103 +221,4 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 			CHECK(off < 0.12);
 		}
 	}
-}
-
-TEST_CASE("a hand that stands where the tracker finds it again is there within 0.6 s, and so far in its "
-		  "gesture") {
-	for (const double share : { 0.3, 0.45, 0.6 }) {
-		for (const double frozen_s : { 0.1, 0.2, 0.3 }) {
-			for (const double beside : { -0.05, 0.0, 0.05 }) {
-				CAPTURE(share);
-				CAPTURE(frozen_s);
-				CAPTURE(beside);
-				constexpr double FROZEN_FROM_S = 1.1;
-				const double found_s = FROZEN_FROM_S + frozen_s;
-				const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.6, .amplitude_m = share };
-				PhaseEstimator estimator(test::drag_model());
-				std::mt19937_64 random(2);
-				std::normal_distribution<double> trembling(0.0, 1e-3);
-				double shown = 0.0, off = 0.0, off_in_phase = 0.0;
-				const auto show = [&](double t_s) {
-					if (t_s < FROZEN_FROM_S || t_s > found_s) {
-						shown = drag.x_m(t_s) + trembling(random) + (t_s > found_s ? beside : 0.0);
-					}
-					return shown;
-				};
-				follow(estimator, found_s + 1.0, show, [&](double t_s, double value) {
-					if (t_s > found_s + 0.6) {
-						const double phase = minimum_jerk_share(share);
-						off = std::max(off, std::abs(value - share));
-						off_in_phase = std::max(off_in_phase, std::abs(estimator.at(t_s).phase - phase));
-					}
-				});
-				CHECK(off < 0.08);
-				CHECK(off_in_phase < 0.1);
-			}
-		}
-	}
-}
-
-namespace {
-
-/// A hand that halts before a tracker that freezes on its way, wanders, and freezes again.
-struct WanderingHalt {
-	double share; ///< of the way, at which the hand halts
-	double frozen_s;
-	double wander_hz;
-
-	static constexpr double FROZEN_FROM_S = 1.1, HALTED_S = 1.3, FROZEN_FROM_AGAIN_S = 2.0, FROZEN_TO_S = 2.3;
-
-	/// Mean distance of the estimate from the hand, amplitudes, between two times.
-	[[nodiscard]] double off(double from_s, double to_s) const {
-		const test::Drag drag{ .onset_s = HALTED_S - 0.5, .duration_s = 0.5, .amplitude_m = share };
-		PhaseEstimator estimator(test::drag_model());
-		double shown = 0.0, sum = 0.0;
-		int looks = 0;
-		const auto show = [&](double t_s) {
-			if (!is_frozen(t_s)) {
-				const double turns = 2.0 * std::numbers::pi * wander_hz * t_s;
-				shown = drag.x_m(t_s) + 0.03 * std::sin(turns) + 0.02 * std::cos(1.6 * turns);
-			}
-			return shown;
-		};
-		follow(estimator, to_s, show, [&](double t_s, double value) {
-			if (t_s > from_s) {
-				sum += std::abs(value - share);
-				++looks;
-			}
-		});
-		return sum / looks;
-	}
-
-private:
-	[[nodiscard]] bool is_frozen(double t_s) const {
-		return (t_s >= FROZEN_FROM_S && t_s <= FROZEN_FROM_S + frozen_s) ||
-				(t_s >= FROZEN_FROM_AGAIN_S && t_s <= FROZEN_TO_S);
-	}
-};
-
-/// Of many of them.
-double mean_off(double from_s, double to_s) {
-	double sum = 0.0;
-	int count = 0;
-	for (const double share : { 0.25, 0.35, 0.45, 0.55 }) {
-		for (const double frozen_s : { 0.1, 0.2 }) {
-			for (const double wander_hz : { 1.0, 1.3, 1.7 }) {
-				sum += WanderingHalt{ share, frozen_s, wander_hz }.off(from_s, to_s);
-				++count;
-			}
-		}
-	}
-	return sum / count;
-}
-
-} // namespace
-
-TEST_CASE("a hand that halts before a tracker that has erred is followed, though the tracker wanders") {
-	CHECK(mean_off(WanderingHalt::HALTED_S + 0.2, WanderingHalt::FROZEN_FROM_AGAIN_S) < 0.05);
-}
-
-TEST_CASE("a hand that has halted before a tracker that wanders stays there while nothing is seen") {
-	CHECK(mean_off(WanderingHalt::FROZEN_FROM_AGAIN_S, WanderingHalt::FROZEN_TO_S) < 0.03);
 }
