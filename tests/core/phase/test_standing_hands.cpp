@@ -16,34 +16,49 @@
 using namespace steadyhand;
 using test::follow;
 
+namespace {
+
+/// A drag of `way` amplitudes before a tracker that trembles, repeats itself for frozen_s in its midst, and
+/// then shows `found` of where the hand is. look: of the time since then, and the estimate.
+template <typename Found, typename Look>
+void follow_found(double way, double frozen_s, const Found &found, const Look &look) {
+	constexpr double FROZEN_FROM_S = 1.1;
+	const double found_s = FROZEN_FROM_S + frozen_s;
+	const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.6, .amplitude_m = way };
+	PhaseEstimator estimator(test::drag_model());
+	std::mt19937_64 random(2);
+	std::normal_distribution<double> trembling(0.0, 1e-3);
+	double shown = 0.0;
+	const auto show = [&](double t_s) {
+		if (t_s < FROZEN_FROM_S || t_s > found_s) {
+			shown = (t_s > found_s ? found(drag.x_m(t_s)) : drag.x_m(t_s)) + trembling(random);
+		}
+		return shown;
+	};
+	follow(estimator, found_s + 1.0, show,
+			[&](double t_s, double) { look(t_s - found_s, estimator.at(t_s)); });
+}
+
+} // namespace
+
 TEST_CASE("a hand that stands where the tracker finds it again is there within 0.6 s, and so far in its "
 		  "gesture") {
-	for (const double share : { 0.3, 0.45, 0.6 }) {
+	for (const double way : { 0.3, 0.45, 0.6 }) {
 		for (const double frozen_s : { 0.1, 0.2, 0.3 }) {
 			for (const double beside : { -0.05, 0.0, 0.05 }) {
-				CAPTURE(share);
+				CAPTURE(way);
 				CAPTURE(frozen_s);
 				CAPTURE(beside);
-				constexpr double FROZEN_FROM_S = 1.1;
-				const double found_s = FROZEN_FROM_S + frozen_s;
-				const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.6, .amplitude_m = share };
-				PhaseEstimator estimator(test::drag_model());
-				std::mt19937_64 random(2);
-				std::normal_distribution<double> trembling(0.0, 1e-3);
-				double shown = 0.0, off = 0.0, off_in_phase = 0.0;
-				const auto show = [&](double t_s) {
-					if (t_s < FROZEN_FROM_S || t_s > found_s) {
-						shown = drag.x_m(t_s) + trembling(random) + (t_s > found_s ? beside : 0.0);
-					}
-					return shown;
-				};
-				follow(estimator, found_s + 1.0, show, [&](double t_s, double value) {
-					if (t_s > found_s + 0.6) {
-						const double phase = minimum_jerk_share(share);
-						off = std::max(off, std::abs(value - share));
-						off_in_phase = std::max(off_in_phase, std::abs(estimator.at(t_s).phase - phase));
-					}
-				});
+				double off = 0.0, off_in_phase = 0.0;
+				follow_found(
+						way, frozen_s, [&](double x) { return x + beside; },
+						[&](double since_s, const PhaseEstimate &now) {
+							if (since_s > 0.6) {
+								off = std::max(off, std::abs(now.value - way));
+								off_in_phase =
+										std::max(off_in_phase, std::abs(now.phase - minimum_jerk_share(way)));
+							}
+						});
 				CHECK(off < 0.08);
 				CHECK(off_in_phase < 0.1);
 			}
@@ -57,22 +72,12 @@ TEST_CASE("a hand that the tracker finds again beyond 0.7 of the way, and that s
 		for (const double frozen_s : { 0.1, 0.2, 0.3 }) {
 			CAPTURE(shown_at);
 			CAPTURE(frozen_s);
-			constexpr double FROZEN_FROM_S = 1.1;
-			const double found_s = FROZEN_FROM_S + frozen_s;
-			const test::Drag drag{ .onset_s = 0.8, .duration_s = 0.6, .amplitude_m = 1.0 };
-			PhaseEstimator estimator(test::drag_model());
-			std::mt19937_64 random(2);
-			std::normal_distribution<double> trembling(0.0, 1e-3);
-			double shown = 0.0, least = 1.0;
-			const auto show = [&](double t_s) {
-				if (t_s < FROZEN_FROM_S || t_s > found_s) {
-					shown = drag.x_m(t_s) * (t_s > found_s ? shown_at : 1.0) + trembling(random);
-				}
-				return shown;
-			};
-			follow(estimator, found_s + 1.0, show, [&](double t_s, double value) {
-				least = t_s > found_s + 0.3 ? std::min(least, value) : 1.0;
-			});
+			double least = 1.0;
+			follow_found(
+					1.0, frozen_s, [&](double x) { return shown_at * x; },
+					[&](double since_s, const PhaseEstimate &now) {
+						least = since_s > 0.3 ? std::min(least, now.value) : 1.0;
+					});
 			CHECK(least > 0.85);
 		}
 	}
