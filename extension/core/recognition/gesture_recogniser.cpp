@@ -11,7 +11,7 @@ namespace steadyhand {
 namespace {
 
 /// The gesture shown changes for one that is likelier by this factor, in nats.
-constexpr double SWITCH_MARGIN = 1.0;
+constexpr double SWITCH_MARGIN = 2.0;
 /// Of the smallest amplitude: what is shorter is no stroke of its own.
 constexpr double SMALLEST_STROKE = 0.06;
 constexpr double LEAD_RATE_PER_S =
