@@ -12,7 +12,6 @@ constexpr double LAG_SETTLING_S = 0.39;
 constexpr double SHAPE_MEAN = 0.36;
 constexpr double SHAPE_DEVIATION = 0.33;
 constexpr double HALTED_BESIDE = 0.02; ///< deviation from where the tracker shows it
-constexpr double HALTED_FOR_S = 2.0;   ///< long enough for a gesture of a second to be over
 
 } // namespace
 
@@ -88,8 +87,8 @@ GestureHypothesis GestureHypothesis::at_end(double onset_s, double log_duration)
 	return h;
 }
 
-GestureHypothesis GestureHypothesis::halted(double x, double t_s) {
-	GestureHypothesis h = resting(0.0).begun(Regime::UNSOUND, t_s - HALTED_FOR_S, 0.0, 0.0, 0.0);
+GestureHypothesis GestureHypothesis::halted(double x, double onset_s) {
+	GestureHypothesis h = resting(0.0).begun(Regime::UNSOUND, onset_s, 0.0, 0.0, 0.0);
 	h.error_ = TrackerError::SLIGHT;
 	h.begin_at(HAND, 0.0, regime_numbers(Regime::UNSOUND).hand.amplitudes);
 	h.begin_at(HAND_RATE, 0.0, 0.0);

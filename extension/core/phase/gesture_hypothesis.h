@@ -52,10 +52,10 @@ public:
 	[[nodiscard]] GestureHypothesis leaving_end() const;
 	/// Of one that is free and on no way: the same hand, which has made the gesture and is beside its end.
 	[[nodiscard]] GestureHypothesis at_end(double onset_s, double log_duration) const;
-	/// A hand that stands at x, where the tracker shows it: it has made a gesture of that length, which has
-	/// been over since long before t_s. Faults do not speak against it, as with UNSOUND, but the tracker is
-	/// right.
-	[[nodiscard]] static GestureHypothesis halted(double x, double t_s);
+	/// A hand that stands at x, where the tracker shows it: it has made a gesture of that length, in a second
+	/// from onset_s on, which is over for long. Faults do not speak against it, as with UNSOUND, but the
+	/// tracker is right.
+	[[nodiscard]] static GestureHypothesis halted(double x, double onset_s);
 	/// Of one that is free: the same, but that the hand, which was not seen, has been so for so long, and the
 	/// tracker has found it.
 	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;

@@ -3,7 +3,6 @@
 #include "phase/gesture_hypothesis.h"
 #include "soundness/tracking_soundness.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace steadyhand {

@@ -18,6 +18,7 @@ public:
 	static constexpr std::size_t MOST_ADDED = 72;
 	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
 	static constexpr std::size_t MOST_SLIDING_BACK = 3;
+	/// Whose hand stands half-way.
 	static constexpr std::size_t MOST_HALTED = 2;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
 			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_HALTED;

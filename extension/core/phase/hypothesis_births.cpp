@@ -166,7 +166,7 @@ void HypothesisBirths::halt(HypothesisBank &r_bank, double t_s, double x, double
 	}
 	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });
 	if (begun != HypothesisBank::AT_REST) {
-		GestureHypothesis halted = GestureHypothesis::halted(x, t_s);
+		GestureHypothesis halted = GestureHypothesis::halted(x, t_s - ENDED_PHASE); // it took a second
 		halted.log_weight = r_bank.log_weight(begun);
 		r_bank.add(halted, std::log(HALTS_PER_S * period_s_));
 	}
