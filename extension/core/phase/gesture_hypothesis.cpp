@@ -11,7 +11,7 @@ constexpr double LAG_SETTLING_S = 0.39;
 /// Of the minimum jerk's share in the curve: people differ from the recordings.
 constexpr double SHAPE_MEAN = 0.36;
 constexpr double SHAPE_DEVIATION = 0.33;
-constexpr double HALTED_BESIDE = 0.02; ///< deviation from where the tracker shows it
+constexpr double STANDS_BESIDE = 0.02; ///< deviation from where the tracker shows it
 
 } // namespace
 
@@ -87,12 +87,12 @@ GestureHypothesis GestureHypothesis::at_end(double onset_s, double log_duration)
 	return h;
 }
 
-GestureHypothesis GestureHypothesis::halted(double x, double onset_s) {
+GestureHypothesis GestureHypothesis::standing(double x, double onset_s) {
 	GestureHypothesis h = resting(0.0).begun(Regime::UNSOUND, onset_s, 0.0, 0.0, 0.0);
 	h.error_ = TrackerError::SLIGHT;
 	h.begin_at(HAND, 0.0, regime_numbers(Regime::UNSOUND).hand.amplitudes);
 	h.begin_at(HAND_RATE, 0.0, 0.0);
-	h.begin_at(GAIN, x - 1.0, HALTED_BESIDE);
+	h.begin_at(GAIN, x - 1.0, STANDS_BESIDE);
 	h.begin_at(SHAPE, 1.0, 0.0);
 	h.begin_at(LAG, 0.0, 0.0);
 	return h;

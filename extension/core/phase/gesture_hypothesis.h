@@ -55,7 +55,7 @@ public:
 	/// A hand that stands at x, where the tracker shows it: it has made a gesture of that length, in a second
 	/// from onset_s on, which is over for long. Faults do not speak against it, as with UNSOUND, but the
 	/// tracker is right.
-	[[nodiscard]] static GestureHypothesis halted(double x, double onset_s);
+	[[nodiscard]] static GestureHypothesis standing(double x, double onset_s);
 	/// Of one that is free: the same, but that the hand, which was not seen, has been so for so long, and the
 	/// tracker has found it.
 	[[nodiscard]] GestureHypothesis free_for(double unseen_s) const;

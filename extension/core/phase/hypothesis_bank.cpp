@@ -15,7 +15,7 @@ namespace {
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 /// Those that are over hold the same of what is to come.
-constexpr std::array<std::size_t, 5> MOST_SPENT{ 4, 3, 2, 3, HypothesisBank::MOST_HALTED };
+constexpr std::array<std::size_t, 5> MOST_SPENT{ 4, 3, 2, 3, HypothesisBank::MOST_STANDING };
 
 } // namespace
 
@@ -23,8 +23,8 @@ HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
 	if (error(place) == TrackerError::SLIDING_BACK) {
 		return SLIDING_BACK;
 	}
-	if (is_halted(place)) {
-		return HALTED;
+	if (is_standing(place)) {
+		return STANDING;
 	}
 	if (regime(place) == Regime::UNSOUND) {
 		return ERRING;
@@ -116,7 +116,7 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 	double others = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
-	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK, HALTED }) {
+	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, over));
 		const auto spent = std::partition(likely.begin(), likely.end(), [&](Place i) { return !over[i]; });
@@ -155,8 +155,8 @@ std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, const Marks &o
 
 /// Brings those that stay to the front; returns how many they are.
 std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, const Marks &over) {
-	// Those that halted are held against all: in most motion there are none.
-	double greatest = kind == HALTED ? 0.0 : -std::numeric_limits<double>::infinity();
+	// Those that stand are held against all: in most motion there are none.
+	double greatest = kind == STANDING ? 0.0 : -std::numeric_limits<double>::infinity();
 	for (const Place i : r_places) {
 		greatest = std::max(greatest, log_weight(i));
 	}

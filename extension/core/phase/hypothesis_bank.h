@@ -19,15 +19,15 @@ public:
 	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
 	static constexpr std::size_t MOST_SLIDING_BACK = 3;
 	/// Whose hand stands half-way.
-	static constexpr std::size_t MOST_HALTED = 2;
+	static constexpr std::size_t MOST_STANDING = 2;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
-			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_HALTED;
+			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_STANDING;
 	static constexpr std::size_t AT_REST = 0; ///< its place
 	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
-			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK, MOST_HALTED } {}
+			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK, MOST_STANDING } {}
 
 	void clear() { count_ = 0; }
 	/// Only the one at rest.
@@ -74,8 +74,8 @@ public:
 	[[nodiscard]] bool is_over(std::size_t place, double t_s) const {
 		return on_its_way(place) && (t_s - course(place).onset_s) * course(place).rate_per_s > SPENT_PHASE;
 	}
-	/// GestureHypothesis::halted
-	[[nodiscard]] bool is_halted(std::size_t place) const {
+	/// GestureHypothesis::standing
+	[[nodiscard]] bool is_standing(std::size_t place) const {
 		return regime(place) == Regime::UNSOUND && error(place) == TrackerError::SLIGHT;
 	}
 	[[nodiscard]] HypothesisGroup::Course course(std::size_t place) const {
@@ -89,7 +89,7 @@ public:
 	}
 
 private:
-	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, HALTED, KINDS };
+	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING, KINDS };
 	static constexpr double SPENT_PHASE = 1.3;
 	using Place = std::uint8_t;
 	using Marks = std::array<bool, CAPACITY>;

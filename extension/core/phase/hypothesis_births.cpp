@@ -13,17 +13,17 @@ namespace {
 constexpr double SMALLEST_SPREAD = 0.5;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
-constexpr double ONSETS_PER_S = 2.8;   ///< how soon a hand at rest begins
-constexpr double FREED_PER_S = 0.02;   ///< how soon a hand does something else
-constexpr double LEAVES_PER_S = 1.0;   ///< how soon one that has made the gesture leaves its end
-constexpr double HALTS_PER_S = 2.0;    ///< how soon a hand stands half-way
-constexpr double HALTS_TO = 0.7;       ///< one that is shown further may be at the end
-constexpr double STANDING_PER_S = 0.7; ///< slower than this, as a tracker that wanders shows it
-constexpr double AT_REST_PER_S = 2.0;  ///< how soon one that did so is at rest where it started
-constexpr double ENDED_PER_S = 2.0;    ///< how soon one that is at the end has made the gesture
-constexpr double ENDED_PHASE = 2.0;    ///< over for long
-constexpr double LONGEST_S = 8.0;      ///< that a hand which was not seen may have been free
-constexpr double UNSOUND_PRIOR = 0.2;  ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
+constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
+constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
+constexpr double STANDS_PER_S = 2.0;  ///< how soon a hand stands half-way
+constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be at the end
+constexpr double SLOW_PER_S = 0.7;    ///< slower than this, as a tracker that wanders shows it
+constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
+constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has made the gesture
+constexpr double ENDED_PHASE = 2.0;   ///< over for long
+constexpr double LONGEST_S = 8.0;     ///< that a hand which was not seen may have been free
+constexpr double UNSOUND_PRIOR = 0.2; ///< of the regime UNSOUND where nothing wrong has been seen
 constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
@@ -160,15 +160,15 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-void HypothesisBirths::halt(HypothesisBank &r_bank, double t_s, double x, double moved) const {
-	if (x < NEAR_START || x > HALTS_TO || std::abs(moved) > STANDING_PER_S * period_s_) {
+void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double moved) const {
+	if (x < NEAR_START || x > STANDS_TO || std::abs(moved) > SLOW_PER_S * period_s_) {
 		return;
 	}
 	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });
 	if (begun != HypothesisBank::AT_REST) {
-		GestureHypothesis halted = GestureHypothesis::halted(x, t_s - ENDED_PHASE); // it took a second
-		halted.log_weight = r_bank.log_weight(begun);
-		r_bank.add(halted, std::log(HALTS_PER_S * period_s_));
+		GestureHypothesis standing = GestureHypothesis::standing(x, t_s - ENDED_PHASE); // it took a second
+		standing.log_weight = r_bank.log_weight(begun);
+		r_bank.add(standing, std::log(STANDS_PER_S * period_s_));
 	}
 }
 

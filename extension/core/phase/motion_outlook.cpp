@@ -90,7 +90,7 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 		expected_phase += weight * s;
 		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
 	}
-	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase) + halted_phase_, moving_ },
+	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase) + standing_phase_, moving_ },
 		sum(phase_rate) };
 }
 
@@ -109,7 +109,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 	}
 	count_ = 0;
 	hand_ = {};
-	moving_ = halted_phase_ = 0.0;
+	moving_ = standing_phase_ = 0.0;
 	double total = 0.0;
 	for (std::size_t i = 0; i < bank.size(); ++i) {
 		total += bank.weight(i) > NEGLIGIBLE ? bank.weight(i) : 0.0;
@@ -143,8 +143,8 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			courses.weight[lane] = weight;
 			courses.waits_from[lane] = waits ? std::max(seen_phase, 0.0) : INFINITY;
 			moving_ += weight;
-			if (bank.is_halted(i)) { // a gesture of that length is over, the one that is asked for half-way
-				halted_phase_ += weight * (minimum_jerk_share(course.gain) - 1.0);
+			if (bank.is_standing(i)) { // a gesture of that length is over, the one that is asked for half-way
+				standing_phase_ += weight * (minimum_jerk_share(course.gain) - 1.0);
 			}
 		}
 	}

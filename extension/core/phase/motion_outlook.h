@@ -69,7 +69,7 @@ private:
 	std::size_t count_ = 0; ///< of those on their way
 	Wandering hand_;        ///< a regime each
 	double moving_ = 0.0;
-	double halted_phase_ = 0.0; ///< what those that halted are beside the end's phase of 1, by their weights
+	double standing_phase_ = 0.0; ///< what those that stand are beside the end's phase of 1, by their weights
 	double filtered_s_ = 0.0;
 	double ahead_s_ = NAN; ///< fading_from_ and fading_to_ are of it
 	QuinticPiece piece_;

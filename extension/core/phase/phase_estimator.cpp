@@ -95,7 +95,7 @@ void PhaseEstimator::branch_until(double t_s) {
 	for (; next_branch_s_ <= t_s; next_branch_s_ += branch_period_s_) {
 		if (next_branch_s_ - told_s_ <= BLIND_S) {
 			births_.branch(bank_, soundness_, next_branch_s_);
-			births_.halt(bank_, next_branch_s_, told_x_, told_x_ - branched_x_);
+			births_.stand(bank_, next_branch_s_, told_x_, told_x_ - branched_x_);
 			branched_x_ = told_x_;
 			prune();
 		}

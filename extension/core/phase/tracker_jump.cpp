@@ -21,7 +21,7 @@ void slide_back(HypothesisBank &r_bank) {
 		std::size_t likeliest = count;
 		double sum = 0.0;
 		for (std::size_t i = 0; i < count; ++i) {
-			if (r_bank.regime(i) == regime && r_bank.weight(i) > LIKELY && !r_bank.is_halted(i)) {
+			if (r_bank.regime(i) == regime && r_bank.weight(i) > LIKELY && !r_bank.is_standing(i)) {
 				likeliest = likeliest == count || r_bank.weight(i) > r_bank.weight(likeliest) ? i : likeliest;
 				sum += r_bank.weight(i);
 			}
@@ -41,16 +41,16 @@ void branch_at_jump(HypothesisBank &r_bank) {
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureHypothesis back = r_bank.hypothesis(i);
 		const bool is_likely = r_bank.weight(i) > LIKELY, is_free = r_bank.regime(i) == Regime::FREE;
-		const bool is_halted = r_bank.is_halted(i);
-		// A free hand that is on no way could be anywhere, and move against any error; one that halted was
+		const bool is_standing = r_bank.is_standing(i);
+		// A free hand that is on no way could be anywhere, and move against any error; one that stands was
 		// taken to be where it was shown.
-		if (is_likely && (!is_free || r_bank.on_its_way(i)) && !is_halted) {
+		if (is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing) {
 			r_bank.add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
 		// It went wherever the tracker showed it, and may have been elsewhere.
-		const bool may_be_elsewhere = is_likely && (is_free || is_halted);
+		const bool may_be_elsewhere = is_likely && (is_free || is_standing);
 		if (may_be_elsewhere) {
-			r_bank.add((is_halted ? back.leaving_end() : back).found_elsewhere(ELSEWHERE), std::log(FOUND));
+			r_bank.add((is_standing ? back.leaving_end() : back).found_elsewhere(ELSEWHERE), std::log(FOUND));
 		}
 		back.forget_error();
 		back.log_weight += std::log(1.0 - DISPLACED - (may_be_elsewhere ? FOUND : 0.0));

@@ -100,7 +100,6 @@ protected:
 	}
 	/// Of `phase` mode.
 	[[nodiscard]] PhaseEstimate estimate(double t_s) const { return phase_.at(t_s); }
-	/// No later state than the first has been decoded.
 	/// What is put out is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
 
