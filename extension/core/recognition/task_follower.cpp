@@ -11,6 +11,10 @@ namespace {
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
+/// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
+/// no more.
+constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
+constexpr double UNLIKELY_S = 0.5;
 constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever it did before
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
@@ -65,7 +69,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			} else if (!is_rejected_ && has_begun(t_s)) {
 				set_log_odds(strokes_.judge(strokes));
 				strokes_.begin();
-				at_end_since_s_ = stays_since_s_ = t_s;
+				at_end_since_s_ = stays_since_s_ = likely_s_ = t_s;
 				furthest_ = 0.0;
 				begin(t_s, value());
 				decode(t_s);
@@ -96,16 +100,18 @@ bool TaskFollower::has_begun(double t_s) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	return now.value > (now.moving > 0.5 ? ONSET_VALUE : HALF_WAY);
+	return now.value > (now.moving > BEGUN ? ONSET_VALUE : HALF_WAY);
 }
 
-bool TaskFollower::was_nothing(double t_s) const {
+bool TaskFollower::was_nothing(double t_s) {
 	if (mode() == MotionMode::PAPER) {
 		return value() < BACK_VALUE &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	return now.value < BACK_VALUE && (now.moving < 0.5 || now.phase > ARRIVED_PHASE);
+	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
+	const bool is_under_way = now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S && now.phase < ARRIVED_PHASE;
+	return now.value < BACK_VALUE && !is_under_way;
 }
 
 bool TaskFollower::is_back(double t_s) const {

@@ -55,6 +55,16 @@ TEST_CASE("with nothing given the motion counts from where the hand set out, bef
 	}
 }
 
+TEST_CASE("with nothing given what a hand creeps forward right before it sets out is part of the motion") {
+	for (const double creeps_s : { 0.08, 0.1, 0.12, 0.15 }) {
+		CAPTURE(creeps_s);
+		const Drag creep{ .onset_s = 0.6, .duration_s = creeps_s, .amplitude_m = 0.006 };
+		const Drag drag{ .onset_s = 0.55 + creeps_s, .duration_s = 0.5, .amplitude_m = 0.194 };
+		CHECK(in_the_open(along(X, { creep, drag }), 2.0).last_value_m ==
+				doctest::Approx(0.2).epsilon(0.0025));
+	}
+}
+
 TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 	const Way jumped = [](double t_s) {
 		return Eigen::Vector3d(DRAG.x_m(t_s) + (t_s < 0.3 ? 0.0 : 0.04), 0.0, 0.0);
