@@ -93,7 +93,7 @@ HypothesisBirths::HypothesisBirths(const GestureModel &model, const PhaseEffort 
 }
 
 void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
-	come_to_rest(r_bank, t_s);
+	come_to_rest(r_bank);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
 	set_free(r_bank, t_s);
@@ -124,19 +124,14 @@ void HypothesisBirths::start(HypothesisBank &r_bank, const GestureHypothesis &at
 	r_bank.add(started, log_probability + log_prior_[duration]);
 }
 
-/// A hand that wandered off and came back is at rest again, whether it had begun before or not.
-void HypothesisBirths::come_to_rest(HypothesisBank &r_bank, double t_s) const {
+/// A hand that wandered off and came back is at rest again.
+void HypothesisBirths::come_to_rest(HypothesisBank &r_bank) const {
 	const double log_probability = std::log(AT_REST_PER_S * period_s_);
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
 		const double log_weight = r_bank.log_weight(i) + log_probability;
-		const bool has_left_end = r_bank.regime(i) == Regime::FREE && r_bank.is_over(i, t_s);
-		if (r_bank.on_its_way(i) && !has_left_end) {
-			continue;
-		}
-		const double hand = r_bank.hand_deviation(i) + (has_left_end ? r_bank.course(i).gain : 0.0);
-		if (std::abs(hand) < NEAR_START && log_weight > r_bank.log_weight(HypothesisBank::AT_REST)) {
-			const GestureHypothesis free = r_bank.hypothesis(i);
-			GestureHypothesis rested = (has_left_end ? free.leaving_end() : free).in(Regime::REST);
+		if (!r_bank.on_its_way(i) && std::abs(r_bank.hand_deviation(i)) < NEAR_START &&
+				log_weight > r_bank.log_weight(HypothesisBank::AT_REST)) {
+			GestureHypothesis rested = r_bank.hypothesis(i).in(Regime::REST);
 			rested.log_weight = log_weight;
 			r_bank.set(HypothesisBank::AT_REST, rested);
 		}

@@ -42,7 +42,7 @@ private:
 	void start(HypothesisBank &r_bank, const GestureHypothesis &at_rest, std::size_t duration, Regime regime,
 			double onset_s, double onset_deviation_s, double log_probability) const;
 	void begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
-	void come_to_rest(HypothesisBank &r_bank, double t_s) const;
+	void come_to_rest(HypothesisBank &r_bank) const;
 	void come_to_end(HypothesisBank &r_bank, double t_s) const;
 	void set_free(HypothesisBank &r_bank, double t_s) const;
 };

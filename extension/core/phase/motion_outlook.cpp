@@ -90,7 +90,8 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 		expected_phase += weight * s;
 		phase_rate += phase > 0.0 ? (phase < 1.0 ? weight * rate : LaneVector{}) : LaneVector{};
 	}
-	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase) + standing_phase_, moving_ },
+	return { { sum(value), sum(velocity), sum(acceleration), sum(expected_phase) + standing_phase_, moving_,
+					 free_phase_ },
 		sum(phase_rate) };
 }
 
@@ -109,7 +110,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 	}
 	count_ = 0;
 	hand_ = {};
-	moving_ = standing_phase_ = 0.0;
+	moving_ = free_phase_ = standing_phase_ = 0.0;
 	double total = 0.0;
 	for (std::size_t i = 0; i < bank.size(); ++i) {
 		total += bank.weight(i) > NEGLIGIBLE ? bank.weight(i) : 0.0;
@@ -125,6 +126,9 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			const double hand = hand_of(bank, i, curve, filtered_s), mistaken = share_mistaken(hand, erred);
 			x += mistaken * (1.0 - hand);
 			v *= 1.0 - mistaken;
+		}
+		if (bank.regime(i) == Regime::FREE && !bank.on_its_way(i)) {
+			free_phase_ += weight * minimum_jerk_share(std::clamp(x, 0.0, 1.0));
 		}
 		hand_.x[index_of(regime)] += weight * x;
 		hand_.v[index_of(regime)] += weight * v;

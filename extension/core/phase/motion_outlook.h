@@ -14,8 +14,9 @@ struct PhaseEstimate {
 	double value = 0.0;
 	double velocity = 0.0;
 	double acceleration = 0.0;
-	double phase = 0.0;      ///< 0..1, expected
+	double phase = 0.0;      ///< 0..1, expected of those on their way
 	double moving = 0.0;     ///< probability that the gesture has begun
+	double free_phase = 0.0; ///< of those that are not, by where they are
 	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
 };
 
@@ -46,7 +47,7 @@ public:
 		}
 		const MotionPoint point = piece_.at(s);
 		return { point.position, point.velocity, point.acceleration,
-			phase_[0] + s * (phase_[1] + s * phase_[2]), moving_ };
+			phase_[0] + s * (phase_[1] + s * phase_[2]), moving_, free_phase_ };
 	}
 
 private:
@@ -69,6 +70,7 @@ private:
 	std::size_t count_ = 0; ///< of those on their way
 	Wandering hand_;        ///< a regime each
 	double moving_ = 0.0;
+	double free_phase_ = 0.0;     ///< PhaseEstimate's
 	double standing_phase_ = 0.0; ///< what those that stand are beside the end's phase of 1, by their weights
 	double filtered_s_ = 0.0;
 	double ahead_s_ = NAN; ///< fading_from_ and fading_to_ are of it

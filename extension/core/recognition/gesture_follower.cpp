@@ -137,7 +137,7 @@ Motion GestureFollower::synthesised(double t_s) const {
 	if (follows_phase()) {
 		const PhaseEstimate now = estimate(t_s);
 		return { task_.amplitude_m * now.value, task_.amplitude_m * now.velocity,
-			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase,
+			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase + now.free_phase,
 			task_.amplitude_m * now.correction };
 	}
 	return stage_ == Stage::RESTING ? Motion{} : paper_.motion(t_s, task_.amplitude_m);

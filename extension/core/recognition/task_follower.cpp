@@ -14,7 +14,7 @@ constexpr double ONSET_VELOCITY = 0.3;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
 /// no more.
 constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
-constexpr double UNLIKELY_S = 0.5;
+constexpr double UNLIKELY_S = 0.3;
 constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever it did before
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
@@ -63,7 +63,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 	}
 	switch (stage()) {
 		case Stage::RESTING:
-			if (is_rejected_ && is_back(t_s)) {
+			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && has_begun(t_s)) {
@@ -103,6 +103,15 @@ bool TaskFollower::has_begun(double t_s) const {
 	return now.value > (now.moving > BEGUN ? ONSET_VALUE : HALF_WAY);
 }
 
+/// It went its own way, which the estimator takes for a gesture that is over, and has come back.
+bool TaskFollower::has_been_elsewhere(double t_s) const {
+	if (mode() == MotionMode::PAPER) {
+		return false;
+	}
+	const PhaseEstimate now = estimate(t_s);
+	return now.phase > ARRIVED_PHASE && std::abs(now.value) < BACK_VALUE;
+}
+
 bool TaskFollower::was_nothing(double t_s) {
 	if (mode() == MotionMode::PAPER) {
 		return value() < BACK_VALUE &&
@@ -110,7 +119,8 @@ bool TaskFollower::was_nothing(double t_s) {
 	}
 	const PhaseEstimate now = estimate(t_s);
 	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
-	const bool is_under_way = now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S && now.phase < ARRIVED_PHASE;
+	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	return now.value < BACK_VALUE && !is_under_way;
 }
 

@@ -20,7 +20,7 @@ private:
 	MotionElement element_;
 	TaskStrokes strokes_;
 	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
-	double likely_s_ = 0.0; ///< when what is under way was last likelier than none
+	double likely_s_ = 0.0;    ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
 	double stays_since_s_ = 0.0; ///< short of the end
 	double stays_at_ = 0.0;      ///< amplitudes
@@ -29,6 +29,7 @@ private:
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
+	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.

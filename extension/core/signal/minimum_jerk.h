@@ -3,6 +3,7 @@
 #include "signal/polynomial.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -16,16 +17,16 @@ namespace steadyhand {
 		60.0 * s * left * (1.0 - 2.0 * s) };
 }
 
-/// The share of the duration after which that much of the way is covered, by Newton's method, within 1e-5 of
-/// the way; held to 0.05..0.9 of it.
+/// The share of the duration after which that much of the way, held to 0..1, is covered: by Newton's method,
+/// within 1e-8.
 [[nodiscard]] inline double minimum_jerk_share(double way) {
-	way = std::clamp(way, 0.05, 0.9);
-	double s = 0.5;
-	for (int step = 0; step < 4; ++step) {
+	const double lesser = std::clamp(std::min(way, 1.0 - way), 0.0, 0.5); // the curve is its own mirror
+	double s = std::cbrt(0.1 * lesser);
+	for (int step = 0; step < 3 && s > 0.0; ++step) {
 		const Polynomial::Point there = minimum_jerk(s);
-		s = std::clamp(s + (way - there.value) / there.first, 0.05, 0.95);
+		s += (lesser - there.value) / there.first;
 	}
-	return s;
+	return way < 0.5 ? s : 1.0 - s;
 }
 
 } // namespace steadyhand
