@@ -24,6 +24,7 @@ constexpr double SHORTEST_S = 1e-5;
 constexpr double LONGEST_S = 3600.0;
 constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
 constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
+constexpr double AXIS_TOLERANCE = 0.01;           // of its length: trial sets round it
 
 template <class Row> Json row_to_json(const Row &row) {
 	Json out = Json::array();
@@ -129,6 +130,10 @@ GestureModel model_from_json(const Json &json) {
 	}
 	model.typical_task.start_m = point(json, "typical_start_m");
 	model.typical_task.axis = point(json, "typical_axis");
+	const double axis_length = model.typical_task.axis.norm();
+	if (!find_feature(model.feature)->is_radius && !(std::abs(axis_length - 1.0) < AXIS_TOLERANCE)) {
+		throw Fault(json["typical_axis"], "typical_axis: its length is not 1");
+	}
 	model.typical_task.amplitude_m = within(json, "typical_amplitude_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
 	model.both_ways = optional_flag(json, "both_ways");
 	model.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_S);

@@ -14,7 +14,10 @@ public:
 	static constexpr double PERIOD_S = 0.01;
 
 	/// Forgets everything; the next instant is the first one at or after t_s.
-	void start(double t_s) { next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)); }
+	void start(double t_s) {
+		next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S));
+		next_ -= static_cast<double>(next_ - 1) * PERIOD_S >= t_s ? 1 : 0; // the quotient was rounded up
+	}
 
 	/// True while an instant at or before t_s is due.
 	[[nodiscard]] bool due(double t_s) const { return static_cast<double>(next_) * PERIOD_S <= t_s; }

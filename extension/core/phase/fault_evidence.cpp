@@ -106,7 +106,7 @@ void count_erring(HypothesisBank &r_bank, double t_s, double log_ratio) {
 void count_errorless(HypothesisBank &r_bank, double dt_s, double x) {
 	const double no_fault = FAULTS_PER_S * dt_s * std::clamp(x, 0.0, 1.0);
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
-		if (r_bank.regime(i) == Regime::UNSOUND) {
+		if (r_bank.regime(i) == Regime::UNSOUND && !r_bank.is_standing(i)) {
 			r_bank.weigh(i, -no_fault);
 		}
 	}

@@ -18,7 +18,7 @@ constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
 constexpr double STANDS_PER_S = 2.0;  ///< how soon a hand stands half-way
 constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be at the end
-constexpr double SLOW_PER_S = 0.7;    ///< slower than this, as a tracker that wanders shows it
+constexpr double SLOW_PER_S = 0.85;   ///< slower than this, as a tracker that wanders shows it
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has made the gesture
 constexpr double ENDED_PHASE = 2.0;   ///< over for long
@@ -160,8 +160,8 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double moved) const {
-	if (x < NEAR_START || x > STANDS_TO || std::abs(moved) > SLOW_PER_S * period_s_) {
+void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const {
+	if (x < NEAR_START || x > STANDS_TO || std::abs(per_s) > SLOW_PER_S) {
 		return;
 	}
 	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });
@@ -202,7 +202,8 @@ void HypothesisBirths::seed(
 	for (std::size_t k = 0; k < durations_; ++k) {
 		const double duration_s = std::exp(log_durations_[k]);
 		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {
-			const double onset_s = t_s - duration_s * phase - regime_numbers(regime).lag_s * std::min(x, 1.0);
+			const double onset_s = t_s - duration_s * phase -
+					GestureHypothesis::expected_lag_s(regime, duration_s) * std::min(x, 1.0);
 			const double too_early =
 					std::max(soundness.news_s() - onset_s - UNSEEN_PHASE * duration_s, 0.0) / SEEN_S;
 			const double deviation_s = SEED_SPREAD * duration_s;

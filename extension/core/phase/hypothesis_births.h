@@ -21,8 +21,9 @@ public:
 	static void rest_anew(HypothesisBank &r_bank, double x);
 	/// The hand was seen, and may have changed what it does, in the branch period that ends at t_s.
 	void branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
-	/// The same of one that is shown at x, and has moved by so much in that period: it may stand there.
-	void stand(HypothesisBank &r_bank, double t_s, double x, double moved) const;
+	/// The same of one that is shown at x, at so many amplitudes a second since the last branching: it may
+	/// stand there.
+	void stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const;
 	/// The tracker has come back at t_s: a hand that had made the gesture may have left the end meanwhile.
 	void leave_unseen(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
 	/// A hand at rest that is seen no nearer to the start than this had begun before.

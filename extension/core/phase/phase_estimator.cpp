@@ -44,11 +44,10 @@ void PhaseEstimator::begin(double t_s, double d, double velocity) {
 	if (velocity != 0.0 || std::abs(d) > NEAR_START) {
 		bank_.add(GestureHypothesis::leaving(d, velocity));
 	}
-	seen_s_ = told_s_ = t_s;
+	seen_s_ = told_s_ = branched_s_ = t_s;
 	told_x_ = branched_x_ = d;
 	halted_.start(t_s, d);
 	filtered_s_ = t_s;
-	absorbed_s_ = -std::numeric_limits<double>::infinity();
 	back_s_ = INFINITY;
 	next_branch_s_ = t_s + branch_period_s_;
 }
@@ -59,7 +58,9 @@ void PhaseEstimator::restart(double t_s, double shift) {
 	}
 	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, filtered_s_);
 	if (shift != 0.0) {
+		const double absorbed_s = absorbed_s_;
 		reset();
+		absorbed_s_ = absorbed_s;
 	}
 	begin(filtered_s_, hand.value + shift, hand.velocity);
 	prune();
@@ -95,8 +96,12 @@ void PhaseEstimator::branch_until(double t_s) {
 	for (; next_branch_s_ <= t_s; next_branch_s_ += branch_period_s_) {
 		if (next_branch_s_ - told_s_ <= BLIND_S) {
 			births_.branch(bank_, soundness_, next_branch_s_);
-			births_.stand(bank_, next_branch_s_, told_x_, told_x_ - branched_x_);
-			branched_x_ = told_x_;
+			if (told_s_ > branched_s_) {
+				births_.stand(
+						bank_, next_branch_s_, told_x_, (told_x_ - branched_x_) / (told_s_ - branched_s_));
+				branched_x_ = told_x_;
+				branched_s_ = told_s_;
+			}
 			prune();
 		}
 	}
@@ -171,12 +176,13 @@ void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 		look(t_s);
 	}
 	const PhaseEstimate before = at(t_s);
-	recall(t_s, x, place);
-	look(t_s);
-	blend_from(before, t_s);
+	if (recall(t_s, x, place)) {
+		look(filtered_s_);
+		blend_from(before, t_s);
+	}
 }
 
-void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
+bool PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (bank_.empty()) {
 		begin(t_s, x, 0.0);
 	}
@@ -185,7 +191,7 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 		back_s_ = INFINITY;
 	}
 	if (t_s - absorbed_s_ < LEAST_FRAME_S) {
-		return;
+		return false;
 	}
 	const double frame_s = t_s - std::max(absorbed_s_, filtered_s_);
 	absorbed_s_ = t_s;
@@ -195,6 +201,7 @@ void PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 			-std::expm1(-frame_s / ERRING_SETTLING_S);
 	absorb(t_s, x);
 	prune();
+	return true;
 }
 
 PhaseEstimate PhaseEstimator::at(double t_s) const {

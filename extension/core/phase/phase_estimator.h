@@ -40,7 +40,8 @@ public:
 	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
 	/// The same of frames of the past, for half of the cost: until catch_up() at() does not know of them, and
 	/// changes without a transition then.
-	void recall(double t_s, double x, const FeaturePlace &place);
+	/// False where it is passed over: it comes too soon after the last one.
+	bool recall(double t_s, double x, const FeaturePlace &place);
 	void catch_up() { look(filtered_s_); }
 	/// No frame came until t_s: one that should have is a fault already while it is missing.
 	void wait(double t_s);
@@ -53,6 +54,7 @@ public:
 		soundness_ = {};
 		halted_ = {};
 		loss_ = {};
+		absorbed_s_ = -INFINITY;
 		falling_behind_s_ = missing_ = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
@@ -86,7 +88,8 @@ private:
 	double told_s_ = 0.0;           ///< a frame last told where the hand is
 	double told_x_ = 0.0;           ///< where that was
 	double next_branch_s_ = 0.0;
-	double branched_x_ = 0.0;        ///< told_x_ at the last branching
+	double branched_s_ = 0.0;        ///< told_s_ at the last branching of one that stands
+	double branched_x_ = 0.0;        ///< and told_x_
 	double missing_ = 0.0;           ///< fault of the gap since the last frame that has been counted
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration

@@ -8,7 +8,7 @@ namespace {
 // As in phase_estimator.cpp.
 constexpr double DISPLACED = 0.4;     ///< probability that it leads away
 constexpr double DISPLACED_BY = 0.15; ///< standard deviation
-constexpr double FOUND = 0.3;         ///< that it leads to where a free hand is, which had not been seen
+constexpr double FOUND = 0.45;        ///< that it leads to where a free hand is, which had not been seen
 constexpr double ELSEWHERE = 1.0;     ///< standard deviation
 constexpr double SLIDES_BACK = 0.04;  ///< that it leads away, and the tracker slides back
 constexpr double SLIDES_BY = 0.3;     ///< standard deviation
@@ -44,7 +44,8 @@ void branch_at_jump(HypothesisBank &r_bank) {
 		const bool is_standing = r_bank.is_standing(i);
 		// A free hand that is on no way could be anywhere, and move against any error; one that stands was
 		// taken to be where it was shown.
-		if (is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing) {
+		const bool may_be_displaced = is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing;
+		if (may_be_displaced) {
 			r_bank.add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
 		}
 		// It went wherever the tracker showed it, and may have been elsewhere.
@@ -53,7 +54,8 @@ void branch_at_jump(HypothesisBank &r_bank) {
 			r_bank.add((is_standing ? back.leaving_end() : back).found_elsewhere(ELSEWHERE), std::log(FOUND));
 		}
 		back.forget_error();
-		back.log_weight += std::log(1.0 - DISPLACED - (may_be_elsewhere ? FOUND : 0.0));
+		back.log_weight +=
+				std::log(1.0 - (may_be_displaced ? DISPLACED : 0.0) - (may_be_elsewhere ? FOUND : 0.0));
 		r_bank.set(i, back);
 	}
 }

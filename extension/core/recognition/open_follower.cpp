@@ -138,12 +138,15 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 /// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
 /// out from the furthest back that it was just before.
 FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &strokes) const {
-	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero();
+	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero(), furthest_back = start;
 	int frames = 0;
 	double since_s = -std::numeric_limits<double>::infinity();
 	const auto end_part = [&] {
-		if (frames > 0 && (sum / frames - start).dot(way_) < 0.0) {
-			start = sum / frames;
+		// Without the furthest back, which may be a single frame that is elsewhere.
+		const FeaturePlace mean = frames > 2 ? FeaturePlace((sum - furthest_back) / (frames - 1))
+											 : FeaturePlace(sum / std::max(frames, 1));
+		if (frames > 0 && (mean - start).dot(way_) < 0.0) {
+			start = mean;
 		}
 		sum.setZero();
 		frames = 0;
@@ -156,6 +159,7 @@ FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &st
 			end_part();
 			since_s = frame_s;
 		}
+		furthest_back = frames == 0 || (place - furthest_back).dot(way_) < 0.0 ? place : furthest_back;
 		sum += place;
 		++frames;
 	});

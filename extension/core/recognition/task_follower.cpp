@@ -58,7 +58,8 @@ std::optional<double> TaskFollower::see(
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
-	if (stage() != Stage::RESTING && t_s - seen_s_ > ABSENCES_S.back()) {
+	if ((stage() != Stage::RESTING || is_rejected_) && t_s - seen_s_ > ABSENCES_S.back()) {
+		is_rejected_ = false;
 		lose(t_s);
 	}
 	switch (stage()) {
@@ -67,8 +68,8 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && has_begun(t_s)) {
-				set_log_odds(strokes_.judge(strokes));
 				strokes_.begin();
+				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = stays_since_s_ = likely_s_ = t_s;
 				furthest_ = 0.0;
 				begin(t_s, value());
@@ -169,6 +170,7 @@ void TaskFollower::lose(double t_s) {
 void TaskFollower::give_way(double t_s) {
 	if (stage() != Stage::RESTING) {
 		set_log_odds(LOG_PRIOR_OPEN);
+		is_rejected_ = true; // nor does it begin again in this motion
 		come_to_rest(t_s);
 	}
 }

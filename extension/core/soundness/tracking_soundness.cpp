@@ -61,6 +61,9 @@ double size(const FeaturePlace &step) {
 void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 	fault_ = {};
 	loss_ = 0.0;
+	if (returned_) {
+		news_s_ = t_s_;
+	}
 	jumped_ = returned_ = strayed_ = false;
 	const double frame_s = std::max(t_s - t_s_, SHORTEST_S), log_ratio_before = log_ratio();
 	t_s_ = t_s;
@@ -123,7 +126,9 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	fault_.now += loss_;
 	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
 	fault_.late = loss_ + LATE_BY_JUMP * jump;
-	leap_.fault = fault_;
+	if (!repeats) {
+		leap_.fault = fault_;
+	}
 	fault_.add(taken_back, -1.0);
 	evidence_.fade(frame_s);
 	freeze_.fade(frame_s);
@@ -188,6 +193,7 @@ void TrackingSoundness::forget_outlier() {
 	step_way_.latest = step_way_.before_leap;
 	place_way_.latest = place_way_.before_leap;
 	standstill_.forget();
+	silence_ = leap_.silence;
 }
 
 void TrackingSoundness::follow(double x, const FeaturePlace &place) {
@@ -199,6 +205,7 @@ void TrackingSoundness::follow(double x, const FeaturePlace &place) {
 	leap_.t_s = way_s_;
 	leap_.x = x_;
 	leap_.place = place_;
+	leap_.silence = silence_;
 	step_way_.go(step / dt_s, jumped_ || returned_);
 	place_way_.go(place_step / dt_s, strayed_ || returned_);
 	way_s_ = t_s_;

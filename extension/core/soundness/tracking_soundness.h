@@ -80,6 +80,7 @@ private:
 		double x = 0.0;
 		FeaturePlace place = FeaturePlace::Zero();
 		Evidence fault;
+		TrackerSilence silence; ///< with that frame
 	};
 
 	double t_s_ = 0.0;

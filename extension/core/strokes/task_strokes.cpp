@@ -59,9 +59,10 @@ double TaskStrokes::judge(const StrokeFinder &strokes) {
 		if (stroke.is_lost) {
 			continue;
 		}
-		best = std::max(best, log_odds(stroke));
+		const double of_this = log_odds(stroke);
+		best = std::max(best, of_this);
 		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * amplitude_m_) {
-			best_of_one_ = std::max(best_of_one_, best);
+			best_of_one_ = std::max(best_of_one_, of_this);
 		}
 	}
 	if (before_last_ && last_) {

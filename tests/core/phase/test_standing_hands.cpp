@@ -93,7 +93,7 @@ TEST_CASE("a hand may stand where it is shown half-way, slow, and has begun") {
 		if (has_begun) {
 			bank.add(rest.begun(Regime::SOUND, 0.5, 0.01, 0.0, 0.1));
 		}
-		births.stand(bank, 1.0, x, per_s * effort.branch_period_s);
+		births.stand(bank, 1.0, x, per_s);
 		const std::size_t last = bank.size() - 1;
 		CHECK(bank.size() == (has_begun ? 2 : 1) + (bank.is_standing(last) ? 1 : 0));
 		CHECK((!bank.is_standing(last) || bank.course(last).gain == doctest::Approx(x)));
