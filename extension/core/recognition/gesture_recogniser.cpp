@@ -218,6 +218,9 @@ void GestureRecogniser::lead(int follower) {
 		return;
 	}
 	const Motion before = motion(MotionSource::SYNTHESISED);
+	if (leader_ >= 0 && this->follower()->stage() == GestureFollower::Stage::ARRIVED) {
+		followers_[static_cast<std::size_t>(leader_)]->leave_end(time_s_);
+	}
 	leader_ = follower;
 	const Motion now = followers_[shown()]->motion(time_s_);
 	blend_.start(

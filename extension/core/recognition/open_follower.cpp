@@ -12,6 +12,7 @@ constexpr double SHORTEST = 0.12;
 /// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
 /// how far that is.
 constexpr double HOPELESS = -8.0;
+constexpr double HOPELESS_S = 0.1;
 constexpr double WELL_UNDER_WAY = 0.3;
 /// log odds from which on an end is taken before the hand has come to it.
 constexpr double SURE = 1.5;
@@ -225,7 +226,9 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
-	} else if (t_s - likely_s_ > (is_hopeless ? 0.1 : HOLD_S)) {
+	} else if (t_s - likely_s_ > HOLD_S) {
+		give_way(t_s); // the way back of what is given up is over by now, and no gesture
+	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		dismiss(t_s);
 	}
 }

@@ -17,6 +17,7 @@ public:
 	[[nodiscard]] bool claims() const override { return claims_; }
 	void confirm(double t_s) override;
 	void give_way(double t_s) override;
+	void leave_end(double t_s) override { give_way(t_s); }
 	void miss(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
 
