@@ -17,6 +17,7 @@ constexpr double ROUNDED_SHARE = 0.25; ///< of the steps that are the least one,
 constexpr double ROUNDED_SPEED = 0.9;
 /// In least steps: a hand at rest before a tracker that rounds makes one, now and then.
 constexpr double LEAST_WAY = 1.5;
+constexpr double AT_START = 0.03;    ///< amplitudes: a hand that comes back stops there
 constexpr double LEAST_SHARE = 0.05; ///< a step's share in that share
 constexpr double SAME = 0.01;        ///< relative difference of steps that are the same
 constexpr double PERIOD_GROWTH = 1.2;
@@ -24,7 +25,8 @@ constexpr double PERIOD_SHARE = 0.1;
 
 } // namespace
 
-void TrackerSilence::change(double t_s, double step, const FeaturePlace &place_step) {
+void TrackerSilence::change(double t_s, double x, double step, const FeaturePlace &place_step) {
+	x_ = x;
 	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
 	interval_s_ = followed(interval_s_, t_s - changed_s_);
 	come_to(t_s);
@@ -47,7 +49,9 @@ bool TrackerSilence::is_frozen() const {
 	const double resting_per_s =
 			std::max(RESTING_PER_S, rounds ? ROUNDED_SPEED * least_step_ / frame_s_ : 0.0);
 	const bool moved = std::abs(speed_) > resting_per_s && std::abs(way_) > LEAST_WAY * least_step_;
-	return is_silent() && (moved || (std::popcount(turns_) >= TREMBLING_TURNS && !rounds));
+	const bool has_come_back = std::abs(x_) < AT_START && speed_ < 0.0;
+	const bool trembled = std::popcount(turns_) >= TREMBLING_TURNS && !rounds;
+	return is_silent() && ((moved && !has_come_back) || trembled);
 }
 
 double TrackerSilence::followed(double period_s, double latest_s) {

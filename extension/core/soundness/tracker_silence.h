@@ -16,13 +16,14 @@ public:
 	void expect(double interval_s) { interval_s_ = interval_s; }
 	/// A frame that repeats the one before, to the last bit.
 	void repeat(double t_s) { come_to(t_s); }
-	/// A frame that does not; steps: since the last one of those, in amplitudes.
-	void change(double t_s, double step, const FeaturePlace &place_step);
+	/// A frame that does not, at x; steps: since the last one of those; in amplitudes.
+	void change(double t_s, double x, double step, const FeaturePlace &place_step);
 
 	/// It has repeated itself for longer than it does.
 	[[nodiscard]] bool is_silent() const;
-	/// Silent although the hand was on its way, or although the tracker had been trembling as every hand and
-	/// sensor does and does not round that away. Exact stillness of a track that never trembled is rest.
+	/// Silent although the hand was on its way, and not on its way back to the start and there, or although
+	/// the tracker had been trembling as every hand and sensor does and does not round that away. Exact
+	/// stillness of a track that never trembled is rest.
 	[[nodiscard]] bool is_frozen() const;
 	/// The newest frame shows where the hand is: it repeats nothing, or the hand is at rest.
 	[[nodiscard]] bool told() const { return t_s_ == changed_s_ || (is_silent() && !is_frozen()); }
@@ -35,7 +36,8 @@ private:
 	double frame_s_ = 0.01; ///< between the newest frames
 	double changed_s_ = 0.0;
 	double interval_s_ = 0.01; ///< between changes
-	double speed_ = 0.0;       ///< smoothed
+	double x_ = 0.0;
+	double speed_ = 0.0; ///< smoothed
 	double step_ = 0.0;
 	double way_ = 0.0; ///< of the last two steps
 	FeaturePlace place_step_ = FeaturePlace::Zero();

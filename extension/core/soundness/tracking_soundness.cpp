@@ -212,7 +212,7 @@ void TrackingSoundness::follow(double x, const FeaturePlace &place) {
 	if (!jumped_) {
 		news_s_ = returned_ ? news_s_ : t_s_;
 	}
-	silence_.change(t_s_, step, place_step);
+	silence_.change(t_s_, x, step, place_step);
 	standstill_.tell(t_s_, x, jitter_);
 	x_ = x;
 	place_ = place;
