@@ -79,7 +79,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::MOVING:
 			if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if (is_at_end(t_s) || ends_short(t_s, strokes)) {
+			} else if ((is_at_end(t_s) && is_known(t_s, strokes)) || ends_short(t_s, strokes)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -123,6 +123,12 @@ bool TaskFollower::was_nothing(double t_s) {
 	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	return now.value < BACK_VALUE && !is_under_way;
+}
+
+/// What goes on unseen is a guess after a while, unless little of it was left.
+bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
+	const double news_s = feature().place != nullptr ? strokes.news_s() : seen_s_;
+	return mode() == MotionMode::PAPER || value() > SHORT_END || t_s - news_s < ABSENCES_S.front();
 }
 
 bool TaskFollower::is_back(double t_s) const {

@@ -31,6 +31,7 @@ private:
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s) const;
+	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
 	[[nodiscard]] bool was_nothing(double t_s);
