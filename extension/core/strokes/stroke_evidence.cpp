@@ -127,6 +127,11 @@ double start_error(const Stroke &stroke, const FeaturePlace &start, const Featur
 	return std::min(error(stroke.from), error(stroke.seen_from));
 }
 
+double start_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
+	return LOG_STARTS - 0.5 * start_error(stroke, start, way) / (START * START * amplitude_m * amplitude_m);
+}
+
 bool leads_somewhere(double length_m) {
 	return length_m > 0.0 && std::isfinite(length_m);
 }
@@ -179,8 +184,13 @@ double task_evidence(
 	if (!leads_somewhere(length_m)) {
 		return IMPOSSIBLE;
 	}
-	return direction_in_task((chord / length_m - way).norm()) + straightness(stroke, length_m) -
-			0.5 * start_error(stroke, start, way) / (START * START * amplitude_m * amplitude_m) + LOG_STARTS;
+	return direction_in_task((chord / length_m - way).norm()) + straightness(stroke, length_m) +
+			start_evidence(stroke, start, way, amplitude_m);
+}
+
+double most_task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
+	return direction_in_task(0.0) + bow_evidence(0.0) + start_evidence(stroke, start, way, amplitude_m);
 }
 
 } // namespace steadyhand

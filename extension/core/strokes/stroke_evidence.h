@@ -34,6 +34,10 @@ struct StrokeEvidence {
 [[nodiscard]] double task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
 
+/// What that comes to at most, of a stroke that has begun there.
+[[nodiscard]] double most_task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
+
 /// Of strokes, those that are a gesture while all kinds of motion may come: nats. Posterior odds of a gesture
 /// are exp(evidence + this).
 inline constexpr double LOG_PRIOR_OPEN = -5.0;

@@ -26,8 +26,9 @@ TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m
 void TaskStrokes::look(const StrokeFinder &strokes) {
 	has_set_out_ = unseen_.has_set_out;
 	for (const Stroke &stroke : strokes.strokes()) {
+		const double gone_m = (stroke.to - stroke.from).dot(way_);
 		has_set_out_ = has_set_out_ ||
-				(!stroke.is_lost && (stroke.to - stroke.from).dot(way_) > SMALLEST_MOVE * amplitude_m_);
+				(!stroke.is_lost && gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
 	}
 }
 
@@ -46,6 +47,10 @@ void TaskStrokes::add(const StrokeFinder &strokes) {
 		before_last_ = before_last_ ? joined(*before_last_, *last_) : *last_;
 	}
 	last_ = now;
+}
+
+bool TaskStrokes::may_begin(const Stroke &stroke) const {
+	return LOG_PRIOR_TASK + most_task_evidence(stroke, start_, way_, amplitude_m_) > 0.0;
 }
 
 double TaskStrokes::log_odds(const Stroke &stroke) const {

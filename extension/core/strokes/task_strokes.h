@@ -16,7 +16,7 @@ public:
 	/// set out, and the odds are even.
 	TaskStrokes(const Feature &feature, const Task &task);
 
-	/// Whether the hand goes, or went, along the task's way.
+	/// Whether the hand goes, or went, along the task's way, from no further off than its start may be.
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
 
@@ -48,6 +48,7 @@ private:
 	std::optional<Stroke> before_last_; ///< as one
 	std::optional<Stroke> last_;
 
+	[[nodiscard]] bool may_begin(const Stroke &stroke) const;
 	[[nodiscard]] double log_odds(const Stroke &stroke) const;
 };
 

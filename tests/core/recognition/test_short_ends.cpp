@@ -114,7 +114,8 @@ TEST_CASE(
 TEST_CASE("a hand that comes to its end far beside the way has a quarter of a second to have made the "
 		  "gesture") {
 	const test::Way beside = [](double t_s) {
-		return Eigen::Vector3d(test::x_m(to(1.0), t_s), 0.75 * TASK_M, 0.0);
+		const double x_m = test::x_m(to(1.0), t_s);
+		return Eigen::Vector3d(x_m, 0.5 * TASK_M + 0.5 * x_m, 0.0);
 	};
 	// It is at the end 0.02 s before it stops there.
 	constexpr double END_S = 1.48;
