@@ -5,6 +5,7 @@
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace godot {
@@ -23,6 +24,12 @@ PackedStringArray installed_gestures() {
 		}
 	}
 	return gestures;
+}
+
+/// Of any length but 0: squares of very long and very short ones are no numbers.
+Vector3 unit_of(const Vector3 &p_vector) {
+	const real_t longest = std::max({ std::abs(p_vector.x), std::abs(p_vector.y), std::abs(p_vector.z) });
+	return longest > 0 ? (p_vector / longest).normalized() : Vector3();
 }
 
 } // namespace
@@ -81,8 +88,8 @@ Vector3 GestureTask::get_start() const {
 
 Vector3 GestureTask::get_axis() const {
 	const Transform3D transform = is_inside_tree() ? get_global_transform() : get_transform();
-	const Vector3 axis = transform.basis.xform(direction_).normalized();
-	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction_.normalized();
+	const Vector3 direction = unit_of(direction_), axis = unit_of(transform.basis.xform(direction));
+	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction;
 }
 
 PackedStringArray GestureTask::_get_configuration_warnings() const {

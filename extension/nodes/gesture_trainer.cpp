@@ -41,6 +41,13 @@ void GestureTrainer::set_r2_threshold(double p_threshold) {
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
 	cancelled_ = false;
+	is_training_ = true;
+	Ref<GestureModel> model = train_on(p_trial_set, p_gesture);
+	is_training_ = false;
+	return model;
+}
+
+Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
 	std::vector<const steadyhand::Trial *> wanted;

@@ -22,8 +22,11 @@ class GestureTrainer : public RefCounted {
 	int states_ = 4;
 	int symbols_ = 16;
 	double r2_threshold_ = 0.9;
+	std::atomic<bool> is_training_ = false;
 	std::atomic<bool> cancelled_ = false;
 	std::vector<steadyhand::NormalisedRecording> recordings_; ///< of the last training
+
+	Ref<GestureModel> train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
 
 protected:
 	static void _bind_methods();
@@ -41,8 +44,8 @@ public:
 
 	/// Null where it is cancelled; null and one error in the log where it fails.
 	Ref<GestureModel> train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
-	/// From any thread.
-	void cancel() { cancelled_ = true; }
+	/// The training that goes on, if any; from any thread.
+	void cancel() { cancelled_ = cancelled_ || is_training_; }
 	bool is_cancelled() const { return cancelled_; }
 	TypedArray<Dictionary> get_recordings() const;
 	static String get_version();

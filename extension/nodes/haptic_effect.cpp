@@ -240,8 +240,8 @@ void InertialViscousEffect::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "viscosity", PROPERTY_HINT_RANGE, "0,5,0.01,or_greater,suffix:s/m"),
 			"set_viscosity", "get_viscosity");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "inertia", PROPERTY_HINT_RANGE,
-						 "0,2,0.01,or_greater,suffix:s\u00b2/m"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "inertia", PROPERTY_HINT_RANGE, "0,2,0.01,or_greater,suffix:s^2/m"),
 			"set_inertia", "get_inertia");
 }
 

@@ -208,6 +208,10 @@ void HapticSynth::connect_effects(bool p_connect) {
 void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	connect_effects(false);
 	effects_ = p_effects.duplicate();
+	if (effects_.size() > static_cast<int64_t>(steadyhand::EffectSet::MOST)) {
+		WARN_PRINT(String("HapticSynth: only the first ") + itos(steadyhand::EffectSet::MOST) +
+				" effects are played");
+	}
 	connect_effects(true);
 	on_effects_changed();
 }
