@@ -79,7 +79,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::MOVING:
 			if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if ((is_at_end(t_s) && is_known(t_s, strokes)) || ends_short(t_s, strokes)) {
+			} else if ((is_at_end(t_s) && is_known(t_s, strokes)) || ends_short(t_s)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -136,12 +136,12 @@ bool TaskFollower::is_back(double t_s) const {
 	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
 }
 
-bool TaskFollower::ends_short(double t_s, const StrokeFinder &strokes) {
+bool TaskFollower::ends_short(double t_s) {
 	if (mode() == MotionMode::PAPER) {
 		return false; // plays to the end
 	}
 	const double value = estimate(t_s).value;
-	if (value < SHORT_END || std::abs(value - stays_at_) > STAYS || t_s - strokes.news_s() > SEEN_S) {
+	if (value < SHORT_END || std::abs(value - stays_at_) > STAYS || t_s - seen_s_ > SEEN_S) {
 		stays_since_s_ = t_s;
 		stays_at_ = value;
 	}

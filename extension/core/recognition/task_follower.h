@@ -35,7 +35,7 @@ private:
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
 	[[nodiscard]] bool was_nothing(double t_s);
-	[[nodiscard]] bool ends_short(double t_s, const StrokeFinder &strokes);
+	[[nodiscard]] bool ends_short(double t_s);
 	void come_to_end(double t_s);
 	void come_to_rest(double t_s);
 	void lose(double t_s);
