@@ -15,8 +15,9 @@ public:
 
 	/// Forgets everything; the next instant is the first one at or after t_s.
 	void start(double t_s) {
-		next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S));
-		next_ -= static_cast<double>(next_ - 1) * PERIOD_S >= t_s ? 1 : 0; // the quotient was rounded up
+		// The quotient is rounded, up or down.
+		for (next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)) - 1; next_s() < t_s; ++next_) {
+		}
 	}
 
 	/// True while an instant at or before t_s is due.

@@ -73,6 +73,8 @@ public:
 	/// it is looked at for longer, as a hand that wanders slowly hardly moves for a while where it turns.
 	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
+	/// TrembleFilter::noise_m, of places as strokes count them.
+	[[nodiscard]] double noise_m() const { return trembles_.noise_m(); }
 	/// When a place last was news of the hand; -infinity before the first one.
 	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : last_s_; }
 

@@ -43,10 +43,11 @@ void TaskStrokes::add(const StrokeFinder &strokes) {
 		return;
 	}
 	const Stroke &now = strokes.strokes().front();
-	if (last_ && now.onset_s != last_->onset_s) {
+	if (last_ && has_ended_ && now.onset_s != last_->onset_s) { // while it goes on its onset is refined
 		before_last_ = before_last_ ? joined(*before_last_, *last_) : *last_;
 	}
 	last_ = now;
+	has_ended_ = strokes.ended();
 }
 
 bool TaskStrokes::may_begin(const Stroke &stroke) const {

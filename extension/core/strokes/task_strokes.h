@@ -47,6 +47,7 @@ private:
 	double of_all_ = 0.0;
 	std::optional<Stroke> before_last_; ///< as one
 	std::optional<Stroke> last_;
+	bool has_ended_ = false; ///< the last one
 
 	[[nodiscard]] bool may_begin(const Stroke &stroke) const;
 	[[nodiscard]] double log_odds(const Stroke &stroke) const;

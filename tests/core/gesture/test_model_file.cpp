@@ -131,6 +131,23 @@ TEST_CASE("a model file is refused where a duration or deviation would make the 
 			"a.gesture:1: typical_amplitude_m: not within 1e-06 .. 1e+09");
 }
 
+TEST_CASE("a model file is refused where its way's axis is not of unit length, which a radius has none of") {
+	const auto with_axis = [](const char *feature, const Json &axis) {
+		return error_of([&](Json &r_file) {
+			r_file["feature"] = feature;
+			r_file["typical_axis"] = axis;
+		});
+	};
+	const std::string wanted = "a.gesture:1: typical_axis: its length is not 1";
+	CHECK(with_axis("index_along_axis", { 2.0, 0.0, 0.0 }) == wanted);
+	CHECK(with_axis("index_along_axis", { 0.6, 0.6, 0.0 }) == wanted);
+	CHECK(with_axis("index_along_axis", { 0.0, 0.0, 0.0 }) == wanted);
+	CHECK(with_axis("index_along_axis", { 0.6, 0.0, -0.8 }).empty());
+	CHECK(with_axis("index_along_axis", { 0.58, 0.58, 0.57 }).empty()); // rounded
+	CHECK(with_axis("tips_circumradius", { 0.0, 0.0, 0.0 }).empty());
+	CHECK(with_axis("tips_circumradius", { 2.0, 0.0, 0.0 }).empty());
+}
+
 TEST_CASE("the phase of a value is 0 below the reference, 1 beyond it, and where it passes in between") {
 	GestureModel model;
 	model.reference_mean = Eigen::VectorXd::LinSpaced(101, 0.1, 0.9);

@@ -6,8 +6,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 using namespace steadyhand;
@@ -117,5 +119,47 @@ TEST_CASE("a frame that is told again within an instant is the one it was") {
 		const double later_s = t_s + 0.5 * PERIOD_S;
 		REQUIRE(twice.at(later_s).value == doctest::Approx(once.at(later_s).value).epsilon(1e-4));
 		REQUIRE(twice.at(later_s).phase == doctest::Approx(once.at(later_s).phase).epsilon(1e-6));
+	}
+}
+
+TEST_CASE("a frame that is passed over changes nothing, of what a hand that turns ever makes") {
+	constexpr double FREE_FROM_S = 1.0, TO_AND_FRO_S = 1.2, LENGTH_S = 4.0;
+	constexpr int USED_MS = 4; // frames in between come too soon
+	std::mt19937_64 random(4);
+	std::normal_distribution<double> trembling(0.0, 6e-5);
+	PhaseEstimator sparse(test::drag_model()), dense(test::drag_model());
+	double off = 0.0;
+	for (int ms = 0; ms < static_cast<int>(1000.0 * LENGTH_S); ++ms) {
+		const double t_s = 0.001 * ms, turns = std::max(t_s - FREE_FROM_S, 0.0) / TO_AND_FRO_S;
+		const double x = 0.4 * (1.0 - std::cos(2.0 * std::numbers::pi * turns)) + trembling(random);
+		if (ms % USED_MS == 0) {
+			sparse.push(t_s, x);
+		}
+		dense.push(t_s, x);
+		off = std::max(off, std::abs(sparse.at(t_s).value - dense.at(t_s).value));
+	}
+	CHECK(off < 1e-4);
+}
+
+TEST_CASE("a frame that is told again within an instant is passed over, also after a restart") {
+	for (const double shift : { 0.0, -0.5 }) {
+		CAPTURE(shift);
+		constexpr int RESTARTED_AT = 100;
+		constexpr double RESTART_S = (RESTARTED_AT - 1) * PERIOD_S, LATER_S = (RESTARTED_AT + 11) * PERIOD_S;
+		const test::Drag half{ .onset_s = 0.2, .duration_s = 0.4, .amplitude_m = 0.5 };
+		PhaseEstimator once(test::drag_model()), twice(test::drag_model());
+		for (PhaseEstimator *const estimator : { &once, &twice }) {
+			for (int i = 0; i < RESTARTED_AT; ++i) {
+				estimator->push(i * PERIOD_S, half.x_m(i * PERIOD_S));
+			}
+			estimator->restart(RESTART_S, shift);
+			if (estimator == &twice) {
+				estimator->push(RESTART_S, half.amplitude_m + shift + 0.01);
+			}
+			for (int i = RESTARTED_AT; i * PERIOD_S < LATER_S; ++i) {
+				estimator->push(i * PERIOD_S, half.amplitude_m + shift);
+			}
+		}
+		CHECK(std::abs(twice.at(LATER_S).value - once.at(LATER_S).value) < 1e-4);
 	}
 }

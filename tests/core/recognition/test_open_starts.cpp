@@ -1,0 +1,38 @@
+// With nothing given: from where the motion counts where the tracker shows the hand elsewhere for a frame.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+constexpr double RATE_HZ = 110.0; ///< watch()'s
+
+/// A drag that is shown elsewhere in the one frame at or after that time.
+Events shown_elsewhere(double t_s, const Eigen::Vector3d &by_m) {
+	const double outlier = std::ceil(t_s * RATE_HZ);
+	const Way way = [=](double frame_s) {
+		const bool is_outlier = std::abs(frame_s * RATE_HZ - outlier) < 0.5;
+		return Eigen::Vector3d(DRAG.x_m(frame_s) * X + (is_outlier ? by_m : Eigen::Vector3d::Zero()));
+	};
+	return in_the_open(way, 2.2);
+}
+
+} // namespace
+
+TEST_CASE("with nothing given a single frame elsewhere right before a gesture does not move its start") {
+	for (const double before_s : { 0.0, 0.02, 0.05, 0.1 }) {
+		for (const double by_m : { -0.05, -0.2, 0.2 }) {
+			CAPTURE(before_s);
+			CAPTURE(by_m);
+			const Events events = shown_elsewhere(DRAG.onset_s - before_s, by_m * X);
+			CHECK(events.said == times(1, "sideways"));
+			CHECK(events.last_value_m == doctest::Approx(DRAG.amplitude_m).epsilon(0.02));
+		}
+	}
+}

@@ -1,0 +1,112 @@
+// What the strokes of a hand whose task is known add up to.
+
+#include "gesture/feature.h"
+#include "gesture/task.h"
+#include "overlapping_drags.h"
+#include "strokes/task_strokes.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double PERIOD_S = 0.01;
+constexpr double TASK_M = 0.2;               ///< of Task{}
+constexpr double SMALLEST_M = 0.06 * TASK_M; ///< stroke, as a recogniser has it
+
+/// What is made of a hand's strokes, frame by frame.
+class Watched {
+public:
+	/// A gesture has begun before the first frame.
+	Watched() { task_.begin(); }
+
+	template <typename Place> void watch(double from_s, double to_s, const Place &place) {
+		for (double t_s = from_s; t_s < to_s; t_s += PERIOD_S) {
+			const FeaturePlace noise(trembling_(random_), trembling_(random_), 0.0, 0.0);
+			finder_.push(t_s, place(t_s) + noise);
+			task_.look(finder_);
+			has_set_out_ = has_set_out_ || task_.has_set_out();
+			task_.add(finder_);
+			static_cast<void>(task_.judge(finder_));
+		}
+	}
+	void begin() { task_.begin(); }
+	[[nodiscard]] bool has_set_out() const { return has_set_out_; } ///< at any time
+	[[nodiscard]] double best_log_odds() const { return task_.best_log_odds(); }
+
+private:
+	TaskStrokes task_{ *find_feature("index_along_axis"), Task{} };
+	StrokeFinder finder_{ FeaturePlace::Ones(), SMALLEST_M };
+	std::mt19937_64 random_{ 3 };
+	std::normal_distribution<double> trembling_{ 0.0, 6e-5 };
+	bool has_set_out_ = false;
+};
+
+/// Along the task's way, and aside of it.
+auto place_of(const std::vector<test::Drag> &along, const std::vector<test::Drag> &aside = {}) {
+	return [=](double t_s) { return FeaturePlace(test::x_m(along, t_s), test::x_m(aside, t_s), 0.0, 0.0); };
+}
+
+/// Comes down from aside to the task's start, and then goes `far_m` of the task's way.
+double odds_from_aside_and_on(double far_m) {
+	constexpr double ASIDE_M = 0.25;
+	const test::Drag up{ .onset_s = -1.0, .duration_s = 0.5, .amplitude_m = ASIDE_M };
+	const test::Drag down{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = -ASIDE_M };
+	const test::Drag on{ .onset_s = 1.5, .duration_s = 0.4, .amplitude_m = far_m };
+	Watched watched;
+	watched.watch(0.0, 2.6, place_of({ on }, { up, down }));
+	return watched.best_log_odds();
+}
+
+} // namespace
+
+TEST_CASE("strokes that are too short to say where they go say nothing for a gesture, whatever else there "
+		  "was") {
+	CHECK(odds_from_aside_and_on(0.2 * TASK_M) < 0.0);
+	CHECK(odds_from_aside_and_on(0.4 * TASK_M) < 0.0);
+	CHECK(odds_from_aside_and_on(TASK_M) > 0.0);
+}
+
+TEST_CASE("strokes that are too short each make a gesture together, however long the hand rested between "
+		  "them") {
+	constexpr double SHORT_M = 0.45 * TASK_M;
+	for (const double rests_s : { 0.5, 3.0 }) {
+		CAPTURE(rests_s);
+		const test::Drag first{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = SHORT_M };
+		const test::Drag second{ .onset_s = 1.5 + rests_s, .duration_s = 0.5, .amplitude_m = SHORT_M };
+		Watched watched;
+		watched.watch(0.0, second.onset_s + 1.0, place_of({ first, second }));
+		CHECK(watched.best_log_odds() > 0.0);
+	}
+}
+
+TEST_CASE("what was before a gesture began says nothing of it") {
+	const test::Drag drag{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = TASK_M };
+	const test::Drag aside{ .onset_s = 5.0, .duration_s = 0.5, .amplitude_m = TASK_M };
+	Watched watched;
+	watched.watch(0.0, 4.9, place_of({ drag }, { aside }));
+	REQUIRE(watched.best_log_odds() > 0.0);
+	watched.begin();
+	CHECK(watched.best_log_odds() < 0.0);
+	watched.watch(4.9, 6.5, place_of({ drag }, { aside }));
+	CHECK(watched.best_log_odds() < 0.0);
+}
+
+TEST_CASE("a hand sets out along the task's way, not by trembling, back or aside") {
+	const auto sets_out = [](double along_m, double aside_m) {
+		Watched watched;
+		watched.watch(0.0, 2.0,
+				place_of({ test::Drag{ .onset_s = 1.0, .duration_s = 0.4, .amplitude_m = along_m } },
+						{ test::Drag{ .onset_s = 1.0, .duration_s = 0.4, .amplitude_m = aside_m } }));
+		return watched.has_set_out();
+	};
+	CHECK(sets_out(0.1 * TASK_M, 0.0));
+	CHECK(sets_out(0.1 * TASK_M, TASK_M));
+	CHECK_FALSE(sets_out(0.0, 0.0));
+	CHECK_FALSE(sets_out(-0.5 * TASK_M, 0.0));
+	CHECK_FALSE(sets_out(0.0, 0.5 * TASK_M));
+}
