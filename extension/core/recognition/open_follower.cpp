@@ -9,7 +9,7 @@ namespace {
 constexpr double IMPOSSIBLE = -std::numeric_limits<double>::infinity(); ///< log odds
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double SHORTEST = 0.12;
-/// Nor do those that are shorter than so many times the tracker's noise, and none begins with them.
+/// Nor do those that are shorter than so many times the tracker's noise, but for such as are well under way.
 constexpr double TREMBLES = 10.0;
 /// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
 /// how far that is.
@@ -115,7 +115,8 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const bool has_stroke = !strokes.strokes().empty();
 	start_ = has_stroke ? strokes.strokes().front().seen_from : last_place();
 	way_ = feature().direction(task());
-	const double shortest = std::max(SHORTEST, TREMBLES * strokes.noise_m() / task().amplitude_m);
+	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
+	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < shortest) {
 			continue;

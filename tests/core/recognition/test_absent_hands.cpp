@@ -151,3 +151,19 @@ TEST_CASE("with a task a hand before a tracker that repeats itself is not gone")
 	CHECK(events.said == times(1, "sideways"));
 	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.01));
 }
+
+TEST_CASE("with the task known the end of a hand that is gone half-way is not said to have come") {
+	const Drag drag{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 };
+	for (const double share : { 0.3, 0.4, 0.5 }) { // of the time: 16 to 50 % of the way
+		CAPTURE(share);
+		const double gone_s = drag.onset_s + share * drag.duration_s;
+		CHECK(in_a_task(along(X, { drag }), 4.0, gone_s).said ==
+				std::vector<std::string>{ "started sideways", "aborted sideways" });
+		// Seen again where it has arrived meanwhile, it has made the gesture.
+		const Events found = in_a_task(along(X, { drag }), 4.0, gone_s, gone_s + 0.7);
+		CHECK(found.said == times(1, "sideways"));
+		CHECK(found.last_ended_s > gone_s + 0.7);
+	}
+	// What is bridged ends in time.
+	CHECK(in_a_task(along(X, { drag }), 4.0, drag.onset_s + 0.56).said == times(1, "sideways"));
+}

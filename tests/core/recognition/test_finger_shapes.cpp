@@ -149,3 +149,30 @@ TEST_CASE("fingers that open further or less far than the model knows are shown 
 		}
 	}
 }
+
+TEST_CASE("fingers that rest before a tracker that trembles begin hardly any zoom") {
+	constexpr double LENGTH_S = 20.0;
+	for (const double rate_hz : { 60.0, 120.0 }) {
+		for (const double noise_m : { 0.7e-3, 1e-3, 2e-3 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(noise_m);
+			GestureRecogniser recogniser({ zoom_model() }, std::nullopt, MotionMode::PHASE);
+			std::mt19937_64 random(7);
+			std::normal_distribution<double> noise(0.0, noise_m);
+			const Tips tips = opened(CLOSED_M);
+			int frames = 0, shown = 0;
+			for (; frames < LENGTH_S * rate_hz; ++frames) {
+				HandFrame frame;
+				frame.t_s = frames / rate_hz;
+				constexpr std::array JOINTS{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
+				for (std::size_t i = 0; i < JOINTS.size(); ++i) {
+					frame.set(JOINTS[i],
+							{ tips[i].x() + noise(random), tips[i].y() + noise(random), noise(random) });
+				}
+				recogniser.push(frame);
+				shown += recogniser.gesture() >= 0 ? 1 : 0;
+			}
+			CHECK(shown < 0.06 * frames);
+		}
+	}
+}

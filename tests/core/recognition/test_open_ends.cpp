@@ -75,3 +75,43 @@ TEST_CASE("from one gesture's motion to the next one's it takes a tenth of a sec
 	CHECK(std::abs(later.last_value_m - next.x_m(switched_s + 0.11)) < 0.02);
 	CHECK(later.largest_step < 1.2 * FASTEST_M_MS);
 }
+
+TEST_CASE("what was given up is not begun again at a hand that rests") {
+	for (const double far : { 0.17, 0.22, 0.3 }) {
+		for (const double each_way_s : { 0.3, 0.6 }) {
+			CAPTURE(far);
+			CAPTURE(each_way_s);
+			const Drag there{ .onset_s = 0.6, .duration_s = each_way_s, .amplitude_m = far * 0.2 };
+			const Drag back{
+				.onset_s = 0.6 + each_way_s, .duration_s = each_way_s, .amplitude_m = -far * 0.2
+			};
+			const Events events = in_the_open(along(X, { there, back }), 6.0);
+			CHECK(std::ranges::count(events.said, "started sideways") <= 1);
+			CHECK(none_ends(events));
+		}
+	}
+}
+
+TEST_CASE("a gesture that another one took the lead from shows its end no longer") {
+	// To the right, and then a way that leads nowhere, but first upward, as another gesture does.
+	const Drag up{ .onset_s = 2.2, .duration_s = 0.5, .amplitude_m = 0.08 };
+	const Drag aside{ .onset_s = 2.5, .duration_s = 0.6, .amplitude_m = 0.3 };
+	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+	double none_since_s = 0.0, furthest_m = 0.0;
+	int taken_over = 0;
+	for (int i = 0; i < 600; ++i) {
+		HandFrame frame;
+		frame.t_s = 0.01 * i;
+		const double t_s = frame.t_s, shaking_m = 1e-4 * std::sin(3.0 * i);
+		frame.set(Joint::INDEX,
+				(DRAG.x_m(t_s) + shaking_m) * X + up.x_m(t_s) * Y + aside.x_m(t_s) * (X - Z).normalized());
+		recogniser.push(frame);
+		none_since_s = recogniser.gesture() >= 0 ? t_s : none_since_s;
+		taken_over += recogniser.gesture() == 1 ? 1 : 0;
+		if (t_s > none_since_s + 0.2) { // it fades
+			furthest_m = std::max(furthest_m, std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m));
+		}
+	}
+	CHECK(taken_over > 0);
+	CHECK(furthest_m < 0.01);
+}

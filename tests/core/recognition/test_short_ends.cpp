@@ -142,3 +142,12 @@ TEST_CASE("a hand that stops short and beside the task's way goes about somethin
 	CHECK(beside(0.15).said == test::times(1, "sideways"));
 	CHECK(test::none_ends(beside(0.5)));
 }
+
+TEST_CASE("a hand that ends short has made the gesture also before a tracker that repeats itself") {
+	for (const double far : { 0.75, 0.85 }) {
+		CAPTURE(far);
+		GestureRecogniser recogniser({ test::models()[0] }, Task{}, MotionMode::PHASE);
+		const Events events = test::watch(recogniser, test::along(X, to(far)), 3.5, 1e9, 1e9, 90.0, 0.0);
+		CHECK(events.said == test::times(1, "sideways"));
+	}
+}

@@ -180,3 +180,16 @@ TEST_CASE("a hand that halts half-way and goes on makes progress, and none of it
 		}
 	}
 }
+
+TEST_CASE("what begins too far from a task's start to be its gesture is none from the first instant on") {
+	for (const Eigen::Vector3d &off_m : { Eigen::Vector3d(0.15 * Y), Eigen::Vector3d(-1.0 * Z) }) {
+		const Way beside = [&](double t_s) {
+			return Eigen::Vector3d(off_m + going(1.0, 1.3, 0.8).x_m(t_s) * X);
+		};
+		CHECK(in_the_task(beside, 3.0, FINE_M).said.empty());
+	}
+	const Way near = [&](double t_s) {
+		return Eigen::Vector3d(0.04 * Y + going(1.0, 1.3, 0.8).x_m(t_s) * X);
+	};
+	CHECK(in_the_task(near, 3.0, FINE_M).said == times(1, "sideways"));
+}

@@ -166,3 +166,29 @@ TEST_CASE("a tracker that wanders, and loses the hand, throws none about that st
 	}
 	CHECK(furthest < furthest_shown + 0.02);
 }
+
+TEST_CASE("a hand that comes back and rests before a tracker that repeats itself, or rounds, stays there") {
+	constexpr double BACK_S = 0.4, RESTS_S = 4.0;
+	for (const double rate_hz : { 60.0, 90.0 }) {
+		for (const double rounded_to : { 0.0, 0.005 }) { // amplitudes
+			for (int later = 0; later < 4; ++later) {
+				CAPTURE(rate_hz);
+				CAPTURE(rounded_to);
+				CAPTURE(later);
+				const double onset_s = 0.6 + 0.25 * later / rate_hz;
+				const test::Drag there{ .onset_s = onset_s, .duration_s = 0.8, .amplitude_m = 1.0 };
+				const test::Drag back{ .onset_s = onset_s + 1.3, .duration_s = BACK_S, .amplitude_m = -1.0 };
+				const double rests_from_s = back.onset_s + BACK_S;
+				PhaseEstimator estimator(test::drag_model());
+				double furthest = 0.0;
+				for (int i = 0; i < rate_hz * (rests_from_s + RESTS_S); ++i) {
+					const double t_s = i / rate_hz, x = there.x_m(t_s) + back.x_m(t_s);
+					estimator.wait(t_s);
+					estimator.push(t_s, rounded_to > 0.0 ? rounded_to * std::round(x / rounded_to) : x);
+					furthest = t_s > rests_from_s + 0.3 ? std::max(furthest, estimator.at(t_s).value) : 0.0;
+				}
+				CHECK(furthest < 0.05);
+			}
+		}
+	}
+}
