@@ -8,7 +8,6 @@
 #include <Eigen/Core>
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace steadyhand {

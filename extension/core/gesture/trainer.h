@@ -28,7 +28,7 @@ struct NormalisedRecording {
 	std::string name;
 	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1
 	double r2 = 0.0;       ///< R^2 against the mean of all
-	bool kept = true;      ///< r2 >= T_h
+	bool kept = true;      ///< r2 >= T_h, or the best there is
 };
 
 struct TrainingOptions {

@@ -1,7 +1,6 @@
 #include "gesture/vector_quantiser.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 // As in lanes.h: what passes vectors is inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"

@@ -1,7 +1,5 @@
 #include "phase/hypothesis_group.h"
 
-#include "signal/minimum_jerk.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>

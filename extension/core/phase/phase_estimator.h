@@ -10,7 +10,6 @@
 #include "phase/motion_outlook.h"
 #include "soundness/tracking_soundness.h"
 
-#include <array>
 #include <cmath>
 
 namespace steadyhand {
@@ -64,12 +63,11 @@ public:
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
 
 private:
-	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 1 +
+	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 2 +
 							HypothesisBank::MOST_SLIDING_BACK + 2 * PhaseEffort::MOST_DURATIONS <=
 					HypothesisBank::MOST_ADDED,
-			"a jump doubles each, trebles those that are free and on a way, may set one free, lets some "
-			"slide "
-			"back, and seeds; a branching adds fewer");
+			"a frame may set one free; a jump doubles each, trebles those that are free and on a way, lets "
+			"some slide back, and seeds; a branching adds fewer");
 
 	ElementCurve curve_;
 	HypothesisBirths births_;

@@ -279,7 +279,6 @@ void OpenFollower::dismiss(double t_s) {
 	claims_ = false;
 	set_log_odds(LOG_PRIOR_OPEN);
 	rest(t_s);
-	restart_estimate(t_s);
 }
 
 } // namespace steadyhand

@@ -3,8 +3,6 @@
 #include "signal/constant_velocity_state.h"
 #include "signal/sample_clock.h"
 
-#include <cmath>
-
 namespace steadyhand {
 
 /// Kalman filter of a ConstantVelocityState, irregular steps.

@@ -16,7 +16,7 @@ public:
 		items_[(first_ + count_) % CAPACITY] = item;
 		++count_;
 	}
-	/// Of one that is not empty, as the next three.
+	/// Of one that is not empty, as drop_newest() and newest().
 	void drop_oldest() {
 		first_ = (first_ + 1) % CAPACITY;
 		--count_;
