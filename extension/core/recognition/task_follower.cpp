@@ -26,6 +26,10 @@ constexpr double DOUBT_S = 0.3; ///< at its end a stroke may still turn out to h
 constexpr double SHORT_END = 0.7;
 constexpr double STAYS_S = 0.4;
 constexpr double STAYS = 0.05;
+/// The same of one that is at the end, wherever the estimate has its phase: it may have hesitated on its way.
+constexpr double ENDED = 0.95;
+constexpr double ENDED_STAYS_S = 0.2;
+constexpr double ENDED_STAYS = 0.02;
 /// So did one that turns back from here, once it has come back that far.
 constexpr double TURNED_FROM = 0.8;
 constexpr double TURNED_BY = 0.1;
@@ -141,13 +145,16 @@ bool TaskFollower::ends_short(double t_s) {
 		return false; // plays to the end
 	}
 	const double value = estimate(t_s).value;
-	if (value < SHORT_END || std::abs(value - stays_at_) > STAYS || t_s - seen_s_ > SEEN_S) {
+	const bool has_ended = value > ENDED;
+	const double off = std::abs(value - stays_at_);
+	if (value < SHORT_END || off > (has_ended ? ENDED_STAYS : STAYS) || t_s - seen_s_ > SEEN_S) {
 		stays_since_s_ = t_s;
 		stays_at_ = value;
 	}
 	furthest_ = std::max(furthest_, value);
 	const bool has_turned = furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY;
-	return strokes_.best_log_odds() > SURE && (t_s - stays_since_s_ > STAYS_S || has_turned);
+	return strokes_.best_log_odds() > SURE &&
+			(t_s - stays_since_s_ > (has_ended ? ENDED_STAYS_S : STAYS_S) || has_turned);
 }
 
 void TaskFollower::come_to_end(double t_s) {

@@ -76,6 +76,20 @@ TEST_CASE("a hand that hesitates before its end, or is slow there, ends where it
 	CHECK(test::x_m(to(1.0, 0.5, SLOW_S), slow.last_ended_s) > 0.9 * TASK_M);
 }
 
+TEST_CASE("a hand that hesitated half-way and goes on ends soon after it has come to its end") {
+	for (const double far : { 0.3, 0.4 }) {
+		for (const double stands_s : { 0.2, 0.3, 0.5 }) {
+			CAPTURE(far);
+			CAPTURE(stands_s);
+			const double goes_on_s = 0.5 + 0.4 + stands_s;
+			const auto way = and_on(to(far, 0.5, 0.4), 1.0 - far, goes_on_s, 0.6);
+			const Events events = in_a_task(test::along(X, way), goes_on_s + 2.0);
+			CHECK(events.said == test::times(1, "sideways"));
+			CHECK(events.last_ended_s < goes_on_s + 0.6 + 0.2);
+		}
+	}
+}
+
 TEST_CASE("a hand that halted short of the end and is not seen there has ended nothing yet") {
 	constexpr double LOST_S = 1.45, FOUND_S = 2.2;
 	const auto way = and_on(to(0.75, 0.5, 0.8), 0.25, 2.3, 0.5);

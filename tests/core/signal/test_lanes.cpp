@@ -70,7 +70,8 @@ TEST_CASE("the minimum jerk of lanes is that of one number") {
 }
 
 TEST_CASE("the share of the duration after which a part of the way is covered gives that part") {
-	for (double share = 0.0; share <= 1.0; share += 0.01) {
+	for (int hundredths = 0; hundredths <= 100; ++hundredths) {
+		const double share = 0.01 * hundredths;
 		CAPTURE(share);
 		CHECK(minimum_jerk_share(minimum_jerk(share).value) == doctest::Approx(share).epsilon(1e-7));
 	}

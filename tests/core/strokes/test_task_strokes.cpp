@@ -25,7 +25,8 @@ public:
 	Watched() { task_.begin(); }
 
 	template <typename Place> void watch(double from_s, double to_s, const Place &place) {
-		for (double t_s = from_s; t_s < to_s; t_s += PERIOD_S) {
+		for (int i = 0; from_s + i * PERIOD_S < to_s; ++i) {
+			const double t_s = from_s + i * PERIOD_S;
 			const FeaturePlace noise(trembling_(random_), trembling_(random_), 0.0, 0.0);
 			finder_.push(t_s, place(t_s) + noise);
 			task_.look(finder_);
