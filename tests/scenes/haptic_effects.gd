@@ -49,6 +49,17 @@ func test_a_tap_is_an_impulse_from_the_sample_of_the_contact_on() -> void:
 	)
 
 
+func test_more_than_eight_effects_are_told_of() -> void:
+	# expects warning: HapticSynth: only the first 8 effects are played
+	var effects: Array[HapticEffect] = []
+	for i in 9:
+		effects.append(SpringEffect.new())
+	var synth := HapticSynth.new()
+	synth.effects = effects
+	check_equal(synth.effects.size(), 9, "all are kept")
+	synth.free()
+
+
 func test_effects_change_while_they_play_without_a_click() -> void:
 	var spring := SpringEffect.new()
 	spring.trigger = HapticEffect.TRIGGER_ALWAYS

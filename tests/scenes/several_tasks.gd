@@ -31,6 +31,13 @@ func test_each_gesture_is_told_with_the_task_that_it_was_made_at() -> void:
 		task.free()
 
 
+func test_a_direction_is_of_any_length() -> void:
+	for length: float in [1e-20, 1e-3, 3.0, 1e20]:
+		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3(0.6, 0.0, -0.8) * length, 0.2)
+		check_near((task.get_axis() - Vector3(0.6, 0.0, -0.8)).length(), 0.0, 1e-6, "%s" % length)
+		task.free()
+
+
 func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void:
 	var middle := Vector3(0.2, 0.0, 0.0)
 	var end := Vector3(0.4, 0.0, 0.0)

@@ -81,6 +81,12 @@ func test_cancelled_by_who_hears_of_progress() -> void:
 		check(trainer.train(_trials, GESTURE) != null, "the next training is not cancelled")
 
 
+func test_what_does_not_train_is_not_cancelled() -> void:
+	var trainer := GestureTrainer.new()
+	trainer.cancel()
+	check(not trainer.is_cancelled(), "there was nothing to cancel")
+
+
 func test_cancelled_from_another_thread() -> void:
 	var trainer := GestureTrainer.new()
 	var under_way := Semaphore.new()
