@@ -18,6 +18,13 @@ const AFTER_S := 1.5
 const LONGEST_RECORD_S := 6.0 * 3600.0
 ## Smoothness takes time with its square: here 4 s a curve. Stamps in milliseconds ask for hours.
 const LONGEST_GESTURE_S := 120.0
+## How far a hand may go, in units of the task's amplitude.
+const SHORTEST_WAY := 0.1
+const LONGEST_WAY := 5.0
+## And how far its tracker may err.
+const FARTHEST_SEEN := 50.0
+## A measured track may end so much before the gesture does.
+const SHORT_S := 0.1
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
@@ -101,10 +108,39 @@ func run(
 		var is_still := _is_blank(curves["measured"])
 		if is_still and _is_blank(_feature_curve(measured_path, own[0].feature)):
 			note = "the hand is never seen by %s: %s" % [own[0].feature, measured_path]
+		else:
+			note = _oddity(tracker, measured_path)
 
 	for node: Node in [hmm, task, tracker]:
 		if node != null:
 			node.free()
+
+
+## Of a gesture whose figures may be of something else. A hand may come back before its end.
+func _oddity(tracker: HandTracker, measured_path: String) -> String:
+	var end_s: float = _trial["end_s"]
+	var at := clampi(roundi(end_s * RATE_HZ) - first_ms, 0, count - 1)
+	var way := curves[REFERENCE].slice(0, at + 1)
+	way.sort()
+	if way[-1] < SHORTEST_WAY or way[-1] > LONGEST_WAY:
+		return (
+			"its reference goes to %.3f of the way, not to 1: check metres, start, axis, amplitude"
+			% way[-1]
+		)
+	var seen := curves["measured"].duplicate()
+	seen.sort()
+	if maxf(seen[-1], -seen[0]) > FARTHEST_SEEN:
+		return (
+			"its measured track goes to %.0f of the way: check metres: %s"
+			% [seen[-1], measured_path]
+		)
+	var seen_to_s := tracker.get_start_time() + tracker.get_duration()
+	if seen_to_s < end_s - SHORT_S:
+		return (
+			"its measured track ends at %.3f s, before the gesture does, at %.3f s: %s"
+			% [seen_to_s, end_s, measured_path]
+		)
+	return ""
 
 
 static func _models_of(gesture: String, models: Array[GestureModel]) -> Array[GestureModel]:

@@ -89,8 +89,8 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	for row in table.slice(1):
 		names.append(row.get_slice(",", 0))
 	_replace_cells(table, 1, {4: "100", 5: "101"})
-	_keep_frames(trials, 1, -INF, trials.get_trial(1)["end_s"] - 0.05)
-	_keep_frames(trials, 2, trials.get_trial(2)["start_s"] + 0.05, INF)
+	_keep_frames(trials.get_reference_path(1), -INF, trials.get_trial(1)["end_s"] - 0.05)
+	_keep_frames(trials.get_reference_path(2), trials.get_trial(2)["start_s"] + 0.05, INF)
 	_write_blind_reference(trials, 3)
 	_replace_cells(table, 5, {1: "swipe"})
 	_replace_cells(table, 6, {1: "ring", 6: "", 7: "", 8: "", 9: "", 10: "", 11: "", 12: ""})
@@ -143,6 +143,38 @@ func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
 		check_equal(run.not_said([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
 		var seen := note % trials.get_trial(0)["trial"]
 		check(not run.said.contains(seen), "not of a hand that is seen: %s" % context)
+
+
+func test_what_makes_figures_of_something_else_is_told() -> void:
+	var far := "its reference goes to "
+	var told: Dictionary[String, String] = {
+		backwards = far,
+		millimetres = far,
+		millimetres_seen = "its measured track goes to ",
+		short = "its measured track ends at ",
+	}
+	for wrong: String in told:
+		var trials := Rig.write_trials(_path(wrong))
+		var table := _lines(wrong + "/trials.csv")
+		match wrong:
+			"backwards":
+				_replace_cells(table, 1, {9: "-1"})
+			"millimetres":
+				_replace_cells(table, 1, {12: "200"})
+			"millimetres_seen":
+				_scale_index_x(trials.get_measured_path(0), 1000.0)
+			"short":
+				var half_way_s: float = trials.get_trial(0)["end_s"] - 0.3
+				_keep_frames(trials.get_measured_path(0), -INF, half_way_s)
+		var text := "\n".join(table) + "\n"
+		FileAccess.open(_path(wrong + "/trials.csv"), FileAccess.WRITE).store_string(text)
+		var options := ["--trials", _path(wrong), "--out", _path(wrong + "_out")]
+		var run := ToolRun.new("evaluate", options)
+		check_equal(run.exit_code, 0, "%s: it is judged all the same" % wrong)
+		var said: String = "trial %s: %s" % [trials.get_trial(0)["trial"], told[wrong]]
+		check_equal(run.not_said([said]), "", wrong)
+		var sound := "trial %s:" % trials.get_trial(1)["trial"]
+		check(not run.said.contains(sound), "%s: nothing is told of the other trial" % wrong)
 
 
 func test_a_gesture_of_minutes_is_left_out() -> void:
@@ -269,15 +301,28 @@ static func _replace_cells(table: PackedStringArray, row: int, cells: Dictionary
 	table[row] = ",".join(old)
 
 
-## Cuts a reference down to its frames from `from_s` to `to_s`.
-static func _keep_frames(trials: TrialSet, index: int, from_s: float, to_s: float) -> void:
-	var path := trials.get_reference_path(index)
+## Cuts a track down to its frames from `from_s` to `to_s`.
+static func _keep_frames(path: String, from_s: float, to_s: float) -> void:
 	var kept := PackedStringArray()
 	for line in FileAccess.get_file_as_string(path).split("\n", false):
 		var t := line.get_slice(",", 0)
 		if not t.is_valid_float() or (t.to_float() >= from_s and t.to_float() <= to_s):
 			kept.append(line)
 	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(kept) + "\n")
+
+
+static func _scale_index_x(path: String, factor: float) -> void:
+	var lines := FileAccess.get_file_as_string(path).split("\n", false)
+	var header := 0
+	while not lines[header].begins_with("t,"):
+		header += 1
+	var column := lines[header].split(",").find("index_x")
+	for row in range(header + 1, lines.size()):
+		var cells := lines[row].split(",")
+		if cells[column].is_valid_float():
+			cells[column] = str(factor * cells[column].to_float())
+		lines[row] = ",".join(cells)
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
 
 
 ## The first trial's reference has its last frame at `time_s`.
