@@ -78,7 +78,7 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 
 
 func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:
-	if trial_set == null or not _has_folder(out_file):
+	if trial_set == null or not _can_write(out_file):
 		return false
 	if trial_set.get_left_out_count() > 0:
 		printerr("train: mend or remove the rows above first")
@@ -122,14 +122,20 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 
 
 ## Before the training, which takes longer than to tell.
-func _has_folder(out_file: String) -> bool:
+func _can_write(out_file: String) -> bool:
 	var folder := out_file.get_base_dir()
 	DirAccess.make_dir_recursive_absolute(folder)
 	# Where a file has its name the engine says that it was made.
 	var is_there := DirAccess.dir_exists_absolute(folder)
 	if not is_there:
 		printerr("train: cannot make the folder %s" % folder)
-	return is_there
+		return false
+	var probe := out_file + ".part"
+	if FileAccess.open(probe, FileAccess.WRITE) == null:
+		printerr("train: cannot write %s" % out_file)
+		return false
+	DirAccess.remove_absolute(probe)
+	return true
 
 
 func _report_recordings(trainer: GestureTrainer, gesture: String) -> bool:

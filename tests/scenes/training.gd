@@ -39,6 +39,17 @@ func test_own_models_come_out_again() -> void:
 		)
 
 
+func test_where_a_model_cannot_be_written_is_told_before_the_training() -> void:
+	for out: String in ["/proc/none.gesture", _path("few/new.gesture")]:
+		var options := ["--trials", _path("few"), "--gesture", String(GESTURE), "--out", out]
+		var run := ToolRun.new("train", options)
+		var may_write := not out.begins_with("/proc")
+		check_equal(run.exit_code == 0, may_write, out)
+		check_equal(run.said.contains("training %s" % GESTURE), may_write, "%s: trains" % out)
+		check_equal(run.not_said(["train: cannot write %s" % out]).is_empty(), not may_write, out)
+		check_equal(FileAccess.file_exists(out), may_write, "%s: is there" % out)
+
+
 func test_provenance() -> void:
 	var trainer := GestureTrainer.new()
 	var model := trainer.train(_trials, GESTURE)
