@@ -126,8 +126,7 @@ func _can_write(out_file: String) -> bool:
 	var folder := out_file.get_base_dir()
 	DirAccess.make_dir_recursive_absolute(folder)
 	# Where a file has its name the engine says that it was made.
-	var is_there := DirAccess.dir_exists_absolute(folder)
-	if not is_there:
+	if not DirAccess.dir_exists_absolute(folder):
 		printerr("train: cannot make the folder %s" % folder)
 		return false
 	var probe := out_file + ".part"

@@ -129,10 +129,11 @@ func _oddity(tracker: HandTracker, measured_path: String) -> String:
 		)
 	var seen := curves["measured"].duplicate()
 	seen.sort()
-	if maxf(seen[-1], -seen[0]) > FARTHEST_SEEN:
+	var farthest := maxf(seen[-1], -seen[0])
+	if farthest > FARTHEST_SEEN:
 		return (
 			"its measured track goes to %.0f of the way: check metres: %s"
-			% [seen[-1], measured_path]
+			% [farthest, measured_path]
 		)
 	var seen_to_s := tracker.get_start_time() + tracker.get_duration()
 	if seen_to_s < end_s - SHORT_S:

@@ -15,8 +15,9 @@ public:
 
 	/// Forgets everything; the next instant is the first one at or after t_s.
 	void start(double t_s) {
-		// The quotient is rounded, up or down.
-		for (next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)) - 1; next_s() < t_s; ++next_) {
+		next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)) - 1; // of a quotient that is rounded
+		while (next_s() < t_s) {
+			++next_;
 		}
 	}
 

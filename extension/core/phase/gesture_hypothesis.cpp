@@ -13,14 +13,15 @@ constexpr double SHAPE_MEAN = 0.36;
 constexpr double SHAPE_DEVIATION = 0.33;
 constexpr double STANDS_BESIDE = 0.02; ///< deviation from where the tracker shows it
 
-double share_of_lag(double duration_s) {
-	return duration_s / (duration_s + LAG_SETTLING_S);
+/// rate_per_s: 1 / duration
+double share_of_lag(double rate_per_s) {
+	return 1.0 / (1.0 + LAG_SETTLING_S * rate_per_s);
 }
 
 } // namespace
 
 double GestureHypothesis::expected_lag_s(Regime regime, double duration_s) {
-	return share_of_lag(duration_s) * regime_numbers(regime).lag_s;
+	return share_of_lag(1.0 / duration_s) * regime_numbers(regime).lag_s;
 }
 
 void GestureHypothesis::begin_at(std::size_t i, double mean, double deviation) {
@@ -60,7 +61,7 @@ GestureHypothesis GestureHypothesis::begun(Regime regime, double onset_s, double
 	h.begin_at(GAIN, 0.0, gain_spread * numbers.gain_deviation);
 	h.begin_at(SHAPE, SHAPE_MEAN, SHAPE_DEVIATION);
 	h.rate_per_s_ = std::exp(-log_duration);
-	const double lags = share_of_lag(std::exp(log_duration));
+	const double lags = share_of_lag(h.rate_per_s_);
 	h.begin_at(LAG, lags * numbers.lag_s, lags * numbers.lag_deviation_s);
 	return h;
 }

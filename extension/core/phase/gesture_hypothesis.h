@@ -42,7 +42,7 @@ public:
 	static GestureHypothesis resting(double d);
 	/// No longer in a gesture, and not yet at rest; d' is about that.
 	static GestureHypothesis leaving(double d, double d_rate);
-	/// At the end of a way of that duration.
+	/// By which a tracker is late at the end of a way of that duration.
 	[[nodiscard]] static double expected_lag_s(Regime regime, double duration_s);
 	/// The same hand and tracker, on its way since onset_s; deviations: standard. gain_spread: by which that
 	/// of g is multiplied.

@@ -31,16 +31,8 @@ HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
 	return regime(place) == Regime::FREE && on_its_way(place) ? WANDERING : USUAL;
 }
 
+/// Without those at rest: a hand there may be held several times.
 double HypothesisBank::total(std::span<const Place> places) const {
-	double sum = 0.0;
-	for (const Place i : places) {
-		sum += weight(i);
-	}
-	return sum;
-}
-
-/// Of those that make the gesture, or are free: a hand at rest may be held several times.
-double HypothesisBank::total_that_make_it(std::span<const Place> places) const {
 	double sum = 0.0;
 	for (const Place i : places) {
 		sum += regime(i) == Regime::REST ? 0.0 : weight(i);
@@ -135,7 +127,7 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 				least_[k] = std::min(least_[k], log_weight(i));
 			}
 		}
-		others += k == USUAL || k == ERRING ? total_that_make_it(likely) : 0.0;
+		others += k == USUAL || k == ERRING ? total(likely) : 0.0;
 		std::copy(likely.begin(), likely.end(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
 		kept_count += likely.size();
 	}

@@ -105,7 +105,6 @@ private:
 	[[nodiscard]] Kind kind(std::size_t place) const;
 	void scale();
 	[[nodiscard]] double total(std::span<const Place> places) const;
-	[[nodiscard]] double total_that_make_it(std::span<const Place> places) const;
 	[[nodiscard]] std::size_t likeliest(std::span<Place> r_places, std::size_t most) const;
 	std::size_t drop_spent(std::span<Place> r_places, const Marks &over, std::size_t most) const;
 	std::size_t keep_likely(std::span<Place> r_places, Kind kind, const Marks &over);

@@ -128,7 +128,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			v *= 1.0 - mistaken;
 		}
 		if (bank.regime(i) == Regime::FREE && !bank.on_its_way(i)) {
-			free_phase_ += weight * minimum_jerk_share(std::clamp(x, 0.0, 1.0));
+			free_phase_ += weight * minimum_jerk_share(x);
 		}
 		hand_.x[index_of(regime)] += weight * x;
 		hand_.v[index_of(regime)] += weight * v;
