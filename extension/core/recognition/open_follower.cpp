@@ -25,6 +25,9 @@ constexpr double TAIL = 0.25;
 /// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
 /// start.
 constexpr double HOLD_S = 1.0;
+/// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
+/// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
+constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
 /// The hand has turned back once it is at this share of the furthest that it went.
@@ -209,7 +212,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		const double path = LOG_PRIOR_OPEN + evidence.so_far();
 		aim(stroke.to);
 		if (path + evidence.outlook > 0.0) {
-			likely_s_ = t_s;
+			likely_s_ = std::max(likely_s_, stroke.moved_s);
 			under_way = std::max(under_way, path);
 			set_log_odds(under_way);
 		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
@@ -230,6 +233,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
+		likely_s_ = stands_s(t_s, strokes.strokes().front());
 	} else if (t_s - likely_s_ > HOLD_S) {
 		give_way(t_s); // the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
@@ -244,16 +248,21 @@ bool OpenFollower::is_arriving(double t_s, const Stroke &stroke) const {
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
+/// When the hand will stand, if it slows down now.
+double OpenFollower::stands_s(double t_s, const Stroke &stroke) {
+	return t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+}
+
 void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const double now = along(last_place()) / task().amplitude_m;
 	furthest_ = std::max(furthest_, now);
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
-		likely_s_ = t_s;
+		const Stroke &stroke = strokes.strokes().front();
+		const bool is_gesture = stroke.onset_s < stage_began_s();
+		likely_s_ = std::max(likely_s_, is_gesture ? stands_s(t_s, stroke) : t_s);
 		log_odds_of_return_ = LOG_PRIOR_TASK +
-				stroke_evidence(
-						strokes.strokes().front(), -axis_, task().amplitude_m, model().duration_mean_s)
-						.path;
+				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
 	if (now < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
 		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
@@ -264,7 +273,6 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 void OpenFollower::confirm(double t_s) {
 	claims_ = false;
 	furthest_ = along(last_place()) / task().amplitude_m;
-	likely_s_ = t_s;
 	arrive(t_s);
 }
 

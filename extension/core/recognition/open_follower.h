@@ -30,7 +30,7 @@ private:
 
 	bool claims_ = false;
 	double log_odds_of_return_ = -INFINITY;
-	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
+	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture, or its hand will stand
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
@@ -43,6 +43,7 @@ private:
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
+	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);
 	void dismiss(double t_s);
 
 	/// How far a place is along the way, m.

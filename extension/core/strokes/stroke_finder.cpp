@@ -28,6 +28,7 @@ constexpr double HESITATION_S = 1.0;
 Stroke joined(const Stroke &first, const Stroke &second) {
 	Stroke both = first;
 	both.now_s = second.now_s;
+	both.moved_s = second.moved_s;
 	both.to = second.to;
 	if (first.way_m + second.way_m > 0.0) {
 		both.middle =
@@ -97,6 +98,7 @@ const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) con
 Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak_m_s) {
 	Stroke stroke{ .onset_s = onset.t_s,
 		.now_s = now.t_s,
+		.moved_s = now.t_s,
 		.from = onset.place_m,
 		.to = now.place_m,
 		.middle = now.place_m,
@@ -200,6 +202,7 @@ void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
 			Stroke &stroke = strokes_[stroke_count_++];
 			stroke = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
 			stroke.is_joined = goes_on || i < earlier_count_;
+			stroke.moved_s = goes_on ? now.t_s : earlier_end_s_;
 		}
 	}
 }

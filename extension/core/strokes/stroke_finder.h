@@ -18,6 +18,7 @@ namespace steadyhand {
 struct Stroke {
 	double onset_s = 0.0;
 	double now_s = 0.0;
+	double moved_s = 0.0; ///< when the hand was last on its way: earlier than now while it rests
 	FeaturePlace from = FeaturePlace::Zero();
 	FeaturePlace to = FeaturePlace::Zero();
 	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its way

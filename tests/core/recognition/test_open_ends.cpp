@@ -115,3 +115,38 @@ TEST_CASE("a gesture that another one took the lead from shows its end no longer
 	CHECK(taken_over > 0);
 	CHECK(furthest_m < 0.01);
 }
+
+TEST_CASE("a hand that halts half-way is let go a second after it stopped, and its way back is none") {
+	for (const double rests_s : { 0.85, 1.4 }) {
+		CAPTURE(rests_s);
+		const Drag there{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.08 };
+		const Drag on{ .onset_s = 1.1 + rests_s, .duration_s = 0.6, .amplitude_m = 0.12 };
+		const Events events = in_the_open(along(X, { there, on }), on.onset_s);
+		CHECK(std::ranges::count(events.said, "aborted sideways") == (rests_s > 1.0 ? 1 : 0));
+		CHECK(std::abs(events.last_value_m) < (rests_s > 1.0 ? 0.005 : 0.1));
+	}
+	const Drag there{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = 0.08 };
+	const Drag back{ .onset_s = 2.7, .duration_s = 0.5, .amplitude_m = -0.08 };
+	const Events events = in_the_open(along(X, { there, back }), 4.6);
+	CHECK(none_ends(events));
+	CHECK(std::abs(events.last_value_m) < 0.005);
+}
+
+TEST_CASE("the way back after a slow gesture is none, soon after the hand has come to a stand") {
+	for (const double duration_s : { 1.0, 2.0, 4.0 }) {
+		for (const double far_m : { 0.2, 0.25 }) { // told before it ends, where it goes further than most
+			CAPTURE(duration_s);
+			CAPTURE(far_m);
+			const Drag there{ .onset_s = 0.9, .duration_s = duration_s, .amplitude_m = far_m };
+			const auto back = [&](double rests_s) {
+				const double onset_s = 0.9 + duration_s + rests_s;
+				return Drag{ .onset_s = onset_s, .duration_s = 0.9, .amplitude_m = -far_m };
+			};
+			const auto said = [&](double rests_s) {
+				return in_the_open(along(X, { there, back(rests_s) }), 3.5 + duration_s + rests_s).said;
+			};
+			CHECK(said(0.5) == times(1, "sideways"));
+			CHECK(said(1.6) == times(2, "sideways"));
+		}
+	}
+}
