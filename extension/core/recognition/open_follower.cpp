@@ -185,7 +185,7 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	});
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
-	likely_s_ = t_s;
+	likely_s_ = moved_s_ = t_s;
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
@@ -212,7 +212,8 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		const double path = LOG_PRIOR_OPEN + evidence.so_far();
 		aim(stroke.to);
 		if (path + evidence.outlook > 0.0) {
-			likely_s_ = std::max(likely_s_, stroke.moved_s);
+			likely_s_ = t_s;
+			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			under_way = std::max(under_way, path);
 			set_log_odds(under_way);
 		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
@@ -233,8 +234,8 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
-		likely_s_ = stands_s(t_s, strokes.strokes().front());
-	} else if (t_s - likely_s_ > HOLD_S) {
+		moved_s_ = stands_s(t_s, strokes.strokes().front());
+	} else if (t_s - moved_s_ > HOLD_S) {
 		give_way(t_s); // the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		dismiss(t_s);
@@ -260,11 +261,11 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
 		const bool is_gesture = stroke.onset_s < stage_began_s();
-		likely_s_ = std::max(likely_s_, is_gesture ? stands_s(t_s, stroke) : t_s);
+		moved_s_ = std::max(moved_s_, is_gesture ? stands_s(t_s, stroke) : t_s);
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
-	if (now < RETURNED * furthest_ || t_s - likely_s_ > HOLD_S) {
+	if (now < RETURNED * furthest_ || t_s - moved_s_ > HOLD_S) {
 		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
 		dismiss(t_s);
 	}

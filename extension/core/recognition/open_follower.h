@@ -30,7 +30,8 @@ private:
 
 	bool claims_ = false;
 	double log_odds_of_return_ = -INFINITY;
-	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture, or its hand will stand
+	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
+	double moved_s_ = 0.0;            ///< when such a one was last on its way, or when its hand will stand
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
