@@ -104,14 +104,15 @@ void GestureRecogniser::expect_absence() {
 	for (const WatchedFeature &watched : watched_) {
 		for (const double absence_s : GestureFollower::ABSENCES_S) {
 			const double due_s = watched.strokes.news_s() + absence_s;
-			next_absence_s_ = due_s > time_s_ ? std::min(next_absence_s_, due_s) : next_absence_s_;
+			const bool is_to_come = due_s >= time_s_ && due_s > last_absence_s_; // of a frame then, after it
+			next_absence_s_ = is_to_come ? std::min(next_absence_s_, due_s) : next_absence_s_;
 		}
 	}
 }
 
 void GestureRecogniser::advance_followers(double t_s) {
 	while (next_absence_s_ <= t_s) {
-		time_s_ = next_absence_s_;
+		time_s_ = last_absence_s_ = next_absence_s_;
 		step_followers(time_s_);
 		for (std::size_t i = 0; i < followers_.size(); ++i) {
 			followers_[i]->miss(time_s_, watched(i).strokes);

@@ -66,7 +66,8 @@ private:
 	int leader_ = -1;
 	OutputBlend blend_; ///< of what would step when another one takes the lead, m
 	double time_s_;
-	double next_absence_s_ = INFINITY; ///< when one of GestureFollower::ABSENCES_S is over next
+	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
+	double last_absence_s_ = -INFINITY; ///< when one last was
 
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
 		return watched_[watched_by_[follower]];

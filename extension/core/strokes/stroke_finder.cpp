@@ -17,6 +17,9 @@ constexpr double STILL_PER_S = 6.5;
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
+/// A tracker that repeats where a hand rested shows that it rests, but for the last of that: it may hold its
+/// last pose for so long while the hand sets out.
+constexpr double HELD_S = 0.35;
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
@@ -128,29 +131,48 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (since_s >= LEAST_FRAME_S) {
 		past_.push({ t_s, place_m });
 	}
+	if (ended_) {
+		begin_anew(end_);
+	}
+	if (!places_.empty() && place_m == last_m_) {
+		repeated_s_ = t_s;
+	}
+	if (!places_.empty() && place_m != last_m_ && rests()) {
+		const double rested_s = std::min(repeated_s_, t_s - HELD_S);
+		if (rested_s - last_s_ >= LEAST_FRAME_S) {
+			take(rested_s, last_m_, false);
+		}
+	}
 	if (places_.empty() || t_s - newest_.t_s > LONGEST_GAP_S) {
 		restart(t_s, place_m);
 		return;
 	}
-	if (ended_) {
-		begin_anew(end_);
-	}
 	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
 		return;
 	}
+	take(t_s, place_m, true);
+	if (stroke_count_ == 0) {
+		lost_.reset();
+	} else if (lost_) {
+		strokes_[stroke_count_++] = *lost_;
+	}
+}
+
+/// A frame that is news.
+void StrokeFinder::take(double t_s, const FeaturePlace &place_m, bool may_end) {
 	last_s_ = t_s;
 	last_m_ = place_m;
 	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m);
 	for (const TrackerSteps::Passed &frame : passed) {
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
-				&frame == &passed.back());
+				may_end && &frame == &passed.back());
 	}
-	if (stroke_count_ == 0) {
-		lost_.reset();
-	} else if (lost_) {
-		strokes_[stroke_count_++] = *lost_;
-	}
+}
+
+/// No stroke is under way.
+bool StrokeFinder::rests() const {
+	return !onset_ || (newest_.place_m - onset_->place_m).norm() <= smallest_m_;
 }
 
 /// may_end: false where another frame follows at once.

@@ -123,6 +123,7 @@ private:
 
 	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
 	double last_s_ = 0.0;                        ///< when a place was last news
+	double repeated_s_ = -INFINITY;              ///< when one was last repeated
 	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
@@ -135,7 +136,9 @@ private:
 	std::size_t stroke_count_ = 0;
 	std::optional<Stroke> lost_; ///< the last of them, where it is
 
+	[[nodiscard]] bool rests() const;
 	void restart(double t_s, const FeaturePlace &place_m);
+	void take(double t_s, const FeaturePlace &place_m, bool may_end);
 	void follow(const TrembleFilter::Place &place, bool may_end);
 	void find_onset();
 	void begin_anew(const Sample &end);

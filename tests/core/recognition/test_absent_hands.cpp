@@ -44,6 +44,20 @@ TEST_CASE("with nothing given a hand that is gone near the end has made the gest
 	CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
 }
 
+TEST_CASE("a frame at the very instant at which a hand has been gone for long enough does not hide that") {
+	int at_once = 0;
+	for (int last = 140; last < 160; ++last) { // of a hundred frames a second
+		const double last_s = last / 100.0;
+		const Way way = [=](double t_s) { return Eigen::Vector3d(DRAG.x_m(std::min(t_s, last_s)) * X); };
+		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PAPER);
+		const Events events = watch(recogniser, way, last_s + 0.4, 1e9, 1e9, 100.0, 0.0);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_ended_s < last_s + 0.302);
+		at_once += (last + 30) / 100.0 == last_s + 0.3 ? 1 : 0;
+	}
+	CHECK(at_once > 0);
+}
+
 TEST_CASE("with nothing given a hand that is gone half-way has made none: that is said a second later") {
 	for (const Events &events :
 			{ in_the_open(along(X, { DRAG }), 4.0, HALF_WAY_S), frozen(HALF_WAY_S, 4.0) }) {

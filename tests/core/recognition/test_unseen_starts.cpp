@@ -1,0 +1,67 @@
+// Gestures that begin while nothing is seen, after a hand whose tracker showed it where it was, to the last
+// bit.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+struct Rest {
+	double grid_m; ///< to which the tracker rounds; 0: not at all
+	double tremor_m;
+};
+
+/// Ten frames to a period of the tremor.
+double trembling_m(const Rest &rest, double t_s) {
+	return rest.tremor_m * std::sin(2.0 * std::numbers::pi * 11.0 * t_s);
+}
+
+Way seen(const Rest &rest, const Drag &drag) {
+	return [=](double t_s) {
+		Eigen::Vector3d place = drag.x_m(t_s) * X + trembling_m(rest, t_s) * (X + Y);
+		if (rest.grid_m > 0.0) {
+			place = rest.grid_m * (place / rest.grid_m).array().round().matrix();
+		}
+		return place;
+	};
+}
+
+} // namespace
+
+TEST_CASE("a gesture that begins unseen is one, however still the hand was before") {
+	for (const Rest &rest : { Rest{ 0.0, 0.0 }, { 1e-3, 0.4e-3 }, { 1e-3, 0.6e-3 }, { 2e-3, 0.9e-3 } }) {
+		for (const double onset_s : { 0.6, 0.95, 2.0 }) {
+			for (const double duration_s : { 0.4, 0.8 }) {
+				for (const double gap_s : { 0.1, 0.2, 0.3 }) {
+					for (const double before_s : { 0.08, 0.02 }) {
+						CAPTURE(rest.grid_m);
+						CAPTURE(rest.tremor_m);
+						CAPTURE(onset_s);
+						CAPTURE(duration_s);
+						CAPTURE(gap_s);
+						CAPTURE(before_s);
+						const Drag drag{ .onset_s = onset_s, .duration_s = duration_s, .amplitude_m = 0.2 };
+						const double lost_s = onset_s - before_s;
+						for (const MotionMode mode : { MotionMode::PHASE, MotionMode::PAPER }) {
+							CAPTURE(mode == MotionMode::PHASE);
+							GestureRecogniser open(models(), std::nullopt, mode);
+							GestureRecogniser task({ models()[0] }, Task{}, mode);
+							for (GestureRecogniser *recogniser : { &open, &task }) {
+								CAPTURE(recogniser == &open);
+								CHECK(watch(*recogniser, seen(rest, drag), onset_s + duration_s + 0.6, lost_s,
+											  lost_s + gap_s, 100.0, 0.0)
+												.said == times(1, "sideways"));
+							}
+						}
+					}
+				}
+			}
+		}
+	}
+}
