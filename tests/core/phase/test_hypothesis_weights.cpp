@@ -77,6 +77,21 @@ TEST_CASE("a hand that may have begun unseen is taken to be where it is seen, wh
 	}
 }
 
+TEST_CASE("a hand on its way turns to something else at 0.02 a second, however often that is asked") {
+	for (const double period_s : { 0.03, 0.06 }) {
+		CAPTURE(period_s);
+		const HypothesisBirths births(test::drag_model(), PhaseEffort{ .branch_period_s = period_s });
+		HypothesisBank bank =
+				bank_of(GestureHypothesis::resting(0.0).begun(Regime::SOUND, -0.3, 0.01, 0.0, 0.1));
+		births.branch(bank, TrackingSoundness{}, 0.0);
+		double free = 0.0;
+		for (std::size_t i = 0; i < bank.size(); ++i) {
+			free += bank.regime(i) == Regime::FREE ? std::exp(bank.log_weight(i)) : 0.0;
+		}
+		CHECK(free / probability(bank) / (0.02 * period_s) == doctest::Approx(1.0).epsilon(0.05));
+	}
+}
+
 TEST_CASE("at a jump the tracker led away, or back, or the hand was elsewhere: no probability is lost") {
 	const GestureHypothesis free = GestureHypothesis::leaving(0.5, 0.1);
 	const GestureHypothesis standing = GestureHypothesis::standing(0.5, -2.0);

@@ -182,6 +182,23 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	CHECK(integral(unrest, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
 }
 
+TEST_CASE(
+		"of ten gestures one goes astray, by detours three times as long as the others' and the tracker's") {
+	// docs/method.md: 0.03 + (1 cm + 3 mm/s) / 20 cm in the mean, of a stroke of a second.
+	constexpr double MEAN = 0.03 + 0.013 / 0.2;
+	const auto density = [](double detour) {
+		Stroke winding = straight(0.2);
+		winding.way_m = (1.0 + detour) * 0.2;
+		return std::exp(evidence(winding).detour) * std::exp(-detour / 0.85) / 0.85;
+	};
+	for (const double times : { 1.0, 3.0, 6.0, 12.0 }) {
+		CAPTURE(times);
+		const double beyond = 1.0 - integral(density, times * MEAN);
+		const double expected = 0.9 * std::exp(-times) + 0.1 * std::exp(-times / 3.0);
+		CHECK(beyond / expected == doctest::Approx(1.0).epsilon(0.01));
+	}
+}
+
 TEST_CASE("lengths are 0.15 below and 0.5 above the usual one, one pace in four is anybody's") {
 	// In logarithms; the null model's are uniform over 3.7 and, of 0.1 to 5 s, 3.9.
 	const auto of_length = [](double times) {
