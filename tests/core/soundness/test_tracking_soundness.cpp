@@ -305,6 +305,22 @@ TEST_CASE("a hand at rest before a tracker that rounds is at rest after its firs
 	}
 }
 
+TEST_CASE("a tracker that rounds, and makes a step as soon as it shows a hand at rest, has not lost it") {
+	constexpr double RESOLUTION = 0.02;
+	for (const int first : { 1, 2, 3 }) {
+		for (const double step : { RESOLUTION, -RESOLUTION }) {
+			CAPTURE(first);
+			CAPTURE(step);
+			TrackingSoundness soundness;
+			for (int i = 0; i < 150; ++i) {
+				soundness.push(i * PERIOD_S, i < first ? 0.0 : step);
+				CHECK_FALSE(soundness.frozen());
+			}
+			CHECK(soundness.unsoundness() == 0.0);
+		}
+	}
+}
+
 TEST_CASE("a tracker that trembled while the hand was at rest is frozen on a smooth way too") {
 	TrackingSoundness soundness;
 	for (int i = 0; i < 60; ++i) {
@@ -335,6 +351,42 @@ TEST_CASE("white noise of any size is no fault, and jumps stand out of it") {
 		CHECK(soundness.jitter() == doctest::Approx(deviation).epsilon(0.3));
 		soundness.push(1000 * PERIOD_S, 1.0 + 20.0 * deviation + 0.2);
 		CHECK(soundness.jumped());
+	}
+}
+
+TEST_CASE("a step that shaking makes now and then is seldom a fault, or a return; one of twice that mostly "
+		  "is") {
+	constexpr int TRACKERS = 200;
+	constexpr double FASTEST_PER_S = 12.5, GAP_S = 0.2;
+	for (const double deviation : { 0.025, 0.05 }) { // 5 and 10 mm of 20 cm
+		CAPTURE(deviation);
+		// Of trackers that shake and, so much later, show the hand so much further.
+		const auto share = [&](double later_s, double step, const auto &is_so) {
+			int count = 0;
+			for (unsigned seed = 0; seed < TRACKERS; ++seed) {
+				std::mt19937_64 random(seed);
+				std::normal_distribution<double> noise(0.0, deviation);
+				TrackingSoundness soundness;
+				for (int i = 0; i < 60; ++i) {
+					soundness.push(i * PERIOD_S, noise(random));
+				}
+				soundness.push(59 * PERIOD_S + later_s, step + noise(random));
+				count += is_so(soundness) ? 1 : 0;
+			}
+			return static_cast<double>(count) / TRACKERS;
+		};
+		const auto faults = [&](double deviations) {
+			return share(PERIOD_S, FASTEST_PER_S * PERIOD_S + deviations * deviation,
+					[](const TrackingSoundness &soundness) { return soundness.fault() >= 1.0; });
+		};
+		const auto returns = [&](double deviations) {
+			return share(GAP_S, deviations * deviation,
+					[](const TrackingSoundness &soundness) { return soundness.returned(); });
+		};
+		CHECK(faults(5.0) < 0.4);
+		CHECK(returns(5.0) < 0.4);
+		CHECK(faults(10.0) > 0.6);
+		CHECK(returns(10.0) > 0.6);
 	}
 }
 

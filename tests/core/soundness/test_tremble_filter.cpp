@@ -119,6 +119,29 @@ TEST_CASE("where little trembles frames pass as they are, and else as means that
 	}
 }
 
+TEST_CASE("before a tracker that trembles by 2 mm strokes are as new as its frames") {
+	constexpr double SMALLEST_M = 0.009; // of taps
+	struct Tracker {
+		double rate_hz, deviation_m;
+	};
+	for (const auto &[rate_hz, deviation_m] :
+			{ Tracker{ 60.0, 2e-3 }, { 80.0, 2.3e-3 }, { 110.0, 2.6e-3 } }) {
+		CAPTURE(rate_hz);
+		StrokeFinder finder(FeaturePlace::Ones(), SMALLEST_M);
+		Trembling trembling(deviation_m);
+		int shown = 0;
+		for (int i = 0; i < static_cast<int>(3.0 * rate_hz); ++i) {
+			const double t_s = i / rate_hz;
+			finder.push(t_s, trembling(DRAG.x_m(t_s)));
+			if (t_s > DRAG.onset_s && !finder.strokes().empty()) {
+				CHECK(finder.strokes().front().now_s == t_s);
+				++shown;
+			}
+		}
+		CHECK(shown / rate_hz > 0.7 * DRAG.duration_s);
+	}
+}
+
 TEST_CASE("a stroke is one stroke however much the tracker trembles, and as long as the hand's") {
 	for (const double rate_hz : { 30.0, 79.0, 240.0 }) {
 		for (const double deviation_m : { 1e-4, 2e-3, 5e-3 }) {
