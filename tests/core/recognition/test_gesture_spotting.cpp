@@ -65,6 +65,48 @@ TEST_CASE("with nothing given what a hand creeps forward right before it sets ou
 	}
 }
 
+TEST_CASE(
+		"with nothing given a hand that draws back right before it sets out does so from the furthest back") {
+	for (const double rate_hz : { 90.0, 110.0 }) {
+		for (const double back_m : { 0.01, 0.015 }) {
+			for (const double onset_s : { 0.6, 0.603, 0.606 }) {
+				CAPTURE(rate_hz);
+				CAPTURE(back_m);
+				CAPTURE(onset_s);
+				const Drag back{ .onset_s = onset_s, .duration_s = 0.12, .amplitude_m = -back_m };
+				const Drag drag{ .onset_s = onset_s + 0.12, .duration_s = 0.5, .amplitude_m = 0.2 + back_m };
+				GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+				const Events events = watch(recogniser, along(X, { back, drag }), 2.2, 1e9, 1e9, rate_hz);
+				CHECK((events.last_value_m - 0.2) / back_m > 0.91);
+				CHECK((events.last_value_m - 0.2) / back_m < 1.05);
+			}
+		}
+	}
+}
+
+TEST_CASE("with nothing given a tracker that trembles by 2 mm does not take a start for further back than it "
+		  "is") {
+	for (const double rate_hz : { 60.0, 72.0 }) {
+		CAPTURE(rate_hz);
+		constexpr unsigned HANDS = 24;
+		double mean_m = 0.0;
+		for (unsigned seed = 0; seed < HANDS; ++seed) {
+			std::mt19937_64 random(seed);
+			std::normal_distribution<double> trembling(0.0, 2e-3);
+			const Way way = [&](double t_s) {
+				const double x_m = trembling(random), y_m = trembling(random), z_m = trembling(random);
+				return Eigen::Vector3d(DRAG.x_m(t_s) + x_m, y_m, z_m);
+			};
+			GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+			const Events events = watch(recogniser, way, 2.2, 1e9, 1e9, rate_hz, 0.0);
+			REQUIRE(events.said == times(1, "sideways"));
+			mean_m += events.last_value_m / HANDS;
+		}
+		CHECK(mean_m < DRAG.amplitude_m + 2e-4);
+		CHECK(mean_m > DRAG.amplitude_m - 2e-3);
+	}
+}
+
 TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 	const Way jumped = [](double t_s) {
 		return Eigen::Vector3d(DRAG.x_m(t_s) + (t_s < 0.3 ? 0.0 : 0.04), 0.0, 0.0);

@@ -47,6 +47,32 @@ TEST_CASE("what little follows a gesture's end is the tracker's error, a long wa
 	}
 }
 
+TEST_CASE("an end is foretold where the gesture is rather likely, and awaited where it is doubtful") {
+	// Slow and far: its stroke ends 0.05 s after it has a quarter of its peak speed, of which little is left.
+	const Drag far{ .onset_s = 0.6, .duration_s = 1.5, .amplitude_m = 0.4 };
+	int likely = 0, doubtful = 0;
+	for (int i = 0; i < 25; ++i) {
+		const double angle = 0.42 + 0.0025 * i;
+		CAPTURE(angle);
+		const Eigen::Vector3d oblique(std::cos(angle), 0.0, std::sin(angle));
+		const Events events = in_the_open(along(oblique, { far }), 2.5);
+		if (events.said != times(1, "sideways")) {
+			continue;
+		}
+		const double log_odds = std::log(events.last_confidence / (1.0 - events.last_confidence));
+		const bool is_foretold = events.last_ended_s < far.onset_s + 0.865 * far.duration_s;
+		if (log_odds > 2.0) {
+			CHECK(is_foretold);
+			++likely;
+		} else if (log_odds < 1.0) {
+			CHECK_FALSE(is_foretold);
+			++doubtful;
+		}
+	}
+	CHECK(likely > 3);
+	CHECK(doubtful > 0);
+}
+
 TEST_CASE("a hand that turns off half-way is let go at once, and not only after it has rested") {
 	// At a right angle, half-way; a gesture that halts there is waited for instead.
 	constexpr double TURNS_S = 0.6 + 0.36; // a quarter of twice the way: 10 s^3 - 15 s^4 + 6 s^5 = 0.25
