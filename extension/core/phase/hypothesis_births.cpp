@@ -23,7 +23,6 @@ constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has m
 constexpr double ENDED_PHASE = 2.0;   ///< over for long
 constexpr double LONGEST_S = 8.0;     ///< that a hand which was not seen may have been free
 constexpr double UNSOUND_PRIOR = 0.2; ///< of the regime UNSOUND where nothing wrong has been seen
-constexpr double SEEDED_TO = 0.97;
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
@@ -197,7 +196,7 @@ void HypothesisBirths::seed(
 		return;
 	}
 	const GestureHypothesis at_rest = r_bank.hypothesis(HypothesisBank::AT_REST);
-	const double phase = phase_of_value(*model_, std::min(x, SEEDED_TO));
+	const double phase = phase_of_value(*model_, x);
 	for (std::size_t k = 0; k < durations_; ++k) {
 		const double duration_s = std::exp(log_durations_[k]);
 		for (const Regime regime : { Regime::SOUND, Regime::UNSOUND }) {

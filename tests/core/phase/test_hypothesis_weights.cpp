@@ -62,7 +62,7 @@ TEST_CASE("a hand that may have begun unseen is taken to be where it is seen, wh
 		soundness.push(0.01 * i, 1e-4 * (i % 3));
 	}
 	const HypothesisBirths births(test::drag_model(), PhaseEffort{});
-	for (const double x : { 0.1, 0.3, 0.5 }) {
+	for (const double x : { 0.1, 0.3, 0.5, 0.9, 1.0 }) {
 		HypothesisBank bank;
 		bank.start(GestureHypothesis::resting(0.0));
 		births.seed(bank, soundness, NOW_S, x);
