@@ -21,6 +21,9 @@ constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
 constexpr double MISTAKEN = 0.6;
 constexpr double MISTAKEN_FROM = 0.7, MISTAKEN_TO = 0.9; ///< where that begins to count, and does in full
 
+/// Amplitudes: a free hand that is not seen goes on by no more than this.
+constexpr double COASTS = 0.5;
+
 constexpr std::size_t FREE = index_of(Regime::FREE);
 
 STEADYHAND_INLINE LaneVector hand_rates_per_s() {
@@ -61,10 +64,13 @@ STEADYHAND_WIDE MotionOutlook::Mean MotionOutlook::mean(
 	const LaneVector c = load(hand_.v) + rates * load(hand_.x), left = load(hand_.x) + c * dt_s;
 	LaneVector value = left * fades, velocity = (c - rates * left) * fades;
 	LaneVector acceleration = rates * (rates * left - 2.0 * c) * fades;
-	const double free_velocity = hand_.v[FREE] * fading[FREE];
-	value[FREE] = hand_.x[FREE] + (hand_.v[FREE] - free_velocity) / FREE_SLOWING_PER_S;
+	const double slowing_per_s = std::max(FREE_SLOWING_PER_S, std::abs(hand_.v[FREE]) / COASTS);
+	const double free_fading =
+			slowing_per_s > FREE_SLOWING_PER_S ? std::exp(-slowing_per_s * dt_s) : fading[FREE];
+	const double free_velocity = hand_.v[FREE] * free_fading;
+	value[FREE] = hand_.x[FREE] + (hand_.v[FREE] - free_velocity) / slowing_per_s;
 	velocity[FREE] = free_velocity;
-	acceleration[FREE] = -FREE_SLOWING_PER_S * free_velocity;
+	acceleration[FREE] = -slowing_per_s * free_velocity;
 	LaneVector expected_phase{}, phase_rate{};
 	for (std::size_t g = 0; g * LANES < count_; ++g) {
 		const Courses &courses = courses_[g];

@@ -150,6 +150,15 @@ TEST_CASE(
 	const PhaseEstimate hand = alone(GestureHypothesis::leaving(0.4, 1.5), much_later_s);
 	CHECK(hand.value == doctest::Approx(0.4 + 1.5 / FREE_SLOWING_PER_S).epsilon(1e-12));
 	CHECK(hand.moving == 0.0);
+	// By half an amplitude at most: three tips that come into line make any speed of their radius.
+	for (const double velocity : { 3.5, 20.0, -20.0 }) {
+		const PhaseEstimate fast = alone(GestureHypothesis::leaving(0.4, velocity), much_later_s);
+		CHECK(fast.value == doctest::Approx(0.4 + std::copysign(0.5, velocity)).epsilon(1e-12));
+		const PhaseEstimate soon = alone(GestureHypothesis::leaving(0.4, velocity), NOW_S + 0.05);
+		const PhaseEstimate sooner = alone(GestureHypothesis::leaving(0.4, velocity), NOW_S + 0.05 - 1e-5);
+		CHECK((soon.value - sooner.value) / 1e-5 == doctest::Approx(soon.velocity).epsilon(1e-3));
+		CHECK((soon.velocity - sooner.velocity) / 1e-5 == doctest::Approx(soon.acceleration).epsilon(1e-3));
+	}
 }
 
 TEST_CASE("a free hand at the end, before a tracker that has erred, is there in six cases of ten") {
