@@ -3,9 +3,10 @@ extends "tool.gd"
 ##     [--models DIR] [--real DIR]
 ##
 ## Runs trials of synthetic people, and those of real hands where they are there, through the real
-## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET (as of
-## evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one unstable trial vibration.wav
-## and vibration.curves.csv. Its second run, for these, logs to replays/, which is no study's.
+## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET and
+## evaluation_paper/SET (as of evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one
+## unstable trial vibration.wav and vibration.curves.csv. The scene's second run, for these, logs
+## to replays/, which is no study's.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
@@ -70,27 +71,35 @@ func _run_set(set_name: String, folder: String, is_shown: bool) -> void:
 	if trial_set == null:
 		exit_code = EXIT_BAD_INPUT
 		return
+	var phase_folder := _out.path_join("evaluation").path_join(set_name)
+	var paper_folder := _out.path_join("evaluation_paper").path_join(set_name)
 	print("%s: %d trials through the nodes" % [set_name, trial_set.get_count()])
+	var phase := _evaluate(trial_set, "phase", phase_folder)
+	print("%s: the same in `paper` mode" % set_name)
+	var paper := _evaluate(trial_set, "paper", paper_folder)
+	if not phase.error.is_empty() or not paper.error.is_empty():
+		fail(phase.error + paper.error, EXIT_BAD_INPUT)
+		return
+	if not phase.shortcoming().is_empty():
+		fail(phase.shortcoming(), EXIT_INCOMPLETE)
+	_table.add(set_name, phase.groups, paper.groups)
+	for gesture in Tasks.SCENES:
+		_play_scene(set_name, trial_set, gesture, phase.left_out)
+	var shown := phase.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
+	if is_shown and not shown.is_empty():
+		_keep_vibration(trial_set, shown, phase_folder)
+
+
+func _evaluate(trial_set: TrialSet, mode: String, folder: String) -> Evaluation:
 	var settings := {
-		mode = Evaluation.MODES.keys()[0],
+		mode = mode,
 		context = Evaluation.CONTEXTS[0],
 		models = _models_folder,
-		trials = folder,
+		trials = trial_set.get_path(),
 	}
-	var evaluation_folder := _out.path_join("evaluation").path_join(set_name)
 	var evaluation := Evaluation.new()
-	evaluation.run(trial_set, _models, settings, evaluation_folder, root)
-	if not evaluation.error.is_empty():
-		fail(evaluation.error, EXIT_BAD_INPUT)
-		return
-	if not evaluation.shortcoming().is_empty():
-		fail(evaluation.shortcoming(), EXIT_INCOMPLETE)
-	_table.add(set_name, evaluation.groups)
-	for gesture in Tasks.SCENES:
-		_play_scene(set_name, trial_set, gesture, evaluation.left_out)
-	var shown := evaluation.typical_trial(SHOWN_GESTURE, SHOWN_POSITION)
-	if is_shown and not shown.is_empty():
-		_keep_vibration(trial_set, shown, evaluation_folder)
+	evaluation.run(trial_set, _models, settings, folder, root)
+	return evaluation
 
 
 func _play_scene(

@@ -1,9 +1,15 @@
 extends RefCounted
-## The groups of evaluations as one table for the terminal.
+## The groups of evaluations as one table for the terminal: of the filters, and of what is synthesised
+## in either mode.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const Stored := preload("res://scripts/stored.gd")
 
+const SYNTHESISED := "synthesised"
+const PAPER := "paper"
+const PHASE := "phase"
+## What is synthesised, in the order of the table.
+const MODES: Array[String] = [PAPER, PHASE]
 const FIGURE_ROWS: Array[String] = ["mean R2", "mean R2, no lag", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
 const CELL := " %12s"
@@ -13,17 +19,19 @@ var _lines: PackedStringArray = []
 var _markdown: PackedStringArray = []
 
 
-## `groups`: as of evaluation_report.gd.
-func add(set_name: String, groups: Array[Dictionary]) -> void:
-	for group in groups:
+## `phase`, `paper`: groups as of evaluation_report.gd, of the same trials in either mode.
+func add(set_name: String, phase: Array[Dictionary], paper: Array[Dictionary]) -> void:
+	for i in phase.size():
+		var group := phase[i]
 		if group["conditions"].is_empty():
 			continue
-		_markdown.append(_markdown_line(set_name, group))
+		var columns := _columns(group, paper[i])
+		_markdown.append(_markdown_line(set_name, group, columns))
 		var head := [set_name, group["gesture"], group["position"], "%d" % group["trials"]]
 		for row in FIGURE_ROWS:
 			var line := HEAD % (head + [row])
-			for condition in Conditions.NAMES:
-				line += CELL % _cell(group["conditions"][condition], row)
+			for column: String in columns:
+				line += CELL % _cell(columns[column], row)
 			_lines.append(line)
 			head = ["", "", "", ""]
 
@@ -31,33 +39,53 @@ func add(set_name: String, groups: Array[Dictionary]) -> void:
 func show() -> void:
 	var title := HEAD % ["set", "gesture", "position", "trials", ""]
 	for condition in Conditions.NAMES:
-		title += CELL % condition
+		if condition != SYNTHESISED:
+			title += CELL % condition
+	for mode in MODES:
+		title += CELL % mode
 	print("\n%s\n%s" % [title, "-".repeat(title.length())])
 	print("\n".join(_lines))
-	print("T_diff: end of the reference minus end of the curve; positive: the curve ends early.\n")
+	print(
+		(
+			"paper, phase: synthesised, by the paper's rule and by ours. T_diff: end of the reference"
+			+ " minus end of\nthe curve; positive: the curve ends early.\n"
+		)
+	)
 
 
 ## R2 at no lag, median T_diff and missed ends of each condition, for a page.
 func save_markdown(path: String) -> void:
 	var title := "| tracks | trials |"
-	for condition in Conditions.TITLES:
-		title += " %s |" % condition
+	for i in Conditions.NAMES.size():
+		if Conditions.NAMES[i] != SYNTHESISED:
+			title += " %s |" % Conditions.TITLES[i]
+	for mode in MODES:
+		title += " synthesised, `%s` |" % mode
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	if file == null:
 		push_error("%s: %s" % [path, error_string(FileAccess.get_open_error())])
 		return
 	file.store_line(title)
-	file.store_line("| --- | ---: |" + " ---: |".repeat(Conditions.NAMES.size()))
+	file.store_line("| --- | ---: |" + " ---: |".repeat(Conditions.NAMES.size() - 1 + MODES.size()))
 	file.store_line("\n".join(_markdown))
 	if not Stored.is_written(file):
 		push_error("%s: is the disk full?" % path)
 
 
-static func _markdown_line(set_name: String, group: Dictionary) -> String:
+## Summaries by the title of their column, in the order of the table.
+static func _columns(phase: Dictionary, paper: Dictionary) -> Dictionary:
+	var columns: Dictionary = phase["conditions"].duplicate()
+	columns.erase(SYNTHESISED)
+	columns[PAPER] = paper["conditions"][SYNTHESISED]
+	columns[PHASE] = phase["conditions"][SYNTHESISED]
+	return columns
+
+
+static func _markdown_line(set_name: String, group: Dictionary, columns: Dictionary) -> String:
 	var gesture: String = group["gesture"].replace("_", " ")
 	var line := "| %s, %s, %s | %d |" % [set_name, gesture, group["position"], group["trials"]]
-	for condition in Conditions.NAMES:
-		var summary: Dictionary = group["conditions"][condition]
+	for column: String in columns:
+		var summary: Dictionary = columns[column]
 		var t_diff_ms: float = 1000.0 * summary["t_diff"]["median"]
 		line += MARKDOWN_CELL % [summary["r2_zero"]["mean"], t_diff_ms, summary["missed"]]
 	return line
