@@ -60,6 +60,18 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 			p_trial_set->get_path() + String(": no trial of the gesture '") + String(p_gesture) +
 					String("'"));
 
+	steadyhand::TrainingOptions options;
+	options.states = states_;
+	options.symbols = symbols_;
+	options.r2_threshold = r2_threshold_;
+	options.progress = [this](double p_done) {
+		emit_signal("progressed", READING + (1.0 - READING) * p_done);
+		return !cancelled_;
+	};
+	std::string feature = to_core(feature_);
+	const std::string fault = feature.empty() ? "" : steadyhand::training_error(feature, options);
+	ERR_FAIL_COND_V_MSG(!fault.empty(), Ref<GestureModel>(), to_godot(gesture + ": " + fault));
+
 	std::vector<steadyhand::TrainingRecording> recordings;
 	for (const steadyhand::Trial *trial : wanted) {
 		steadyhand::Result<steadyhand::TrainingRecording> recording = p_trial_set->read_recording(*trial);
@@ -72,7 +84,6 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 		}
 	}
 
-	std::string feature = to_core(feature_);
 	if (feature.empty()) {
 		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
 		ERR_FAIL_NULL_V_MSG(chosen, Ref<GestureModel>(),
@@ -80,14 +91,6 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 						String(p_gesture) + String("'; check their times, start, axis and amplitude"));
 		feature = chosen->name;
 	}
-	steadyhand::TrainingOptions options;
-	options.states = states_;
-	options.symbols = symbols_;
-	options.r2_threshold = r2_threshold_;
-	options.progress = [this](double p_done) {
-		emit_signal("progressed", READING + (1.0 - READING) * p_done);
-		return !cancelled_;
-	};
 	steadyhand::Result<steadyhand::GestureModel> trained =
 			steadyhand::train(gesture, feature, recordings, options, &recordings_);
 	if (cancelled_) {

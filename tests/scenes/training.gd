@@ -50,6 +50,15 @@ func test_where_a_model_cannot_be_written_is_told_before_the_training() -> void:
 		check_equal(FileAccess.file_exists(out), may_write, "%s: is there" % out)
 
 
+func test_a_feature_that_is_not_there_is_told_before_a_recording_is_read() -> void:
+	var options := ["--trials", _path("few"), "--gesture", String(GESTURE)]
+	options += ["--out", _path("few/no.gesture"), "--feature", "toe_angle"]
+	var run := ToolRun.new("train", options)
+	check_equal(run.exit_code == 0, false, "refused")
+	check_equal(run.not_said(["%s: there is no feature 'toe_angle'" % GESTURE]), "", "and why")
+	check(not run.said.contains("training %s" % GESTURE), "no progress before it")
+
+
 func test_provenance() -> void:
 	var trainer := GestureTrainer.new()
 	var model := trainer.train(_trials, GESTURE)

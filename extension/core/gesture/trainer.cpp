@@ -53,14 +53,6 @@ std::string range_error(const TrainingOptions &options) {
 	return {};
 }
 
-std::string unknown_feature(const std::string &name) {
-	std::string message = "there is no feature '" + name + "', there are:";
-	for (const Feature &known : features()) {
-		message += ' ' + std::string(known.name);
-	}
-	return message;
-}
-
 /// Those that the reference is the mean of; the others are named in the model.
 std::vector<Movement> keep_alike(
 		const RecordedMovements &recorded, const ReferenceCurve &reference, GestureModel &r_model) {
@@ -166,18 +158,28 @@ void re_estimate(const std::vector<SymbolSequence> &sequences, const TrainingOpt
 	r_model.provenance.objective = std::move(trained.objective);
 }
 
+std::string unknown_feature(const std::string &name) {
+	std::string message = "there is no feature '" + name + "', there are:";
+	for (const Feature &known : features()) {
+		message += ' ' + std::string(known.name);
+	}
+	return message;
+}
+
 } // namespace
+
+std::string training_error(const std::string &feature, const TrainingOptions &options) {
+	const std::string fault = range_error(options);
+	return fault.empty() && find_feature(feature) == nullptr ? unknown_feature(feature) : fault;
+}
 
 Result<GestureModel> train(const std::string &gesture, const std::string &feature_name,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
 		std::vector<NormalisedRecording> *r_recordings) {
-	if (const std::string fault = range_error(options); !fault.empty()) {
+	if (const std::string fault = training_error(feature_name, options); !fault.empty()) {
 		return Error{ gesture + ": " + fault };
 	}
-	const Feature *feature = find_feature(feature_name);
-	if (feature == nullptr) {
-		return Error{ gesture + ": " + unknown_feature(feature_name) };
-	}
+	const Feature *const feature = find_feature(feature_name);
 	Result<RecordedMovements> recorded = recorded_movements(*feature, recordings);
 	if (!recorded) {
 		return Error{ gesture + ": " + recorded.error() };

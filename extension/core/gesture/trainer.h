@@ -43,11 +43,15 @@ struct TrainingOptions {
 	std::function<bool(double done)> progress;
 };
 
+/// What can be told to be wrong before a recording is read: an unknown feature, options out of range. Empty
+/// where nothing is.
+[[nodiscard]] std::string training_error(const std::string &feature, const TrainingOptions &options);
+
 /// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
 /// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
 /// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
-/// unknown feature, an amplitude that is not above 0, a span that is not within its reference, no recording
-/// in which the feature moves, options out of range, stopped by progress. r_recordings, if given: the
+/// training_error(), an amplitude that is not above 0, a span that is not within its reference, no recording
+/// in which the feature moves, stopped by progress. r_recordings, if given: the
 /// recordings in which it moves, in their order.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
