@@ -111,11 +111,14 @@ void TrackerSteps::resolve(const Frame &next) {
 	}
 }
 
-std::span<const TrackerSteps::Passed> TrackerSteps::push(double t_s, const FeaturePlace &place_m) {
+std::span<const TrackerSteps::Passed> TrackerSteps::push(
+		double t_s, const FeaturePlace &place_m, double shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
 	if (is_waiting_) {
+		const double waiting_s = waiting_.t_s;
 		resolve(frame);
+		shown_s = last_.t_s < waiting_s ? -INFINITY : shown_s; // another place, which is dropped
 	}
 	if (!has_last_) {
 		pass(frame);
@@ -123,7 +126,8 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(double t_s, const Featu
 	}
 	const double dt_s = t_s - last_.t_s;
 	const double bend_m = (place_m - last_.place_m - velocity_m_s_ * dt_s).norm();
-	if (bend_m > floor_m() + 0.25 * ACCELERATION_M_S2 * dt_s * dt_s) {
+	const double since_s = t_s - std::max(last_.t_s, shown_s);
+	if (bend_m > floor_m() + 0.25 * ACCELERATION_M_S2 * since_s * since_s) {
 		waiting_ = frame;
 		is_waiting_ = true;
 	} else {

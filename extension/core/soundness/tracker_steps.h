@@ -3,6 +3,7 @@
 #include "gesture/feature.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -20,8 +21,10 @@ public:
 		FeaturePlace seen_m = FeaturePlace::Zero();  ///< as given
 	};
 
-	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase.
-	std::span<const Passed> push(double t_s, const FeaturePlace &place_m);
+	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase. shown_s: when the
+	/// place before was last shown, if later than it was first: what comes so soon after that waits for the
+	/// next one.
+	std::span<const Passed> push(double t_s, const FeaturePlace &place_m, double shown_s = -INFINITY);
 	/// The next frame has nothing to do with the last one.
 	void restart();
 

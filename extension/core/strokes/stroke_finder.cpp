@@ -19,7 +19,7 @@ constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
 /// A tracker that repeats where a hand rested shows that it rests, but for the last of that: it may hold its
 /// last pose for so long while the hand sets out.
-constexpr double HELD_S = 0.35;
+constexpr double HELD_S = 0.4;
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
@@ -134,23 +134,26 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (ended_) {
 		begin_anew(end_);
 	}
-	if (!places_.empty() && place_m == last_m_) {
+	const bool is_news = places_.empty() || place_m != last_m_;
+	double shown_s = -INFINITY;
+	if (!is_news) {
 		repeated_s_ = t_s;
-	}
-	if (!places_.empty() && place_m != last_m_ && rests()) {
+	} else if (!places_.empty() && rests()) {
 		const double rested_s = std::min(repeated_s_, t_s - HELD_S);
 		if (rested_s - last_s_ >= LEAST_FRAME_S) {
-			take(rested_s, last_m_, false);
+			take(rested_s, last_m_, -INFINITY, false);
 		}
+		shown_s = repeated_s_;
 	}
-	if (places_.empty() || t_s - newest_.t_s > LONGEST_GAP_S) {
+	const bool knows_rest = !is_news && rests();
+	if (places_.empty() || since_s > LONGEST_GAP_S || (!knows_rest && t_s - newest_.t_s > LONGEST_GAP_S)) {
 		restart(t_s, place_m);
 		return;
 	}
-	if (place_m == last_m_ || t_s - last_s_ < LEAST_FRAME_S) {
+	if (!is_news || t_s - last_s_ < LEAST_FRAME_S) {
 		return;
 	}
-	take(t_s, place_m, true);
+	take(t_s, place_m, shown_s, true);
 	if (stroke_count_ == 0) {
 		lost_.reset();
 	} else if (lost_) {
@@ -158,11 +161,11 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	}
 }
 
-/// A frame that is news.
-void StrokeFinder::take(double t_s, const FeaturePlace &place_m, bool may_end) {
+/// A frame that is news; shown_s: when the place before was last shown.
+void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double shown_s, bool may_end) {
 	last_s_ = t_s;
 	last_m_ = place_m;
-	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m);
+	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m, shown_s);
 	for (const TrackerSteps::Passed &frame : passed) {
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),

@@ -138,7 +138,7 @@ private:
 
 	[[nodiscard]] bool rests() const;
 	void restart(double t_s, const FeaturePlace &place_m);
-	void take(double t_s, const FeaturePlace &place_m, bool may_end);
+	void take(double t_s, const FeaturePlace &place_m, double shown_s, bool may_end);
 	void follow(const TrembleFilter::Place &place, bool may_end);
 	void find_onset();
 	void begin_anew(const Sample &end);
