@@ -8,6 +8,10 @@ namespace {
 
 constexpr double SHORTEST_S = 1e-4;
 constexpr double SILENT_INTERVALS = 3.5;
+/// Before so many changes a tracker may be one that looks seldom and is read often: it is not silent before
+/// this time, in which any looks again (20 Hz), and what it takes between changes is its interval.
+constexpr int UNKNOWN_CHANGES = 4;
+constexpr double UNKNOWN_S = 0.07;
 constexpr double RESTING_PER_S = 0.25;
 /// Of the last 64 steps, those against the one before in a coordinate.
 constexpr int TREMBLING_TURNS = 6;
@@ -28,7 +32,12 @@ constexpr double PERIOD_SHARE = 0.1;
 void TrackerSilence::change(double t_s, double x, double step, const FeaturePlace &place_step) {
 	x_ = x;
 	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
-	interval_s_ = followed(interval_s_, t_s - changed_s_);
+	const double latest_s = t_s - changed_s_;
+	interval_s_ = followed(interval_s_, latest_s);
+	if (changes_ < UNKNOWN_CHANGES) {
+		++changes_;
+		interval_s_ = latest_s <= UNKNOWN_S ? std::max(interval_s_, latest_s) : interval_s_;
+	}
 	come_to(t_s);
 	changed_s_ = t_s;
 	speed_ += SPEED_SHARE * (velocity - speed_);
@@ -41,7 +50,8 @@ void TrackerSilence::change(double t_s, double x, double step, const FeaturePlac
 }
 
 bool TrackerSilence::is_silent() const {
-	return t_s_ - changed_s_ > SILENT_INTERVALS * interval_s_;
+	const double least_s = changes_ < UNKNOWN_CHANGES ? UNKNOWN_S : 0.0;
+	return t_s_ - changed_s_ > std::max(SILENT_INTERVALS * interval_s_, least_s);
 }
 
 bool TrackerSilence::is_frozen() const {

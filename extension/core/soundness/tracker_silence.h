@@ -36,6 +36,7 @@ private:
 	double frame_s_ = 0.01; ///< between the newest frames
 	double changed_s_ = 0.0;
 	double interval_s_ = 0.01; ///< between changes
+	int changes_ = 0;          ///< so far, up to as many as tell the interval
 	double x_ = 0.0;
 	double speed_ = 0.0; ///< smoothed
 	double step_ = 0.0;

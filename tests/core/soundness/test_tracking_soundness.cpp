@@ -1,3 +1,4 @@
+#include "minimum_jerk_drag.h"
 #include "soundness/tracking_soundness.h"
 
 #include <doctest/doctest.h>
@@ -236,6 +237,24 @@ TEST_CASE("a camera that is read more often than it looks is sound, and only its
 			CHECK(soundness.fault() == 0.0);
 		}
 		CHECK(learnt < 0.05);
+	}
+}
+
+TEST_CASE("so is one of which nothing is known, after a hand that rested to the last bit") {
+	const test::Drag drag{ .onset_s = 1.003, .duration_s = 0.6 };
+	for (const int camera_hz : { 15, 20, 30, 45 }) {
+		for (const int read_hz : { 90, 200, 500 }) {
+			CAPTURE(camera_hz);
+			CAPTURE(read_hz);
+			TrackingSoundness soundness;
+			for (int i = 0; i < 1.6 * read_hz; ++i) { // when it last moved
+				const double t_s = static_cast<double>(i) / read_hz;
+				const double looked_s = std::floor(t_s * camera_hz + 1e-9) / camera_hz;
+				soundness.push(t_s, drag.x_m(looked_s) / drag.amplitude_m);
+				CHECK(soundness.fault() == 0.0);
+			}
+			CHECK(soundness.unsoundness() < 0.05);
+		}
 	}
 }
 
