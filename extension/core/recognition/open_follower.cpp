@@ -105,6 +105,11 @@ double OpenFollower::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
+/// How far the hand is, in amplitudes, without the steps that no hand makes.
+double OpenFollower::gone(const StrokeFinder &strokes) const {
+	return (strokes.place_m() - from_).dot(way_) / task().amplitude_m;
+}
+
 bool OpenFollower::is_near_end(const Stroke &stroke) const {
 	return amplitudes(stroke) > LOST_AT_END;
 }
@@ -234,6 +239,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
+		furthest_ = gone(strokes);
 		moved_s_ = stands_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > HOLD_S) {
 		give_way(t_s); // the way back of what is given up is over by now, and no gesture
@@ -255,7 +261,7 @@ double OpenFollower::stands_s(double t_s, const Stroke &stroke) {
 }
 
 void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
-	const double now = along(last_place()) / task().amplitude_m;
+	const double now = gone(strokes);
 	furthest_ = std::max(furthest_, now);
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
@@ -273,7 +279,6 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 
 void OpenFollower::confirm(double t_s) {
 	claims_ = false;
-	furthest_ = along(last_place()) / task().amplitude_m;
 	arrive(t_s);
 }
 

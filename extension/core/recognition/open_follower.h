@@ -50,6 +50,7 @@ private:
 	/// How far a place is along the way, m.
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
+	[[nodiscard]] double gone(const StrokeFinder &strokes) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	[[nodiscard]] StrokeEvidence evidence_of(
 			const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const;

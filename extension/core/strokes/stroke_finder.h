@@ -73,6 +73,8 @@ public:
 	/// How far from `from` the hand was before the onset of one of strokes(), at most, m: before slow strokes
 	/// it is looked at for longer, as a hand that wanders slowly hardly moves for a while where it turns.
 	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
+	/// Where the hand is, as strokes count it.
+	[[nodiscard]] const FeaturePlace &place_m() const { return newest_.place_m; }
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
 	/// TrembleFilter::noise_m, of places as strokes count them.
 	[[nodiscard]] double noise_m() const { return trembles_.noise_m(); }

@@ -176,3 +176,22 @@ TEST_CASE("the way back after a slow gesture is none, soon after the hand has co
 		}
 	}
 }
+
+TEST_CASE("a tracker that shows the hand elsewhere for a moment at the end does not take the end back") {
+	for (const double back_m : { 0.05, 0.1, 0.15 }) {
+		for (const double shown_s : { 0.005, 0.03, 0.1 }) { // one frame, three, eleven
+			for (const double from_s : { 1.6, 1.8 }) {
+				CAPTURE(back_m);
+				CAPTURE(shown_s);
+				CAPTURE(from_s);
+				const Way way = [=](double t_s) {
+					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+				};
+				const Events events = in_the_open(way, from_s + shown_s + 0.3);
+				CHECK(events.said == times(1, "sideways"));
+				CHECK(std::abs(events.last_value_m - 0.2) < 0.01);
+			}
+		}
+	}
+}
