@@ -36,6 +36,7 @@ constexpr double RETURNED = 0.5;
 constexpr double LOST_AT_END = 0.7;
 constexpr double STARTING_RATE_PER_S = 100.0;
 constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
+constexpr double SAME_STEP_M = 0.005;    ///< between steps of a tracker that are the same
 constexpr double REST_PART_S = 0.05;     ///< in whose mean a tracker's noise counts little
 
 /// The model's speed at this phase, its end, in shares of its peak, and what people slow down less.
@@ -149,9 +150,25 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 }
 
 /// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
-/// out from the furthest back that it was just before.
+/// out from the furthest back that it was just before. Where the tracker jumped about then, and shows the
+/// hand by now as while it rested, the jump is left out.
 FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &strokes) const {
-	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero(), furthest_back = start;
+	std::optional<FeaturePlace> at_rest;
+	FeaturePlace at_onset = FeaturePlace::Zero(), now = at_onset;
+	strokes.frames_since(stroke.onset_s - Stroke::REST_S,
+			[&](double frame_s, const FeaturePlace & /*place*/, const FeaturePlace &step) {
+				if (!step.hasNaN()) {
+					at_rest = at_rest.value_or(step);
+					at_onset = frame_s <= stroke.onset_s ? step : at_onset;
+					now = step;
+				}
+			});
+	const bool has_jumped_back = at_rest && (now - *at_rest).norm() < SAME_STEP_M;
+	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero();
+	if (has_jumped_back) {
+		start -= at_onset - *at_rest;
+	}
+	FeaturePlace furthest_back = start;
 	int frames = 0;
 	double since_s = -std::numeric_limits<double>::infinity();
 	const auto end_part = [&] {
@@ -164,18 +181,21 @@ FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &st
 		sum.setZero();
 		frames = 0;
 	};
-	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
-		if (frame_s > stroke.onset_s) {
-			return;
-		}
-		if (frame_s > since_s + REST_PART_S) {
-			end_part();
-			since_s = frame_s;
-		}
-		furthest_back = frames == 0 || (place - furthest_back).dot(way_) < 0.0 ? place : furthest_back;
-		sum += place;
-		++frames;
-	});
+	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S,
+			[&](double frame_s, const FeaturePlace &seen, const FeaturePlace &step) {
+				if (frame_s > stroke.onset_s || step.hasNaN()) {
+					return;
+				}
+				const FeaturePlace place = has_jumped_back ? FeaturePlace(seen - (step - *at_rest)) : seen;
+				if (frame_s > since_s + REST_PART_S) {
+					end_part();
+					since_s = frame_s;
+				}
+				const bool is_behind = frames == 0 || (place - furthest_back).dot(way_) < 0.0;
+				furthest_back = is_behind ? place : furthest_back;
+				sum += place;
+				++frames;
+			});
 	end_part();
 	return start;
 }
@@ -183,11 +203,12 @@ FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &st
 void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
 	forget_frames();
-	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S, [&](double frame_s, const FeaturePlace &place) {
-		if (frame_s < t_s) {
-			recall(frame_s, along(place), place);
-		}
-	});
+	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S,
+			[&](double frame_s, const FeaturePlace &place, const FeaturePlace & /*step*/) {
+				if (frame_s < t_s) {
+					recall(frame_s, along(place), place);
+				}
+			});
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;

@@ -25,6 +25,7 @@ public:
 	[[nodiscard]] const Item &newest() const { return (*this)[count_ - 1]; }
 	void clear() { first_ = count_ = 0; }
 
+	[[nodiscard]] Item &operator[](std::size_t i) { return items_[(first_ + i) % CAPACITY]; }
 	[[nodiscard]] const Item &operator[](std::size_t i) const { return items_[(first_ + i) % CAPACITY]; }
 	[[nodiscard]] std::size_t size() const { return count_; }
 	[[nodiscard]] bool empty() const { return count_ == 0; }

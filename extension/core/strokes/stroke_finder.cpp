@@ -54,7 +54,9 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	last_s_ = t_s;
 	last_m_ = place_m;
 	steps_.restart();
-	steps_.push(t_s, place_m);
+	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
+		remember_step(passed);
+	}
 	trembles_.restart();
 	trembles_.push({ t_s, newest_.place_m, place_m }, WINDOW_S, 0.0);
 	speed_m_s_ = 0.0;
@@ -129,7 +131,8 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		seen_since_s_ = t_s;
 	}
 	if (since_s >= LEAST_FRAME_S) {
-		past_.push({ t_s, place_m });
+		const bool repeats = !past_.empty() && place_m == past_.newest().place_m;
+		past_.push({ t_s, place_m, repeats ? past_.newest().step_m : FeaturePlace::Constant(NAN) });
 	}
 	if (ended_) {
 		begin_anew(end_);
@@ -167,9 +170,18 @@ void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double shown_s,
 	last_m_ = place_m;
 	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m, shown_s);
 	for (const TrackerSteps::Passed &frame : passed) {
+		remember_step(frame);
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
 				may_end && &frame == &passed.back());
+	}
+}
+
+void StrokeFinder::remember_step(const TrackerSteps::Passed &passed) {
+	for (std::size_t i = past_.size(); i > 0 && past_[i - 1].t_s >= passed.t_s; --i) {
+		if (past_[i - 1].t_s == passed.t_s) {
+			past_[i - 1].step_m = passed.seen_m - passed.place_m;
+		}
 	}
 }
 

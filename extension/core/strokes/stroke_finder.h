@@ -62,11 +62,12 @@ public:
 	[[nodiscard]] std::span<const Stroke> strokes() const { return { strokes_.data(), stroke_count_ }; }
 	/// The last frame ended the first, and with it those that it is part of.
 	[[nodiscard]] bool ended() const { return ended_; }
-	/// f(t_s, place) for the frames since then, as they were given; as many as are kept.
+	/// f(t_s, place, step) for the frames since then, as they were given; as many as are kept. step: by which
+	/// the tracker shows the hand beside where the first frames had it; NaN where that is not known (yet).
 	template <class Function> void frames_since(double t_s, const Function &f) const {
 		for (std::size_t i = 0; i < past_.size(); ++i) {
 			if (past_[i].t_s >= t_s) {
-				f(past_[i].t_s, past_[i].place_m);
+				f(past_[i].t_s, past_[i].place_m, past_[i].step_m);
 			}
 		}
 	}
@@ -109,11 +110,17 @@ private:
 		FeaturePlace place_m = FeaturePlace::Zero();
 	};
 
+	struct GivenFrame {
+		double t_s = 0.0;
+		FeaturePlace place_m = FeaturePlace::Zero();
+		FeaturePlace step_m = FeaturePlace::Zero(); ///< as TrackerSteps has it
+	};
+
 	FeaturePlace scale_;
 	double smallest_m_;
 	TrackerSteps steps_;
 	TrembleFilter trembles_;
-	Ring<Frame, PAST> past_;
+	Ring<GivenFrame, PAST> past_;
 	SlopeWindow<FeaturePlace, FRAMES> places_;
 	Sample end_;    ///< of the one under way, should the newest frame end it
 	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
@@ -140,6 +147,7 @@ private:
 
 	[[nodiscard]] bool rests() const;
 	void restart(double t_s, const FeaturePlace &place_m);
+	void remember_step(const TrackerSteps::Passed &passed);
 	void take(double t_s, const FeaturePlace &place_m, double shown_s, bool may_end);
 	void follow(const TrembleFilter::Place &place, bool may_end);
 	void find_onset();

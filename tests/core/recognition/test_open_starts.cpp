@@ -36,3 +36,23 @@ TEST_CASE("with nothing given a single frame elsewhere right before a gesture do
 		}
 	}
 }
+
+TEST_CASE("where the tracker jumps back for a moment while the hand sets out, the motion is not shifted") {
+	for (const double back_m : { 0.03, 0.05, 0.1 }) {
+		for (const double shown_s : { 0.03, 0.1 }) {
+			for (const double before_s : { 0.1, 0.05, 0.0 }) {
+				CAPTURE(back_m);
+				CAPTURE(shown_s);
+				CAPTURE(before_s);
+				const double from_s = DRAG.onset_s - before_s;
+				const Way way = [=](double t_s) {
+					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+				};
+				const Events events = in_the_open(way, 2.0);
+				CHECK(events.said == times(1, "sideways"));
+				CHECK(std::abs(events.last_value_m - 0.2) < 0.01);
+			}
+		}
+	}
+}
