@@ -43,9 +43,14 @@ constexpr double JITTER_PER_BEND = 0.5117;
 constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
 constexpr double FIRST_PERIOD_S = 0.004, LAST_PERIOD_S = 0.1; ///< what the first interval may say
 
-/// A hand whose size is measured, and not where it is, is held to no way; nor is one that has no place.
+/// The hand's size is measured, and not where it is.
+bool is_size(const FeaturePlace &place) {
+	return place[3] != 0.0;
+}
+
+/// A hand whose size is measured is held to no way; nor is one that has no place.
 bool is_on_way_in_space(const FeaturePlace &place) {
-	return place[3] == 0.0 && !place.isZero(0.0);
+	return !is_size(place) && !place.isZero(0.0);
 }
 
 double size(double step) {
@@ -170,6 +175,7 @@ TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
 void TrackingSoundness::stand() {
 	if (!silence_.is_frozen()) {
 		noise_.push(0.0);
+		place_noise_.push(0.0);
 	}
 	step_way_.go(0.0, false);
 	place_way_.go(FeaturePlace::Zero(), false);
@@ -224,12 +230,16 @@ void TrackingSoundness::judge(double dt_s, double step, const FeaturePlace &plac
 	const double stray = bend_of(place_way_, place_step, dt_s);
 	if (frames_ > 1) {
 		noise_.push(step - step_way_.latest * dt_s);
+		place_noise_.push(place_step[0] - place_way_.latest[0] * dt_s);
 	}
 	const bool may_shake = bend > SMALLEST_BEND || stray > SMALLEST_STRAY;
 	const double noise = may_shake ? noise_.deviation() : 0.0;
+	// A hand that shakes as a whole changes no size.
+	const bool has_own_noise = may_shake && is_size(place_);
+	const double place_noise = has_own_noise ? std::max(noise, place_noise_.deviation()) : noise;
 	const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
 	jumped_ = bend > sharpest + std::max(SMALLEST_BEND, SHAKEN_BEND * noise);
-	strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * noise);
+	strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * place_noise);
 	returned_ = t_s_ - news_s_ > BLIND_S && std::abs(step) > std::max(BLIND_STEP, SHAKEN_STEP * noise);
 	if (frames_ > 1) {
 		const double shake = std::min(bend, std::max(SMALLEST_BEND, SHAKEN_STEP * noise));

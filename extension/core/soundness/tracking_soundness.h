@@ -89,6 +89,7 @@ private:
 	TrackerSilence silence_;
 	TrackerStandstill standstill_;
 	TrackerNoise noise_;
+	TrackerNoise place_noise_; ///< in the first coordinate of the place
 	SkippedFrames skipped_;
 	WayShape way_shape_;
 	double log_ratio_news_ = 0.0;
