@@ -453,13 +453,14 @@ TEST_CASE(
 	for (const double shaking : { 0.0, 0.007, 0.03 }) { // of 3 cm: 0.2 and 1 mm
 		CAPTURE(shaking);
 		std::mt19937_64 random(7);
-		std::normal_distribution<double> noise(0.0, shaking);
+		std::normal_distribution<double> normal;
+		const auto noise = [&] { return shaking * normal(random); };
 		TrackingSoundness soundness;
 		const test::Drag opening{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 1.0 };
 		double fault = 0.0;
 		for (int i = 0; i < 220; ++i) {
 			const double x = opening.x_m(i / 100.0), off = i >= 150 ? 4.0 : 0.0;
-			const FeaturePlace place(noise(random) + off, noise(random), 0.0, 1.0 + x);
+			const FeaturePlace place(noise() + off, noise(), 0.0, 1.0 + x);
 			soundness.push(i / 100.0, x, place);
 			fault += soundness.fault();
 			if (i == 149) {
