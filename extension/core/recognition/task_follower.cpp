@@ -11,6 +11,8 @@ namespace {
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
+/// Times the tracker's noise: what a hand at rest may be shown off by, up to BACK_VALUE.
+constexpr double TREMBLES = 5.0;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
 /// no more.
 constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
@@ -71,7 +73,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && has_begun(t_s)) {
+			} else if (!is_rejected_ && has_begun(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = stays_since_s_ = likely_s_ = t_s;
@@ -97,7 +99,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-bool TaskFollower::has_begun(double t_s) const {
+bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 	if (mode() == MotionMode::PAPER) {
 		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
 	}
@@ -105,7 +107,9 @@ bool TaskFollower::has_begun(double t_s) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	return now.value > (now.moving > BEGUN ? ONSET_VALUE : HALF_WAY);
+	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
+	const double onset = std::clamp(trembling, ONSET_VALUE, BACK_VALUE);
+	return now.value > (now.moving > BEGUN ? onset : HALF_WAY);
 }
 
 /// It went its own way, which the estimator takes for a gesture that is over, and has come back.

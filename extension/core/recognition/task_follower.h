@@ -30,7 +30,7 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
-	[[nodiscard]] bool has_begun(double t_s) const;
+	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
