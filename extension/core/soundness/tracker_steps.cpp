@@ -20,6 +20,11 @@ constexpr double ACCELERATION_M_S2 = 20.0;
 constexpr double SLIDES_BACK_S = 0.15;
 /// Those strokes peak at 1.8 m/s.
 constexpr double FASTEST_M_S = 3.0;
+/// A hand that set out unseen, while the tracker held its last pose, for 0.4 s at most, has gone a third of
+/// what it would at the speed that it has by now: speeds begin as squares of time.
+constexpr double SETS_OUT_S = 0.4 / 3.0;
+/// Longer than any camera takes to look again: 15 Hz.
+constexpr double STAYS_S = 0.07;
 
 } // namespace
 
@@ -70,12 +75,20 @@ void TrackerSteps::pass(const Frame &frame) {
 /// next: the frame after the one that is waiting.
 void TrackerSteps::resolve(const Frame &next) {
 	is_waiting_ = false;
-	const double dt_s = waiting_.t_s - last_.t_s, next_s = next.t_s - waiting_.t_s;
+	const double dt_s = waiting_.t_s - (waits_after_rest_ ? rest_shown_s_ : last_.t_s);
+	const double next_s = next.t_s - waiting_.t_s;
 	FeaturePlace velocity_after_m_s = (next.place_m - waiting_.place_m) / next_s;
 	if (interval_s_ > 0.0 && velocity_after_m_s.norm() > FASTEST_M_S) {
 		velocity_after_m_s = velocity_m_s_; // a step again
 	}
-	if (interval_s_ > 0.0) {
+	const FeaturePlace way_m = waiting_.place_m - last_.place_m;
+	if (waits_after_rest_) {
+		// A single frame elsewhere, or a hand that has set out while the tracker held its last pose.
+		const bool is_back = (next.place_m - last_.place_m).norm() < floor_m();
+		if (is_back || way_m.normalized().dot(velocity_after_m_s) * SETS_OUT_S > way_m.norm()) {
+			return;
+		}
+	} else if (interval_s_ > 0.0) {
 		// As if it had not been.
 		const double both_s = dt_s + next_s;
 		const double off_m = (next.place_m - last_.place_m - velocity_m_s_ * both_s).norm();
@@ -85,9 +98,9 @@ void TrackerSteps::resolve(const Frame &next) {
 	}
 	// The hand's own way between two places at known velocities; those are half an interval too old and new.
 	const FeaturePlace before_m_s = interval_s_ > 0.0 ? velocity_m_s_ : velocity_after_m_s;
-	const FeaturePlace step_m =
-			waiting_.place_m - last_.place_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
-	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + interval_s_ + next_s);
+	const FeaturePlace step_m = way_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
+	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
+	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + before_s + next_s);
 	const double length_m = step_m.norm();
 	const bool is_step = length_m > floor_m() + hands_m;
 	if (is_step) {
@@ -112,13 +125,13 @@ void TrackerSteps::resolve(const Frame &next) {
 }
 
 std::span<const TrackerSteps::Passed> TrackerSteps::push(
-		double t_s, const FeaturePlace &place_m, double shown_s) {
+		double t_s, const FeaturePlace &place_m, double rest_shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
 	if (is_waiting_) {
 		const double waiting_s = waiting_.t_s;
 		resolve(frame);
-		shown_s = last_.t_s < waiting_s ? -INFINITY : shown_s; // another place, which is dropped
+		rest_shown_s = last_.t_s < waiting_s ? -INFINITY : rest_shown_s; // another place, which is dropped
 	}
 	if (!has_last_) {
 		pass(frame);
@@ -126,7 +139,9 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	}
 	const double dt_s = t_s - last_.t_s;
 	const double bend_m = (place_m - last_.place_m - velocity_m_s_ * dt_s).norm();
-	const double since_s = t_s - std::max(last_.t_s, shown_s);
+	waits_after_rest_ = rest_shown_s > last_.t_s;
+	rest_shown_s_ = rest_shown_s;
+	const double since_s = waits_after_rest_ ? t_s - rest_shown_s : dt_s;
 	if (bend_m > floor_m() + 0.25 * ACCELERATION_M_S2 * since_s * since_s) {
 		waiting_ = frame;
 		is_waiting_ = true;
@@ -135,6 +150,14 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	}
 	if (interval_s_ > 0.0) {
 		remember_bend(bend_m);
+	}
+	return { passed_.data(), passed_count_ };
+}
+
+std::span<const TrackerSteps::Passed> TrackerSteps::stay(double t_s) {
+	passed_count_ = 0;
+	if (is_waiting_ && waits_after_rest_ && t_s - waiting_.t_s > STAYS_S) {
+		resolve({ t_s, waiting_.place_m });
 	}
 	return { passed_.data(), passed_count_ };
 }

@@ -21,10 +21,11 @@ public:
 		FeaturePlace seen_m = FeaturePlace::Zero();  ///< as given
 	};
 
-	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase. shown_s: when the
-	/// place before was last shown, if later than it was first: what comes so soon after that waits for the
-	/// next one.
-	std::span<const Passed> push(double t_s, const FeaturePlace &place_m, double shown_s = -INFINITY);
+	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase. rest_shown_s: when
+	/// the place before was last shown, if the hand rested there: from then on it did not go as far.
+	std::span<const Passed> push(double t_s, const FeaturePlace &place_m, double rest_shown_s = -INFINITY);
+	/// The newest place was shown again: after a rest, one that is not left soon is a step.
+	std::span<const Passed> stay(double t_s);
 	/// The next frame has nothing to do with the last one.
 	void restart();
 
@@ -50,6 +51,8 @@ private:
 	int bends_ = 0;
 	bool has_last_ = false;
 	bool is_waiting_ = false;
+	bool waits_after_rest_ = false; ///< which was shown until rest_shown_s_
+	double rest_shown_s_ = 0.0;
 	std::array<Passed, 2> passed_;
 	std::size_t passed_count_ = 0;
 

@@ -17,9 +17,6 @@ constexpr double STILL_PER_S = 6.5;
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = 0.05; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
-/// A tracker that repeats where a hand rested shows that it rests, but for the last of that: it may hold its
-/// last pose for so long while the hand sets out.
-constexpr double HELD_S = 0.4;
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
@@ -51,11 +48,11 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	piece_ = newest_;
 	knots_.clear();
 	knots_.push({ t_s, newest_.place_m });
-	last_s_ = t_s;
-	last_m_ = place_m;
+	pose_.show(t_s, place_m);
 	steps_.restart();
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
 		remember_step(passed);
+		pose_.follow(passed.t_s, passed.place_m);
 	}
 	trembles_.restart();
 	trembles_.push({ t_s, newest_.place_m, place_m }, WINDOW_S, 0.0);
@@ -137,26 +134,30 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (ended_) {
 		begin_anew(end_);
 	}
-	const bool is_news = places_.empty() || place_m != last_m_;
-	double shown_s = -INFINITY;
+	const bool is_news = places_.empty() || pose_.is_news(place_m);
+	double rest_shown_s = -INFINITY;
 	if (!is_news) {
-		repeated_s_ = t_s;
+		pose_.repeat(t_s);
 	} else if (!places_.empty() && rests()) {
-		const double rested_s = std::min(repeated_s_, t_s - HELD_S);
-		if (rested_s - last_s_ >= LEAST_FRAME_S) {
-			take(rested_s, last_m_, -INFINITY, false);
+		rest_shown_s = pose_.rest_shown_s();
+		const double rested_s = pose_.rested_until_s(t_s);
+		if (rested_s - pose_.first_shown_s() >= LEAST_FRAME_S) {
+			take(rested_s, pose_.place_m(), -INFINITY, false);
 		}
-		shown_s = repeated_s_;
 	}
 	const bool knows_rest = !is_news && rests();
 	if (places_.empty() || since_s > LONGEST_GAP_S || (!knows_rest && t_s - newest_.t_s > LONGEST_GAP_S)) {
 		restart(t_s, place_m);
 		return;
 	}
-	if (!is_news || t_s - last_s_ < LEAST_FRAME_S) {
+	if (!is_news) {
+		follow(steps_.stay(t_s), false);
 		return;
 	}
-	take(t_s, place_m, shown_s, true);
+	if (t_s - pose_.first_shown_s() < LEAST_FRAME_S) {
+		return;
+	}
+	take(t_s, place_m, rest_shown_s, true);
 	if (stroke_count_ == 0) {
 		lost_.reset();
 	} else if (lost_) {
@@ -164,13 +165,16 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	}
 }
 
-/// A frame that is news; shown_s: when the place before was last shown.
-void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double shown_s, bool may_end) {
-	last_s_ = t_s;
-	last_m_ = place_m;
-	const std::span<const TrackerSteps::Passed> passed = steps_.push(t_s, place_m, shown_s);
+/// A frame that is news; rest_shown_s: HeldPose::rest_shown_s of the place before.
+void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double rest_shown_s, bool may_end) {
+	pose_.show(t_s, place_m);
+	follow(steps_.push(t_s, place_m, rest_shown_s), may_end);
+}
+
+void StrokeFinder::follow(std::span<const TrackerSteps::Passed> passed, bool may_end) {
 	for (const TrackerSteps::Passed &frame : passed) {
 		remember_step(frame);
+		pose_.follow(frame.t_s, frame.place_m);
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
 				may_end && &frame == &passed.back());

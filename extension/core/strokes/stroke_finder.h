@@ -5,6 +5,7 @@
 #include "signal/slope_window.h"
 #include "soundness/tracker_steps.h"
 #include "soundness/tremble_filter.h"
+#include "strokes/held_pose.h"
 
 #include <array>
 #include <cmath>
@@ -80,7 +81,7 @@ public:
 	/// TrembleFilter::noise_m, of places as strokes count them.
 	[[nodiscard]] double noise_m() const { return trembles_.noise_m(); }
 	/// When a place last was news of the hand; -infinity before the first one.
-	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : last_s_; }
+	[[nodiscard]] double news_s() const { return past_.empty() ? -INFINITY : pose_.first_shown_s(); }
 
 private:
 	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken
@@ -130,10 +131,8 @@ private:
 	std::array<Sample, RESTS> rests_{};
 	std::size_t rest_count_ = 0;
 
-	double seen_since_s_ = 0.0;                  ///< frozen frames count as seen
-	double last_s_ = 0.0;                        ///< when a place was last news
-	double repeated_s_ = -INFINITY;              ///< when one was last repeated
-	FeaturePlace last_m_ = FeaturePlace::Zero(); ///< as given
+	double seen_since_s_ = 0.0; ///< frozen frames count as seen
+	HeldPose pose_;             ///< shown first when a place was last news
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
 	std::optional<Sample> onset_;
@@ -148,7 +147,8 @@ private:
 	[[nodiscard]] bool rests() const;
 	void restart(double t_s, const FeaturePlace &place_m);
 	void remember_step(const TrackerSteps::Passed &passed);
-	void take(double t_s, const FeaturePlace &place_m, double shown_s, bool may_end);
+	void take(double t_s, const FeaturePlace &place_m, double rest_shown_s, bool may_end);
+	void follow(std::span<const TrackerSteps::Passed> passed, bool may_end);
 	void follow(const TrembleFilter::Place &place, bool may_end);
 	void find_onset();
 	void begin_anew(const Sample &end);

@@ -65,3 +65,25 @@ TEST_CASE("a gesture that begins unseen is one, however still the hand was befor
 		}
 	}
 }
+
+TEST_CASE("a tracker that shows a still hand elsewhere for a while as it sets out makes no other gesture of "
+		  "it") {
+	for (const Rest &rest : { Rest{ 0.0, 0.0 }, { 2e-3, 0.3e-3 } }) {
+		for (const double shown_s : { 0.005, 0.05, 0.1, 0.2 }) {
+			for (const double before_s : { 0.5, 0.1, 0.05, 0.0 }) {
+				CAPTURE(rest.grid_m);
+				CAPTURE(shown_s);
+				CAPTURE(before_s);
+				const Drag drag{ .onset_s = 1.3, .duration_s = 0.8, .amplitude_m = 0.2 };
+				const double from_s = drag.onset_s - before_s;
+				const Way hand = seen(rest, drag);
+				const Way way = [&](double t_s) {
+					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d(hand(t_s) + (is_elsewhere ? 0.06 : 0.0) * Y);
+				};
+				GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+				CHECK(watch(recogniser, way, 2.6, 1e9, 1e9, 100.0, 0.0).said == times(1, "sideways"));
+			}
+		}
+	}
+}

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "gesture/feature.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+
+/// What a tracker says of a hand that rests by showing it again where it was, to the last bit: it may round,
+/// or hold its last pose while the hand sets out.
+class HeldPose {
+public:
+	/// A tracker holds its last pose no longer than this.
+	static constexpr double LONGEST_S = 0.4;
+
+	[[nodiscard]] bool is_news(const FeaturePlace &place_m) const { return place_m != place_m_; }
+	void show(double t_s, const FeaturePlace &place_m) {
+		shown_s_ = first_shown_s_ = t_s;
+		place_m_ = place_m;
+	}
+	void repeat(double t_s) { shown_s_ = t_s; }
+	/// A frame that is no tracker's step.
+	void follow(double t_s, const FeaturePlace &place_m) {
+		if (!has_followed_) {
+			still_m_ = place_m;
+			has_followed_ = true;
+		} else if ((place_m - still_m_).norm() > STILL_M) {
+			still_since_s_ = t_s;
+			still_m_ = place_m;
+		}
+		followed_s_ = t_s;
+	}
+
+	/// When the place was shown first.
+	[[nodiscard]] double first_shown_s() const { return first_shown_s_; }
+	[[nodiscard]] const FeaturePlace &place_m() const { return place_m_; }
+	/// When it was shown last, of a hand that has rested in one place, or about it, for longer than
+	/// LONGEST_S; -infinity of any other.
+	[[nodiscard]] double rest_shown_s() const {
+		const bool has_rested =
+				shown_s_ - first_shown_s_ >= LONGEST_S || followed_s_ - still_since_s_ >= LONGEST_S;
+		return has_rested && shown_s_ > first_shown_s_ ? shown_s_ : -INFINITY;
+	}
+	/// Until when the hand that is seen elsewhere at t_s was there, if it was at rest.
+	[[nodiscard]] double rested_until_s(double t_s) const { return std::min(shown_s_, t_s - LONGEST_S); }
+
+private:
+	static constexpr double STILL_M = 0.004;
+
+	double shown_s_ = 0.0, first_shown_s_ = 0.0;
+	FeaturePlace place_m_ = FeaturePlace::Zero(); ///< as given
+	double still_since_s_ = -INFINITY; ///< about still_m_; at the first place for how long, nobody knows
+	FeaturePlace still_m_ = FeaturePlace::Zero();
+	bool has_followed_ = false;
+	double followed_s_ = 0.0;
+};
+
+} // namespace steadyhand
