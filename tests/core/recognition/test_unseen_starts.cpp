@@ -1,5 +1,5 @@
-// Gestures that begin while nothing is seen, after a hand whose tracker showed it where it was, to the last
-// bit.
+// Gestures of a hand whose tracker showed it at rest where it was, to the last bit: begun while nothing is
+// seen, or while the tracker shows it elsewhere.
 
 #include "gesture_events.h"
 
@@ -17,7 +17,6 @@ struct Rest {
 	double tremor_m;
 };
 
-/// Ten frames to a period of the tremor.
 double trembling_m(const Rest &rest, double t_s) {
 	return rest.tremor_m * std::sin(2.0 * std::numbers::pi * 11.0 * t_s);
 }
