@@ -1,6 +1,6 @@
 extends RefCounted
-## The groups of evaluations as one table for the terminal: of the filters, and of what is synthesised
-## in either mode.
+## The groups of evaluations as one table for the terminal: of the filters, and of what is
+## synthesised in either mode.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const Stored := preload("res://scripts/stored.gd")

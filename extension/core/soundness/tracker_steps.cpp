@@ -1,6 +1,7 @@
 #include "soundness/tracker_steps.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace steadyhand {
 namespace {
@@ -23,6 +24,7 @@ constexpr double FASTEST_M_S = 3.0;
 /// A hand that set out unseen, while the tracker held its last pose, for 0.4 s at most, has gone a third of
 /// what it would at the speed that it has by now: speeds begin as squares of time.
 constexpr double SETS_OUT_S = 0.4 / 3.0;
+constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 
@@ -131,7 +133,9 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	if (is_waiting_) {
 		const double waiting_s = waiting_.t_s;
 		resolve(frame);
-		rest_shown_s = last_.t_s < waiting_s ? -INFINITY : rest_shown_s; // another place, which is dropped
+		if (last_.t_s < waiting_s) { // another place, which is dropped
+			rest_shown_s = NEVER_S;
+		}
 	}
 	if (!has_last_) {
 		pass(frame);

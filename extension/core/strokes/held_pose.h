@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace steadyhand {
 
@@ -13,6 +14,7 @@ class HeldPose {
 public:
 	/// A tracker holds its last pose no longer than this.
 	static constexpr double LONGEST_S = 0.4;
+	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 
 	[[nodiscard]] bool is_news(const FeaturePlace &place_m) const { return place_m != place_m_; }
 	void show(double t_s, const FeaturePlace &place_m) {
@@ -40,7 +42,7 @@ public:
 	[[nodiscard]] double rest_shown_s() const {
 		const bool has_rested =
 				shown_s_ - first_shown_s_ >= LONGEST_S || followed_s_ - still_since_s_ >= LONGEST_S;
-		return has_rested && shown_s_ > first_shown_s_ ? shown_s_ : -INFINITY;
+		return has_rested && shown_s_ > first_shown_s_ ? shown_s_ : NEVER_S;
 	}
 	/// Until when the hand that is seen elsewhere at t_s was there, if it was at rest.
 	[[nodiscard]] double rested_until_s(double t_s) const { return std::min(shown_s_, t_s - LONGEST_S); }
@@ -50,7 +52,7 @@ private:
 
 	double shown_s_ = 0.0, first_shown_s_ = 0.0;
 	FeaturePlace place_m_ = FeaturePlace::Zero(); ///< as given
-	double still_since_s_ = -INFINITY; ///< about still_m_; at the first place for how long, nobody knows
+	double still_since_s_ = NEVER_S; ///< about still_m_; at the first place for how long, nobody knows
 	FeaturePlace still_m_ = FeaturePlace::Zero();
 	bool has_followed_ = false;
 	double followed_s_ = 0.0;

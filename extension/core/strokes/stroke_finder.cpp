@@ -135,14 +135,14 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		begin_anew(end_);
 	}
 	const bool is_news = places_.empty() || pose_.is_news(place_m);
-	double rest_shown_s = -INFINITY;
+	double rest_shown_s = HeldPose::NEVER_S;
 	if (!is_news) {
 		pose_.repeat(t_s);
 	} else if (!places_.empty() && rests()) {
 		rest_shown_s = pose_.rest_shown_s();
 		const double rested_s = pose_.rested_until_s(t_s);
 		if (rested_s - pose_.first_shown_s() >= LEAST_FRAME_S) {
-			take(rested_s, pose_.place_m(), -INFINITY, false);
+			take(rested_s, pose_.place_m(), HeldPose::NEVER_S, false);
 		}
 	}
 	const bool knows_rest = !is_news && rests();
