@@ -53,6 +53,14 @@ std::string range_error(const TrainingOptions &options) {
 	return {};
 }
 
+std::string unknown_feature(const std::string &name) {
+	std::string message = "there is no feature '" + name + "', there are:";
+	for (const Feature &known : features()) {
+		message += ' ' + std::string(known.name);
+	}
+	return message;
+}
+
 /// Those that the reference is the mean of; the others are named in the model.
 std::vector<Movement> keep_alike(
 		const RecordedMovements &recorded, const ReferenceCurve &reference, GestureModel &r_model) {
@@ -156,14 +164,6 @@ void re_estimate(const std::vector<SymbolSequence> &sequences, const TrainingOpt
 			sequences, baum_welch_options);
 	r_model.hmm = std::move(trained.hmm);
 	r_model.provenance.objective = std::move(trained.objective);
-}
-
-std::string unknown_feature(const std::string &name) {
-	std::string message = "there is no feature '" + name + "', there are:";
-	for (const Feature &known : features()) {
-		message += ' ' + std::string(known.name);
-	}
-	return message;
 }
 
 } // namespace

@@ -51,8 +51,7 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	pose_.show(t_s, place_m);
 	steps_.restart();
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
-		remember_step(passed);
-		pose_.follow(passed.t_s, passed.place_m);
+		remember(passed);
 	}
 	trembles_.restart();
 	trembles_.push({ t_s, newest_.place_m, place_m }, WINDOW_S, 0.0);
@@ -173,15 +172,15 @@ void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double rest_sho
 
 void StrokeFinder::follow(std::span<const TrackerSteps::Passed> passed, bool may_end) {
 	for (const TrackerSteps::Passed &frame : passed) {
-		remember_step(frame);
-		pose_.follow(frame.t_s, frame.place_m);
+		remember(frame);
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
 				may_end && &frame == &passed.back());
 	}
 }
 
-void StrokeFinder::remember_step(const TrackerSteps::Passed &passed) {
+void StrokeFinder::remember(const TrackerSteps::Passed &passed) {
+	pose_.follow(passed.t_s, passed.place_m);
 	for (std::size_t i = past_.size(); i > 0 && past_[i - 1].t_s >= passed.t_s; --i) {
 		if (past_[i - 1].t_s == passed.t_s) {
 			past_[i - 1].step_m = passed.seen_m - passed.place_m;

@@ -146,7 +146,7 @@ private:
 
 	[[nodiscard]] bool rests() const;
 	void restart(double t_s, const FeaturePlace &place_m);
-	void remember_step(const TrackerSteps::Passed &passed);
+	void remember(const TrackerSteps::Passed &passed);
 	void take(double t_s, const FeaturePlace &place_m, double rest_shown_s, bool may_end);
 	void follow(std::span<const TrackerSteps::Passed> passed, bool may_end);
 	void follow(const TrembleFilter::Place &place, bool may_end);
