@@ -9,7 +9,7 @@ namespace {
 constexpr double SHORTEST_S = 1e-4;
 constexpr double SILENT_INTERVALS = 3.5;
 /// Before so many changes a tracker may be one that looks seldom and is read often: it is not silent before
-/// this time, in which any looks again (20 Hz), and what it takes between changes is its interval.
+/// this time, in which any looks again (20 Hz), and the least that it takes between changes is its interval.
 constexpr int UNKNOWN_CHANGES = 4;
 constexpr double UNKNOWN_S = 0.07;
 constexpr double RESTING_PER_S = 0.25;
@@ -30,16 +30,8 @@ constexpr double PERIOD_SHARE = 0.1;
 } // namespace
 
 void TrackerSilence::change(double t_s, double x, double step, const FeaturePlace &place_step) {
-	x_ = x;
 	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
-	const double latest_s = t_s - changed_s_;
-	interval_s_ = followed(interval_s_, latest_s);
-	if (changes_ < UNKNOWN_CHANGES) {
-		++changes_;
-		interval_s_ = latest_s <= UNKNOWN_S ? std::max(interval_s_, latest_s) : interval_s_;
-	}
-	come_to(t_s);
-	changed_s_ = t_s;
+	look_again(t_s, x);
 	speed_ += SPEED_SHARE * (velocity - speed_);
 	const bool turned = step * step_ < 0.0 || (place_step.cwiseProduct(place_step_).array() < 0.0).any();
 	look_for_resolution(step, place_step);
@@ -47,6 +39,15 @@ void TrackerSilence::change(double t_s, double x, double step, const FeaturePlac
 	way_ = step_ + step;
 	step_ = step;
 	place_step_ = place_step;
+}
+
+void TrackerSilence::jump(double t_s, double x) {
+	look_again(t_s, x);
+}
+
+void TrackerSilence::come_back(double t_s) {
+	come_to(t_s);
+	changed_s_ = told() ? changed_s_ : t_s;
 }
 
 bool TrackerSilence::is_silent() const {
@@ -72,6 +73,23 @@ double TrackerSilence::followed(double period_s, double latest_s) {
 void TrackerSilence::come_to(double t_s) {
 	frame_s_ = std::max(t_s - t_s_, SHORTEST_S);
 	t_s_ = t_s;
+}
+
+/// The tracker shows the hand at x, and learns from that how often it looks.
+void TrackerSilence::look_again(double t_s, double x) {
+	x_ = x;
+	const double latest_s = t_s - changed_s_;
+	if (changes_ >= UNKNOWN_CHANGES) {
+		interval_s_ = followed(interval_s_, latest_s);
+	} else if (latest_s <= UNKNOWN_S) {
+		// The first one began anywhere between two looks, and a hand at rest before a tracker that rounds
+		// makes long ones.
+		const double least_s = changes_ > 1 ? std::min(interval_s_, latest_s) : latest_s;
+		interval_s_ = changes_ > 0 ? least_s : std::max(interval_s_, latest_s);
+		++changes_;
+	}
+	come_to(t_s);
+	changed_s_ = t_s;
 }
 
 /// Steps of a tracker that rounds are multiples of its resolution, and at rest no more than that.

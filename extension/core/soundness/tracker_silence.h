@@ -18,6 +18,10 @@ public:
 	void repeat(double t_s) { come_to(t_s); }
 	/// A frame that does not, at x; steps: since the last one of those; in amplitudes.
 	void change(double t_s, double x, double step, const FeaturePlace &place_step);
+	/// One that no hand's motion led to: it says nothing of how fast the hand is, or whether it trembles.
+	void jump(double t_s, double x);
+	/// One that shows the newest place again, after another that is as if it had not been.
+	void come_back(double t_s);
 
 	/// It has repeated itself for longer than it does.
 	[[nodiscard]] bool is_silent() const;
@@ -47,6 +51,7 @@ private:
 	double least_share_ = 0.0;
 
 	void come_to(double t_s);
+	void look_again(double t_s, double x);
 	void look_for_resolution(double step, const FeaturePlace &place_step);
 };
 

@@ -21,9 +21,9 @@ constexpr double ACCELERATION_M_S2 = 20.0;
 constexpr double SLIDES_BACK_S = 0.15;
 /// Those strokes peak at 1.8 m/s.
 constexpr double FASTEST_M_S = 3.0;
-/// A hand that set out unseen, while the tracker held its last pose, for 0.4 s at most, has gone a third of
-/// what it would at the speed that it has by now: speeds begin as squares of time.
-constexpr double SETS_OUT_S = 0.4 / 3.0;
+/// For so long a tracker may hold its last pose: a hand that sets out meanwhile, and has not nearly come to
+/// its end, is faster by then than in the mean.
+constexpr double HELD_S = 0.4;
 constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
@@ -32,6 +32,7 @@ constexpr double STAYS_S = 0.07;
 
 void TrackerSteps::restart() {
 	has_last_ = is_waiting_ = false;
+	held_.reset();
 	velocity_m_s_ = step_m_ = FeaturePlace::Zero();
 	slide_ = {};
 	interval_s_ = 0.0;
@@ -74,23 +75,37 @@ void TrackerSteps::pass(const Frame &frame) {
 	passed_[passed_count_++] = { frame.t_s, frame.place_m - step_m_, frame.place_m };
 }
 
+/// Between the frame that is waiting and the last time that the hand was shown before it.
+double TrackerSteps::before_waiting_s() const {
+	return waiting_.t_s - (waits_after_rest_ ? rest_shown_s_ : last_.t_s);
+}
+
 /// next: the frame after the one that is waiting.
 void TrackerSteps::resolve(const Frame &next) {
 	is_waiting_ = false;
-	const double dt_s = waiting_.t_s - (waits_after_rest_ ? rest_shown_s_ : last_.t_s);
+	const double dt_s = before_waiting_s();
 	const double next_s = next.t_s - waiting_.t_s;
+	const bool knows_velocity = interval_s_ > 0.0 || held_;
 	FeaturePlace velocity_after_m_s = (next.place_m - waiting_.place_m) / next_s;
-	if (interval_s_ > 0.0 && velocity_after_m_s.norm() > FASTEST_M_S) {
+	if (knows_velocity && velocity_after_m_s.norm() > FASTEST_M_S) {
 		velocity_after_m_s = velocity_m_s_; // a step again
 	}
 	const FeaturePlace way_m = waiting_.place_m - last_.place_m;
 	if (waits_after_rest_) {
 		// A single frame elsewhere, or a hand that has set out while the tracker held its last pose.
-		const bool is_back = (next.place_m - last_.place_m).norm() < floor_m();
-		if (is_back || way_m.normalized().dot(velocity_after_m_s) * SETS_OUT_S > way_m.norm()) {
+		if ((next.place_m - last_.place_m).norm() < floor_m()) {
 			return;
 		}
-	} else if (interval_s_ > 0.0) {
+		if (!has_rested_ && next.place_m != waiting_.place_m) {
+			pass(waiting_);
+			return;
+		}
+		const double after_m_s = way_m.normalized().dot(velocity_after_m_s);
+		const double reached_m_s = ACCELERATION_M_S2 * (dt_s + 0.5 * next_s); // from rest
+		if (after_m_s * HELD_S > way_m.norm() || after_m_s > reached_m_s) {
+			return;
+		}
+	} else if (knows_velocity) {
 		// As if it had not been.
 		const double both_s = dt_s + next_s;
 		const double off_m = (next.place_m - last_.place_m - velocity_m_s_ * both_s).norm();
@@ -99,37 +114,56 @@ void TrackerSteps::resolve(const Frame &next) {
 		}
 	}
 	// The hand's own way between two places at known velocities; those are half an interval too old and new.
-	const FeaturePlace before_m_s = interval_s_ > 0.0 ? velocity_m_s_ : velocity_after_m_s;
+	const FeaturePlace before_m_s = knows_velocity ? velocity_m_s_ : velocity_after_m_s;
 	const FeaturePlace step_m = way_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
 	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + before_s + next_s);
-	const double length_m = step_m.norm();
-	const bool is_step = length_m > floor_m() + hands_m;
-	if (is_step) {
-		// A step ends the slide before it, which is not taken for the hand's motion either.
-		const bool slides = !slide_.left_m.isZero(0.0);
-		const FeaturePlace hand_m_s = slides ? slide_.hand_m_s : before_m_s;
-		slide_ = {};
-		pass(waiting_);
-		step_m_ += step_m;
-		const double back_m_s = -step_m.normalized().dot(velocity_after_m_s - hand_m_s);
-		// Beside what a hand speeds up by between two intervals, and unlike trembling.
-		const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
-		if (back_m_s > least_m_s && length_m > 2.0 * floor_m()) {
-			slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, hand_m_s };
-		}
-		passed_[passed_count_ - 1].place_m -= step_m;
-		velocity_m_s_ = velocity_after_m_s;
-		interval_s_ = next_s;
+	if (step_m.norm() > floor_m() + hands_m) {
+		take_out(step_m, before_m_s, velocity_after_m_s, next_s);
 	} else {
 		pass(waiting_);
 	}
+}
+
+/// The step that led to the frame that is waiting; velocities: the hand's, before and after.
+void TrackerSteps::take_out(const FeaturePlace &step_m, const FeaturePlace &before_m_s,
+		const FeaturePlace &after_m_s, double next_s) {
+	const double dt_s = before_waiting_s();
+	const double length_m = step_m.norm();
+	// A step ends the slide before it, which is not taken for the hand's motion either.
+	const FeaturePlace hand_m_s = slide_.left_m.isZero(0.0) ? before_m_s : slide_.hand_m_s;
+	slide_ = {};
+	pass(waiting_);
+	step_m_ += step_m;
+	const double back_m_s = -step_m.normalized().dot(after_m_s - hand_m_s);
+	// Beside what a hand speeds up by between two intervals, and unlike trembling.
+	const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
+	if (back_m_s > least_m_s && length_m > 2.0 * floor_m()) {
+		slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, hand_m_s };
+	}
+	passed_[passed_count_ - 1].place_m -= step_m;
+	velocity_m_s_ = after_m_s;
+	interval_s_ = next_s;
+}
+
+/// To the place that the tracker held: whatever it showed meanwhile, the hand is where it was.
+void TrackerSteps::come_back(const Frame &frame) {
+	shows_elsewhere_ = shows_elsewhere_ || is_waiting_;
+	is_waiting_ = false;
+	step_m_ = held_->step_m;
+	slide_ = {};
+	pass(frame);
+	velocity_m_s_.setZero();
 }
 
 std::span<const TrackerSteps::Passed> TrackerSteps::push(
 		double t_s, const FeaturePlace &place_m, double rest_shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
+	if (held_ && place_m == held_->place_m) {
+		come_back(frame);
+		return { passed_.data(), passed_count_ };
+	}
 	if (is_waiting_) {
 		const double waiting_s = waiting_.t_s;
 		resolve(frame);
@@ -143,9 +177,10 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	}
 	const double dt_s = t_s - last_.t_s;
 	const double bend_m = (place_m - last_.place_m - velocity_m_s_ * dt_s).norm();
-	waits_after_rest_ = rest_shown_s > last_.t_s;
-	rest_shown_s_ = rest_shown_s;
-	const double since_s = waits_after_rest_ ? t_s - rest_shown_s : dt_s;
+	has_rested_ = rest_shown_s > last_.t_s;
+	rest_shown_s_ = std::max(rest_shown_s, stayed_until_s_);
+	waits_after_rest_ = rest_shown_s_ > last_.t_s;
+	const double since_s = waits_after_rest_ ? t_s - rest_shown_s_ : dt_s;
 	if (bend_m > floor_m() + 0.25 * ACCELERATION_M_S2 * since_s * since_s) {
 		waiting_ = frame;
 		is_waiting_ = true;
@@ -158,10 +193,18 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	return { passed_.data(), passed_count_ };
 }
 
-std::span<const TrackerSteps::Passed> TrackerSteps::stay(double t_s) {
+std::span<const TrackerSteps::Passed> TrackerSteps::stay(double t_s, bool rests) {
 	passed_count_ = 0;
-	if (is_waiting_ && waits_after_rest_ && t_s - waiting_.t_s > STAYS_S) {
+	if (is_waiting_ && t_s - waiting_.t_s > STAYS_S) {
 		resolve({ t_s, waiting_.place_m });
+		shows_elsewhere_ = true;
+	}
+	if (!is_waiting_) {
+		held_ = { last_.place_m, step_m_ };
+		if (t_s - last_.t_s > STAYS_S) {
+			remember_bend(0.0);
+			stayed_until_s_ = rests && shows_elsewhere_ ? t_s : stayed_until_s_;
+		}
 	}
 	return { passed_.data(), passed_count_ };
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace steadyhand {
@@ -24,8 +25,9 @@ public:
 	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase. rest_shown_s: when
 	/// the place before was last shown, if the hand rested there: from then on it did not go as far.
 	std::span<const Passed> push(double t_s, const FeaturePlace &place_m, double rest_shown_s = -INFINITY);
-	/// The newest place was shown again: after a rest, one that is not left soon is a step.
-	std::span<const Passed> stay(double t_s);
+	/// The newest place was shown again: one off the hand's course that is not left soon is a step. rests: no
+	/// stroke is under way.
+	std::span<const Passed> stay(double t_s, bool rests);
 	/// The next frame has nothing to do with the last one.
 	void restart();
 
@@ -41,6 +43,12 @@ private:
 		FeaturePlace hand_m_s = FeaturePlace::Zero(); ///< the hand's own velocity, before the step
 	};
 
+	/// A place that was shown again, to the last bit.
+	struct Held {
+		FeaturePlace place_m = FeaturePlace::Zero();
+		FeaturePlace step_m = FeaturePlace::Zero(); ///< all that was taken out until then
+	};
+
 	Frame last_;
 	Frame waiting_;
 	FeaturePlace velocity_m_s_ = FeaturePlace::Zero(); ///< over the last interval
@@ -49,16 +57,24 @@ private:
 	Slide slide_;
 	double bend_m_ = 0.0; ///< mean, from frame to frame
 	int bends_ = 0;
+	std::optional<Held> held_;
+	double stayed_until_s_ = -INFINITY; ///< at rest, before a tracker that shows hands elsewhere
+	bool shows_elsewhere_ = false;      ///< a hand at rest, for a frame or for good
 	bool has_last_ = false;
 	bool is_waiting_ = false;
 	bool waits_after_rest_ = false; ///< which was shown until rest_shown_s_
+	bool has_rested_ = false;       ///< for longer than a tracker holds its pose
 	double rest_shown_s_ = 0.0;
 	std::array<Passed, 2> passed_;
 	std::size_t passed_count_ = 0;
 
 	[[nodiscard]] double floor_m() const;
 	void pass(const Frame &frame);
+	[[nodiscard]] double before_waiting_s() const;
 	void resolve(const Frame &next);
+	void take_out(const FeaturePlace &step_m, const FeaturePlace &before_m_s, const FeaturePlace &after_m_s,
+			double next_s);
+	void come_back(const Frame &frame);
 	void remember_bend(double bend_m);
 	void slide_to(const Frame &frame);
 };

@@ -110,12 +110,22 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
 	}
 	Evidence taken_back;
-	const bool repeats = x == x_ && place == place_;
-	if (!repeats && !standstill_.stands(t_s_, x, jitter_)) {
-		if (leapt_ && was_outlier(x, place)) {
-			taken_back = leap_.fault;
+	bool repeats = x == x_ && place == place_;
+	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
+	const bool is_back = !repeats && held_ && x == held_->x && place == held_->place;
+	if (is_back || (!stands && leapt_ && was_outlier(x, place))) {
+		taken_back = leapt_ ? leap_.fault : Evidence{};
+		if (is_back) {
+			forget_all_since_held();
+		} else {
 			forget_outlier();
 		}
+		stands = x == x_ && place == place_;
+		if (stands) {
+			silence_.come_back(t_s_);
+		}
+	}
+	if (!stands) {
 		follow(x, place);
 	} else {
 		if (repeats) {
@@ -176,6 +186,9 @@ void TrackingSoundness::stand() {
 	if (!silence_.is_frozen()) {
 		noise_.push(0.0);
 		place_noise_.push(0.0);
+		if (!held_ || held_->x != x_ || held_->place != place_) {
+			held_ = { x_, place_, silence_, standstill_ };
+		}
 	}
 	step_way_.go(0.0, false);
 	place_way_.go(FeaturePlace::Zero(), false);
@@ -200,6 +213,19 @@ void TrackingSoundness::forget_outlier() {
 	place_way_.latest = place_way_.before_leap;
 	standstill_.forget();
 	silence_ = leap_.silence;
+	leapt_ = false;
+}
+
+/// The tracker shows the hand again where it had shown it at rest, to the last bit.
+void TrackingSoundness::forget_all_since_held() {
+	x_ = held_->x;
+	place_ = held_->place;
+	silence_ = held_->silence;
+	standstill_ = held_->standstill;
+	step_way_ = { 0.0, 0.0 };
+	place_way_ = { FeaturePlace::Zero(), FeaturePlace::Zero() };
+	way_s_ = t_s_;
+	leapt_ = false;
 }
 
 void TrackingSoundness::follow(double x, const FeaturePlace &place) {
@@ -207,7 +233,6 @@ void TrackingSoundness::follow(double x, const FeaturePlace &place) {
 	const double step = x - x_;
 	const FeaturePlace place_step = place - place_;
 	judge(dt_s, step, place_step);
-	leapt_ = jumped_ || strayed_;
 	leap_.t_s = way_s_;
 	leap_.x = x_;
 	leap_.place = place_;
@@ -218,7 +243,11 @@ void TrackingSoundness::follow(double x, const FeaturePlace &place) {
 	if (!jumped_) {
 		news_s_ = returned_ ? news_s_ : t_s_;
 	}
-	silence_.change(t_s_, x, step, place_step);
+	if (leapt_) {
+		silence_.jump(t_s_, x);
+	} else {
+		silence_.change(t_s_, x, step, place_step);
+	}
 	standstill_.tell(t_s_, x, jitter_);
 	x_ = x;
 	place_ = place;
@@ -240,6 +269,7 @@ void TrackingSoundness::judge(double dt_s, double step, const FeaturePlace &plac
 	const double sharpest = SHARPEST_PER_S2 * dt_s * dt_s;
 	jumped_ = bend > sharpest + std::max(SMALLEST_BEND, SHAKEN_BEND * noise);
 	strayed_ = stray > sharpest + std::max(SMALLEST_STRAY, SHAKEN_STRAY * place_noise);
+	leapt_ = jumped_ || strayed_;
 	returned_ = t_s_ - news_s_ > BLIND_S && std::abs(step) > std::max(BLIND_STEP, SHAKEN_STEP * noise);
 	if (frames_ > 1) {
 		const double shake = std::min(bend, std::max(SMALLEST_BEND, SHAKEN_STEP * noise));

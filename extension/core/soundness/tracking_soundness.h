@@ -8,6 +8,7 @@
 #include "soundness/way_shape.h"
 
 #include <cmath>
+#include <optional>
 
 namespace steadyhand {
 
@@ -83,6 +84,14 @@ private:
 		TrackerSilence silence; ///< with that frame
 	};
 
+	/// A hand at rest that the tracker showed again, to the last bit.
+	struct Held {
+		double x = 0.0;
+		FeaturePlace place = FeaturePlace::Zero();
+		TrackerSilence silence;
+		TrackerStandstill standstill;
+	};
+
 	double t_s_ = 0.0;
 	double x_ = 0.0; ///< of the newest frame that does not repeat the one before
 	FeaturePlace place_ = FeaturePlace::Zero();
@@ -102,6 +111,7 @@ private:
 	Way<double> step_way_{ 0.0, 0.0 };
 	Way<FeaturePlace> place_way_{ FeaturePlace::Zero(), FeaturePlace::Zero() };
 	Leap leap_;
+	std::optional<Held> held_;
 	Evidence freeze_;    ///< of the one that goes on, what has not faded
 	bool leapt_ = false; ///< the newest frame that told something did
 	double jitter_ = 0.0;
@@ -118,6 +128,7 @@ private:
 	[[nodiscard]] Evidence needless_of_freeze(double x);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();
+	void forget_all_since_held();
 	void follow(double x, const FeaturePlace &place);
 	void judge(double dt_s, double step, const FeaturePlace &place_step);
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace steadyhand {
 
@@ -21,7 +22,12 @@ public:
 		shown_s_ = first_shown_s_ = t_s;
 		place_m_ = place_m;
 	}
-	void repeat(double t_s) { shown_s_ = t_s; }
+	void repeat(double t_s) {
+		if (shown_s_ == first_shown_s_) {
+			trembled_before_ = std::exchange(trembled_, 0);
+		}
+		shown_s_ = t_s;
+	}
 	/// A frame that is no tracker's step.
 	void follow(double t_s, const FeaturePlace &place_m) {
 		if (!has_followed_) {
@@ -30,6 +36,9 @@ public:
 		} else if ((place_m - still_m_).norm() > STILL_M) {
 			still_since_s_ = t_s;
 			still_m_ = place_m;
+			trembled_ = 0;
+		} else {
+			++trembled_;
 		}
 		followed_s_ = t_s;
 	}
@@ -38,17 +47,20 @@ public:
 	[[nodiscard]] double first_shown_s() const { return first_shown_s_; }
 	[[nodiscard]] const FeaturePlace &place_m() const { return place_m_; }
 	/// When it was shown last, of a hand that has rested in one place, or about it, for longer than
-	/// LONGEST_S; -infinity of any other.
+	/// LONGEST_S; -infinity of any other, and before a tracker that trembles: one that does not any more has
+	/// lost the hand.
 	[[nodiscard]] double rest_shown_s() const {
 		const bool has_rested =
 				shown_s_ - first_shown_s_ >= LONGEST_S || followed_s_ - still_since_s_ >= LONGEST_S;
-		return has_rested && shown_s_ > first_shown_s_ ? shown_s_ : NEVER_S;
+		const bool trembles = trembled_before_ >= TREMBLES;
+		return has_rested && !trembles && shown_s_ > first_shown_s_ ? shown_s_ : NEVER_S;
 	}
 	/// Until when the hand that is seen elsewhere at t_s was there, if it was at rest.
 	[[nodiscard]] double rested_until_s(double t_s) const { return std::min(shown_s_, t_s - LONGEST_S); }
 
 private:
 	static constexpr double STILL_M = 0.004;
+	static constexpr int TREMBLES = 20; ///< frames in a row of a hand at rest, each of which is news
 
 	double shown_s_ = 0.0, first_shown_s_ = 0.0;
 	FeaturePlace place_m_ = FeaturePlace::Zero(); ///< as given
@@ -56,6 +68,8 @@ private:
 	FeaturePlace still_m_ = FeaturePlace::Zero();
 	bool has_followed_ = false;
 	double followed_s_ = 0.0;
+	int trembled_ = 0;        ///< such frames, by now
+	int trembled_before_ = 0; ///< and before the place was shown again
 };
 
 } // namespace steadyhand

@@ -150,7 +150,7 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		return;
 	}
 	if (!is_news) {
-		follow(steps_.stay(t_s), false);
+		follow(steps_.stay(t_s, knows_rest), false);
 		return;
 	}
 	if (t_s - pose_.first_shown_s() < LEAST_FRAME_S) {

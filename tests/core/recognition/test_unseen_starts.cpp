@@ -65,6 +65,44 @@ TEST_CASE("a gesture that begins unseen is one, however still the hand was befor
 	}
 }
 
+TEST_CASE("a gesture that begins in a freeze is one, before a tracker that trembles and one that does not") {
+	for (const double tremor_m : { 0.0, 1e-4, 1e-3 }) {
+		for (const double duration_s : { 0.4, 0.8 }) {
+			for (const double freeze_s : { 0.1, 0.2, 0.3 }) {
+				for (const double share : { -0.2, -0.05, 0.05, 0.1, 0.2 }) {
+					if (tremor_m == 0.0 && freeze_s > 0.5 * duration_s) {
+						continue; // nearly all of the way at once may be the tracker's step
+					}
+					CAPTURE(tremor_m);
+					CAPTURE(duration_s);
+					CAPTURE(freeze_s);
+					CAPTURE(share);
+					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
+					const double from_s = drag.onset_s + share * duration_s;
+					std::mt19937_64 random(1);
+					std::normal_distribution<double> noise_m(0.0, tremor_m > 0.0 ? tremor_m : 1.0);
+					const auto tremor = [&] { return tremor_m > 0.0 ? noise_m(random) : 0.0; };
+					Eigen::Vector3d shown_m = Eigen::Vector3d::Zero();
+					const Way way = [&](double t_s) {
+						if (t_s < from_s || t_s >= from_s + freeze_s) {
+							const double x = tremor(), y = tremor(), z = tremor();
+							shown_m = drag.x_m(t_s) * X + Eigen::Vector3d(x, y, z);
+						}
+						return shown_m;
+					};
+					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
+					GestureRecogniser task({ models()[0] }, Task{}, MotionMode::PHASE);
+					for (GestureRecogniser *recogniser : { &open, &task }) {
+						CAPTURE(recogniser == &open);
+						CHECK(watch(*recogniser, way, 2.4, 1e9, 1e9, 100.0, 0.0).said ==
+								times(1, "sideways"));
+					}
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("a tracker that shows a still hand elsewhere for a while as it sets out makes no other gesture of "
 		  "it") {
 	for (const Rest &rest : { Rest{ 0.0, 0.0 }, { 2e-3, 0.3e-3 } }) {

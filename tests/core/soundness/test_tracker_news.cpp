@@ -181,3 +181,26 @@ TEST_CASE("a single frame elsewhere leaves a fast hand as if it had not been, wh
 		}
 	}
 }
+
+TEST_CASE("a tracker that jumps, and shows a hand at rest there, has not lost it") {
+	for (const double to : { 0.3, 1.0, -0.4 }) {
+		for (const int frames_between : { 0, 1, 2 }) {
+			CAPTURE(to);
+			CAPTURE(frames_between);
+			TrackingSoundness soundness;
+			double t_s = 0.0;
+			const auto show = [&](double x, int frames) {
+				for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
+					soundness.push(t_s, x);
+				}
+			};
+			show(0.0, 60);
+			for (int i = 0; i < frames_between; ++i) {
+				show(0.5 * to - 0.1 * i, 1);
+			}
+			show(to, 60);
+			CHECK_FALSE(soundness.frozen());
+			CHECK(soundness.told());
+		}
+	}
+}
