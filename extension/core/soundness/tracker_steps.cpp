@@ -91,8 +91,13 @@ void TrackerSteps::resolve(const Frame &next) {
 		velocity_after_m_s = velocity_m_s_; // a step again
 	}
 	const FeaturePlace way_m = waiting_.place_m - last_.place_m;
+	// A hand that has set out while the tracker held its last pose: it is faster than it can have become
+	// since it was shown there.
+	const double along_m_s = way_m.normalized().dot(velocity_after_m_s);
+	const double reached_m_s = ACCELERATION_M_S2 * (dt_s + 0.5 * next_s);
+	const bool is_as_fast = along_m_s * HELD_S > way_m.norm(), is_too_fast = along_m_s > reached_m_s;
 	if (waits_after_rest_) {
-		// A single frame elsewhere, or a hand that has set out while the tracker held its last pose.
+		// A single frame elsewhere.
 		if ((next.place_m - last_.place_m).norm() < floor_m()) {
 			return;
 		}
@@ -100,9 +105,7 @@ void TrackerSteps::resolve(const Frame &next) {
 			pass(waiting_);
 			return;
 		}
-		const double after_m_s = way_m.normalized().dot(velocity_after_m_s);
-		const double reached_m_s = ACCELERATION_M_S2 * (dt_s + 0.5 * next_s); // from rest
-		if (after_m_s * HELD_S > way_m.norm() || after_m_s > reached_m_s) {
+		if (is_as_fast || is_too_fast) {
 			return;
 		}
 	} else if (knows_velocity) {
@@ -118,7 +121,11 @@ void TrackerSteps::resolve(const Frame &next) {
 	const FeaturePlace step_m = way_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
 	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + before_s + next_s);
-	if (step_m.norm() > floor_m() + hands_m) {
+	// The same before a tracker that trembled where it held the pose.
+	const double trembling_m_s = bend_m_ / next_s;
+	const bool sets_out = !waits_after_rest_ && knows_velocity && is_as_fast &&
+			along_m_s > reached_m_s + trembling_m_s && velocity_m_s_.norm() < reached_m_s + trembling_m_s;
+	if (!sets_out && step_m.norm() > floor_m() + hands_m) {
 		take_out(step_m, before_m_s, velocity_after_m_s, next_s);
 	} else {
 		pass(waiting_);

@@ -103,6 +103,36 @@ TEST_CASE("a gesture that begins in a freeze is one, before a tracker that tremb
 	}
 }
 
+TEST_CASE("a tracker that trembles also where it holds its pose hides no gesture's beginning") {
+	for (const double tremor_m : { 1e-4, 3e-4 }) {
+		for (const double freeze_s : { 0.1, 0.2, 0.3 }) {
+			for (const double ends_at : { 0.45, 0.5, 0.55, 0.6 }) {
+				for (const double duration_s : { 0.4, 0.6 }) {
+					CAPTURE(tremor_m);
+					CAPTURE(freeze_s);
+					CAPTURE(ends_at);
+					CAPTURE(duration_s);
+					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
+					const double to_s = drag.onset_s + ends_at * duration_s;
+					if (to_s - freeze_s > drag.onset_s + 0.1 * duration_s) {
+						continue; // it has begun to be seen
+					}
+					std::mt19937_64 random(1);
+					std::normal_distribution<double> noise_m(0.0, tremor_m);
+					const Way way = [&](double t_s) {
+						const bool is_held = t_s >= to_s - freeze_s && t_s < to_s;
+						const double x = noise_m(random), y = noise_m(random), z = noise_m(random);
+						return Eigen::Vector3d(
+								drag.x_m(is_held ? to_s - freeze_s : t_s) * X + Eigen::Vector3d(x, y, z));
+					};
+					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
+					CHECK(watch(open, way, 2.4, 1e9, 1e9, 100.0, 0.0).said == times(1, "sideways"));
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("a tracker that shows a still hand elsewhere for a while as it sets out makes no other gesture of "
 		  "it") {
 	for (const Rest &rest : { Rest{ 0.0, 0.0 }, { 2e-3, 0.3e-3 } }) {

@@ -232,3 +232,31 @@ TEST_CASE("a fast hand loses nothing where its track begins, and no more than a 
 	CHECK(frames.size() == 54); // of 55
 	CHECK(largest_error(frames, fast) == 0.0);
 }
+
+TEST_CASE("a hand that was shown at rest just now, and moves, has set out unseen if it is too fast for a "
+		  "step") {
+	struct Hand {
+		double way_m, after_m_s;
+		bool sets_out;
+	};
+	constexpr double RATE_HZ = 100.0, AT_S = 1.0;
+	for (const Hand &hand : { Hand{ 0.1, 0.0, false }, { 0.1, 0.15, false }, { 0.1, 0.28, true },
+				 { 0.3, 0.26, false }, { 0.3, 0.5, true }, { 0.05, 0.1, false }, { 0.05, 0.16, true } }) {
+		CAPTURE(hand.way_m);
+		CAPTURE(hand.after_m_s);
+		TrackerSteps steps;
+		double last_m = 0.0;
+		for (int i = 0; i < static_cast<int>(1.2 * RATE_HZ); ++i) {
+			const double t_s = i / RATE_HZ;
+			const double x_m = t_s < AT_S ? 0.0 : hand.way_m + hand.after_m_s * (t_s - AT_S);
+			const bool repeats = i > 0 && t_s < AT_S;
+			const auto frames = repeats ? steps.stay(t_s, true)
+										: steps.push(t_s, { x_m, 0.0, 0.0, 0.0 }, (i - 1) / RATE_HZ);
+			for (const TrackerSteps::Passed &frame : frames) {
+				last_m = frame.place_m.x();
+			}
+		}
+		const double expected_m = 0.2 * hand.after_m_s + (hand.sets_out ? hand.way_m : 0.0);
+		CHECK(std::abs(last_m - expected_m) < 0.02);
+	}
+}
