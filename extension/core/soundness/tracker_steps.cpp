@@ -25,6 +25,8 @@ constexpr double FASTEST_M_S = 3.0;
 /// its end, is faster by then than in the mean.
 constexpr double HELD_S = 0.4;
 constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
+/// A hand that sets out unseen has rested for so long.
+constexpr double RESTS_S = 0.1;
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 
@@ -69,6 +71,11 @@ void TrackerSteps::pass(const Frame &frame) {
 		slide_to(frame);
 		interval_s_ = frame.t_s - last_.t_s;
 		velocity_m_s_ = (frame.place_m - last_.place_m) / interval_s_;
+		if (velocity_m_s_.norm() > 1.5 * ACCELERATION_M_S2 * interval_s_ + bend_m_ / interval_s_) {
+			moved_s_ = frame.t_s;
+		}
+	} else {
+		moved_s_ = frame.t_s;
 	}
 	last_ = frame;
 	has_last_ = true;
@@ -122,9 +129,8 @@ void TrackerSteps::resolve(const Frame &next) {
 	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + before_s + next_s);
 	// The same before a tracker that trembled where it held the pose.
-	const double trembling_m_s = bend_m_ / next_s;
-	const bool sets_out = !waits_after_rest_ && knows_velocity && is_as_fast &&
-			along_m_s > reached_m_s + trembling_m_s && velocity_m_s_.norm() < reached_m_s + trembling_m_s;
+	const bool sets_out = !waits_after_rest_ && last_.t_s - moved_s_ > RESTS_S && is_as_fast &&
+			along_m_s > reached_m_s + bend_m_ / next_s;
 	if (!sets_out && step_m.norm() > floor_m() + hands_m) {
 		take_out(step_m, before_m_s, velocity_after_m_s, next_s);
 	} else {

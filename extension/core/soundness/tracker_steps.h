@@ -55,7 +55,8 @@ private:
 	double interval_s_ = 0.0;                          ///< the last; 0 before the second frame
 	FeaturePlace step_m_ = FeaturePlace::Zero();       ///< sum of all that was taken out
 	Slide slide_;
-	double bend_m_ = 0.0; ///< mean, from frame to frame
+	double moved_s_ = 0.0; ///< when the hand was last faster than one that has just set out
+	double bend_m_ = 0.0;  ///< mean, from frame to frame
 	int bends_ = 0;
 	std::optional<Held> held_;
 	double stayed_until_s_ = -INFINITY; ///< at rest, before a tracker that shows hands elsewhere
