@@ -159,11 +159,12 @@ void TrackerSteps::take_out(const FeaturePlace &step_m, const FeaturePlace &befo
 	interval_s_ = next_s;
 }
 
-/// To the place that the tracker held: whatever it showed meanwhile, the hand is where it was.
-void TrackerSteps::come_back(const Frame &frame) {
+/// To the place that the tracker held: whatever it showed meanwhile, the hand is where it was. step_m: all
+/// that was taken out until then.
+void TrackerSteps::come_back(const Frame &frame, const FeaturePlace &step_m) {
 	shows_elsewhere_ = shows_elsewhere_ || is_waiting_;
 	is_waiting_ = false;
-	step_m_ = held_->step_m;
+	step_m_ = step_m;
 	slide_ = {};
 	pass(frame);
 	velocity_m_s_.setZero();
@@ -174,7 +175,7 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
 	if (held_ && place_m == held_->place_m) {
-		come_back(frame);
+		come_back(frame, held_->step_m);
 		return { passed_.data(), passed_count_ };
 	}
 	if (is_waiting_) {

@@ -75,7 +75,7 @@ private:
 	void resolve(const Frame &next);
 	void take_out(const FeaturePlace &step_m, const FeaturePlace &before_m_s, const FeaturePlace &after_m_s,
 			double next_s);
-	void come_back(const Frame &frame);
+	void come_back(const Frame &frame, const FeaturePlace &step_m);
 	void remember_bend(double bend_m);
 	void slide_to(const Frame &frame);
 };

@@ -113,10 +113,11 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	bool repeats = x == x_ && place == place_;
 	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
 	const bool is_back = !repeats && held_ && x == held_->x && place == held_->place;
-	if (is_back || (!stands && leapt_ && was_outlier(x, place))) {
+	const Held *const held = is_back ? &*held_ : nullptr;
+	if (held != nullptr || (!stands && leapt_ && was_outlier(x, place))) {
 		taken_back = leapt_ ? leap_.fault : Evidence{};
-		if (is_back) {
-			forget_all_since_held();
+		if (held != nullptr) {
+			forget_all_since(*held);
 		} else {
 			forget_outlier();
 		}
@@ -217,11 +218,11 @@ void TrackingSoundness::forget_outlier() {
 }
 
 /// The tracker shows the hand again where it had shown it at rest, to the last bit.
-void TrackingSoundness::forget_all_since_held() {
-	x_ = held_->x;
-	place_ = held_->place;
-	silence_ = held_->silence;
-	standstill_ = held_->standstill;
+void TrackingSoundness::forget_all_since(const Held &held) {
+	x_ = held.x;
+	place_ = held.place;
+	silence_ = held.silence;
+	standstill_ = held.standstill;
 	step_way_ = { 0.0, 0.0 };
 	place_way_ = { FeaturePlace::Zero(), FeaturePlace::Zero() };
 	way_s_ = t_s_;

@@ -128,7 +128,7 @@ private:
 	[[nodiscard]] Evidence needless_of_freeze(double x);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();
-	void forget_all_since_held();
+	void forget_all_since(const Held &held);
 	void follow(double x, const FeaturePlace &place);
 	void judge(double dt_s, double step, const FeaturePlace &place_step);
 };
