@@ -27,6 +27,8 @@ constexpr double HELD_S = 0.4;
 constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
+/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
+constexpr double BACK_S = 0.2;
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 
@@ -174,7 +176,7 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 		double t_s, const FeaturePlace &place_m, double rest_shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
-	if (held_ && place_m == held_->place_m) {
+	if (held_ && t_s - held_->shown_s < BACK_S && place_m == held_->place_m) {
 		come_back(frame, held_->step_m);
 		return { passed_.data(), passed_count_ };
 	}
@@ -214,7 +216,7 @@ std::span<const TrackerSteps::Passed> TrackerSteps::stay(double t_s, bool rests)
 		shows_elsewhere_ = true;
 	}
 	if (!is_waiting_) {
-		held_ = { last_.place_m, step_m_ };
+		held_ = { t_s, last_.place_m, step_m_ };
 		if (t_s - last_.t_s > STAYS_S) {
 			remember_bend(0.0);
 			stayed_until_s_ = rests && shows_elsewhere_ ? t_s : stayed_until_s_;

@@ -45,6 +45,7 @@ private:
 
 	/// A place that was shown again, to the last bit.
 	struct Held {
+		double shown_s = 0.0; ///< the last time
 		FeaturePlace place_m = FeaturePlace::Zero();
 		FeaturePlace step_m = FeaturePlace::Zero(); ///< all that was taken out until then
 	};

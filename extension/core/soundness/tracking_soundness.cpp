@@ -31,6 +31,8 @@ constexpr double STRAY_FAULT = 0.3;
 constexpr double LATE_BY_JUMP = 0.3;
 /// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
 constexpr double NEARER = 0.5;
+/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
+constexpr double BACK_S = 0.2;
 constexpr double BLIND_S = 0.05;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
@@ -110,9 +112,10 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
 	}
 	Evidence taken_back;
-	bool repeats = x == x_ && place == place_;
+	const bool repeats = x == x_ && place == place_;
 	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
-	const bool is_back = !repeats && held_ && x == held_->x && place == held_->place;
+	const bool is_back =
+			!repeats && held_ && t_s_ - held_->shown_s < BACK_S && x == held_->x && place == held_->place;
 	const Held *const held = is_back ? &*held_ : nullptr;
 	if (held != nullptr || (!stands && leapt_ && was_outlier(x, place))) {
 		taken_back = leapt_ ? leap_.fault : Evidence{};
@@ -188,8 +191,9 @@ void TrackingSoundness::stand() {
 		noise_.push(0.0);
 		place_noise_.push(0.0);
 		if (!held_ || held_->x != x_ || held_->place != place_) {
-			held_ = { x_, place_, silence_, standstill_ };
+			held_ = { t_s_, x_, place_, silence_, standstill_ };
 		}
+		held_->shown_s = t_s_;
 	}
 	step_way_.go(0.0, false);
 	place_way_.go(FeaturePlace::Zero(), false);

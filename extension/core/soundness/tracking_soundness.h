@@ -86,6 +86,7 @@ private:
 
 	/// A hand at rest that the tracker showed again, to the last bit.
 	struct Held {
+		double shown_s = 0.0; ///< the last time
 		double x = 0.0;
 		FeaturePlace place = FeaturePlace::Zero();
 		TrackerSilence silence;
