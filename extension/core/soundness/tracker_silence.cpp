@@ -31,7 +31,7 @@ constexpr double PERIOD_SHARE = 0.1;
 
 void TrackerSilence::change(double t_s, double x, double step, const FeaturePlace &place_step) {
 	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
-	look_again(t_s, x);
+	look(t_s, x);
 	speed_ += SPEED_SHARE * (velocity - speed_);
 	const bool turned = step * step_ < 0.0 || (place_step.cwiseProduct(place_step_).array() < 0.0).any();
 	look_for_resolution(step, place_step);
@@ -39,10 +39,6 @@ void TrackerSilence::change(double t_s, double x, double step, const FeaturePlac
 	way_ = step_ + step;
 	step_ = step;
 	place_step_ = place_step;
-}
-
-void TrackerSilence::jump(double t_s, double x) {
-	look_again(t_s, x);
 }
 
 void TrackerSilence::come_back(double t_s) {
@@ -75,8 +71,7 @@ void TrackerSilence::come_to(double t_s) {
 	t_s_ = t_s;
 }
 
-/// The tracker shows the hand at x, and learns from that how often it looks.
-void TrackerSilence::look_again(double t_s, double x) {
+void TrackerSilence::look(double t_s, double x) {
 	x_ = x;
 	const double latest_s = t_s - changed_s_;
 	if (changes_ >= UNKNOWN_CHANGES) {

@@ -11,6 +11,9 @@ namespace steadyhand {
 /// repeats itself while all is well; one that has lost the hand may repeat itself too, and is frozen.
 class TrackerSilence {
 public:
+	/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
+	static constexpr double BACK_S = 0.2;
+
 	void start(double t_s) { changed_s_ = t_s_ = t_s; }
 	/// The first interval between frames is the first guess of the one between news.
 	void expect(double interval_s) { interval_s_ = interval_s; }
@@ -18,8 +21,8 @@ public:
 	void repeat(double t_s) { come_to(t_s); }
 	/// A frame that does not, at x; steps: since the last one of those; in amplitudes.
 	void change(double t_s, double x, double step, const FeaturePlace &place_step);
-	/// One that no hand's motion led to: it says nothing of how fast the hand is, or whether it trembles.
-	void jump(double t_s, double x);
+	/// All of that which is learned where no hand's motion led to x: how often the tracker looks.
+	void look(double t_s, double x);
 	/// One that shows the newest place again, after another that is as if it had not been.
 	void come_back(double t_s);
 
@@ -51,7 +54,6 @@ private:
 	double least_share_ = 0.0;
 
 	void come_to(double t_s);
-	void look_again(double t_s, double x);
 	void look_for_resolution(double step, const FeaturePlace &place_step);
 };
 

@@ -1,5 +1,7 @@
 #include "soundness/tracker_steps.h"
 
+#include "soundness/tracker_silence.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -21,14 +23,9 @@ constexpr double ACCELERATION_M_S2 = 20.0;
 constexpr double SLIDES_BACK_S = 0.15;
 /// Those strokes peak at 1.8 m/s.
 constexpr double FASTEST_M_S = 3.0;
-/// For so long a tracker may hold its last pose: a hand that sets out meanwhile, and has not nearly come to
-/// its end, is faster by then than in the mean.
-constexpr double HELD_S = 0.4;
 constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
-/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
-constexpr double BACK_S = 0.2;
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 
@@ -100,11 +97,11 @@ void TrackerSteps::resolve(const Frame &next) {
 		velocity_after_m_s = velocity_m_s_; // a step again
 	}
 	const FeaturePlace way_m = waiting_.place_m - last_.place_m;
-	// A hand that has set out while the tracker held its last pose: it is faster than it can have become
-	// since it was shown there.
+	// A hand that has set out while the tracker held its last pose, and has not nearly come to its end, is
+	// faster than in the mean; or faster than it can have become since it was shown there.
 	const double along_m_s = way_m.normalized().dot(velocity_after_m_s);
 	const double reached_m_s = ACCELERATION_M_S2 * (dt_s + 0.5 * next_s);
-	const bool is_as_fast = along_m_s * HELD_S > way_m.norm(), is_too_fast = along_m_s > reached_m_s;
+	const bool is_as_fast = along_m_s * LONGEST_HELD_S > way_m.norm(), is_too_fast = along_m_s > reached_m_s;
 	if (waits_after_rest_) {
 		// A single frame elsewhere.
 		if ((next.place_m - last_.place_m).norm() < floor_m()) {
@@ -176,7 +173,7 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 		double t_s, const FeaturePlace &place_m, double rest_shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
-	if (held_ && t_s - held_->shown_s < BACK_S && place_m == held_->place_m) {
+	if (held_ && t_s - held_->shown_s < TrackerSilence::BACK_S && place_m == held_->place_m) {
 		come_back(frame, held_->step_m);
 		return { passed_.data(), passed_count_ };
 	}

@@ -16,6 +16,9 @@ namespace steadyhand {
 /// the next one, therefore; others pass at once.
 class TrackerSteps {
 public:
+	/// A tracker holds its last pose no longer than this.
+	static constexpr double LONGEST_HELD_S = 0.4;
+
 	struct Passed {
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero(); ///< without all steps so far

@@ -31,8 +31,6 @@ constexpr double STRAY_FAULT = 0.3;
 constexpr double LATE_BY_JUMP = 0.3;
 /// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
 constexpr double NEARER = 0.5;
-/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
-constexpr double BACK_S = 0.2;
 constexpr double BLIND_S = 0.05;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
@@ -114,8 +112,8 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	Evidence taken_back;
 	const bool repeats = x == x_ && place == place_;
 	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
-	const bool is_back =
-			!repeats && held_ && t_s_ - held_->shown_s < BACK_S && x == held_->x && place == held_->place;
+	const bool is_back = !repeats && held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S &&
+			x == held_->x && place == held_->place;
 	const Held *const held = is_back ? &*held_ : nullptr;
 	if (held != nullptr || (!stands && leapt_ && was_outlier(x, place))) {
 		taken_back = leapt_ ? leap_.fault : Evidence{};
@@ -249,7 +247,7 @@ void TrackingSoundness::follow(double x, const FeaturePlace &place) {
 		news_s_ = returned_ ? news_s_ : t_s_;
 	}
 	if (leapt_) {
-		silence_.jump(t_s_, x);
+		silence_.look(t_s_, x);
 	} else {
 		silence_.change(t_s_, x, step, place_step);
 	}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gesture/feature.h"
+#include "soundness/tracker_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,7 @@ namespace steadyhand {
 /// or hold its last pose while the hand sets out.
 class HeldPose {
 public:
-	/// A tracker holds its last pose no longer than this.
-	static constexpr double LONGEST_S = 0.4;
+	static constexpr double LONGEST_S = TrackerSteps::LONGEST_HELD_S;
 	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 
 	[[nodiscard]] bool is_news(const FeaturePlace &place_m) const { return place_m != place_m_; }

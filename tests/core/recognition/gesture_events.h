@@ -50,6 +50,26 @@ struct Events {
 
 using Way = std::function<Eigen::Vector3d(double t_s)>;
 
+/// White noise in each direction.
+class Tremor {
+public:
+	Tremor(double deviation_m, unsigned seed) : deviation_m_(deviation_m), random_(seed) {}
+	Eigen::Vector3d operator()() {
+		const double x = noise_(random_), y = noise_(random_), z = noise_(random_);
+		return deviation_m_ * Eigen::Vector3d(x, y, z);
+	}
+
+private:
+	double deviation_m_;
+	std::mt19937_64 random_;
+	std::normal_distribution<double> noise_;
+};
+
+/// To multiples of grid_m; 0: as it is.
+inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
+	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;
+}
+
 /// The hand's way as a tracker sees it; nothing between lost_from_s and lost_to_s.
 inline Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
 		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {

@@ -4,7 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <map>
 #include <random>
 
 using namespace steadyhand;
@@ -41,9 +40,7 @@ Way seen(const Tracker &tracker, unsigned seed) {
 	return [off_m, tracker](double t_s) {
 		const auto i = static_cast<std::size_t>(std::lround(t_s * tracker.rate_hz));
 		const Eigen::Vector3d place_m = LATE_DRAG.x_m(t_s) * X + off_m.at(i);
-		return tracker.grid_m > 0.0
-				? Eigen::Vector3d(tracker.grid_m * (place_m / tracker.grid_m).array().round())
-				: place_m;
+		return rounded(place_m, tracker.grid_m);
 	};
 }
 
@@ -123,14 +120,11 @@ TEST_CASE("a tracker that rounds, and holds its pose as the hand sets out, has s
 				CAPTURE(seed);
 				const Drag drag{ .onset_s = 1.2, .duration_s = duration_s, .amplitude_m = 0.2 };
 				const double from_s = drag.onset_s + share * duration_s;
-				std::mt19937_64 random(seed);
-				std::normal_distribution<double> tremor_m(0.0, TREMOR_M);
+				Tremor tremor(TREMOR_M, seed);
 				Eigen::Vector3d held_m = Eigen::Vector3d::Zero();
 				const Way way = [&](double t_s) {
 					if (t_s < from_s || t_s >= from_s + HELD_S) {
-						const double x = tremor_m(random), y = tremor_m(random), z = tremor_m(random);
-						const Eigen::Vector3d place_m = drag.x_m(t_s) * X + Eigen::Vector3d(x, y, z);
-						held_m = GRID_M * (place_m / GRID_M).array().round();
+						held_m = rounded(drag.x_m(t_s) * X + tremor(), GRID_M);
 					}
 					return held_m;
 				};

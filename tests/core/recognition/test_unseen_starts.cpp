@@ -23,11 +23,7 @@ double trembling_m(const Rest &rest, double t_s) {
 
 Way seen(const Rest &rest, const Drag &drag) {
 	return [=](double t_s) {
-		Eigen::Vector3d place = drag.x_m(t_s) * X + trembling_m(rest, t_s) * (X + Y);
-		if (rest.grid_m > 0.0) {
-			place = rest.grid_m * (place / rest.grid_m).array().round().matrix();
-		}
-		return place;
+		return rounded(drag.x_m(t_s) * X + trembling_m(rest, t_s) * (X + Y), rest.grid_m);
 	};
 }
 
@@ -79,14 +75,11 @@ TEST_CASE("a gesture that begins in a freeze is one, before a tracker that tremb
 					CAPTURE(share);
 					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
 					const double from_s = drag.onset_s + share * duration_s;
-					std::mt19937_64 random(1);
-					std::normal_distribution<double> noise_m(0.0, tremor_m > 0.0 ? tremor_m : 1.0);
-					const auto tremor = [&] { return tremor_m > 0.0 ? noise_m(random) : 0.0; };
+					Tremor tremor(tremor_m, 1);
 					Eigen::Vector3d shown_m = Eigen::Vector3d::Zero();
 					const Way way = [&](double t_s) {
 						if (t_s < from_s || t_s >= from_s + freeze_s) {
-							const double x = tremor(), y = tremor(), z = tremor();
-							shown_m = drag.x_m(t_s) * X + Eigen::Vector3d(x, y, z);
+							shown_m = drag.x_m(t_s) * X + tremor();
 						}
 						return shown_m;
 					};
@@ -117,13 +110,10 @@ TEST_CASE("a tracker that trembles also where it holds its pose hides no gesture
 					if (to_s - freeze_s > drag.onset_s + 0.1 * duration_s) {
 						continue; // it has begun to be seen
 					}
-					std::mt19937_64 random(1);
-					std::normal_distribution<double> noise_m(0.0, tremor_m);
+					Tremor tremor(tremor_m, 1);
 					const Way way = [&](double t_s) {
 						const bool is_held = t_s >= to_s - freeze_s && t_s < to_s;
-						const double x = noise_m(random), y = noise_m(random), z = noise_m(random);
-						return Eigen::Vector3d(
-								drag.x_m(is_held ? to_s - freeze_s : t_s) * X + Eigen::Vector3d(x, y, z));
+						return Eigen::Vector3d(drag.x_m(is_held ? to_s - freeze_s : t_s) * X + tremor());
 					};
 					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
 					CHECK(watch(open, way, 2.4, 1e9, 1e9, 100.0, 0.0).said == times(1, "sideways"));

@@ -27,6 +27,18 @@ double run_up(TrackerStandstill &r_standstill, double speed_per_s, int frames) {
 	return frames * PERIOD_S;
 }
 
+/// What a tracker is taken for that has shown the hand where it was told to.
+struct Shown {
+	TrackingSoundness soundness;
+	double t_s = 0.0;
+
+	void at(double x, int frames) {
+		for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
+			soundness.push(t_s, x);
+		}
+	}
+};
+
 } // namespace
 
 TEST_CASE("a tracker is judged alike whenever it begins") {
@@ -52,24 +64,19 @@ TEST_CASE("a tracker is judged alike whenever it begins") {
 }
 
 TEST_CASE("what a frame did is not said of one that repeats it") {
-	TrackingSoundness soundness;
-	double t_s = 0.0;
-	const auto show = [&](double x, int frames) {
-		for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
-			soundness.push(t_s, x);
-		}
-	};
-	show(0.1, 40);
-	show(0.5, 1);
+	Shown shown;
+	const TrackingSoundness &soundness = shown.soundness;
+	shown.at(0.1, 40);
+	shown.at(0.5, 1);
 	CHECK(soundness.jumped());
 	CHECK(soundness.fault() == 1.0);
-	show(0.5, 1);
+	shown.at(0.5, 1);
 	CHECK_FALSE(soundness.jumped());
 	CHECK(soundness.fault() == 0.0);
-	show(0.5, 20);
-	show(0.7, 1);
+	shown.at(0.5, 20);
+	shown.at(0.7, 1);
 	CHECK(soundness.returned());
-	show(0.7, 1);
+	shown.at(0.7, 1);
 	CHECK_FALSE(soundness.returned());
 }
 
@@ -187,20 +194,14 @@ TEST_CASE("a tracker that jumps, and shows a hand at rest there, has not lost it
 		for (const int frames_between : { 0, 1, 2 }) {
 			CAPTURE(to);
 			CAPTURE(frames_between);
-			TrackingSoundness soundness;
-			double t_s = 0.0;
-			const auto show = [&](double x, int frames) {
-				for (int i = 0; i < frames; ++i, t_s += PERIOD_S) {
-					soundness.push(t_s, x);
-				}
-			};
-			show(0.0, 60);
+			Shown shown;
+			shown.at(0.0, 60);
 			for (int i = 0; i < frames_between; ++i) {
-				show(0.5 * to - 0.1 * i, 1);
+				shown.at(0.5 * to - 0.1 * i, 1);
 			}
-			show(to, 60);
-			CHECK_FALSE(soundness.frozen());
-			CHECK(soundness.told());
+			shown.at(to, 60);
+			CHECK_FALSE(shown.soundness.frozen());
+			CHECK(shown.soundness.told());
 		}
 	}
 }
