@@ -11,13 +11,14 @@ namespace {
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
-/// Times the tracker's noise: what a hand at rest may be shown off by, up to BACK_VALUE.
-constexpr double TREMBLES = 5.0;
+/// A hand that wanders at rest has begun from so many standard deviations on, at BACK_VALUE at the latest.
+constexpr double WANDERS = 4.5;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
 /// no more.
 constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
 constexpr double UNLIKELY_S = 0.3;
-constexpr double HALF_WAY = 0.5; ///< from there on a hand has begun, whatever it did before
+constexpr double HALF_WAY = 0.5;        ///< from there on a hand has begun, whatever it did before,
+constexpr double WELL_UNDER_WAY = 0.25; ///< and from here on where it is seen to go the task's way
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
@@ -56,6 +57,10 @@ std::optional<double> TaskFollower::see(
 	}
 	seen_s_ = frame.t_s;
 	strokes_.look(strokes);
+	const double x = *x_m / task().amplitude_m;
+	if (stage() == Stage::RESTING && std::abs(x) < BACK_VALUE) {
+		wander_.push(frame.t_s, x);
+	}
 	if (stage() != Stage::RESTING) {
 		strokes_.add(strokes);
 		set_log_odds(strokes_.judge(strokes));
@@ -107,9 +112,9 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
-	const double onset = std::clamp(trembling, ONSET_VALUE, BACK_VALUE);
-	return now.value > (now.moving > BEGUN ? onset : HALF_WAY);
+	const double onset = std::clamp(WANDERS * wander_.deviation(), ONSET_VALUE, BACK_VALUE);
+	return now.value > (now.moving > BEGUN ? onset : HALF_WAY) ||
+			(now.value > WELL_UNDER_WAY && strokes_.go_the_way(strokes));
 }
 
 /// It went its own way, which the estimator takes for a gesture that is over, and has come back.

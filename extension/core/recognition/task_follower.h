@@ -2,6 +2,7 @@
 
 #include "gesture/motion_element.h"
 #include "recognition/gesture_follower.h"
+#include "soundness/rest_wander.h"
 #include "strokes/task_strokes.h"
 
 #include <cmath>
@@ -19,6 +20,7 @@ public:
 private:
 	MotionElement element_;
 	TaskStrokes strokes_;
+	RestWander wander_;        ///< of what is measured before the gesture
 	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;    ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;

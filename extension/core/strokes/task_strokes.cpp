@@ -32,6 +32,11 @@ void TaskStrokes::look(const StrokeFinder &strokes) {
 	}
 }
 
+bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
+	return std::ranges::any_of(strokes.strokes(),
+			[this](const Stroke &stroke) { return !stroke.is_lost && log_odds(stroke) > 0.0; });
+}
+
 void TaskStrokes::begin() {
 	best_of_one_ = of_all_ = NO_STROKE;
 	before_last_.reset();

@@ -20,6 +20,9 @@ public:
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
 
+	/// One of them is likelier the gesture, so far, than none.
+	[[nodiscard]] bool go_the_way(const StrokeFinder &strokes) const;
+
 	/// A gesture begins: it is made of what is added from now on.
 	void begin();
 	/// The newest, as of now.
