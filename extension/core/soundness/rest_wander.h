@@ -19,12 +19,13 @@ public:
 			mean_ = x;
 			return;
 		}
-		rested_s_ = std::min(rested_s_ + dt_s, MEMORY_S);
-		watched_s_ = std::min(watched_s_ + dt_s, MEMORY_S);
-		if (watched_s_ > 0.0) {
-			off_ += (std::abs(x - mean_) - off_) * dt_s / watched_s_;
-			mean_ += (x - mean_) * dt_s / std::min(rested_s_, MEAN_S);
+		if (dt_s == 0.0) {
+			return;
 		}
+		rested_s_ = std::min(rested_s_ + dt_s, MEAN_S);
+		watched_s_ = std::min(watched_s_ + dt_s, MEMORY_S);
+		off_ += (std::abs(x - mean_) - off_) * dt_s / watched_s_;
+		mean_ += (x - mean_) * dt_s / rested_s_;
 	}
 
 	/// Standard deviation about the latest mean, of what is Gaussian. 0 before the first frames.
