@@ -11,11 +11,10 @@ constexpr double WINDOW_S = 0.1;
 constexpr double ONSET_SHARE = 0.25; ///< of the peak speed
 constexpr double END_SHARE = 0.25;
 constexpr double SLOWEST_M_S = 1e-3;
-constexpr double SPEED_RATIO = 1.1;
 /// Slopes that trembling may make, smallest strokes a second.
 constexpr double STILL_PER_S = 6.5;
 constexpr double LOSS_S = 0.15;
-constexpr double PIECE_S = 0.05; ///< of the way
+constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
@@ -25,29 +24,13 @@ constexpr double HESITATION_S = 1.0;
 
 } // namespace
 
-Stroke joined(const Stroke &first, const Stroke &second) {
-	Stroke both = first;
-	both.now_s = second.now_s;
-	both.moved_s = second.moved_s;
-	both.to = second.to;
-	if (first.way_m + second.way_m > 0.0) {
-		both.middle =
-				(first.way_m * first.middle + second.way_m * second.middle) / (first.way_m + second.way_m);
-	}
-	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
-	both.way_m = first.way_m + (second.from - first.to).norm() + second.way_m;
-	both.is_joined = true;
-	return both;
-}
-
 void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	newest_ = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
 	places_.clear();
 	places_.push(t_s, newest_.place_m, WINDOW_S);
-	rest_count_ = 0;
+	slow_moments_.clear();
 	piece_ = newest_;
-	knots_.clear();
-	knots_.push({ t_s, newest_.place_m });
+	knots_.restart(t_s, newest_.place_m);
 	pose_.show(t_s, place_m);
 	steps_.restart();
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
@@ -59,41 +42,6 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
 	onset_.reset();
 	begin_anew(newest_);
 	earlier_count_ = 0;
-}
-
-/// Between knots, and after them to the newest place, straight on: also where frames are missing.
-FeaturePlace StrokeFinder::place_on_way(double t_s) const {
-	const Frame now{ newest_.t_s, newest_.place_m };
-	const Frame *after = &now;
-	for (std::size_t i = knots_.size(); i > 0; --i) {
-		const Frame &before = knots_[i - 1];
-		if (before.t_s <= t_s) {
-			const double share = (t_s - before.t_s) / (after->t_s - before.t_s);
-			return before.place_m + share * (after->place_m - before.place_m);
-		}
-		after = &before;
-	}
-	return after->place_m;
-}
-
-void StrokeFinder::remember_rest(const Sample &sample) {
-	while (rest_count_ > 0 && rests_[rest_count_ - 1].speed_m_s >= sample.speed_m_s) {
-		--rest_count_;
-	}
-	const bool is_faster =
-			rest_count_ == 0 || sample.speed_m_s > SPEED_RATIO * rests_[rest_count_ - 1].speed_m_s;
-	if (is_faster && rest_count_ < RESTS) {
-		rests_[rest_count_++] = sample;
-	}
-}
-
-const StrokeFinder::Sample *StrokeFinder::last_slower_than(double speed_m_s) const {
-	for (std::size_t i = rest_count_; i > 0; --i) {
-		if (rests_[i - 1].speed_m_s < speed_m_s) {
-			return &rests_[i - 1];
-		}
-	}
-	return nullptr;
 }
 
 Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak_m_s) {
@@ -134,23 +82,24 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		begin_anew(end_);
 	}
 	const bool is_news = places_.empty() || pose_.is_news(place_m);
+	const bool is_at_rest = !places_.empty() && rests();
 	double rest_shown_s = HeldPose::NEVER_S;
 	if (!is_news) {
 		pose_.repeat(t_s);
-	} else if (!places_.empty() && rests()) {
+	} else if (is_at_rest) {
 		rest_shown_s = pose_.rest_shown_s();
 		const double rested_s = pose_.rested_until_s(t_s);
 		if (rested_s - pose_.first_shown_s() >= LEAST_FRAME_S) {
 			take(rested_s, pose_.place_m(), HeldPose::NEVER_S, false);
 		}
 	}
-	const bool knows_rest = !is_news && rests();
-	if (places_.empty() || since_s > LONGEST_GAP_S || (!knows_rest && t_s - newest_.t_s > LONGEST_GAP_S)) {
+	const bool stays = !is_news && is_at_rest;
+	if (places_.empty() || since_s > LONGEST_GAP_S || (!stays && t_s - newest_.t_s > LONGEST_GAP_S)) {
 		restart(t_s, place_m);
 		return;
 	}
 	if (!is_news) {
-		follow(steps_.stay(t_s, knows_rest), false);
+		follow(steps_.stay(t_s, stays), false);
 		return;
 	}
 	if (t_s - pose_.first_shown_s() < LEAST_FRAME_S) {
@@ -218,7 +167,7 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 		peak_m_s_ = now.speed_m_s;
 		find_onset();
 	}
-	remember_rest(now);
+	slow_moments_.push(now);
 	if (!onset_) {
 		stroke_count_ = 0;
 		if (now.speed_m_s < END_SHARE * peak_m_s_) {
@@ -253,26 +202,12 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 	if (r_sample.t_s - piece_.t_s >= PIECE_S && piece_m >= smallest_m_) {
 		piece_ = r_sample;
 	}
-	if (r_sample.t_s - knots_.newest().t_s >= PIECE_S) {
-		knots_.push({ r_sample.t_s, r_sample.place_m });
-	}
+	knots_.push(r_sample.t_s, r_sample.place_m);
 }
 
 void StrokeFinder::measure_rest(Sample &r_onset) const {
 	r_onset.watched_s = std::clamp(r_onset.speed_s - seen_since_s_, 0.0, Stroke::REST_S);
-	r_onset.unrest_m = stray_m(r_onset.speed_s - Stroke::REST_S, r_onset.speed_s);
-}
-
-/// How far the hand was from where it was at then_s, at most, since then.
-double StrokeFinder::stray_m(double since_s, double then_s) const {
-	const FeaturePlace still = place_on_way(then_s - 0.5 * PIECE_S);
-	double stray_m2 = (still - place_on_way(since_s)).squaredNorm();
-	for (std::size_t i = knots_.size(); i > 0 && knots_[i - 1].t_s >= since_s; --i) {
-		if (knots_[i - 1].t_s <= then_s) {
-			stray_m2 = std::max(stray_m2, (still - knots_[i - 1].place_m).squaredNorm());
-		}
-	}
-	return std::sqrt(stray_m2);
+	r_onset.unrest_m = knots_.stray_m(r_onset.speed_s - Stroke::REST_S, r_onset.speed_s);
 }
 
 double StrokeFinder::unrest_m(const Stroke &stroke) const {
@@ -282,12 +217,12 @@ double StrokeFinder::unrest_m(const Stroke &stroke) const {
 	}
 	const double then_s = stroke.onset_s - 0.5 * WINDOW_S;
 	const double since_s = std::max(then_s - watch_s, seen_since_s_);
-	return std::max(stroke.unrest_m, stray_m(since_s, then_s));
+	return std::max(stroke.unrest_m, knots_.stray_m(since_s, then_s));
 }
 
 /// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
 void StrokeFinder::find_onset() {
-	const Sample *const rest = last_slower_than(ONSET_SHARE * peak_m_s_);
+	const Sample *const rest = slow_moments_.last_slower_than(ONSET_SHARE * peak_m_s_);
 	if (rest == nullptr) {
 		onset_.reset();
 	} else if (!onset_ || rest->t_s > onset_->t_s) {
@@ -304,8 +239,8 @@ void StrokeFinder::find_onset() {
 void StrokeFinder::begin_anew(const Sample &end) {
 	if (onset_ && (end.place_m - onset_->place_m).norm() > smallest_m_) {
 		remember_stroke(*onset_, end);
-		rest_count_ = 0;
-		remember_rest(end);
+		slow_moments_.clear();
+		slow_moments_.push(end);
 	}
 	onset_.reset();
 	stroke_count_ = 0;

@@ -6,6 +6,9 @@
 #include "soundness/tracker_steps.h"
 #include "soundness/tremble_filter.h"
 #include "strokes/held_pose.h"
+#include "strokes/slow_moments.h"
+#include "strokes/stroke.h"
+#include "strokes/way_knots.h"
 
 #include <array>
 #include <cmath>
@@ -14,32 +17,6 @@
 #include <span>
 
 namespace steadyhand {
-
-/// What a hand did from where it was last as good as still to where it is.
-struct Stroke {
-	double onset_s = 0.0;
-	double now_s = 0.0;
-	double moved_s = 0.0; ///< when the hand was last on its way: earlier than now while it rests
-	FeaturePlace from = FeaturePlace::Zero();
-	FeaturePlace to = FeaturePlace::Zero();
-	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its way
-	double peak_m_s = 0.0;
-	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
-	FeaturePlace seen_from = FeaturePlace::Zero();
-	double way_m = 0.0; ///< length of the way from `from` to `to`, >= their distance
-	/// How far from `from` the hand was before the onset, at most; before slow strokes there is more to it:
-	/// StrokeFinder::unrest_m.
-	double unrest_m = 0.0;
-	double watched_s =
-			0.0; ///< for how long before the onset: no more than REST_S, less where it was not seen
-	bool is_joined = false; ///< of several, between which the hand hesitated
-	bool is_lost = false;   ///< it was under way before a gap that the newest frame has ended
-
-	static constexpr double REST_S = 0.5;
-};
-
-/// Both as one, as far as a task's evidence asks: what the hand did between them adds its way only.
-[[nodiscard]] Stroke joined(const Stroke &first, const Stroke &second);
 
 /// Cuts a stream of places into strokes where the hand slows down to a share of the stroke's own peak speed,
 /// so that neither the gesture's size nor its pace matters, nor how much a tracker trembles. What is kept of
@@ -86,8 +63,6 @@ public:
 private:
 	static constexpr std::size_t FRAMES = 64; ///< of the window in which the speed is taken
 	static constexpr std::size_t PAST = 256;
-	static constexpr std::size_t RESTS = 112; ///< speeds of 1 mm/s to 40 m/s, each 1.1 times the last
-	static constexpr std::size_t KNOTS = 128; ///< of slow strokes too, with what was before them
 	static constexpr std::size_t EARLIER = 5;
 
 	struct Sample {
@@ -106,11 +81,6 @@ private:
 		double peak_m_s = 0.0; ///< since then, until the end of the newest of them
 	};
 
-	struct Frame {
-		double t_s = 0.0;
-		FeaturePlace place_m = FeaturePlace::Zero();
-	};
-
 	struct GivenFrame {
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero();
@@ -123,13 +93,11 @@ private:
 	TrembleFilter trembles_;
 	Ring<GivenFrame, PAST> past_;
 	SlopeWindow<FeaturePlace, FRAMES> places_;
-	Sample end_;    ///< of the one under way, should the newest frame end it
-	Sample newest_; ///< of speed 0: an end is slower than all that comes after it
-	Sample piece_;  ///< where the newest straight piece of the way begins; no trembling lengthens the way
-	Ring<Frame, KNOTS> knots_; ///< places some time apart, scaled
-	/// The last time that the hand was slower than ever since: speeds rise from the bottom up.
-	std::array<Sample, RESTS> rests_{};
-	std::size_t rest_count_ = 0;
+	Sample end_;     ///< of the one under way, should the newest frame end it
+	Sample newest_;  ///< of speed 0: an end is slower than all that comes after it
+	Sample piece_;   ///< where the newest straight piece of the way begins; no trembling lengthens the way
+	WayKnots knots_; ///< scaled
+	SlowMoments<Sample> slow_moments_;
 
 	double seen_since_s_ = 0.0; ///< frozen frames count as seen
 	HeldPose pose_;             ///< shown first when a place was last news
@@ -156,10 +124,6 @@ private:
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
 	void measure_rest(Sample &r_onset) const;
-	[[nodiscard]] double stray_m(double since_s, double then_s) const;
-	[[nodiscard]] FeaturePlace place_on_way(double t_s) const;
-	void remember_rest(const Sample &sample);
-	[[nodiscard]] const Sample *last_slower_than(double speed_m_s) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);
 };
 
