@@ -1,5 +1,7 @@
 #include "recognition/open_follower.h"
 
+#include "recognition/stroke_start.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -35,9 +37,6 @@ constexpr double RETURNED = 0.5;
 /// Where tracking is lost this near to the end, that was the end.
 constexpr double LOST_AT_END = 0.7;
 constexpr double STARTING_RATE_PER_S = 100.0;
-constexpr double REPLAY_BEFORE_S = 0.15; ///< for the estimator to see the hand at rest
-constexpr double SAME_STEP_M = 0.005;    ///< between steps of a tracker that are the same
-constexpr double REST_PART_S = 0.05;     ///< in whose mean a tracker's noise counts little
 
 /// The model's speed at this phase, its end, in shares of its peak, and what people slow down less.
 double end_speed_share(const GestureModel &model, double end_phase) {
@@ -141,7 +140,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
-			start_ = start_of(stroke, strokes);
+			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
 			return;
@@ -149,61 +148,10 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-/// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
-/// out from the furthest back that it was just before. Where the tracker jumped about then, and shows the
-/// hand by now as while it rested, the jump is left out.
-FeaturePlace OpenFollower::start_of(const Stroke &stroke, const StrokeFinder &strokes) const {
-	std::optional<FeaturePlace> at_rest;
-	FeaturePlace at_onset = FeaturePlace::Zero(), now = at_onset;
-	strokes.frames_since(stroke.onset_s - Stroke::REST_S,
-			[&](double frame_s, const FeaturePlace & /*place*/, const FeaturePlace &step) {
-				if (!step.hasNaN()) {
-					at_rest = at_rest.value_or(step);
-					at_onset = frame_s <= stroke.onset_s ? step : at_onset;
-					now = step;
-				}
-			});
-	const bool has_jumped_back = at_rest && (now - *at_rest).norm() < SAME_STEP_M;
-	FeaturePlace start = stroke.seen_from, sum = FeaturePlace::Zero();
-	if (has_jumped_back) {
-		start -= at_onset - *at_rest;
-	}
-	FeaturePlace furthest_back = start;
-	int frames = 0;
-	double since_s = -std::numeric_limits<double>::infinity();
-	const auto end_part = [&] {
-		// Without the furthest back, which may be a single frame that is elsewhere.
-		const FeaturePlace mean = frames > 2 ? FeaturePlace((sum - furthest_back) / (frames - 1))
-											 : FeaturePlace(sum / std::max(frames, 1));
-		if (frames > 0 && (mean - start).dot(way_) < 0.0) {
-			start = mean;
-		}
-		sum.setZero();
-		frames = 0;
-	};
-	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S,
-			[&](double frame_s, const FeaturePlace &seen, const FeaturePlace &step) {
-				if (frame_s > stroke.onset_s || step.hasNaN()) {
-					return;
-				}
-				const FeaturePlace place = has_jumped_back ? FeaturePlace(seen - (step - *at_rest)) : seen;
-				if (frame_s > since_s + REST_PART_S) {
-					end_part();
-					since_s = frame_s;
-				}
-				const bool is_behind = frames == 0 || (place - furthest_back).dot(way_) < 0.0;
-				furthest_back = is_behind ? place : furthest_back;
-				sum += place;
-				++frames;
-			});
-	end_part();
-	return start;
-}
-
 void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
 	forget_frames();
-	strokes.frames_since(stroke.onset_s - REPLAY_BEFORE_S,
+	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S,
 			[&](double frame_s, const FeaturePlace &place, const FeaturePlace & /*step*/) {
 				if (frame_s < t_s) {
 					recall(frame_s, along(place), place);

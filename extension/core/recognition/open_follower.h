@@ -40,7 +40,6 @@ private:
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
-	[[nodiscard]] FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes) const;
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
