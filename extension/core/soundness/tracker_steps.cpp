@@ -81,81 +81,86 @@ void TrackerSteps::pass(const Frame &frame) {
 	passed_[passed_count_++] = { frame.t_s, frame.place_m - step_m_, frame.place_m };
 }
 
-/// Between the frame that is waiting and the last time that the hand was shown before it.
-double TrackerSteps::before_waiting_s() const {
-	return waiting_.t_s - (waits_after_rest_ ? rest_shown_s_ : last_.t_s);
+TrackerSteps::Leap TrackerSteps::leap_before(const Frame &next) const {
+	Leap leap;
+	leap.dt_s = waiting_.t_s - (waits_after_rest_ ? rest_shown_s_ : last_.t_s);
+	leap.next_s = next.t_s - waiting_.t_s;
+	leap.way_m = waiting_.place_m - last_.place_m;
+	leap.knows_before = interval_s_ > 0.0 || held_;
+	leap.after_m_s = (next.place_m - waiting_.place_m) / leap.next_s;
+	if (leap.knows_before && leap.after_m_s.norm() > FASTEST_M_S) {
+		leap.after_m_s = velocity_m_s_; // a step again
+	}
+	leap.before_m_s = leap.knows_before ? velocity_m_s_ : leap.after_m_s;
+	return leap;
+}
+
+/// For a single frame: the next is where the hand would be without the one that is waiting.
+bool TrackerSteps::was_elsewhere(const Leap &leap, const Frame &next) const {
+	if (waits_after_rest_) {
+		return (next.place_m - last_.place_m).norm() < floor_m();
+	}
+	const double both_s = leap.dt_s + leap.next_s;
+	const double off_m = (next.place_m - last_.place_m - velocity_m_s_ * both_s).norm();
+	return leap.knows_before && off_m < floor_m() + 0.25 * ACCELERATION_M_S2 * both_s * both_s;
+}
+
+/// A hand that has set out while the tracker held its last pose, and has not nearly come to its end, is
+/// faster than in the mean; or faster than it can have become since it was shown there. Before a tracker that
+/// trembled where it held the pose, both.
+bool TrackerSteps::set_out_unseen(const Leap &leap) const {
+	const double along_m_s = leap.way_m.normalized().dot(leap.after_m_s);
+	const double reached_m_s = ACCELERATION_M_S2 * (leap.dt_s + 0.5 * leap.next_s);
+	const bool is_as_fast = along_m_s * LONGEST_HELD_S > leap.way_m.norm();
+	if (waits_after_rest_) {
+		return is_as_fast || along_m_s > reached_m_s;
+	}
+	return last_.t_s - moved_s_ > RESTS_S && is_as_fast && along_m_s > reached_m_s + bend_m_ / leap.next_s;
 }
 
 /// next: the frame after the one that is waiting.
 void TrackerSteps::resolve(const Frame &next) {
 	is_waiting_ = false;
-	const double dt_s = before_waiting_s();
-	const double next_s = next.t_s - waiting_.t_s;
-	const bool knows_velocity = interval_s_ > 0.0 || held_;
-	FeaturePlace velocity_after_m_s = (next.place_m - waiting_.place_m) / next_s;
-	if (knows_velocity && velocity_after_m_s.norm() > FASTEST_M_S) {
-		velocity_after_m_s = velocity_m_s_; // a step again
+	const Leap leap = leap_before(next);
+	if (was_elsewhere(leap, next)) {
+		return;
 	}
-	const FeaturePlace way_m = waiting_.place_m - last_.place_m;
-	// A hand that has set out while the tracker held its last pose, and has not nearly come to its end, is
-	// faster than in the mean; or faster than it can have become since it was shown there.
-	const double along_m_s = way_m.normalized().dot(velocity_after_m_s);
-	const double reached_m_s = ACCELERATION_M_S2 * (dt_s + 0.5 * next_s);
-	const bool is_as_fast = along_m_s * LONGEST_HELD_S > way_m.norm(), is_too_fast = along_m_s > reached_m_s;
-	if (waits_after_rest_) {
-		// A single frame elsewhere.
-		if ((next.place_m - last_.place_m).norm() < floor_m()) {
-			return;
-		}
-		if (!has_rested_ && next.place_m != waiting_.place_m) {
-			pass(waiting_);
-			return;
-		}
-		if (is_as_fast || is_too_fast) {
-			return;
-		}
-	} else if (knows_velocity) {
-		// As if it had not been.
-		const double both_s = dt_s + next_s;
-		const double off_m = (next.place_m - last_.place_m - velocity_m_s_ * both_s).norm();
-		if (off_m < floor_m() + 0.25 * ACCELERATION_M_S2 * both_s * both_s) {
-			return;
-		}
+	if (waits_after_rest_ && !has_rested_ && next.place_m != waiting_.place_m) {
+		pass(waiting_);
+		return;
+	}
+	const bool has_set_out = set_out_unseen(leap);
+	if (has_set_out && waits_after_rest_) {
+		return;
 	}
 	// The hand's own way between two places at known velocities; those are half an interval too old and new.
-	const FeaturePlace before_m_s = knows_velocity ? velocity_m_s_ : velocity_after_m_s;
-	const FeaturePlace step_m = way_m - 0.5 * dt_s * (before_m_s + velocity_after_m_s);
+	const FeaturePlace step_m = leap.way_m - 0.5 * leap.dt_s * (leap.before_m_s + leap.after_m_s);
 	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
-	const double hands_m = 0.25 * ACCELERATION_M_S2 * dt_s * (dt_s + before_s + next_s);
-	// The same before a tracker that trembled where it held the pose.
-	const bool sets_out = !waits_after_rest_ && last_.t_s - moved_s_ > RESTS_S && is_as_fast &&
-			along_m_s > reached_m_s + bend_m_ / next_s;
-	if (!sets_out && step_m.norm() > floor_m() + hands_m) {
-		take_out(step_m, before_m_s, velocity_after_m_s, next_s);
+	const double hands_m = 0.25 * ACCELERATION_M_S2 * leap.dt_s * (leap.dt_s + before_s + leap.next_s);
+	if (!has_set_out && step_m.norm() > floor_m() + hands_m) {
+		take_out(step_m, leap);
 	} else {
 		pass(waiting_);
 	}
 }
 
-/// The step that led to the frame that is waiting; velocities: the hand's, before and after.
-void TrackerSteps::take_out(const FeaturePlace &step_m, const FeaturePlace &before_m_s,
-		const FeaturePlace &after_m_s, double next_s) {
-	const double dt_s = before_waiting_s();
+/// step_m: of the leap, the tracker's.
+void TrackerSteps::take_out(const FeaturePlace &step_m, const Leap &leap) {
 	const double length_m = step_m.norm();
 	// A step ends the slide before it, which is not taken for the hand's motion either.
-	const FeaturePlace hand_m_s = slide_.left_m.isZero(0.0) ? before_m_s : slide_.hand_m_s;
+	const FeaturePlace hand_m_s = slide_.left_m.isZero(0.0) ? leap.before_m_s : slide_.hand_m_s;
 	slide_ = {};
 	pass(waiting_);
 	step_m_ += step_m;
-	const double back_m_s = -step_m.normalized().dot(after_m_s - hand_m_s);
+	const double back_m_s = -step_m.normalized().dot(leap.after_m_s - hand_m_s);
 	// Beside what a hand speeds up by between two intervals, and unlike trembling.
-	const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (dt_s + next_s);
+	const double least_m_s = length_m / SLIDES_BACK_S + 0.5 * ACCELERATION_M_S2 * (leap.dt_s + leap.next_s);
 	if (back_m_s > least_m_s && length_m > 2.0 * floor_m()) {
 		slide_ = { step_m, waiting_.t_s + 2.0 * SLIDES_BACK_S, hand_m_s };
 	}
 	passed_[passed_count_ - 1].place_m -= step_m;
-	velocity_m_s_ = after_m_s;
-	interval_s_ = next_s;
+	velocity_m_s_ = leap.after_m_s;
+	interval_s_ = leap.next_s;
 }
 
 /// To the place that the tracker held: whatever it showed meanwhile, the hand is where it was. step_m: all

@@ -46,6 +46,14 @@ private:
 		FeaturePlace hand_m_s = FeaturePlace::Zero(); ///< the hand's own velocity, before the step
 	};
 
+	/// From where the hand was last shown to the frame that is waiting, with the hand's velocities.
+	struct Leap {
+		double dt_s = 0.0, next_s = 0.0; ///< of it, and from there to the next frame
+		FeaturePlace way_m = FeaturePlace::Zero();
+		FeaturePlace before_m_s = FeaturePlace::Zero(), after_m_s = FeaturePlace::Zero();
+		bool knows_before = false;
+	};
+
 	/// A place that was shown again, to the last bit.
 	struct Held {
 		double shown_s = 0.0; ///< the last time
@@ -75,10 +83,11 @@ private:
 
 	[[nodiscard]] double floor_m() const;
 	void pass(const Frame &frame);
-	[[nodiscard]] double before_waiting_s() const;
+	[[nodiscard]] Leap leap_before(const Frame &next) const;
+	[[nodiscard]] bool was_elsewhere(const Leap &leap, const Frame &next) const;
+	[[nodiscard]] bool set_out_unseen(const Leap &leap) const;
 	void resolve(const Frame &next);
-	void take_out(const FeaturePlace &step_m, const FeaturePlace &before_m_s, const FeaturePlace &after_m_s,
-			double next_s);
+	void take_out(const FeaturePlace &step_m, const Leap &leap);
 	void come_back(const Frame &frame, const FeaturePlace &step_m);
 	void remember_bend(double bend_m);
 	void slide_to(const Frame &frame);
