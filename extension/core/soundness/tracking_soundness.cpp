@@ -109,35 +109,34 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	if (loss_ == 0.0) {
 		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
 	}
-	Evidence taken_back;
 	const bool repeats = x == x_ && place == place_;
 	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
-	const bool is_back = !repeats && held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S &&
-			x == held_->x && place == held_->place;
-	const Held *const held = is_back ? &*held_ : nullptr;
-	if (held != nullptr || (!stands && leapt_ && was_outlier(x, place))) {
-		taken_back = leapt_ ? leap_.fault : Evidence{};
-		if (held != nullptr) {
-			forget_all_since(*held);
-		} else {
-			forget_outlier();
-		}
+	const Evidence of_leap = leapt_ ? leap_.fault : Evidence{};
+	const bool is_back = !repeats && forget_elsewhere(x, place, stands);
+	if (is_back) {
 		stands = x == x_ && place == place_;
 		if (stands) {
 			silence_.come_back(t_s_);
 		}
 	}
-	if (!stands) {
-		follow(x, place);
+	if (stands) {
+		stand(repeats);
 	} else {
-		if (repeats) {
-			standstill_.repeat();
-		}
-		silence_.repeat(t_s_);
-		if (silence_.is_silent()) {
-			stand();
-		}
+		follow(x, place);
 	}
+	count_fault(repeats);
+	fault_.add(is_back ? of_leap : Evidence{}, -1.0);
+	evidence_.fade(frame_s);
+	freeze_.fade(frame_s);
+	evidence_.add(fault_);
+	evidence_.add(needless_of_freeze(x), -1.0);
+	evidence_ = { std::max(evidence_.now, 0.0), std::max(evidence_.lasting, 0.0),
+		std::max(evidence_.late, 0.0) };
+	period_s_ = TrackerSilence::followed(period_s_, frame_s);
+}
+
+/// What the frame says by itself.
+void TrackingSoundness::count_fault(bool repeats) {
 	loss_ += silence_.is_frozen() ? FROZEN_FRAME : 0.0;
 	const double jump = strayed_ ? 1.0 : fault_.now;
 	fault_.now += loss_;
@@ -146,14 +145,6 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	if (!repeats) {
 		leap_.fault = fault_;
 	}
-	fault_.add(taken_back, -1.0);
-	evidence_.fade(frame_s);
-	freeze_.fade(frame_s);
-	evidence_.add(fault_);
-	evidence_.add(needless_of_freeze(x), -1.0);
-	evidence_ = { std::max(evidence_.now, 0.0), std::max(evidence_.lasting, 0.0),
-		std::max(evidence_.late, 0.0) };
-	period_s_ = TrackerSilence::followed(period_s_, frame_s);
 }
 
 void TrackingSoundness::Evidence::fade(double dt_s) {
@@ -183,8 +174,19 @@ TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
 	return needless;
 }
 
-/// A repeated value that stands for a hand, or a tracker, that does not move.
-void TrackingSoundness::stand() {
+/// A frame that shows the place of the last one, to the last bit if it repeats it.
+void TrackingSoundness::stand(bool repeats) {
+	if (repeats) {
+		standstill_.repeat();
+	}
+	silence_.repeat(t_s_);
+	if (silence_.is_silent()) {
+		rest();
+	}
+}
+
+/// The value stands for a hand, or a tracker, that does not move.
+void TrackingSoundness::rest() {
 	if (!silence_.is_frozen()) {
 		noise_.push(0.0);
 		place_noise_.push(0.0);
@@ -197,6 +199,20 @@ void TrackingSoundness::stand() {
 	place_way_.go(FeaturePlace::Zero(), false);
 	way_s_ = t_s_;
 	leapt_ = false;
+}
+
+/// Whether the frame shows the hand where it had been before the tracker showed it elsewhere, which is then
+/// as if it had not been. stands: it shows the place of the last one.
+bool TrackingSoundness::forget_elsewhere(double x, const FeaturePlace &place, bool stands) {
+	if (held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S && x == held_->x && place == held_->place) {
+		forget_all_since(*held_);
+		return true;
+	}
+	if (!stands && leapt_ && was_outlier(x, place)) {
+		forget_outlier();
+		return true;
+	}
+	return false;
 }
 
 /// The frame before was the only one off the way.

@@ -125,8 +125,11 @@ private:
 	template <typename Step>
 	[[nodiscard]] double bend_of(const Way<Step> &way, const Step &step, double dt_s) const;
 	void weigh(double frame_s, double x, const FeaturePlace &place);
-	void stand();
+	void count_fault(bool repeats);
+	void stand(bool repeats);
+	void rest();
 	[[nodiscard]] Evidence needless_of_freeze(double x);
+	bool forget_elsewhere(double x, const FeaturePlace &place, bool stands);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();
 	void forget_all_since(const Held &held);
