@@ -56,11 +56,11 @@ OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis
 		end_speed_share_(end_speed_share(model, ARRIVED_PHASE)) {}
 
 std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
+	claims_ = false;
+	log_odds_of_return_ = IMPOSSIBLE;
 	if (!has_place) {
 		return std::nullopt;
 	}
-	claims_ = false;
-	log_odds_of_return_ = IMPOSSIBLE;
 	switch (stage()) {
 		case Stage::RESTING:
 			look_for_start(frame.t_s, strokes);

@@ -21,7 +21,7 @@ StepAtRest step_at_rest(const Stroke &stroke, const StrokeFinder &strokes) {
 	FeaturePlace at_onset = FeaturePlace::Zero(), now = at_onset;
 	strokes.frames_since(stroke.onset_s - Stroke::REST_S,
 			[&](double frame_s, const FeaturePlace & /*place*/, const FeaturePlace &step) {
-				if (!step.hasNaN()) {
+				if (!step.hasNaN() && (at_rest || frame_s <= stroke.onset_s)) {
 					at_rest = at_rest.value_or(step);
 					at_onset = frame_s <= stroke.onset_s ? step : at_onset;
 					now = step;

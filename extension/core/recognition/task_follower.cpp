@@ -90,7 +90,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::MOVING:
 			if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if ((is_at_end(t_s) && is_known(t_s, strokes)) || ends_short(t_s)) {
+			} else if ((ends_short(t_s) || is_at_end(t_s)) && is_known(t_s, strokes)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;

@@ -24,14 +24,17 @@ constexpr double HESITATION_S = 1.0;
 
 } // namespace
 
-void StrokeFinder::restart(double t_s, const FeaturePlace &place_m) {
+/// is_news: the place is another than the last one; one that is shown on and on is none of where the hand is.
+void StrokeFinder::restart(double t_s, const FeaturePlace &place_m, bool is_news) {
 	newest_ = { .t_s = t_s, .place_m = scale_.cwiseProduct(place_m), .seen_m = place_m };
 	places_.clear();
 	places_.push(t_s, newest_.place_m, WINDOW_S);
 	slow_moments_.clear();
 	piece_ = newest_;
 	knots_.restart(t_s, newest_.place_m);
-	pose_.show(t_s, place_m);
+	if (is_news) {
+		pose_.show(t_s, place_m);
+	}
 	steps_.restart();
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
 		remember(passed);
@@ -56,8 +59,12 @@ Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak
 		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
 		.unrest_m = onset.unrest_m,
 		.watched_s = onset.watched_s };
-	if (now.way_m > onset.way_m) {
-		stroke.middle = (now.sum - onset.sum) / (now.way_m - onset.way_m);
+	// A way falls again where the hand trembles, and may come to nothing since the onset.
+	const double gone_m = now.way_m - onset.way_m, length_m = (now.place_m - onset.place_m).norm();
+	if (gone_m < 0.5 * length_m) {
+		stroke.middle = 0.5 * (onset.place_m + now.place_m);
+	} else if (gone_m > 0.0) {
+		stroke.middle = (now.sum - onset.sum) / gone_m;
 	}
 	return stroke;
 }
@@ -67,9 +74,18 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 		lost_.reset();
 		--stroke_count_;
 	}
-	if (!place_m.allFinite()) {
-		return;
+	if (place_m.allFinite()) {
+		see(t_s, place_m);
 	}
+	if (stroke_count_ == 0) {
+		lost_.reset();
+	} else if (lost_) {
+		strokes_[stroke_count_++] = *lost_;
+	}
+}
+
+void StrokeFinder::see(double t_s, const FeaturePlace &place_m) {
+	const bool is_news = places_.empty() || pose_.is_news(place_m);
 	const double since_s = past_.empty() ? INFINITY : t_s - past_.newest().t_s;
 	if (since_s > LONGEST_GAP_S) {
 		seen_since_s_ = t_s;
@@ -81,7 +97,6 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	if (ended_) {
 		begin_anew(end_);
 	}
-	const bool is_news = places_.empty() || pose_.is_news(place_m);
 	const bool is_at_rest = !places_.empty() && rests();
 	double rest_shown_s = HeldPose::NEVER_S;
 	if (!is_news) {
@@ -95,21 +110,11 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	}
 	const bool stays = !is_news && is_at_rest;
 	if (places_.empty() || since_s > LONGEST_GAP_S || (!stays && t_s - newest_.t_s > LONGEST_GAP_S)) {
-		restart(t_s, place_m);
-		return;
-	}
-	if (!is_news) {
+		restart(t_s, place_m, is_news);
+	} else if (!is_news) {
 		follow(steps_.stay(t_s, stays), false);
-		return;
-	}
-	if (t_s - pose_.first_shown_s() < LEAST_FRAME_S) {
-		return;
-	}
-	take(t_s, place_m, rest_shown_s, true);
-	if (stroke_count_ == 0) {
-		lost_.reset();
-	} else if (lost_) {
-		strokes_[stroke_count_++] = *lost_;
+	} else if (t_s - pose_.first_shown_s() >= LEAST_FRAME_S) {
+		take(t_s, place_m, rest_shown_s, true);
 	}
 }
 

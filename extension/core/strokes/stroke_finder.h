@@ -113,7 +113,8 @@ private:
 	std::optional<Stroke> lost_; ///< the last of them, where it is
 
 	[[nodiscard]] bool rests() const;
-	void restart(double t_s, const FeaturePlace &place_m);
+	void see(double t_s, const FeaturePlace &place_m);
+	void restart(double t_s, const FeaturePlace &place_m, bool is_news);
 	void remember(const TrackerSteps::Passed &passed);
 	void take(double t_s, const FeaturePlace &place_m, double rest_shown_s, bool may_end);
 	void follow(std::span<const TrackerSteps::Passed> passed, bool may_end);
