@@ -12,7 +12,7 @@ namespace {
 constexpr double ONSET_VALUE = 0.03;
 constexpr double ONSET_VELOCITY = 0.3;
 /// A hand that wanders at rest has begun from so many standard deviations on, at BACK_VALUE at the latest.
-constexpr double WANDERS = 4.5;
+constexpr double WANDERS = 7.0;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
 /// no more.
 constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
@@ -112,7 +112,7 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	const double onset = std::clamp(WANDERS * wander_.deviation(), ONSET_VALUE, BACK_VALUE);
+	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
 	return now.value > (now.moving > BEGUN ? onset : HALF_WAY) ||
 			(now.value > WELL_UNDER_WAY && strokes_.go_the_way(strokes));
 }

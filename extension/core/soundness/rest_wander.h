@@ -1,45 +1,69 @@
 #pragma once
 
+#include "signal/ring.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
 
 namespace steadyhand {
 
 /// How far a hand at rest is shown to wander: by its own tremor, or by a tracker whose errors last longer
-/// than a frame, which bends (TrackerNoise) do not tell.
+/// than a frame, which bends from frame to frame (TrackerNoise) do not tell. Bends over a tenth of a second
+/// do; that the hand drifts, or has just come there, is none of it.
 class RestWander {
 public:
 	/// x: what the element shows of a hand at rest, in amplitudes. t_s must not decrease.
 	void push(double t_s, double x) {
-		const double dt_s = t_s - t_s_;
-		t_s_ = t_s;
-		if (dt_s > LONGEST_S) { // it may have been elsewhere
-			rested_s_ = 0.0;
-			mean_ = x;
+		if (values_.size() > 0 && t_s - values_.newest().t_s < APART_S) {
 			return;
 		}
-		if (dt_s == 0.0) {
-			return;
+		if (values_.size() > 0 && t_s - values_.newest().t_s > LONGEST_S) { // it may have been elsewhere
+			values_.clear();
 		}
-		rested_s_ = std::min(rested_s_ + dt_s, MEAN_S);
-		watched_s_ = std::min(watched_s_ + dt_s, MEMORY_S);
-		off_ += (std::abs(x - mean_) - off_) * dt_s / watched_s_;
-		mean_ += (x - mean_) * dt_s / rested_s_;
+		values_.push({ t_s, x });
 	}
 
-	/// Standard deviation about the latest mean, of what is Gaussian. 0 before the first frames.
-	[[nodiscard]] double deviation() const { return off_ * DEVIATION_PER_OFF; }
+	/// Standard deviation of white noise that bends as much, of the median, in the second before the hand may
+	/// have set out by t_s; UNKNOWN where it has not been seen for 0.4 s.
+	[[nodiscard]] double deviation(double t_s) const {
+		std::size_t count = values_.size();
+		while (count > 0 && values_[count - 1].t_s > t_s - SETS_OUT_S) {
+			--count;
+		}
+		if (count < 2) {
+			return UNKNOWN;
+		}
+		const double apart_s = (values_[count - 1].t_s - values_[0].t_s) / static_cast<double>(count - 1);
+		const auto step = static_cast<std::size_t>(std::max(std::lround(BEND_S / apart_s), 1L));
+		std::array<double, MOST> bends{};
+		std::size_t bend_count = 0;
+		for (std::size_t i = 2 * step; i < count; ++i) {
+			bends[bend_count++] =
+					std::abs(values_[i].x - 2.0 * values_[i - step].x + values_[i - 2 * step].x);
+		}
+		if (bend_count < FEWEST) {
+			return UNKNOWN;
+		}
+		const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bend_count / 2);
+		std::nth_element(bends.begin(), middle, bends.begin() + static_cast<std::ptrdiff_t>(bend_count));
+		return DEVIATION_PER_MEDIAN * *middle;
+	}
 
 private:
-	static constexpr double MEAN_S = 0.3, MEMORY_S = 1.0;
-	static constexpr double LONGEST_S = 0.3; ///< between frames of one rest
-	static inline const double DEVIATION_PER_OFF = std::sqrt(0.5 * std::numbers::pi);
+	static constexpr std::size_t MOST = 64; ///< values, of 1.2 s and more
+	static constexpr std::size_t FEWEST = 6;
+	static constexpr double APART_S = 0.019;
+	static constexpr double LONGEST_S = 0.3; ///< between values of one rest
+	static constexpr double BEND_S = 0.1, SETS_OUT_S = 0.1;
+	static constexpr double UNKNOWN = 0.02;
+	static constexpr double DEVIATION_PER_MEDIAN = 0.6053; ///< 1 / (0.6745 sqrt(6))
 
-	double t_s_ = -INFINITY;
-	double rested_s_ = 0.0, watched_s_ = 0.0; ///< what the means are of, up to their memory
-	double mean_ = 0.0;
-	double off_ = 0.0; ///< mean distance from mean_
+	struct Value {
+		double t_s = 0.0, x = 0.0;
+	};
+	Ring<Value, MOST> values_;
 };
 
 } // namespace steadyhand

@@ -22,42 +22,59 @@ double told_of_wander(double lasts_s) {
 	for (int i = 0; i < 6200; ++i) {
 		wander.push(i * DT_S, 0.5 + x);
 		x = kept * x + std::sqrt(1.0 - kept * kept) * noise(random);
-		sum += i >= 200 ? wander.deviation() : 0.0;
+		sum += i >= 200 ? wander.deviation(i * DT_S) : 0.0;
 		told += i >= 200 ? 1 : 0;
 	}
 	return sum / told;
 }
 
+/// Deviation of second differences 0.1 s apart of that autoregression, against white noise's.
+double bends(double lasts_s) {
+	const double r = std::exp(-0.1 / lasts_s);
+	return std::sqrt((6.0 - 8.0 * r + 2.0 * r * r) / 6.0);
+}
+
 } // namespace
 
 TEST_SUITE("rest wander") {
-	TEST_CASE("white noise is told by its deviation, what lasts by most of it, what drifts by little") {
-		// About a mean of m frames, the last of which is not in it, white noise has a deviation of
-		// sqrt(1 + 1 / (2 m - 1)): m = 30 here.
-		CHECK(told_of_wander(1e-6) == doctest::Approx(std::sqrt(1.0 + 1.0 / 59.0)).epsilon(0.02));
-		// About an exponential mean of time T what lasts as long as t has the variance t / (t + T)
-		// subtracted once: 1 + t / (t + T) - 2 t / (t + T) = T / (t + T).
-		CHECK(told_of_wander(0.1) == doctest::Approx(std::sqrt(0.3 / 0.4)).epsilon(0.05));
-		CHECK(told_of_wander(0.3) == doctest::Approx(std::sqrt(0.3 / 0.6)).epsilon(0.1));
+	TEST_CASE("white noise is told by its deviation, what lasts by what it does in a tenth of a second") {
+		for (const double lasts_s : { 1e-6, 0.03, 0.1, 0.3, 1.0 }) {
+			CAPTURE(lasts_s);
+			CHECK(std::abs(told_of_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
+		}
 	}
 
-	TEST_CASE("a hand that rests elsewhere after a while has not wandered there") {
+	TEST_CASE("a drift is no wander, nor is the way by which the hand came, nor what it sets out on") {
 		RestWander wander;
 		for (int i = 0; i < 100; ++i) {
-			wander.push(0.01 * i, 0.0);
+			const double t_s = 0.01 * i;
+			const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
+			const double sets_out = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
+			wander.push(t_s, 0.1 * t_s + came + sets_out);
 		}
-		for (int i = 0; i < 100; ++i) {
-			wander.push(2.0 + 0.01 * i, 1.0);
+		CHECK(wander.deviation(1.0) < 1e-9);
+	}
+
+	TEST_CASE("of a hand that was seen for less than 0.4 s, or in gaps, no more is known than of any") {
+		RestWander shortly, rarely;
+		for (int i = 0; i < 36; ++i) {
+			shortly.push(0.01 * i, 0.0);
+			rarely.push(0.4 * i, 0.0);
 		}
-		CHECK(wander.deviation() == 0.0);
+		CHECK(shortly.deviation(0.36) == 0.02);
+		CHECK(rarely.deviation(14.4) == 0.02);
+		for (int i = 36; i < 60; ++i) {
+			shortly.push(0.01 * i, 0.0);
+		}
+		CHECK(shortly.deviation(0.6) == 0.0);
 	}
 
 	TEST_CASE("frames with one stamp count once") {
 		RestWander wander;
-		for (int i = 0; i < 50; ++i) {
+		for (int i = 0; i < 100; ++i) {
 			wander.push(0.01 * i, 0.0);
 			wander.push(0.01 * i, 1.0);
 		}
-		CHECK(wander.deviation() == 0.0);
+		CHECK(wander.deviation(1.0) == 0.0);
 	}
 }
