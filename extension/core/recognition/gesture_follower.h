@@ -60,6 +60,8 @@ public:
 	/// A stroke has ended that is likelier the gesture than none: confirm() it, or let it give_way().
 	[[nodiscard]] virtual bool claims() const { return false; }
 	virtual void confirm(double /*t_s*/) {}
+	/// Under way, and so far on its task's way that its end is at hand.
+	[[nodiscard]] virtual bool nears_end() const { return false; }
 	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
 	/// up.
 	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}

@@ -151,10 +151,9 @@ double GestureRecogniser::confidence() const {
 template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (is_candidate(*followers_[i]) &&
-				(best < 0 ||
-						followers_[i]->log_odds() > followers_[static_cast<std::size_t>(best)]->log_odds())) {
-			best = static_cast<int>(i);
+		const int candidate = static_cast<int>(i);
+		if (is_candidate(*followers_[i]) && (best < 0 || log_odds(candidate) > log_odds(best))) {
+			best = candidate;
 		}
 	}
 	return best;
@@ -163,6 +162,15 @@ template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candida
 void GestureRecogniser::decide_claims() {
 	const int best = likeliest([](const GestureFollower &follower) { return follower.claims(); });
 	if (best < 0) {
+		return;
+	}
+	const int task = likeliest([](const GestureFollower &follower) { return follower.nears_end(); });
+	if (task >= 0 && log_odds(task) > log_odds(best)) { // which will say itself when it ends
+		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
+			if (follower->claims()) {
+				follower->give_way(time_s_);
+			}
+		}
 		return;
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {

@@ -36,7 +36,8 @@ public:
 	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
 	void advance(double t_s);
 
-	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else.
+	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else; where several
+	/// gestures are under way, on the instants advanced to as well, by which their lead is handed over.
 	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
 	/// What it will be at t_s, not before that time, if nothing is seen until then.
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
@@ -77,6 +78,9 @@ private:
 	void step_followers(double t_s);
 	void expect_absence();
 	[[nodiscard]] double posterior(const GestureFollower &follower) const;
+	[[nodiscard]] double log_odds(int follower) const {
+		return followers_[static_cast<std::size_t>(follower)]->log_odds();
+	}
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	void decide_claims();

@@ -240,8 +240,10 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
-	if (now < RETURNED * furthest_ || t_s - moved_s_ > HOLD_S) {
-		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
+	const bool has_returned = now < RETURNED * furthest_;
+	if (has_returned || t_s - moved_s_ > HOLD_S) {
+		not_before_s_ = t_s; // the way back is no gesture
+		returned_s_ = has_returned ? t_s : returned_s_;
 		dismiss(t_s);
 	}
 }

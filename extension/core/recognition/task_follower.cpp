@@ -183,6 +183,10 @@ void TaskFollower::come_to_rest(double t_s) {
 	}
 }
 
+bool TaskFollower::nears_end() const {
+	return stage() == Stage::MOVING && value() > SHORT_END;
+}
+
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
 void TaskFollower::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);

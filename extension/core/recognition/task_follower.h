@@ -16,6 +16,7 @@ public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
 	void give_way(double t_s) override;
+	[[nodiscard]] bool nears_end() const override;
 
 private:
 	MotionElement element_;

@@ -90,7 +90,7 @@ void StrokeFinder::see(double t_s, const FeaturePlace &place_m) {
 	if (since_s > LONGEST_GAP_S) {
 		seen_since_s_ = t_s;
 	}
-	if (since_s >= LEAST_FRAME_S) {
+	if (since_s >= LEAST_FRAME_S || (is_news && t_s - pose_.first_shown_s() >= LEAST_FRAME_S)) {
 		const bool repeats = !past_.empty() && place_m == past_.newest().place_m;
 		past_.push({ t_s, place_m, repeats ? past_.newest().step_m : FeaturePlace::Constant(NAN) });
 	}

@@ -45,6 +45,24 @@ TEST_CASE("what has given way to another gesture does not begin again in the sam
 	}
 }
 
+TEST_CASE("what is done at its task ends there, and is not one like it that may be made anywhere") {
+	for (const double amplitude_m : { 0.2, 0.15 }) {
+		for (const double angle_rad : { 0.0, 0.2 }) {
+			CAPTURE(amplitude_m);
+			CAPTURE(angle_rad);
+			Task task;
+			task.axis = { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
+			task.amplitude_m = amplitude_m;
+			const auto here = model("here", X, false), anywhere = model("anywhere", X, true);
+			GestureRecogniser recogniser({ ExpectedGesture{ here, task }, { anywhere, std::nullopt } });
+			const Drag drag{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = amplitude_m };
+			const std::vector<std::string> said = watch(recogniser, along(task.axis, { drag }), 3.5).said;
+			CHECK(std::ranges::count(said, "ended here") == 1);
+			CHECK(std::ranges::count(said, "ended anywhere") == 0);
+		}
+	}
+}
+
 TEST_CASE("a hand that was rejected and is gone for a second is forgotten, and what comes begins anew") {
 	constexpr double LOST_S = 3.5, FOUND_S = 8.0;
 	constexpr double STANDS_M = 0.035; // where it is found: further than what counts as the start
