@@ -25,6 +25,8 @@ const LONGEST_WAY := 5.0
 const FARTHEST_SEEN := 50.0
 ## A measured track may end so much before the gesture does.
 const SHORT_S := 0.1
+## Nor does it last so many times as long as its reference.
+const LONGEST_TRACK := 10.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
@@ -134,6 +136,16 @@ func _oddity(tracker: HandTracker, measured_path: String) -> String:
 		return (
 			"its measured track goes to %.0f of the way: check metres: %s"
 			% [farthest, measured_path]
+		)
+	if tracker.get_start_time() > end_s:
+		return (
+			"its measured track begins at %.3f s, after the gesture's end at %.3f s: %s"
+			% [tracker.get_start_time(), end_s, measured_path]
+		)
+	if tracker.get_duration() > LONGEST_TRACK * count / RATE_HZ:
+		return (
+			"its measured track lasts %.1f s, its reference %.1f s: check seconds: %s"
+			% [tracker.get_duration(), count / RATE_HZ, measured_path]
 		)
 	var seen_to_s := tracker.get_start_time() + tracker.get_duration()
 	if seen_to_s < end_s - SHORT_S:

@@ -152,6 +152,8 @@ func test_what_makes_figures_of_something_else_is_told() -> void:
 		millimetres = far,
 		millimetres_seen = "its measured track goes to ",
 		short = "its measured track ends at ",
+		late = "its measured track begins at ",
+		slow = "its measured track lasts ",
 	}
 	for wrong: String in told:
 		var trials := Rig.write_trials(_path(wrong))
@@ -162,10 +164,15 @@ func test_what_makes_figures_of_something_else_is_told() -> void:
 			"millimetres":
 				_replace_cells(table, 1, {12: "200"})
 			"millimetres_seen":
-				_scale_index_x(trials.get_measured_path(0), 1000.0)
+				_scale(trials.get_measured_path(0), "index_x", 1000.0)
 			"short":
 				var half_way_s: float = trials.get_trial(0)["end_s"] - 0.3
 				_keep_frames(trials.get_measured_path(0), -INF, half_way_s)
+			"late":
+				var end_s: float = trials.get_trial(0)["end_s"]
+				_keep_frames(trials.get_measured_path(0), end_s + 0.1, INF)
+			"slow":
+				_scale(trials.get_measured_path(0), "t", 100.0)
 		var text := "\n".join(table) + "\n"
 		FileAccess.open(_path(wrong + "/trials.csv"), FileAccess.WRITE).store_string(text)
 		var options := ["--trials", _path(wrong), "--out", _path(wrong + "_out")]
@@ -311,12 +318,12 @@ static func _keep_frames(path: String, from_s: float, to_s: float) -> void:
 	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(kept) + "\n")
 
 
-static func _scale_index_x(path: String, factor: float) -> void:
+static func _scale(path: String, name: String, factor: float) -> void:
 	var lines := FileAccess.get_file_as_string(path).split("\n", false)
 	var header := 0
 	while not lines[header].begins_with("t,"):
 		header += 1
-	var column := lines[header].split(",").find("index_x")
+	var column := lines[header].split(",").find(name)
 	for row in range(header + 1, lines.size()):
 		var cells := lines[row].split(",")
 		if cells[column].is_valid_float():

@@ -30,12 +30,15 @@ def main() -> int:
         return BAD_INPUT
     of_participants = cells(logs.trials)
     of_all = groups(of_participants)
+    if given.out.exists() and not given.out.is_dir():
+        print(f"study: {given.out}: a file, not a folder", file=sys.stderr)
+        return BAD_INPUT
     try:
         given.out.mkdir(parents=True, exist_ok=True)
         write(given.out / "throughput.csv", Cell, of_participants)
         write(given.out / "throughput_means.csv", Group, of_all)
     except OSError as fault:
-        print(f"study: {fault}", file=sys.stderr)
+        print(f"study: cannot write to {given.out}: {fault.strerror}", file=sys.stderr)
         return BAD_INPUT
     print(table(of_all))
     for note in notes(logs.trials, of_participants):

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <limits>
 #include <cmath>
 
 namespace steadyhand {
@@ -167,6 +168,9 @@ Error error_at(std::string_view source, std::size_t line, std::string_view colum
 std::optional<Error> check_header(
 		std::string_view source, std::size_t line, const std::vector<std::string_view> &names) {
 	for (std::size_t i = 0; i < names.size(); ++i) {
+		if (parse_number(names[i], std::numeric_limits<double>::max())) {
+			return error_at(source, line, "no header line: the first line holds values, " + quoted(names[i]));
+		}
 		if (const auto offset = find_not_text(names[i])) {
 			return error_at(source, line, "column " + std::to_string(i + 1), not_text(names[i][*offset]));
 		}

@@ -214,6 +214,8 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of("") == "a.csv:1: t: no header line");
 		CHECK(error_of("# only: metadata\n") == "a.csv:1: t: no header line");
 		CHECK(error_of("time,index_x,index_y,index_z\n") == "a.csv:1: t: the header has no such column");
+		CHECK(error_of("0.01,0.1,0.2,0.3\n0.02,0.1,0.2,0.3\n") ==
+				"a.csv:1: no header line: the first line holds values, '0.01'");
 		CHECK(error_of("# a: b\nt,t\n") == "a.csv:2: t: the column comes twice");
 		CHECK(error_of("# a: b\nt;index_x;index_y;index_z\n0,1;0,2;0,3;0,4\n") ==
 				"a.csv:2: cells are separated by ';': they must be by ',', and numbers have a '.'");
