@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
 #include <cmath>
+#include <limits>
 
 namespace steadyhand {
 
