@@ -112,6 +112,9 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
+	if (now.value <= ONSET_VALUE) {
+		return false;
+	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
 	return now.value > (now.moving > BEGUN ? onset : HALF_WAY) ||
 			(now.value > WELL_UNDER_WAY && strokes_.go_the_way(strokes));
