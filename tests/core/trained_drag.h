@@ -4,6 +4,7 @@
 #include "phase/element_curve.h"
 
 #include <memory>
+#include <utility>
 
 namespace steadyhand::test {
 
@@ -14,6 +15,14 @@ inline const std::shared_ptr<const GestureModel> &shared_drag_model() {
 }
 inline const GestureModel &drag_model() {
 	return *shared_drag_model();
+}
+/// Trained on drags, of the radius of three tips' circle: from closed_m on, by growth_m.
+inline std::shared_ptr<const GestureModel> zoom_model(double closed_m, double growth_m) {
+	GestureModel zoom = drag_model();
+	zoom.gesture = "zoom";
+	zoom.feature = "tips_circumradius";
+	zoom.typical_task = { { closed_m, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), growth_m };
+	return std::make_shared<const GestureModel>(std::move(zoom));
 }
 inline const ElementCurve &drag_curve() {
 	static const ElementCurve curve(drag_model());

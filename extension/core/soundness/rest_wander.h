@@ -1,11 +1,13 @@
 #pragma once
 
 #include "signal/ring.h"
+#include "soundness/tracker_noise.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 namespace steadyhand {
 
@@ -16,10 +18,10 @@ class RestWander {
 public:
 	/// x: what the element shows of a hand at rest, in amplitudes. t_s must not decrease.
 	void push(double t_s, double x) {
-		if (values_.size() > 0 && t_s - values_.newest().t_s < APART_S) {
+		if (!values_.empty() && t_s - values_.newest().t_s < APART_S) {
 			return;
 		}
-		if (values_.size() > 0 && t_s - values_.newest().t_s > LONGEST_S) { // it may have been elsewhere
+		if (!values_.empty() && t_s - values_.newest().t_s > LONGEST_S) { // it may have been elsewhere
 			values_.clear();
 		}
 		values_.push({ t_s, x });
@@ -46,9 +48,7 @@ public:
 		if (bend_count < FEWEST) {
 			return UNKNOWN;
 		}
-		const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bend_count / 2);
-		std::nth_element(bends.begin(), middle, bends.begin() + static_cast<std::ptrdiff_t>(bend_count));
-		return DEVIATION_PER_MEDIAN * *middle;
+		return deviation_of_bends(std::span(bends).first(bend_count));
 	}
 
 private:
@@ -58,7 +58,6 @@ private:
 	static constexpr double LONGEST_S = 0.3; ///< between values of one rest
 	static constexpr double BEND_S = 0.1, SETS_OUT_S = 0.1;
 	static constexpr double UNKNOWN = 0.02;
-	static constexpr double DEVIATION_PER_MEDIAN = 0.6053; ///< 1 / (0.6745 sqrt(6))
 
 	struct Value {
 		double t_s = 0.0, x = 0.0;

@@ -28,7 +28,7 @@ public:
 		}
 	}
 
-	/// The oldest place that is kept, before that.
+	/// Where the hand was at t_s; before all that is kept, the oldest place.
 	[[nodiscard]] FeaturePlace place_m(double t_s) const {
 		const Place *after = &newest_;
 		for (std::size_t i = knots_.size(); i > 0; --i) {
@@ -41,7 +41,7 @@ public:
 		}
 		return after->place_m;
 	}
-	/// How far the hand was from where it was at then_s, at most, since then.
+	/// How far the hand was between the two times from where it was at then_s, at most.
 	[[nodiscard]] double stray_m(double since_s, double then_s) const {
 		const FeaturePlace still = place_m(then_s - 0.5 * APART_S);
 		double stray_m2 = (still - place_m(since_s)).squaredNorm();

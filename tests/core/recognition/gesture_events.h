@@ -65,6 +65,17 @@ private:
 	std::normal_distribution<double> noise_;
 };
 
+/// As a tracker shows it that holds its last pose between the two times; 0 before the first one. What is held
+/// is not asked for.
+inline Way held(const Way &seen, double from_s, double to_s) {
+	return [=, shown_m = Eigen::Vector3d(Eigen::Vector3d::Zero())](double t_s) mutable {
+		if (t_s < from_s || t_s >= to_s) {
+			shown_m = seen(t_s);
+		}
+		return shown_m;
+	};
+}
+
 /// To multiples of grid_m; 0: as it is.
 inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
 	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;

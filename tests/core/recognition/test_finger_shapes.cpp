@@ -24,11 +24,7 @@ constexpr double CLOSED_M = 0.03, GROWTH_M = 0.03; ///< radius
 using Tips = std::array<Eigen::Vector2d, 3>;
 
 std::shared_ptr<const GestureModel> zoom_model() {
-	GestureModel zoom = test::drag_model();
-	zoom.gesture = "zoom";
-	zoom.feature = "tips_circumradius";
-	zoom.typical_task = { { CLOSED_M, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), GROWTH_M };
-	return std::make_shared<const GestureModel>(std::move(zoom));
+	return test::zoom_model(CLOSED_M, GROWTH_M);
 }
 
 Tips on_circle(double radius_m, const std::array<double, 3> &angles_rad) {

@@ -121,13 +121,8 @@ TEST_CASE("a tracker that rounds, and holds its pose as the hand sets out, has s
 				const Drag drag{ .onset_s = 1.2, .duration_s = duration_s, .amplitude_m = 0.2 };
 				const double from_s = drag.onset_s + share * duration_s;
 				Tremor tremor(TREMOR_M, seed);
-				Eigen::Vector3d held_m = Eigen::Vector3d::Zero();
-				const Way way = [&](double t_s) {
-					if (t_s < from_s || t_s >= from_s + HELD_S) {
-						held_m = rounded(drag.x_m(t_s) * X + tremor(), GRID_M);
-					}
-					return held_m;
-				};
+				const Way seen = [&](double t_s) { return rounded(drag.x_m(t_s) * X + tremor(), GRID_M); };
+				const Way way = held(seen, from_s, from_s + HELD_S);
 				GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
 				CHECK(watch(open, way, 2.8, 1e9, 1e9, 100.0, 0.0).said == times(1, "sideways"));
 			}

@@ -47,16 +47,13 @@ Outcome lost_on_its_way(const Loss &loss) {
 	}
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
 	Tremor tremor(1e-4, 3);
-	Eigen::Vector3d shown = Eigen::Vector3d::Zero();
 	double news_s = 0.0;
-	const Way way = [&](double t_s) {
-		if (t_s < lost_s) {
-			shown = drag.x_m(t_s) * X + tremor();
-			news_s = t_s;
-		}
-		return shown;
+	const Way seen = [&](double t_s) {
+		news_s = t_s;
+		return Eigen::Vector3d(drag.x_m(t_s) * X + tremor());
 	};
 	const double lost_from_s = loss.is_freeze ? NEVER_S : lost_s;
+	const Way way = held(seen, lost_s, NEVER_S);
 	const Events events = watch(recogniser, way, lost_s + 4.0, lost_from_s, NEVER_S, 110.0, 0.0);
 	return { events.said, events.last_ended_s - news_s };
 }
@@ -147,19 +144,14 @@ TEST_CASE("without a task a tracker's step before the gesture shifts no start, a
 
 TEST_CASE("a finger that is lost while a zoom's hand closes hides no drag that comes next") {
 	constexpr double OPENS_S = 1.0, CLOSES_S = 2.4, RADIUS_M = 0.03;
-	GestureModel zoom = drag_model();
-	zoom.gesture = "zoom";
-	zoom.feature = "tips_circumradius";
-	zoom.typical_task = { { RADIUS_M, 0.0, 0.0 }, X, RADIUS_M };
-	const auto zoom_model = std::make_shared<const GestureModel>(std::move(zoom));
 	const std::array joints{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
 	const std::array angles_rad{ 3.6, 1.5, 0.4 };
 	for (const double closes_for_s : { 0.15, 0.2, 0.25, 0.3 }) {
 		for (const double drag_s : { 2.9, 3.4 }) {
 			CAPTURE(closes_for_s);
 			CAPTURE(drag_s);
-			GestureRecogniser recogniser(
-					{ zoom_model, models()[0], models()[1] }, std::nullopt, MotionMode::PHASE);
+			GestureRecogniser recogniser({ zoom_model(RADIUS_M, RADIUS_M), models()[0], models()[1] },
+					std::nullopt, MotionMode::PHASE);
 			Tremor tremor(2e-4, 3);
 			const double lost_s = CLOSES_S + closes_for_s; // the thumb
 			bool has_ended = false;

@@ -76,13 +76,10 @@ TEST_CASE("a gesture that begins in a freeze is one, before a tracker that tremb
 					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
 					const double from_s = drag.onset_s + share * duration_s;
 					Tremor tremor(tremor_m, 1);
-					Eigen::Vector3d shown_m = Eigen::Vector3d::Zero();
-					const Way way = [&](double t_s) {
-						if (t_s < from_s || t_s >= from_s + freeze_s) {
-							shown_m = drag.x_m(t_s) * X + tremor();
-						}
-						return shown_m;
+					const Way seen = [&](double t_s) {
+						return Eigen::Vector3d(drag.x_m(t_s) * X + tremor());
 					};
+					const Way way = held(seen, from_s, from_s + freeze_s);
 					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
 					GestureRecogniser task({ models()[0] }, Task{}, MotionMode::PHASE);
 					for (GestureRecogniser *recogniser : { &open, &task }) {
