@@ -105,7 +105,8 @@ func typical_trial(gesture: String, position: String) -> String:
 func _tell_without_model(gesture: String, models_folder: String) -> void:
 	if not gesture in _without_model:
 		_without_model.append(gesture)
-		printerr("trials of '%s' have no figures: no model of it in %s" % [gesture, models_folder])
+		var where := ProjectSettings.globalize_path(models_folder)
+		printerr("trials of '%s' have no figures: no model of it in %s" % [gesture, where])
 
 
 ## As GestureHMM has it.

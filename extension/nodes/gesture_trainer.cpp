@@ -9,12 +9,23 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
+#include <set>
+#include <string>
+
 namespace godot {
 
 namespace {
 
 /// Share of the work that goes into reading tracks.
 constexpr double READING = 0.3;
+
+String listed(const std::set<std::string> &p_names) {
+	PackedStringArray names;
+	for (const std::string &name : p_names) {
+		names.push_back(to_godot(name));
+	}
+	return String(", ").join(names);
+}
 
 } // namespace
 
@@ -51,14 +62,16 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
 	std::vector<const steadyhand::Trial *> wanted;
+	std::set<std::string> gestures;
 	for (const steadyhand::Trial &trial : p_trial_set->core()) {
+		gestures.insert(trial.gesture);
 		if (trial.gesture == gesture) {
 			wanted.push_back(&trial);
 		}
 	}
 	ERR_FAIL_COND_V_MSG(wanted.empty(), Ref<GestureModel>(),
 			p_trial_set->get_path() + String(": no trial of the gesture '") + String(p_gesture) +
-					String("'"));
+					String(gestures.empty() ? "'" : "', but of ") + listed(gestures));
 
 	steadyhand::TrainingOptions options;
 	options.states = states_;

@@ -107,7 +107,8 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		_check_left_out(run, names[place], ["is not within the reference", reference])
 	_check_left_out(run, names[3], ["the reference holds nothing of index_along_axis"])
 	_check_left_out(run, names[5], ["no amplitude_m"])
-	var without := "trials of 'swipe' have no figures: no model of it in %s" % ModelFolder.INSTALLED
+	var folder := ProjectSettings.globalize_path(ModelFolder.INSTALLED)
+	var without := "trials of 'swipe' have no figures: no model of it in %s" % folder
 	check_equal(run.not_said([without]), "", "a gesture without model is said")
 	var number := "6 trials left out, 1 trial without figures"
 	check_equal(run.not_said([number]), "", "and how many")

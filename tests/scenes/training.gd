@@ -124,7 +124,7 @@ func test_cancelled_from_another_thread() -> void:
 
 
 func test_training_on_what_is_not_there() -> void:
-	# expects error: zoom
+	# expects error: no trial of the gesture 'zoom', but of horizontal_drag
 	check(GestureTrainer.new().train(_trials, &"zoom") == null, "no trial of it: null")
 
 

@@ -135,6 +135,12 @@ def training(folder: Path) -> Iterator[Outcome]:
     good = picture.is_file() and picture.read_bytes().startswith(b"\x89PNG")
     yield Outcome.of("command/train: its picture", good, output)
 
+    command[command.index("tap")] = "swipe"
+    status, output = run(command)
+    told = f"ERROR: {folder}/train: no trial of the gesture 'swipe', but of horizontal_drag, tap, vertical_drag, zoom"
+    good = status == 2 and output.splitlines()[-1] == told
+    yield Outcome.of("command/train: another gesture's name is one line", good, f"{status}\n{output}")
+
 
 def haptics(folder: Path) -> Iterator[Outcome]:
     """The tables of docs/haptics.md, short: one mix rate, one person, two minutes of play."""

@@ -231,7 +231,8 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 	} catch (const Json::parse_error &fault) {
 		const std::string_view before = text.substr(0, fault.byte > 0 ? fault.byte - 1 : 0);
 		const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-		return Error{ source + ":" + std::to_string(line) + ": not valid JSON" };
+		return Error{ source + ":" + std::to_string(line) + ": not valid JSON" +
+			(fault.byte > text.size() ? ": the file ends here" : "") };
 	} catch (const Json::exception &fault) {
 		// The library's own label before it, as [json.exception.out_of_range.406], says nothing to a user.
 		const std::string_view what = fault.what();

@@ -337,11 +337,12 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 		damaged.replace(damaged.find(what), what.size(), with);
 		return parse_model(damaged, "a.gesture").error();
 	};
-	CHECK(parse_model("", "a.gesture").error() == "a.gesture:1: not valid JSON");
+	CHECK(parse_model("", "a.gesture").error() == "a.gesture:1: not valid JSON: the file ends here");
+	CHECK(parse_model("{ \"format\": x }", "a.gesture").error() == "a.gesture:1: not valid JSON");
 	const std::string cut = text.substr(0, text.find("\"duration_mean_s\"") + 4);
 	const auto last_line = 1 + std::count(cut.begin(), cut.end(), '\n');
 	CHECK(parse_model(cut, "a.gesture").error() ==
-			"a.gesture:" + std::to_string(last_line) + ": not valid JSON");
+			"a.gesture:" + std::to_string(last_line) + ": not valid JSON: the file ends here");
 	CHECK(replaced("\"version\": 1", "\"version\": 1e400") == "a.gesture: number overflow parsing '1e400'");
 	CHECK(parse_model("\n[1, 2]", "a.gesture").error() ==
 			"a.gesture:2: format: not a steadyhand-gesture file");
