@@ -1,0 +1,177 @@
+// What is said of gestures, and when, by a simulation of hands and trackers of its own: the share of runs in
+// which each gesture is started and ended once and nothing else is said, and how often a gesture is said of
+// hands that make none. bench_events [MODELS [RUNS]], by default the folder models and 40 runs of each hand,
+// tracker and context. bench_events MODELS show HAND TRACKER CONTEXT RUN: what was to be said in one run, and
+// what was, each name or how it begins.
+
+#include "events/gesturing_hands.h"
+#include "events/idle_hands.h"
+#include "events/performance.h"
+#include "events/plain_tracker.h"
+#include "events/said.h"
+#include "events/verdict.h"
+#include "models.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+
+struct NamedTracker {
+	const char *name;
+	TrackerKind kind;
+};
+constexpr std::array TRACKERS{ NamedTracker{ "0.1 mm", TrackerKind::GOOD },
+	NamedTracker{ "1 mm", TrackerKind::NOISY }, NamedTracker{ "bad", TrackerKind::BAD } };
+
+struct NamedContext {
+	const char *name;
+	Context context;
+};
+constexpr std::array CONTEXTS{ NamedContext{ "task", Context::TASK },
+	NamedContext{ "nothing given", Context::OPEN } };
+
+struct Run {
+	Performance hand;
+	std::vector<Said> said;
+	std::set<std::string> faults;
+};
+
+Run run(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
+		std::uint64_t seed) {
+	Performance hand(models, context, kind.movements.at(seed), seed);
+	kind.perform(hand, hand.draws());
+	const std::vector<HandFrame> frames =
+			PlainTracker(tracker_traits(tracker, seed), seed).watch(hand.plan());
+	std::vector<Said> said = follow(hand.gestures(), frames, hand.now_s());
+	std::set<std::string> faults = Verdict(hand.expected(), said, tracker == TrackerKind::BAD).faults();
+	return { std::move(hand), std::move(said), std::move(faults) };
+}
+
+/// Of runs without a fault.
+double percent_right(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
+		std::uint64_t runs) {
+	std::uint64_t right = 0;
+	for (std::uint64_t seed = 0; seed < runs; ++seed) {
+		right += run(models, kind, tracker, context, seed).faults.empty() ? 1 : 0;
+	}
+	return 100.0 * static_cast<double>(right) / static_cast<double>(runs);
+}
+
+double ends_a_minute(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
+		std::uint64_t runs) {
+	double ends = 0.0, minutes = 0.0;
+	for (std::uint64_t seed = 0; seed < runs; ++seed) {
+		const Run one = run(models, kind, tracker, context, seed);
+		ends += static_cast<double>(std::ranges::count(one.said, Happening::ENDED, &Said::happening));
+		minutes += one.hand.now_s() / 60.0;
+	}
+	return ends / minutes;
+}
+
+/// A cell of each tracker, first with the task given, then with nothing.
+template <class Measure> void print_table(std::span<const HandKind> hands, int decimals, Measure measure) {
+	std::printf("| hand | 0.1 mm, task | 1 mm, task | bad, task | 0.1 mm, nothing given | 1 mm | bad |\n"
+				"| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
+	for (const HandKind &hand : hands) {
+		std::printf("| %s |", hand.name);
+		for (const NamedContext &context : CONTEXTS) {
+			for (const NamedTracker &tracker : TRACKERS) {
+				std::printf(" %.*f |", decimals, measure(hand, tracker.kind, context.context));
+			}
+		}
+		std::printf("\n");
+		std::fflush(stdout);
+	}
+}
+
+/// The first whose name begins so; nothing, and the reason on stderr, where there is none.
+template <class Named>
+std::optional<Named> find_named(std::span<const Named> all, const char *what, std::string_view beginning) {
+	for (const Named &one : all) {
+		if (std::string_view(one.name).starts_with(beginning)) {
+			return one;
+		}
+	}
+	std::fprintf(stderr, "no %s \"%s\"\n", what, std::string(beginning).c_str());
+	return std::nullopt;
+}
+
+/// Nothing, and the reason on stderr, where it is no whole number of at least so much.
+std::optional<std::uint64_t> parse_count(std::string_view text, std::uint32_t least) {
+	std::uint32_t count = 0;
+	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+	if (error != std::errc() || end != text.data() + text.size() || count < least) {
+		std::fprintf(stderr, "no whole number of at least %u: \"%s\"\n", least, std::string(text).c_str());
+		return std::nullopt;
+	}
+	return count;
+}
+
+bool show(const Models &models, const std::array<std::string_view, 4> &names) {
+	std::vector<HandKind> hands(GESTURING_HANDS.begin(), GESTURING_HANDS.end());
+	hands.insert(hands.end(), IDLE_HANDS.begin(), IDLE_HANDS.end());
+	const auto kind = find_named(std::span<const HandKind>(hands), "hand", names[0]);
+	const auto tracker = find_named(std::span<const NamedTracker>(TRACKERS), "tracker", names[1]);
+	const auto context = find_named(std::span<const NamedContext>(CONTEXTS), "context", names[2]);
+	const std::optional<std::uint64_t> seed = parse_count(names[3], 0);
+	if (!kind || !tracker || !context || !seed) {
+		return false;
+	}
+	constexpr std::array HAPPENINGS{ "started", "ended", "aborted", "moves again" };
+	const Run one = run(models, *kind, tracker->kind, context->context, *seed);
+	const auto name_of = [&one](int gesture) {
+		return one.hand.gestures()[static_cast<std::size_t>(gesture)].model->gesture.c_str();
+	};
+	for (const Expected &expected : one.hand.expected()) {
+		std::printf("%s %d %s from %.3f to %.3f s\n", expected.leeway.is_optional ? "may be" : "is to be",
+				expected.gesture, name_of(expected.gesture), expected.from_s, expected.to_s);
+	}
+	for (const Said &said : one.said) {
+		std::printf("%8.3f s %s %d %s\n", said.t_s, HAPPENINGS[static_cast<std::size_t>(said.happening)],
+				said.gesture, name_of(said.gesture));
+	}
+	for (const std::string &fault : one.faults) {
+		std::printf("fault: %s\n", fault.c_str());
+	}
+	return true;
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+	const Models models = read_models(count > 1 ? arguments[1] : "models");
+	if (models.empty()) {
+		return 1;
+	}
+	if (count == 7 && std::string_view(arguments[2]) == "show") {
+		return show(models, { arguments[3], arguments[4], arguments[5], arguments[6] }) ? 0 : 1;
+	}
+	const std::optional<std::uint64_t> runs = parse_count(count > 2 ? arguments[2] : "40", 1);
+	if (!runs) {
+		return 1;
+	}
+	std::printf("Share of %d runs, %%:\n\n", static_cast<int>(*runs));
+	print_table(GESTURING_HANDS, 0, [&](const HandKind &hand, TrackerKind tracker, Context context) {
+		return percent_right(models, hand, tracker, context, *runs);
+	});
+	std::printf("\nFalse alarms a minute:\n\n");
+	print_table(IDLE_HANDS, 2, [&](const HandKind &hand, TrackerKind tracker, Context context) {
+		return ends_a_minute(models, hand, tracker, context, *runs);
+	});
+	return 0;
+}

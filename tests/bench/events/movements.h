@@ -1,0 +1,74 @@
+#pragma once
+
+#include "draws.h"
+#include "hand_plan.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace steadyhand::bench {
+
+/// What is told to the recogniser: where a gesture is made and how far it goes, or nothing.
+enum class Context { TASK, OPEN };
+
+/// From its start to its end.
+struct Movement {
+	std::size_t gesture; ///< index into GESTURES
+	HandPose direction;  ///< of length 1
+	double amplitude_m, duration_s;
+
+	[[nodiscard]] Eigen::Vector3d axis() const { return direction.head<3>(); }
+	[[nodiscard]] bool grows_circle() const { return direction(3) > 0.0; }
+};
+
+/// Those of a hand of middling reach and pace.
+inline const std::array<Movement, 6> MOVEMENTS{ {
+		{ 0, { 1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
+		{ 0, { -1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
+		{ 1, { 0.0, -1.0, 0.0, 0.0 }, 0.2, 0.8 },
+		{ 1, { 0.0, 1.0, 0.0, 0.0 }, 0.2, 0.8 },
+		{ 2, { 0.0, 0.0, -1.0, 0.0 }, 0.15, 0.35 },
+		{ 3, { 0.0, 0.0, 0.0, 1.0 }, 0.03, 0.6 },
+} };
+
+/// Some of MOVEMENTS, one after the other.
+struct MovementRange {
+	std::size_t first, count;
+
+	[[nodiscard]] std::size_t at(std::size_t i) const { return first + i % count; }
+	[[nodiscard]] std::size_t draw(Draws &draws) const { return first + draws.below(count); }
+};
+inline constexpr MovementRange ALL{ 0, 6 }, BUT_ZOOMS{ 0, 5 }, DRAGS{ 0, 4 }, TAPS{ 4, 1 }, ZOOMS{ 5, 1 };
+
+/// Where nothing is given, a size is known by the gesture alone, and varies less.
+inline Movement draw_movement(std::size_t index, Context context, Draws &draws) {
+	Movement movement = MOVEMENTS[index];
+	movement.amplitude_m *= context == Context::OPEN ? draws.between(0.9, 1.3) : draws.between(0.7, 1.5);
+	movement.duration_s *= draws.between(0.75, 1.5);
+	return movement;
+}
+
+/// To any side.
+inline Movement tilted(Movement movement, double degrees, Draws &draws) {
+	const Eigen::Vector3d axis = movement.axis(), aside = axis.unitOrthogonal(), upright = axis.cross(aside);
+	const double side = draws.between(0.0, 2.0 * std::numbers::pi);
+	const double angle = radians(degrees);
+	movement.direction.head<3>() =
+			std::cos(angle) * axis + std::sin(angle) * (std::cos(side) * aside + std::sin(side) * upright);
+	return movement;
+}
+
+/// Along nothing that may be a gesture: neither the axes of space nor these.
+inline Eigen::Vector3d draw_aside(const Eigen::Vector3d &axis, const Eigen::Vector3d &other, Draws &draws) {
+	return draws.unit_vector_where([&, most = std::cos(radians(42.0))](const Eigen::Vector3d &drawn) {
+		return drawn.cwiseAbs().maxCoeff() <= most && std::abs(drawn.dot(axis)) <= most &&
+				std::abs(drawn.dot(other)) <= most;
+	});
+}
+
+} // namespace steadyhand::bench
