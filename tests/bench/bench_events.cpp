@@ -165,7 +165,7 @@ int main(int count, char **arguments) {
 	if (!runs) {
 		return 1;
 	}
-	std::printf("Share of %d runs, %%:\n\n", static_cast<int>(*runs));
+	std::printf("Of %d runs, %%:\n\n", static_cast<int>(*runs));
 	print_table(GESTURING_HANDS, 0, [&](const HandKind &hand, TrackerKind tracker, Context context) {
 		return percent_right(models, hand, tracker, context, *runs);
 	});

@@ -32,6 +32,7 @@ def outcomes() -> Iterator[Outcome]:
         yield from results(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:
         yield from haptics(Path(folder))
+    yield from events()
     yield from worked_example.outcomes()
     yield from installed_godot_cpp.outcomes()
 
@@ -161,6 +162,18 @@ def haptics(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/bench haptics: no change clicks", good, f"{steps}\n{text}")
     grown = re.search(r"memory +([+-]\d+) bytes", text)
     yield Outcome.of("command/bench haptics: memory stays", grown is not None and int(grown[1]) < 10000, text)
+
+
+def events() -> Iterator[Outcome]:
+    """The tables of events, of one run each: hands by trackers and contexts."""
+    status, output = run(["./steadyhand", "bench", "events", "--runs", 1])
+    rows = re.findall(r"^\| ([a-z].*?) \|((?: [\d.]+ \|){6})$", output, re.MULTILINE)
+    yield Outcome.of("command/bench events: thirty hands", status == 0 and len(rows) == 30, output)
+    plain = dict(rows).get("twelve equal gestures in a row")
+    yield Outcome.of("command/bench events: plain gestures are told", plain == " 100 |" * 6, output)
+    status, output = run(["./steadyhand", "bench", "events", "--runs", "some"])
+    good = status == 1 and output.splitlines()[-1] == 'no whole number of at least 1: "some"'
+    yield Outcome.of("command/bench events: a number is one", good, f"{status}\n{output}")
 
 
 def results(folder: Path) -> Iterator[Outcome]:
