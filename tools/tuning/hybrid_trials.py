@@ -119,9 +119,11 @@ def spoiled(
     return stamps[kept], seen[kept]
 
 
-def write_track(path: Path, t: np.ndarray, index: np.ndarray) -> None:
-    rows = (f"{stamp:.6f},{x:.6f},{y:.6f},{z:.6f}" for stamp, (x, y, z) in zip(t, index, strict=True))
-    path.write_text("t,index_x,index_y,index_z\n" + "\n".join(rows) + "\n")
+def write_track(path: Path, t: np.ndarray, places: np.ndarray, joints: tuple[str, ...] = ("index",)) -> None:
+    """places: (n, 3) of the one joint, or (n, joints, 3), m."""
+    lines = [",".join(["t", *(f"{name}_{axis}" for name in joints for axis in AXES)])]
+    lines += [",".join(f"{number:.6f}" for number in row) for row in np.column_stack([t, places.reshape(len(t), -1)])]
+    path.write_text("\n".join(lines) + "\n")
 
 
 def main() -> None:

@@ -74,6 +74,23 @@ def end_ms(x: np.ndarray, start: int, level: float) -> int:
     return start + reached[0] if reached.size else len(x) - 1
 
 
+def window_of(t: np.ndarray, start_s: float, end_s: float) -> np.ndarray:
+    """The samples that R2 is taken over."""
+    return np.flatnonzero((t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S))
+
+
+def span_of(trial: dict[str, str]) -> tuple[float, float]:
+    return float(trial["start_s"]), float(trial["end_s"])
+
+
+def read_rows(trials: Path, evaluation: Path) -> list[tuple[dict[str, str], dict[str, str]]]:
+    """Of each trial of a gesture, its row of trials.csv and that of results.csv."""
+    with (trials / "trials.csv").open() as source:
+        told = {trial["trial"]: trial for trial in csv.DictReader(source)}
+    with (evaluation / "results.csv").open() as source:
+        return [(told[row["trial"]], row) for row in csv.DictReader(source) if row["gesture"] != "none"]
+
+
 @dataclass
 class Trial:
     r2s: tuple[float, ...]  # of CURVES at no lag, but for "best lag" and faults; of shape and late
@@ -85,7 +102,7 @@ class Trial:
         """row: the trial's in results.csv, which has what is no oracle's."""
         curves = np.genfromtxt(curves_path, delimiter=",", names=True)
         t, reference, faults = curves["t"], curves["reference"], bridged(curves["measured"])
-        window = np.flatnonzero((t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S))
+        window = window_of(t, start_s, end_s)
         faults_r2, lag_ms = best_lag(reference, faults, window)
         start, end = np.searchsorted(t, [start_s, end_s])
         level = END_LEVEL * reference[end]
@@ -107,15 +124,11 @@ def main() -> None:
     parser.add_argument("--trials", type=Path, required=True)
     parser.add_argument("--evaluation", type=Path, required=True)
     given = parser.parse_args()
-    with (given.trials / "trials.csv").open() as source:
-        spans = {trial["trial"]: (float(trial["start_s"]), float(trial["end_s"])) for trial in csv.DictReader(source)}
     groups = defaultdict(list)
-    with (given.evaluation / "results.csv").open() as source:
-        for row in csv.DictReader(source):
-            curves_path = given.evaluation / f"{row['trial']}.curves.csv"
-            if row["gesture"] != "none":
-                group = groups[row["gesture"].replace("_", " "), row["position"]]
-                group.append(Trial.read(row, curves_path, *spans[row["trial"]]))
+    for trial, row in read_rows(given.trials, given.evaluation):
+        curves_path = given.evaluation / f"{row['trial']}.curves.csv"
+        group = groups[row["gesture"].replace("_", " "), row["position"]]
+        group.append(Trial.read(row, curves_path, *span_of(trial)))
     columns = ("trials", *CURVES, "shape", "late", "lag of faults")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
     for (gesture, position), trials in sorted(groups.items()):
