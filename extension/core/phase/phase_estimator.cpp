@@ -34,179 +34,197 @@ constexpr double ERRING_SETTLING_S = 0.15;
 PhaseEstimator::PhaseEstimator(
 		const GestureModel &model, const PhaseEffort &effort, double latency_s, double gain_spread) :
 		curve_(model),
-		births_(model, effort, gain_spread), branch_period_s_(effort.branch_period_s), latency_s_(latency_s),
-		bank_(effort) {}
+		births_(model, effort, gain_spread), branch_period_s_(effort.branch_period_s),
+		latency_s_(latency_s), now_{ .bank = HypothesisBank(effort) } {}
 
 /// A hand that moves, or is elsewhere than at the start, may be about something else than to rest there.
 void PhaseEstimator::begin(double t_s, double d, double velocity) {
-	bank_.start(GestureHypothesis::resting(d));
+	now_.bank.start(GestureHypothesis::resting(d));
 	if (velocity != 0.0 || std::abs(d) > NEAR_START) {
-		bank_.add(GestureHypothesis::leaving(d, velocity));
+		now_.bank.add(GestureHypothesis::leaving(d, velocity));
 	}
-	seen_s_ = told_s_ = branched_s_ = t_s;
-	told_x_ = branched_x_ = d;
-	halted_.start(t_s, d);
-	filtered_s_ = t_s;
-	back_s_ = INFINITY;
-	next_branch_s_ = t_s + branch_period_s_;
+	now_.seen_s = now_.told_s = now_.branched_s = t_s;
+	now_.told_x = now_.branched_x = d;
+	now_.halted.start(t_s, d);
+	now_.filtered_s = t_s;
+	now_.back_s = INFINITY;
+	now_.next_branch_s = t_s + branch_period_s_;
 }
 
 void PhaseEstimator::restart(double t_s, double shift) {
-	if (bank_.empty()) {
+	if (now_.bank.empty()) {
 		return;
 	}
-	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, filtered_s_);
+	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, now_.filtered_s);
+	leap_s_ = -INFINITY;
 	if (shift != 0.0) {
 		const double absorbed_s = absorbed_s_;
 		reset();
 		absorbed_s_ = absorbed_s;
 	}
-	begin(filtered_s_, hand.value + shift, hand.velocity);
+	begin(now_.filtered_s, hand.value + shift, hand.velocity);
 	prune();
-	look(filtered_s_);
+	look(now_.filtered_s);
 	blend_from(before, t_s);
 }
 
 void PhaseEstimator::prune() {
-	bank_.prune(filtered_s_, UNSOUND_AT_LEAST, FREE_AT_LEAST);
+	now_.bank.prune(now_.filtered_s, UNSOUND_AT_LEAST, FREE_AT_LEAST);
 }
 
 void PhaseEstimator::wait(double t_s) {
-	if (bank_.empty()) {
+	if (now_.bank.empty()) {
 		return;
 	}
 	outlook_.go_on(curve_, t_s + ahead_s());
 	const double missing = soundness_.missing(t_s);
-	if (halted_.is_halted() || missing <= missing_) {
+	if (now_.halted.is_halted() || missing <= now_.missing) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s);
-	count_loss(bank_, filtered_s_, told_s_, loss_.new_of(missing - missing_));
-	count_fault(bank_, filtered_s_, missing - missing_, false);
-	missing_ = missing;
+	count_loss(now_.bank, now_.filtered_s, now_.told_s, now_.loss.new_of(missing - now_.missing));
+	count_fault(now_.bank, now_.filtered_s, missing - now_.missing, false);
+	now_.missing = missing;
 	prune();
-	look(filtered_s_);
+	look(now_.filtered_s);
 	blend_from(before, t_s);
 }
 
 /// All that is due by t_s. What branches off says nothing new of the hand before a frame comes.
 void PhaseEstimator::branch_until(double t_s) {
-	next_branch_s_ = std::max(next_branch_s_, t_s - LONGEST_S);
-	for (; next_branch_s_ <= t_s; next_branch_s_ += branch_period_s_) {
-		if (next_branch_s_ - told_s_ <= BLIND_S) {
-			births_.branch(bank_, soundness_, next_branch_s_);
-			if (told_s_ > branched_s_) {
-				births_.stand(
-						bank_, next_branch_s_, told_x_, (told_x_ - branched_x_) / (told_s_ - branched_s_));
-				branched_x_ = told_x_;
-				branched_s_ = told_s_;
+	now_.next_branch_s = std::max(now_.next_branch_s, t_s - LONGEST_S);
+	for (; now_.next_branch_s <= t_s; now_.next_branch_s += branch_period_s_) {
+		if (now_.next_branch_s - now_.told_s <= BLIND_S) {
+			births_.branch(now_.bank, soundness_, now_.next_branch_s);
+			if (now_.told_s > now_.branched_s) {
+				births_.stand(now_.bank, now_.next_branch_s, now_.told_x,
+						(now_.told_x - now_.branched_x) / (now_.told_s - now_.branched_s));
+				now_.branched_x = now_.told_x;
+				now_.branched_s = now_.told_s;
 			}
 			prune();
 		}
 	}
 }
 
-void PhaseEstimator::absorb(double t_s, double x) {
-	halted_.look(soundness_, t_s, x);
-	if (halted_.is_halted() && !soundness_.told()) {
+/// Whether all is as it was before the frames that were elsewhere.
+bool PhaseEstimator::forget_leap() {
+	const bool forgets = leap_s_ > soundness_.forgotten_since_s();
+	if (forgets) {
+		now_ = before_leap_;
+		leap_s_ = -INFINITY;
+	} else if (soundness_.leapt() && leap_s_ <= soundness_.held_s()) {
+		before_leap_ = now_;
+		leap_s_ = absorbed_s_;
+	}
+	return forgets;
+}
+
+/// fault: that the frame adds.
+void PhaseEstimator::absorb(double t_s, double x, double fault) {
+	now_.halted.look(soundness_, t_s, x);
+	if (now_.halted.is_halted() && !soundness_.told()) {
 		return; // it stays where it was seen
 	}
-	const double step_s = std::max(t_s - filtered_s_, 0.0), dt_s = std::min(step_s, LONGEST_STEP_S);
-	filtered_s_ = t_s;
-	bank_.predict(curve_, t_s, passages(step_s));
+	const double step_s = std::max(t_s - now_.filtered_s, 0.0), dt_s = std::min(step_s, LONGEST_STEP_S);
+	now_.filtered_s = t_s;
+	now_.bank.predict(curve_, t_s, passages(step_s));
 	count_lost();
 	if (soundness_.returned()) {
-		births_.leave_unseen(bank_, soundness_, t_s);
+		births_.leave_unseen(now_.bank, soundness_, t_s);
 	}
 	if (soundness_.jumped()) {
-		branch_at_jump(bank_);
-		back_s_ = t_s + SLIDES_FOR_S;
+		branch_at_jump(now_.bank);
+		now_.back_s = t_s + SLIDES_FOR_S;
 	}
-	seen_s_ = soundness_.frozen() ? std::min(seen_s_, told_s_) : t_s;
-	told_s_ = soundness_.told() ? t_s : told_s_;
+	now_.seen_s = soundness_.frozen() ? std::min(now_.seen_s, now_.told_s) : t_s;
+	now_.told_s = soundness_.told() ? t_s : now_.told_s;
 	const bool is_back = soundness_.jumped() || soundness_.returned();
 	if (is_back) {
-		HypothesisBirths::rest_anew(bank_, x);
+		HypothesisBirths::rest_anew(now_.bank, x);
 	}
 	if (is_back || sets_out_unseen(step_s, x)) {
-		births_.seed(bank_, soundness_, t_s, x);
+		births_.seed(now_.bank, soundness_, t_s, x);
 	}
-	told_x_ = soundness_.told() ? x : told_x_;
-	count_frame(t_s, dt_s, x);
+	now_.told_x = soundness_.told() ? x : now_.told_x;
+	count_frame(t_s, dt_s, x, fault);
 	if (soundness_.told()) {
-		bank_.absorb(curve_, t_s, x, { OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) });
+		now_.bank.absorb(curve_, t_s, x, { OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) });
 	}
 }
 
 /// By those that there were when the hand was lost: before any are seeded from where it is seen again.
 void PhaseEstimator::count_lost() {
-	if (!halted_.is_halted()) {
-		count_loss(bank_, filtered_s_, told_s_, loss_.new_of(soundness_.loss() - missing_));
+	if (!now_.halted.is_halted()) {
+		count_loss(
+				now_.bank, now_.filtered_s, now_.told_s, now_.loss.new_of(soundness_.loss() - now_.missing));
 	}
 	if (soundness_.told()) {
-		loss_.end();
+		now_.loss.end();
 	}
 }
 
 /// Between two frames of a slow camera a quick hand gets further than any that had just begun.
 bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
 	constexpr double FROM = HypothesisBirths::SEEDED_FROM;
-	return soundness_.told() && step_s > SPARSE_S && told_x_ < FROM && x - told_x_ > FROM;
+	return soundness_.told() && step_s > SPARSE_S && now_.told_x < FROM && x - now_.told_x > FROM;
 }
 
 /// What a frame says by being at fault, or not.
-void PhaseEstimator::count_frame(double t_s, double dt_s, double x) {
+void PhaseEstimator::count_frame(double t_s, double dt_s, double x, double fault) {
 	const bool is_jump_to_end = soundness_.jumped() && std::abs(x - 1.0) < AT_END;
 	// Where the hand has halted a fault says nothing of whether it has gone on, unless it shows it at the
 	// end.
-	const double fault = halted_.is_halted() && !is_jump_to_end ? 0.0 : soundness_.fault() - missing_;
-	missing_ = 0.0;
-	count_fault(bank_, t_s, fault, soundness_.jumped());
-	count_erring(bank_, t_s, soundness_.log_ratio_news());
-	count_errorless(bank_, dt_s, x);
+	const bool says_nothing = now_.halted.is_halted() && !is_jump_to_end;
+	count_fault(now_.bank, t_s, says_nothing ? 0.0 : fault - now_.missing, soundness_.jumped());
+	now_.missing = 0.0;
+	count_erring(now_.bank, t_s, soundness_.log_ratio_news());
+	count_errorless(now_.bank, dt_s, x);
 	if (soundness_.told() && HaltedHand::is_on_way(x)) {
-		count_stay(bank_, t_s, dt_s, halted_.stays_since_s());
+		count_stay(now_.bank, t_s, dt_s, now_.halted.stays_since_s());
 	}
 }
 
 void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
-	if (bank_.empty()) {
+	if (now_.bank.empty()) {
 		begin(t_s, x, 0.0);
 		look(t_s);
 	}
 	const PhaseEstimate before = at(t_s);
 	if (recall(t_s, x, place)) {
-		look(filtered_s_);
+		look(now_.filtered_s);
 		blend_from(before, t_s);
 	}
 }
 
 bool PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
-	if (bank_.empty()) {
+	if (now_.bank.empty()) {
 		begin(t_s, x, 0.0);
 	}
-	if (t_s >= back_s_) {
-		arrive_from_jump(bank_);
-		back_s_ = INFINITY;
+	if (t_s >= now_.back_s) {
+		arrive_from_jump(now_.bank);
+		now_.back_s = INFINITY;
 	}
 	if (t_s - absorbed_s_ < LEAST_FRAME_S) {
 		return false;
 	}
-	const double frame_s = t_s - std::max(absorbed_s_, filtered_s_);
+	const double frame_s = t_s - std::max(absorbed_s_, now_.filtered_s);
 	absorbed_s_ = t_s;
 	branch_until(t_s);
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
 			-std::expm1(-frame_s / ERRING_SETTLING_S);
-	absorb(t_s, x);
+	if (forget_leap()) {
+		branch_until(t_s);
+		absorb(t_s, x, soundness_.fault() + soundness_.taken_back());
+	} else {
+		absorb(t_s, x, soundness_.fault());
+	}
 	prune();
 	return true;
 }
 
 PhaseEstimate PhaseEstimator::at(double t_s) const {
-	if (bank_.empty()) {
-		return {};
-	}
 	PhaseEstimate estimate = expected(t_s);
 	const CriticallyDamped missing = blend_.at(t_s);
 	estimate.value += missing.value;
@@ -217,7 +235,7 @@ PhaseEstimate PhaseEstimator::at(double t_s) const {
 }
 
 PhaseEstimate PhaseEstimator::expected(double t_s) const {
-	return outlook_.at(curve_, t_s + ahead_s());
+	return now_.bank.empty() ? PhaseEstimate{} : outlook_.at(curve_, t_s + ahead_s());
 }
 
 void PhaseEstimator::blend_from(const PhaseEstimate &before, double t_s) {

@@ -41,7 +41,7 @@ public:
 	/// changes without a transition then.
 	/// False where it is passed over: it comes too soon after the last one.
 	bool recall(double t_s, double x, const FeaturePlace &place);
-	void catch_up() { look(filtered_s_); }
+	void catch_up() { look(now_.filtered_s); }
 	/// No frame came until t_s: one that should have is a fault already while it is missing.
 	void wait(double t_s);
 	/// The gesture is over at t_s, not before the last frame: what comes next may be another one. shift: what
@@ -49,18 +49,20 @@ public:
 	void restart(double t_s, double shift = 0.0);
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() {
-		bank_.clear();
+		now_.bank.clear();
 		soundness_ = {};
-		halted_ = {};
-		loss_ = {};
-		absorbed_s_ = -INFINITY;
-		falling_behind_s_ = missing_ = 0.0;
+		now_.halted = {};
+		now_.loss = {};
+		absorbed_s_ = leap_s_ = -INFINITY;
+		falling_behind_s_ = now_.missing = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
 	}
 
 	/// At t_s, not before the last push.
 	[[nodiscard]] PhaseEstimate at(double t_s) const;
+	/// The same without what is blended in of the last change.
+	[[nodiscard]] PhaseEstimate expected(double t_s) const;
 
 private:
 	static_assert(HypothesisBank::MOST_AFTER_PRUNE + PhaseEffort::MOST_WANDERING + 2 +
@@ -69,44 +71,50 @@ private:
 			"a frame may set one free; a jump doubles each, trebles those that are free and on a way, lets "
 			"some slide back, and seeds; a branching adds fewer");
 
+	/// What the frames so far say of the hand.
+	struct Belief {
+		HypothesisBank bank;
+		HaltedHand halted{};
+		LossCount loss{};
+		double filtered_s = 0.0;  ///< the filters are at this time
+		double back_s = INFINITY; ///< by then a tracker that slides back from a jump is back
+		double seen_s = 0.0;      ///< the hand was last, by a tracker that is not frozen
+		double told_s = 0.0;      ///< a frame last told where the hand is
+		double told_x = 0.0;      ///< where that was
+		double next_branch_s = 0.0;
+		double branched_s = 0.0; ///< told_s at the last branching of one that stands
+		double branched_x = 0.0; ///< and told_x
+		double missing = 0.0;    ///< fault of the gap since the last frame that has been counted
+	};
+
 	ElementCurve curve_;
 	HypothesisBirths births_;
 	double branch_period_s_;
 	double latency_s_;
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	TrackingSoundness soundness_;
-	HaltedHand halted_;
-	LossCount loss_;
-	HypothesisBank bank_;
-	MotionOutlook outlook_;         ///< of the bank
-	double filtered_s_ = 0.0;       ///< the filters are at this time
-	double back_s_ = INFINITY;      ///< by then a tracker that slides back from a jump is back
-	double absorbed_s_ = -INFINITY; ///< when a frame was last used
-	double seen_s_ = 0.0;           ///< the hand was last, by a tracker that is not frozen
-	double told_s_ = 0.0;           ///< a frame last told where the hand is
-	double told_x_ = 0.0;           ///< where that was
-	double next_branch_s_ = 0.0;
-	double branched_s_ = 0.0;        ///< told_s_ at the last branching of one that stands
-	double branched_x_ = 0.0;        ///< and told_x_
-	double missing_ = 0.0;           ///< fault of the gap since the last frame that has been counted
+	Belief now_;
+	Belief before_leap_;             ///< as it was before the newest frame that leapt
+	double leap_s_ = -INFINITY;      ///< the time of that frame
+	MotionOutlook outlook_;          ///< of the bank
+	double absorbed_s_ = -INFINITY;  ///< when a frame was last used
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d, double velocity);
 	void look(double t_s) {
-		outlook_.look(bank_, curve_, t_s, ahead_s(), seen_s_, soundness_.lasting_unsoundness(),
-				halted_.is_halted());
+		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, soundness_.lasting_unsoundness(),
+				now_.halted.is_halted());
 	}
 	void branch_until(double t_s);
 	void prune();
-	void absorb(double t_s, double x);
+	[[nodiscard]] bool forget_leap();
+	void absorb(double t_s, double x, double fault);
 	void count_lost();
 	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
-	void count_frame(double t_s, double dt_s, double x);
+	void count_frame(double t_s, double dt_s, double x, double fault);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
-	/// The estimate at t_s without what is blended in.
-	[[nodiscard]] PhaseEstimate expected(double t_s) const;
 	/// Keeps the output where `before` had it.
 	void blend_from(const PhaseEstimate &before, double t_s);
 };

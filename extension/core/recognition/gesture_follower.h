@@ -104,6 +104,8 @@ protected:
 	}
 	/// Of `phase` mode.
 	[[nodiscard]] PhaseEstimate estimate(double t_s) const { return phase_.at(t_s); }
+	/// The same, without what of it is still blended in.
+	[[nodiscard]] PhaseEstimate expected(double t_s) const { return phase_.expected(t_s); }
 	/// What is put out is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
 

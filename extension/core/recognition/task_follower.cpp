@@ -125,7 +125,8 @@ bool TaskFollower::has_been_elsewhere(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false;
 	}
-	const PhaseEstimate now = estimate(t_s);
+	// The value that is put out is yet to follow what a frame has changed, the phase is not.
+	const PhaseEstimate now = expected(t_s);
 	return now.phase > ARRIVED_PHASE && std::abs(now.value) < BACK_VALUE;
 }
 

@@ -41,11 +41,6 @@ void TrackerSilence::change(double t_s, double x, double step, const FeaturePlac
 	place_step_ = place_step;
 }
 
-void TrackerSilence::come_back(double t_s) {
-	come_to(t_s);
-	changed_s_ = told() ? changed_s_ : t_s;
-}
-
 bool TrackerSilence::is_silent() const {
 	const double least_s = changes_ < UNKNOWN_CHANGES ? UNKNOWN_S : 0.0;
 	return t_s_ - changed_s_ > std::max(SILENT_INTERVALS * interval_s_, least_s);

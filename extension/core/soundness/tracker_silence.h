@@ -23,8 +23,6 @@ public:
 	void change(double t_s, double x, double step, const FeaturePlace &place_step);
 	/// All of that which is learned where no hand's motion led to x: how often the tracker looks.
 	void look(double t_s, double x);
-	/// One that shows the newest place again, after another that is as if it had not been.
-	void come_back(double t_s);
 
 	/// It has repeated itself for longer than it does.
 	[[nodiscard]] bool is_silent() const;

@@ -65,6 +65,7 @@ double size(const FeaturePlace &step) {
 
 void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 	fault_ = {};
+	forgotten_since_s_ = INFINITY;
 	loss_ = 0.0;
 	if (returned_) {
 		news_s_ = t_s_;
@@ -115,9 +116,6 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	const bool is_back = !repeats && forget_elsewhere(x, place, stands);
 	if (is_back) {
 		stands = x == x_ && place == place_;
-		if (stands) {
-			silence_.come_back(t_s_);
-		}
 	}
 	if (stands) {
 		stand(repeats);
@@ -125,7 +123,8 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		follow(x, place);
 	}
 	count_fault(repeats);
-	fault_.add(is_back ? of_leap : Evidence{}, -1.0);
+	taken_back_ = is_back ? of_leap : Evidence{};
+	fault_.add(taken_back_, -1.0);
 	evidence_.fade(frame_s);
 	freeze_.fade(frame_s);
 	evidence_.add(fault_);
@@ -204,11 +203,13 @@ void TrackingSoundness::rest() {
 /// Whether the frame shows the hand where it had been before the tracker showed it elsewhere, which is then
 /// as if it had not been. stands: it shows the place of the last one.
 bool TrackingSoundness::forget_elsewhere(double x, const FeaturePlace &place, bool stands) {
-	if (held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S && x == held_->x && place == held_->place) {
+	if (may_be_back() && x == held_->x && place == held_->place) {
+		forgotten_since_s_ = held_->shown_s;
 		forget_all_since(*held_);
 		return true;
 	}
 	if (!stands && leapt_ && was_outlier(x, place)) {
+		forgotten_since_s_ = leap_.t_s;
 		forget_outlier();
 		return true;
 	}

@@ -31,6 +31,16 @@ public:
 	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
 	/// which was a single frame elsewhere.
 	[[nodiscard]] double fault() const { return fault_.now; }
+	/// What of it was taken back.
+	[[nodiscard]] double taken_back() const { return taken_back_.now; }
+	/// All frames after this one, but for the newest, showed the hand elsewhere, and are as if they had not
+	/// been; infinite where there are none of these.
+	[[nodiscard]] double forgotten_since_s() const { return forgotten_since_s_; }
+	/// The newest frame is off the way, as jumped(), in whichever direction.
+	[[nodiscard]] bool leapt() const { return jumped_ || strayed_; }
+	/// When a hand at rest was last shown in its place to the last bit: if it is there again soon, all that
+	/// was shown since will be forgotten. Infinite where that is too long ago.
+	[[nodiscard]] double held_s() const { return may_be_back() ? held_->shown_s : INFINITY; }
 	/// What of it says that the hand has been lost: a gap before the newest frame, or a freeze.
 	[[nodiscard]] double loss() const { return loss_; }
 	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
@@ -107,6 +117,8 @@ private:
 	double period_s_ = 0.01; ///< between frames
 	Evidence evidence_;
 	Evidence fault_;
+	Evidence taken_back_; ///< of it
+	double forgotten_since_s_ = INFINITY;
 	double loss_ = 0.0;
 	double way_s_ = 0.0; ///< of the newest frame that the ways took in
 	Way<double> step_way_{ 0.0, 0.0 };
@@ -129,6 +141,7 @@ private:
 	void stand(bool repeats);
 	void rest();
 	[[nodiscard]] Evidence needless_of_freeze(double x);
+	[[nodiscard]] bool may_be_back() const { return held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S; }
 	bool forget_elsewhere(double x, const FeaturePlace &place, bool stands);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();

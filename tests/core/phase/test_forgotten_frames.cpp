@@ -1,0 +1,58 @@
+// A single frame elsewhere, which the next one takes back.
+
+#include "phase/phase_estimator.h"
+#include "trained_drag.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+using namespace steadyhand;
+using test::Drag;
+
+namespace {
+
+constexpr Drag DRAG{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 1.0 };
+constexpr double RATE_HZ = 100.0;
+constexpr double LENGTH_S = 2.4;
+
+/// Elsewhere by off, in amplitudes, in one frame; or without that frame.
+PhaseEstimator seen(double noise, int frame_elsewhere, double off, bool has_frame, int until_frame) {
+	PhaseEstimator estimator(test::drag_model());
+	std::mt19937_64 random(1);
+	std::normal_distribution<double> trembling(0.0, 1.0);
+	for (int i = 0; i <= until_frame; ++i) {
+		const double t_s = i / RATE_HZ;
+		const double x = DRAG.x_m(t_s) + noise * trembling(random);
+		if (i != frame_elsewhere) {
+			estimator.push(t_s, x);
+		} else if (has_frame) {
+			estimator.push(t_s, x + off);
+		}
+	}
+	return estimator;
+}
+
+} // namespace
+
+TEST_CASE("a single frame elsewhere, once the next ones are seen, is as one that was left out") {
+	constexpr int SETTLES_FRAMES = 10;
+	for (const double noise : { 0.0, 1e-3 }) {
+		for (const double at_s : { 0.5, 0.95, 1.2, 1.4, 1.6, 2.0 }) {
+			for (const double off : { -1.0, -0.4, -0.15, 0.15, 0.4, 1.03, 2.0 }) {
+				CAPTURE(noise);
+				CAPTURE(at_s);
+				CAPTURE(off);
+				const int frame = static_cast<int>(std::lround(at_s * RATE_HZ));
+				for (int until = frame + SETTLES_FRAMES; until < LENGTH_S * RATE_HZ; until += 5) {
+					const double t_s = until / RATE_HZ;
+					const double with = seen(noise, frame, off, true, until).at(t_s).value;
+					const double without = seen(noise, frame, off, false, until).at(t_s).value;
+					CHECK(std::abs(with - without) < 0.01);
+				}
+			}
+		}
+	}
+}
