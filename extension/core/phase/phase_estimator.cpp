@@ -25,6 +25,11 @@ constexpr double BLIND_S = 0.05;
 constexpr double SPARSE_S = 0.015; ///< closer frames see every hand set out
 constexpr double LONGEST_S = 8.0;  ///< what branched off before that no longer matters
 
+/// A tracker that jumps away from the hand and, so soon, back to it: within this share of the jump back from
+/// where that was foretold to be.
+constexpr double AWAY_S = 0.2;
+constexpr double NEARER = 0.25;
+
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.03;
 constexpr double ERRING_SETTLING_S = 0.15;
@@ -56,7 +61,7 @@ void PhaseEstimator::restart(double t_s, double shift) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, now_.filtered_s);
-	leap_s_ = -INFINITY;
+	before_leap_.leap_s = -INFINITY;
 	if (shift != 0.0) {
 		const double absorbed_s = absorbed_s_;
 		reset();
@@ -107,21 +112,33 @@ void PhaseEstimator::branch_until(double t_s) {
 	}
 }
 
-/// Whether all is as it was before the frames that were elsewhere.
-bool PhaseEstimator::forget_leap() {
-	const bool forgets = leap_s_ > soundness_.forgotten_since_s();
-	if (forgets) {
-		now_ = before_leap_;
-		leap_s_ = -INFINITY;
-	} else if (soundness_.leapt() && leap_s_ <= soundness_.held_s()) {
-		before_leap_ = now_;
-		leap_s_ = absorbed_s_;
-	}
-	return forgets;
+/// Whether a jump leads back to where the hand was foretold to be before one that led away.
+bool PhaseEstimator::jumps_back(double t_s, double x) const {
+	return soundness_.jumped() && t_s - before_leap_.leap_s < AWAY_S &&
+			std::abs(x - before_leap_.outlook.at(curve_, t_s).value) < NEARER * std::abs(x - now_.told_x);
 }
 
-/// fault: that the frame adds.
-void PhaseEstimator::absorb(double t_s, double x, double fault) {
+/// Takes in the newest frame of soundness_.
+void PhaseEstimator::weigh(double t_s, double x) {
+	const bool was_elsewhere = before_leap_.leap_s > soundness_.forgotten_since_s();
+	if (was_elsewhere || jumps_back(t_s, x)) {
+		now_ = before_leap_.belief;
+		const double fault = was_elsewhere ? soundness_.taken_back() : before_leap_.fault;
+		before_leap_.leap_s = -INFINITY;
+		branch_until(t_s);
+		absorb(t_s, x, soundness_.fault() + fault, false);
+	} else {
+		const double leap = std::abs(x - now_.told_x);
+		const bool may_be_back = t_s - before_leap_.leap_s < AWAY_S && leap < before_leap_.leap;
+		if (soundness_.leapt() && before_leap_.leap_s <= soundness_.held_s() && !may_be_back) {
+			before_leap_ = { t_s, leap, soundness_.fault(), now_, outlook_ };
+		}
+		absorb(t_s, x, soundness_.fault(), soundness_.jumped());
+	}
+}
+
+/// fault: that is counted; jumps: to where the hand had not been expected.
+void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 	now_.halted.look(soundness_, t_s, x);
 	if (now_.halted.is_halted() && !soundness_.told()) {
 		return; // it stays where it was seen
@@ -133,13 +150,13 @@ void PhaseEstimator::absorb(double t_s, double x, double fault) {
 	if (soundness_.returned()) {
 		births_.leave_unseen(now_.bank, soundness_, t_s);
 	}
-	if (soundness_.jumped()) {
+	if (jumps) {
 		branch_at_jump(now_.bank);
 		now_.back_s = t_s + SLIDES_FOR_S;
 	}
 	now_.seen_s = soundness_.frozen() ? std::min(now_.seen_s, now_.told_s) : t_s;
 	now_.told_s = soundness_.told() ? t_s : now_.told_s;
-	const bool is_back = soundness_.jumped() || soundness_.returned();
+	const bool is_back = jumps || soundness_.returned();
 	if (is_back) {
 		HypothesisBirths::rest_anew(now_.bank, x);
 	}
@@ -147,7 +164,7 @@ void PhaseEstimator::absorb(double t_s, double x, double fault) {
 		births_.seed(now_.bank, soundness_, t_s, x);
 	}
 	now_.told_x = soundness_.told() ? x : now_.told_x;
-	count_frame(t_s, dt_s, x, fault);
+	count_frame(t_s, dt_s, x, fault, jumps);
 	if (soundness_.told()) {
 		now_.bank.absorb(curve_, t_s, x, { OUTLIERS, soundness_.jitter(), dt_s / (dt_s + ALIKE_S) });
 	}
@@ -171,12 +188,12 @@ bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
 }
 
 /// What a frame says by being at fault, or not.
-void PhaseEstimator::count_frame(double t_s, double dt_s, double x, double fault) {
-	const bool is_jump_to_end = soundness_.jumped() && std::abs(x - 1.0) < AT_END;
+void PhaseEstimator::count_frame(double t_s, double dt_s, double x, double fault, bool jumps) {
+	const bool is_jump_to_end = jumps && std::abs(x - 1.0) < AT_END;
 	// Where the hand has halted a fault says nothing of whether it has gone on, unless it shows it at the
 	// end.
 	const bool says_nothing = now_.halted.is_halted() && !is_jump_to_end;
-	count_fault(now_.bank, t_s, says_nothing ? 0.0 : fault - now_.missing, soundness_.jumped());
+	count_fault(now_.bank, t_s, says_nothing ? 0.0 : fault - now_.missing, jumps);
 	now_.missing = 0.0;
 	count_erring(now_.bank, t_s, soundness_.log_ratio_news());
 	count_errorless(now_.bank, dt_s, x);
@@ -214,12 +231,7 @@ bool PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
 			-std::expm1(-frame_s / ERRING_SETTLING_S);
-	if (forget_leap()) {
-		branch_until(t_s);
-		absorb(t_s, x, soundness_.fault() + soundness_.taken_back());
-	} else {
-		absorb(t_s, x, soundness_.fault());
-	}
+	weigh(t_s, x);
 	prune();
 	return true;
 }

@@ -53,7 +53,7 @@ public:
 		soundness_ = {};
 		now_.halted = {};
 		now_.loss = {};
-		absorbed_s_ = leap_s_ = -INFINITY;
+		absorbed_s_ = before_leap_.leap_s = -INFINITY;
 		falling_behind_s_ = now_.missing = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
@@ -73,7 +73,7 @@ private:
 
 	/// What the frames so far say of the hand.
 	struct Belief {
-		HypothesisBank bank;
+		HypothesisBank bank{ PhaseEffort{} };
 		HaltedHand halted{};
 		LossCount loss{};
 		double filtered_s = 0.0;  ///< the filters are at this time
@@ -87,6 +87,16 @@ private:
 		double missing = 0.0;    ///< fault of the gap since the last frame that has been counted
 	};
 
+	/// What was believed before a frame that leapt off the way: if the tracker is back on it soon, it is
+	/// again.
+	struct BeforeLeap {
+		double leap_s = -INFINITY; ///< when that was
+		double leap = 0.0;         ///< how far
+		double fault = 0.0;        ///< that it had
+		Belief belief{};
+		MotionOutlook outlook{};
+	};
+
 	ElementCurve curve_;
 	HypothesisBirths births_;
 	double branch_period_s_;
@@ -94,8 +104,7 @@ private:
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	TrackingSoundness soundness_;
 	Belief now_;
-	Belief before_leap_;             ///< as it was before the newest frame that leapt
-	double leap_s_ = -INFINITY;      ///< the time of that frame
+	BeforeLeap before_leap_;
 	MotionOutlook outlook_;          ///< of the bank
 	double absorbed_s_ = -INFINITY;  ///< when a frame was last used
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
@@ -108,11 +117,12 @@ private:
 	}
 	void branch_until(double t_s);
 	void prune();
-	[[nodiscard]] bool forget_leap();
-	void absorb(double t_s, double x, double fault);
+	[[nodiscard]] bool jumps_back(double t_s, double x) const;
+	void weigh(double t_s, double x);
+	void absorb(double t_s, double x, double fault, bool jumps);
 	void count_lost();
 	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
-	void count_frame(double t_s, double dt_s, double x, double fault);
+	void count_frame(double t_s, double dt_s, double x, double fault, bool jumps);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
 	/// Keeps the output where `before` had it.

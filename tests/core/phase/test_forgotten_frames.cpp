@@ -1,5 +1,6 @@
-// A single frame elsewhere, which the next one takes back.
+// Frames elsewhere, until the tracker is back where the hand is.
 
+#include "follow.h"
 #include "phase/phase_estimator.h"
 #include "trained_drag.h"
 
@@ -55,4 +56,30 @@ TEST_CASE("a single frame elsewhere, once the next ones are seen, is as one that
 			}
 		}
 	}
+}
+
+TEST_CASE("a tracker that shows a hand ahead for a tenth of a second leaves it where it was foretold to be") {
+	constexpr double AHEAD = 0.5, AHEAD_S = 0.1;
+	double squares = 0.0;
+	int instants = 0;
+	for (const double duration_s : { 0.8, 1.5 }) {
+		const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 1.0 };
+		for (const double share : { 0.05, 0.1, 0.15, 0.2, 0.25, 0.3 }) {
+			const double from_s = drag.onset_s + share * duration_s;
+			PhaseEstimator estimator(test::drag_model());
+			std::mt19937_64 random(2);
+			std::normal_distribution<double> trembling(0.0, 1e-3);
+			const auto show = [&](double t_s) {
+				const bool is_ahead = t_s >= from_s && t_s < from_s + AHEAD_S;
+				return drag.x_m(t_s) + (is_ahead ? AHEAD : 0.0) + trembling(random);
+			};
+			test::follow(estimator, drag.onset_s + duration_s + 0.3, show, [&](double t_s, double value) {
+				if (t_s > from_s + 1.5 * AHEAD_S) {
+					squares += (value - drag.x_m(t_s)) * (value - drag.x_m(t_s));
+					++instants;
+				}
+			});
+		}
+	}
+	CHECK(std::sqrt(squares / instants) < 0.06);
 }
