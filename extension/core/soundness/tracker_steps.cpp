@@ -3,7 +3,6 @@
 #include "soundness/tracker_silence.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace steadyhand {
 namespace {
@@ -23,9 +22,11 @@ constexpr double ACCELERATION_M_S2 = 20.0;
 constexpr double SLIDES_BACK_S = 0.15;
 /// Those strokes peak at 1.8 m/s.
 constexpr double FASTEST_M_S = 3.0;
-constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
+/// A hand that stops is slower than so much of its greatest speed before, for so long.
+constexpr double BRAKED = 0.6;
+constexpr double BRAKES_S = 0.15;
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 
@@ -36,6 +37,7 @@ void TrackerSteps::restart() {
 	held_.reset();
 	velocity_m_s_ = step_m_ = FeaturePlace::Zero();
 	slide_ = {};
+	stand_ = {};
 	interval_s_ = 0.0;
 }
 
@@ -70,6 +72,7 @@ void TrackerSteps::pass(const Frame &frame) {
 		slide_to(frame);
 		interval_s_ = frame.t_s - last_.t_s;
 		velocity_m_s_ = (frame.place_m - last_.place_m) / interval_s_;
+		stand_at(frame);
 		if (velocity_m_s_.norm() > 1.5 * ACCELERATION_M_S2 * interval_s_ + bend_m_ / interval_s_) {
 			moved_s_ = frame.t_s;
 		}
@@ -79,6 +82,15 @@ void TrackerSteps::pass(const Frame &frame) {
 	last_ = frame;
 	has_last_ = true;
 	passed_[passed_count_++] = { frame.t_s, frame.place_m - step_m_, frame.place_m };
+}
+
+void TrackerSteps::stand_at(const Frame &frame) {
+	const FeaturePlace way_m = frame.place_m - stand_.place_m;
+	if (way_m.norm() > 0.5 * floor_m()) {
+		const double dt_s = frame.t_s - stand_.since_s;
+		const double remembered_m_s = std::exp(-dt_s / BRAKES_S) * stand_.fastest_m_s;
+		stand_ = { frame.t_s, frame.place_m, way_m / dt_s, std::max(remembered_m_s, way_m.norm() / dt_s) };
+	}
 }
 
 TrackerSteps::Leap TrackerSteps::leap_before(const Frame &next) const {
@@ -118,6 +130,23 @@ bool TrackerSteps::set_out_unseen(const Leap &leap) const {
 	return last_.t_s - moved_s_ > RESTS_S && is_as_fast && along_m_s > reached_m_s + bend_m_ / leap.next_s;
 }
 
+/// To where the hand has gone while a tracker that lost it showed it standing.
+bool TrackerSteps::catches_up(const Leap &leap) const {
+	const double lost_s = waiting_.t_s - stand_.since_s;
+	const bool has_braked = stand_.came_m_s.norm() < BRAKED * stand_.fastest_m_s;
+	if (lost_s > LONGEST_HELD_S || has_braked || leap.way_m.dot(stand_.came_m_s) <= 0.0) {
+		return false;
+	}
+	const FeaturePlace gone_m = 0.5 * lost_s * (stand_.came_m_s + leap.after_m_s);
+	const double noise_m_s = bend_m_ / leap.next_s;
+	double off_m = floor_m() + 0.5 * (gone_m.norm() + lost_s * std::min(noise_m_s, stand_.came_m_s.norm()));
+	// No hand stops so soon.
+	if (stand_.came_m_s.norm() > 2.0 * ACCELERATION_M_S2 * leap.dt_s + noise_m_s) {
+		off_m += 0.25 * ACCELERATION_M_S2 * lost_s * lost_s;
+	}
+	return (leap.way_m - gone_m).norm() < off_m;
+}
+
 /// next: the frame after the one that is waiting.
 void TrackerSteps::resolve(const Frame &next) {
 	is_waiting_ = false;
@@ -137,7 +166,12 @@ void TrackerSteps::resolve(const Frame &next) {
 	const FeaturePlace step_m = leap.way_m - 0.5 * leap.dt_s * (leap.before_m_s + leap.after_m_s);
 	const double before_s = waits_after_rest_ ? 0.0 : interval_s_;
 	const double hands_m = 0.25 * ACCELERATION_M_S2 * leap.dt_s * (leap.dt_s + before_s + leap.next_s);
-	if (!has_set_out && step_m.norm() > floor_m() + hands_m) {
+	const bool is_step = !has_set_out && step_m.norm() > floor_m() + hands_m;
+	if (is_step && catches_up(leap)) {
+		pass(waiting_);
+		velocity_m_s_ = leap.after_m_s;
+		interval_s_ = leap.next_s;
+	} else if (is_step) {
 		take_out(step_m, leap);
 	} else {
 		pass(waiting_);

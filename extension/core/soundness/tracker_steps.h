@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 
@@ -35,6 +36,8 @@ public:
 	void restart();
 
 private:
+	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
+
 	struct Frame {
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero();
@@ -54,6 +57,14 @@ private:
 		bool knows_before = false;
 	};
 
+	/// Where the hand is shown, by steps that are no trembling.
+	struct Stand {
+		double since_s = NEVER_S;
+		FeaturePlace place_m = FeaturePlace::Zero();
+		FeaturePlace came_m_s = FeaturePlace::Zero(); ///< at which velocity
+		double fastest_m_s = 0.0;                     ///< of late
+	};
+
 	/// A place that was shown again, to the last bit.
 	struct Held {
 		double shown_s = 0.0; ///< the last time
@@ -71,6 +82,7 @@ private:
 	double bend_m_ = 0.0;  ///< mean, from frame to frame
 	int bends_ = 0;
 	std::optional<Held> held_;
+	Stand stand_;
 	double stayed_until_s_ = -INFINITY; ///< at rest, before a tracker that shows hands elsewhere
 	bool shows_elsewhere_ = false;      ///< a hand at rest, for a frame or for good
 	bool has_last_ = false;
@@ -86,6 +98,8 @@ private:
 	[[nodiscard]] Leap leap_before(const Frame &next) const;
 	[[nodiscard]] bool was_elsewhere(const Leap &leap, const Frame &next) const;
 	[[nodiscard]] bool set_out_unseen(const Leap &leap) const;
+	[[nodiscard]] bool catches_up(const Leap &leap) const;
+	void stand_at(const Frame &frame);
 	void resolve(const Frame &next);
 	void take_out(const FeaturePlace &step_m, const Leap &leap);
 	void come_back(const Frame &frame, const FeaturePlace &step_m);

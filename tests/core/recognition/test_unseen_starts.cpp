@@ -120,6 +120,31 @@ TEST_CASE("a tracker that trembles also where it holds its pose hides no gesture
 	}
 }
 
+TEST_CASE("a tracker that trembles where it lost a hand on its way, and catches up, hides no gesture") {
+	for (const double tremor_m : { 1e-4, 3e-4 }) {
+		for (const double freeze_s : { 0.1, 0.2, 0.3 }) {
+			for (const double share : { 0.3, 0.4, 0.5, 0.6, 0.7 }) {
+				for (const double duration_s : { 0.4, 0.8, 1.5 }) {
+					CAPTURE(tremor_m);
+					CAPTURE(freeze_s);
+					CAPTURE(share);
+					CAPTURE(duration_s);
+					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
+					const double from_s = drag.onset_s + share * duration_s;
+					Tremor tremor(tremor_m, 1);
+					const Way way = [&](double t_s) {
+						const bool is_lost = t_s >= from_s && t_s < from_s + freeze_s;
+						return Eigen::Vector3d(drag.x_m(is_lost ? from_s : t_s) * X + tremor());
+					};
+					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
+					const Events events = watch(open, way, 3.5, 1e9, 1e9, 100.0, 0.0);
+					CHECK(events.said.back() == "ended sideways");
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("a tracker that shows a still hand elsewhere for a while as it sets out makes no other gesture of "
 		  "it") {
 	for (const Rest &rest : { Rest{ 0.0, 0.0 }, { 2e-3, 0.3e-3 } }) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <random>
+#include <utility>
 #include <vector>
 
 using namespace steadyhand;
@@ -149,6 +150,51 @@ TEST_CASE("a frozen tracker that catches up shows where the hand has gone") {
 		CAPTURE(frozen_s);
 		const Way hand = [](double t_s) { return USUAL.x_m(t_s); };
 		CHECK(largest_error(passed(hand, 110.0, 2.0, 0.7, 0.7 + frozen_s), hand) == 0.0);
+	}
+}
+
+TEST_CASE("a tracker that trembles where it lost the hand, and catches up, shows where the hand has gone") {
+	const std::vector<std::pair<double, double>> hands{ { 0.03, 0.4 }, { 0.03, 0.8 }, { 0.2, 0.4 },
+		{ 0.2, 0.8 }, { 0.2, 1.5 } };
+	for (const auto &[amplitude_m, duration_s] : hands) {
+		const test::Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = amplitude_m };
+		for (const double share : { 0.3, 0.4, 0.5, 0.6, 0.7 }) {
+			for (const double lost_s : { 0.1, 0.2, 0.3 }) {
+				CAPTURE(amplitude_m);
+				CAPTURE(duration_s);
+				CAPTURE(share);
+				CAPTURE(lost_s);
+				const double from_s = drag.onset_s + share * duration_s;
+				std::mt19937_64 random(3);
+				std::normal_distribution<double> noise(0.0, 2e-4);
+				const Way shown = [&](double t_s) {
+					const bool is_lost = t_s >= from_s && t_s < from_s + lost_s;
+					return drag.x_m(is_lost ? from_s : t_s) + noise(random);
+				};
+				const double end_m = passed(shown, 100.0, 3.0).back().place_m.x();
+				CHECK(std::abs(end_m - drag.amplitude_m) < 0.1 * drag.amplitude_m);
+			}
+		}
+	}
+}
+
+TEST_CASE("a hand that came to rest, and that its tracker shows elsewhere soon after, is where it was") {
+	for (const double duration_s : { 0.4, 0.8, 1.5 }) {
+		const test::Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = 0.2 };
+		for (const double rest_s : { 0.05, 0.1, 0.2, 0.3 }) {
+			for (const double step_m : { -0.05, 0.03, 0.05, 0.1 }) {
+				CAPTURE(duration_s);
+				CAPTURE(rest_s);
+				CAPTURE(step_m);
+				const double from_s = drag.onset_s + duration_s + rest_s;
+				std::mt19937_64 random(3);
+				std::normal_distribution<double> noise(0.0, 2e-4);
+				const Way shown = [&](double t_s) {
+					return drag.x_m(t_s) + (t_s >= from_s ? step_m : 0.0) + noise(random);
+				};
+				CHECK(std::abs(passed(shown, 100.0, 3.0).back().place_m.x() - 0.2) < 0.005);
+			}
+		}
 	}
 }
 
