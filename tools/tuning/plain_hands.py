@@ -35,6 +35,7 @@ FAULT_LENGTHS_S = (0.1, 0.2, 0.3)
 FAULT_BEGINS = (-0.2, 0.8)  # in shares of the gesture
 ELSEWHERE = 0.03
 OFF_M = 0.1
+ZOOM_OFF_M = 0.03  # more would take the index away from its own hand
 JUMP_S = 0.1
 LAG_S = 0.08
 
@@ -47,15 +48,16 @@ class Hand:
     ways: np.ndarray  # (joints, 3), unit vectors
     radius_m: float  # how far along its way each joint starts
     amplitude_m: float
+    off_m: float  # how far the tracker shows the index elsewhere
 
     @classmethod
     def of(cls, gesture: str, duration_s: float) -> "Hand":
         if gesture != "zoom":
             axis, amplitude_m, _ = GESTURES[gesture]
-            return cls(gesture, duration_s, ("index",), np.array([axis]), 0.0, amplitude_m)
+            return cls(gesture, duration_s, ("index",), np.array([axis]), 0.0, amplitude_m, OFF_M)
         angles = np.radians(list(ZOOM_TIPS_DEGREES.values()))
         ways = np.stack([np.cos(angles), np.sin(angles), np.zeros(len(angles))], axis=1)
-        return cls(gesture, duration_s, tuple(ZOOM_TIPS_DEGREES), ways, ZOOM_START_M, ZOOM_GROWTH_M)
+        return cls(gesture, duration_s, tuple(ZOOM_TIPS_DEGREES), ways, ZOOM_START_M, ZOOM_GROWTH_M, ZOOM_OFF_M)
 
     def at(self, t: np.ndarray) -> np.ndarray:
         """Places (n, joints, 3), m."""
@@ -98,7 +100,7 @@ def gap(hand: Hand, t: np.ndarray, shown: np.ndarray, rng: np.random.Generator) 
 
 
 def frames_elsewhere(hand: Hand, t: np.ndarray, shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    shown[:, 0] += OFF_M * (rng.random((len(t), 1)) < ELSEWHERE) * directions(len(t), rng)
+    shown[:, 0] += hand.off_m * (rng.random((len(t), 1)) < ELSEWHERE) * directions(len(t), rng)
     return shown
 
 
@@ -109,7 +111,7 @@ def jump(along: float, for_s: float = JUMP_S) -> Fault:
         begins_s = REST_S + hand.duration_s * rng.random()
         aside = np.cross(hand.ways[0], directions(1, rng)[0])
         way = along * hand.ways[0] if along else aside / np.linalg.norm(aside)
-        shown[(t >= begins_s) & (t < begins_s + for_s), 0] += OFF_M * way
+        shown[(t >= begins_s) & (t < begins_s + for_s), 0] += hand.off_m * way
         return shown
 
     return fault
