@@ -33,6 +33,7 @@ void TrackerSilence::change(double t_s, double x, double step, const FeaturePlac
 	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
 	look(t_s, x);
 	speed_ += SPEED_SHARE * (velocity - speed_);
+	latest_ = velocity;
 	const bool turned = step * step_ < 0.0 || (place_step.cwiseProduct(place_step_).array() < 0.0).any();
 	look_for_resolution(step, place_step);
 	turns_ = (turns_ << 1U) | (turned ? 1U : 0U);
@@ -50,7 +51,8 @@ bool TrackerSilence::is_frozen() const {
 	const bool rounds = least_share_ > ROUNDED_SHARE;
 	const double resting_per_s =
 			std::max(RESTING_PER_S, rounds ? ROUNDED_SPEED * least_step_ / frame_s_ : 0.0);
-	const bool moved = std::abs(speed_) > resting_per_s && std::abs(way_) > LEAST_WAY * least_step_;
+	const bool moved = std::min(std::abs(speed_), std::abs(latest_)) > resting_per_s &&
+			std::abs(way_) > LEAST_WAY * least_step_;
 	const bool has_come_back = std::abs(x_) < AT_START && speed_ < 0.0;
 	const bool trembled = std::popcount(turns_) >= TREMBLING_TURNS && !rounds;
 	return is_silent() && ((moved && !has_come_back) || trembled);

@@ -68,6 +68,28 @@ TEST_CASE("a hand that halts as fast as hands do is no tracker that has frozen")
 	}
 }
 
+TEST_CASE("a hand that halts before a tracker that repeats where it stands, to the last bit, stays there") {
+	for (const double rate_hz : { 15.0, 30.0, 60.0, 100.0 }) {
+		for (const double first_s : { 0.4, 0.8 }) {
+			for (const double share : { 0.3, 0.5, 0.7 }) {
+				CAPTURE(rate_hz);
+				CAPTURE(first_s);
+				CAPTURE(share);
+				PhaseEstimator estimator(test::drag_model());
+				const test::Drag drag{ .onset_s = 0.8, .duration_s = first_s, .amplitude_m = share };
+				const double halted_s = drag.onset_s + first_s;
+				double off = 0.0;
+				const auto hand = [&](double t_s) { return drag.x_m(t_s); };
+				const auto look = [&](double t_s, double value) {
+					off = t_s > halted_s + 0.1 ? std::max(off, std::abs(value - share)) : 0.0;
+				};
+				follow(estimator, halted_s + 1.5, hand, look, 1.0 / rate_hz);
+				CHECK(off < 0.06);
+			}
+		}
+	}
+}
+
 TEST_CASE("a hand that went its way in two halves stays at its end") {
 	for (const double rest_s : { 0.4, 0.6, 0.8, 1.2 }) {
 		for (const double share : { 0.3, 0.5, 0.7 }) {
