@@ -61,7 +61,7 @@ void PhaseEstimator::restart(double t_s, double shift) {
 		return;
 	}
 	const PhaseEstimate before = at(t_s), hand = outlook_.at(curve_, now_.filtered_s);
-	before_leap_.leap_s = -INFINITY;
+	before_leap_.leap_s = NEVER_S;
 	if (shift != 0.0) {
 		const double absorbed_s = absorbed_s_;
 		reset();
@@ -124,7 +124,7 @@ void PhaseEstimator::weigh(double t_s, double x) {
 	if (was_elsewhere || jumps_back(t_s, x)) {
 		now_ = before_leap_.belief;
 		const double fault = was_elsewhere ? soundness_.taken_back() : before_leap_.fault;
-		before_leap_.leap_s = -INFINITY;
+		before_leap_.leap_s = NEVER_S;
 		branch_until(t_s);
 		absorb(t_s, x, soundness_.fault() + fault, false);
 	} else {

@@ -11,6 +11,7 @@
 #include "soundness/tracking_soundness.h"
 
 #include <cmath>
+#include <limits>
 
 namespace steadyhand {
 
@@ -53,7 +54,7 @@ public:
 		soundness_ = {};
 		now_.halted = {};
 		now_.loss = {};
-		absorbed_s_ = before_leap_.leap_s = -INFINITY;
+		absorbed_s_ = before_leap_.leap_s = NEVER_S;
 		falling_behind_s_ = now_.missing = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
@@ -70,6 +71,8 @@ private:
 					HypothesisBank::MOST_ADDED,
 			"a frame may set one free; a jump doubles each, trebles those that are free and on a way, lets "
 			"some slide back, and seeds; a branching adds fewer");
+
+	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 
 	/// What the frames so far say of the hand.
 	struct Belief {
@@ -90,9 +93,9 @@ private:
 	/// What was believed before a frame that leapt off the way: if the tracker is back on it soon, it is
 	/// again.
 	struct BeforeLeap {
-		double leap_s = -INFINITY; ///< when that was
-		double leap = 0.0;         ///< how far
-		double fault = 0.0;        ///< that it had
+		double leap_s = NEVER_S; ///< when that was
+		double leap = 0.0;       ///< how far
+		double fault = 0.0;      ///< that it had
 		Belief belief{};
 		MotionOutlook outlook{};
 	};
@@ -106,7 +109,7 @@ private:
 	Belief now_;
 	BeforeLeap before_leap_;
 	MotionOutlook outlook_;          ///< of the bank
-	double absorbed_s_ = -INFINITY;  ///< when a frame was last used
+	double absorbed_s_ = NEVER_S;    ///< when a frame was last used
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 

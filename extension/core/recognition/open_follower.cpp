@@ -8,6 +8,9 @@
 namespace steadyhand {
 namespace {
 
+/// A start that was shown so far elsewhere, in amplitudes, is corrected for so long.
+constexpr double CORRECTED_BY = 0.1;
+constexpr double CORRECTED_FOR_S = 0.3;
 constexpr double IMPOSSIBLE = -std::numeric_limits<double>::infinity(); ///< log odds
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double SHORTEST = 0.12;
@@ -66,6 +69,7 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 			look_for_start(frame.t_s, strokes);
 			break;
 		case Stage::MOVING:
+			correct_start(frame.t_s, strokes);
 			look_for_end(frame.t_s, strokes);
 			break;
 		case Stage::ARRIVED:
@@ -140,6 +144,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
+			begun_ = stroke;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
@@ -162,6 +167,18 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	likely_s_ = moved_s_ = t_s;
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
+}
+
+/// Where the tracker had jumped when the hand set out, and is back: the motion counts from there, too.
+void OpenFollower::correct_start(double t_s, const StrokeFinder &strokes) {
+	if (t_s - stage_began_s() > CORRECTED_FOR_S) {
+		return;
+	}
+	const FeaturePlace start = start_of(begun_, strokes, way_);
+	if ((start - start_).norm() > CORRECTED_BY * task().amplitude_m) {
+		start_ = start;
+		start_from(t_s, begun_, strokes);
+	}
 }
 
 void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {

@@ -25,6 +25,7 @@ private:
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
 	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
 	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
+	Stroke begun_;                              ///< the one that began, as it was by then
 	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
 	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
 
@@ -41,6 +42,7 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
+	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);

@@ -203,9 +203,10 @@ void TrackingSoundness::rest() {
 /// Whether the frame shows the hand where it had been before the tracker showed it elsewhere, which is then
 /// as if it had not been. stands: it shows the place of the last one.
 bool TrackingSoundness::forget_elsewhere(double x, const FeaturePlace &place, bool stands) {
-	if (may_be_back() && x == held_->x && place == held_->place) {
-		forgotten_since_s_ = held_->shown_s;
-		forget_all_since(*held_);
+	const Held *const held = held_of_late();
+	if (held != nullptr && x == held->x && place == held->place) {
+		forgotten_since_s_ = held->shown_s;
+		forget_all_since(*held);
 		return true;
 	}
 	if (!stands && leapt_ && was_outlier(x, place)) {

@@ -40,7 +40,10 @@ public:
 	[[nodiscard]] bool leapt() const { return jumped_ || strayed_; }
 	/// When a hand at rest was last shown in its place to the last bit: if it is there again soon, all that
 	/// was shown since will be forgotten. Infinite where that is too long ago.
-	[[nodiscard]] double held_s() const { return may_be_back() ? held_->shown_s : INFINITY; }
+	[[nodiscard]] double held_s() const {
+		const Held *const held = held_of_late();
+		return held != nullptr ? held->shown_s : INFINITY;
+	}
 	/// What of it says that the hand has been lost: a gap before the newest frame, or a freeze.
 	[[nodiscard]] double loss() const { return loss_; }
 	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
@@ -141,7 +144,10 @@ private:
 	void stand(bool repeats);
 	void rest();
 	[[nodiscard]] Evidence needless_of_freeze(double x);
-	[[nodiscard]] bool may_be_back() const { return held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S; }
+	/// Null where that is too long ago.
+	[[nodiscard]] const Held *held_of_late() const {
+		return held_ && t_s_ - held_->shown_s < TrackerSilence::BACK_S ? &*held_ : nullptr;
+	}
 	bool forget_elsewhere(double x, const FeaturePlace &place, bool stands);
 	[[nodiscard]] bool was_outlier(double x, const FeaturePlace &place) const;
 	void forget_outlier();

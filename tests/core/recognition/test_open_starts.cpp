@@ -56,3 +56,25 @@ TEST_CASE("where the tracker jumps back for a moment while the hand sets out, th
 		}
 	}
 }
+
+TEST_CASE(
+		"a gesture that is told while the tracker shows the hand further back counts from where it set out") {
+	for (const double duration_s : { 0.35, 0.4, 0.5 }) {
+		for (const double back_m : { 0.05, 0.1 }) {
+			for (const double share : { 0.05, 0.1, 0.15 }) {
+				CAPTURE(duration_s);
+				CAPTURE(back_m);
+				CAPTURE(share);
+				const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
+				const double from_s = drag.onset_s + share * duration_s;
+				const Way way = [=](double t_s) {
+					const bool is_elsewhere = t_s >= from_s && t_s < from_s + 0.1;
+					return Eigen::Vector3d((drag.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+				};
+				const Events events = in_the_open(way, drag.onset_s + duration_s + 0.3);
+				CHECK(events.said == times(1, "sideways"));
+				CHECK(std::abs(events.last_value_m - 0.2) < 0.02);
+			}
+		}
+	}
+}
