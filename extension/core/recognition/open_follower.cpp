@@ -145,6 +145,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			way_ = axis_ = way;
 			aim(stroke.to);
 			begun_ = stroke;
+			begun_step_m_ = strokes.step_m();
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
@@ -171,12 +172,15 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 
 /// Where the tracker had jumped when the hand set out, and is back: the motion counts from there, too.
 void OpenFollower::correct_start(double t_s, const StrokeFinder &strokes) {
-	if (t_s - stage_began_s() > CORRECTED_FOR_S) {
+	const double least_m = CORRECTED_BY * task().amplitude_m;
+	const bool has_stepped = (strokes.step_m() - begun_step_m_).norm() > least_m;
+	if (!has_stepped || t_s - stage_began_s() > CORRECTED_FOR_S) {
 		return;
 	}
 	const FeaturePlace start = start_of(begun_, strokes, way_);
-	if ((start - start_).norm() > CORRECTED_BY * task().amplitude_m) {
+	if ((start - start_).norm() > least_m) {
 		start_ = start;
+		begun_step_m_ = strokes.step_m();
 		start_from(t_s, begun_, strokes);
 	}
 }

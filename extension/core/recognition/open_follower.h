@@ -23,11 +23,12 @@ public:
 
 private:
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
-	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
-	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
-	Stroke begun_;                              ///< the one that began, as it was by then
-	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
-	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
+	FeaturePlace start_ = FeaturePlace::Zero();        ///< of the motion element
+	FeaturePlace from_ = FeaturePlace::Zero();         ///< the same, as strokes count it
+	Stroke begun_;                                     ///< the one that began, as it was by then
+	FeaturePlace begun_step_m_ = FeaturePlace::Zero(); ///< the tracker's, by then
+	FeaturePlace way_ = FeaturePlace::Zero();          ///< unit vector of the motion element's growth
+	FeaturePlace axis_ = FeaturePlace::Zero();         ///< the model's, in the sense of the stroke
 
 	bool claims_ = false;
 	double log_odds_of_return_ = -INFINITY;

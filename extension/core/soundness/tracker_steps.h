@@ -32,6 +32,8 @@ public:
 	/// The newest place was shown again: one off the hand's course that is not left soon is a step. rests: no
 	/// stroke is under way.
 	std::span<const Passed> stay(double t_s, bool rests);
+	/// Sum of all that was taken out.
+	[[nodiscard]] const FeaturePlace &step_m() const { return step_m_; }
 	/// The next frame has nothing to do with the last one.
 	void restart();
 

@@ -54,6 +54,8 @@ public:
 	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
 	/// Where the hand is, as strokes count it.
 	[[nodiscard]] const FeaturePlace &place_m() const { return newest_.place_m; }
+	/// By how far the tracker shows it beside that.
+	[[nodiscard]] const FeaturePlace &step_m() const { return steps_.step_m(); }
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
 	/// TrembleFilter::noise_m, of places as strokes count them.
 	[[nodiscard]] double noise_m() const { return trembles_.noise_m(); }
