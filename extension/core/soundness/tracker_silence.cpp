@@ -15,6 +15,7 @@ constexpr double UNKNOWN_S = 0.07;
 constexpr double RESTING_PER_S = 0.25;
 /// Of the last 64 steps, those against the one before in a coordinate.
 constexpr int TREMBLING_TURNS = 6;
+constexpr int EXACT_TURNS = 2;         ///< with fewer there is no noise
 constexpr double SPEED_SHARE = 0.4;    ///< a step's share in the recent speed
 constexpr double ROUNDED_SHARE = 0.25; ///< of the steps that are the least one, of a tracker that rounds
 /// Of one least step a frame: a hand that is slower shows none in some frames all the same.
@@ -51,10 +52,13 @@ bool TrackerSilence::is_frozen() const {
 	const bool rounds = least_share_ > ROUNDED_SHARE;
 	const double resting_per_s =
 			std::max(RESTING_PER_S, rounds ? ROUNDED_SPEED * least_step_ / frame_s_ : 0.0);
-	const bool moved = std::min(std::abs(speed_), std::abs(latest_)) > resting_per_s &&
-			std::abs(way_) > LEAST_WAY * least_step_;
+	const int turns = std::popcount(turns_);
+	// Where there is no noise in it, the last step is how fast the hand was by then.
+	const double speed =
+			turns < EXACT_TURNS ? std::min(std::abs(speed_), std::abs(latest_)) : std::abs(speed_);
+	const bool moved = speed > resting_per_s && std::abs(way_) > LEAST_WAY * least_step_;
 	const bool has_come_back = std::abs(x_) < AT_START && speed_ < 0.0;
-	const bool trembled = std::popcount(turns_) >= TREMBLING_TURNS && !rounds;
+	const bool trembled = turns >= TREMBLING_TURNS && !rounds;
 	return is_silent() && ((moved && !has_come_back) || trembled);
 }
 

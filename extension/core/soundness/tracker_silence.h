@@ -43,7 +43,7 @@ private:
 	double interval_s_ = 0.01; ///< between changes
 	int changes_ = 0;          ///< so far, up to as many as tell the interval
 	double x_ = 0.0;
-	double speed_ = 0.0; ///< smoothed
+	double speed_ = 0.0;  ///< smoothed
 	double latest_ = 0.0; ///< of the last step
 	double step_ = 0.0;
 	double way_ = 0.0; ///< of the last two steps
