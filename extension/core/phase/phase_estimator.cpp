@@ -114,8 +114,14 @@ void PhaseEstimator::branch_until(double t_s) {
 
 /// Whether a jump leads back to where the hand was foretold to be before one that led away.
 bool PhaseEstimator::jumps_back(double t_s, double x) const {
-	return soundness_.jumped() && t_s - before_leap_.leap_s < AWAY_S &&
-			std::abs(x - before_leap_.outlook.at(curve_, t_s).value) < NEARER * std::abs(x - now_.told_x);
+	if (!soundness_.jumped() || t_s - before_leap_.leap_s >= AWAY_S) {
+		return false;
+	}
+	const Belief &then = before_leap_.belief;
+	MotionOutlook outlook;
+	outlook.look(then.bank, curve_, then.filtered_s, t_s - then.filtered_s, then.seen_s,
+			soundness_.lasting_unsoundness(), then.halted.is_halted());
+	return std::abs(x - outlook.at(curve_, t_s).value) < NEARER * std::abs(x - now_.told_x);
 }
 
 /// Takes in the newest frame of soundness_.
@@ -131,7 +137,7 @@ void PhaseEstimator::weigh(double t_s, double x) {
 		const double leap = std::abs(x - now_.told_x);
 		const bool may_be_back = t_s - before_leap_.leap_s < AWAY_S && leap < before_leap_.leap;
 		if (soundness_.leapt() && before_leap_.leap_s <= soundness_.held_s() && !may_be_back) {
-			before_leap_ = { t_s, leap, soundness_.fault(), now_, outlook_ };
+			before_leap_ = { t_s, leap, soundness_.fault(), now_ };
 		}
 		absorb(t_s, x, soundness_.fault(), soundness_.jumped());
 	}

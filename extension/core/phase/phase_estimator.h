@@ -97,7 +97,6 @@ private:
 		double leap = 0.0;       ///< how far
 		double fault = 0.0;      ///< that it had
 		Belief belief{};
-		MotionOutlook outlook{};
 	};
 
 	ElementCurve curve_;

@@ -31,7 +31,9 @@ public:
 	/// Evidence that the newest frame adds, 1: as bad as a jump. Below 0 where it takes the one before back,
 	/// which was a single frame elsewhere.
 	[[nodiscard]] double fault() const { return fault_.now; }
-	/// What of it was taken back.
+	/// What of it says that the hand has been lost: a gap before the newest frame, or a freeze.
+	[[nodiscard]] double loss() const { return loss_; }
+	/// What of it takes back.
 	[[nodiscard]] double taken_back() const { return taken_back_.now; }
 	/// All frames after this one, but for the newest, showed the hand elsewhere, and are as if they had not
 	/// been; infinite where there are none of these.
@@ -44,8 +46,6 @@ public:
 		const Held *const held = held_of_late();
 		return held != nullptr ? held->shown_s : INFINITY;
 	}
-	/// What of it says that the hand has been lost: a gap before the newest frame, or a freeze.
-	[[nodiscard]] double loss() const { return loss_; }
 	[[nodiscard]] bool frozen() const { return silence_.is_frozen(); }
 	/// The newest frame shows where the hand is.
 	[[nodiscard]] bool told() const { return silence_.told(); }
