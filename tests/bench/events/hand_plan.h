@@ -23,7 +23,7 @@ inline double radians(double degrees) {
 	return degrees * std::numbers::pi / 180.0;
 }
 
-/// 0..1 over 0..1 (Flash and Hogan 1985).
+/// 0..1 over 0..1 (Flash and Hogan 1985). Not the core's, so that no error of that is the hand's as well.
 inline double minimum_jerk(double time) {
 	return time * time * time * (10.0 - 15.0 * time + 6.0 * time * time);
 }

@@ -27,6 +27,14 @@ Way seen(const Rest &rest, const Drag &drag) {
 	};
 }
 
+/// The tracker trembles also while it holds the pose of from_s, until to_s.
+Way held_trembling(const Drag &drag, double tremor_m, double from_s, double to_s) {
+	return [=, tremor = Tremor(tremor_m, 1)](double t_s) mutable {
+		const bool is_held = t_s >= from_s && t_s < to_s;
+		return Eigen::Vector3d(drag.x_m(is_held ? from_s : t_s) * X + tremor());
+	};
+}
+
 } // namespace
 
 TEST_CASE("a gesture that begins unseen is one, however still the hand was before") {
@@ -107,11 +115,7 @@ TEST_CASE("a tracker that trembles also where it holds its pose hides no gesture
 					if (to_s - freeze_s > drag.onset_s + 0.1 * duration_s) {
 						continue; // it has begun to be seen
 					}
-					Tremor tremor(tremor_m, 1);
-					const Way way = [&](double t_s) {
-						const bool is_held = t_s >= to_s - freeze_s && t_s < to_s;
-						return Eigen::Vector3d(drag.x_m(is_held ? to_s - freeze_s : t_s) * X + tremor());
-					};
+					const Way way = held_trembling(drag, tremor_m, to_s - freeze_s, to_s);
 					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
 					CHECK(watch(open, way, 2.4, 1e9, 1e9, 100.0, 0.0).said == times(1, "sideways"));
 				}
@@ -131,11 +135,7 @@ TEST_CASE("a tracker that trembles where it lost a hand on its way, and catches 
 					CAPTURE(duration_s);
 					const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = 0.2 };
 					const double from_s = drag.onset_s + share * duration_s;
-					Tremor tremor(tremor_m, 1);
-					const Way way = [&](double t_s) {
-						const bool is_lost = t_s >= from_s && t_s < from_s + freeze_s;
-						return Eigen::Vector3d(drag.x_m(is_lost ? from_s : t_s) * X + tremor());
-					};
+					const Way way = held_trembling(drag, tremor_m, from_s, from_s + freeze_s);
 					GestureRecogniser open(models(), std::nullopt, MotionMode::PHASE);
 					const Events events = watch(open, way, 3.5, 1e9, 1e9, 100.0, 0.0);
 					CHECK(events.said.back() == "ended sideways");
