@@ -37,6 +37,10 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 constexpr double AGAIN_S = 1.0;
 /// The hand has turned back once it is at this share of the furthest that it went.
 constexpr double RETURNED = 0.5;
+/// At rest there it is shown to stray as far as trembling goes, and so many times as far as it did before the
+/// gesture, but no further than this, amplitudes.
+constexpr double STRAYS = 2.0;
+constexpr double FARTHEST_STRAY = 0.2;
 /// Where tracking is lost this near to the end, that was the end.
 constexpr double LOST_AT_END = 0.7;
 constexpr double STARTING_RATE_PER_S = 100.0;
@@ -230,7 +234,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		set_log_odds(size);
 		claims_ = true;
 		furthest_ = gone(strokes);
-		moved_s_ = stands_s(t_s, strokes.strokes().front());
+		moved_s_ = stood_s_ = stands_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > HOLD_S) {
 		give_way(t_s); // the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
@@ -257,16 +261,36 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
 		const bool is_gesture = stroke.onset_s < stage_began_s();
-		moved_s_ = std::max(moved_s_, is_gesture ? stands_s(t_s, stroke) : t_s);
+		stood_s_ = is_gesture ? stands_s(t_s, stroke) : stood_s_;
+		moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
 	const bool has_returned = now < RETURNED * furthest_;
-	if (has_returned || t_s - moved_s_ > HOLD_S) {
+	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
+		dismiss(t_s);
+	} else if (has_returned || t_s - moved_s_ > HOLD_S) {
 		not_before_s_ = t_s; // the way back is no gesture
 		returned_s_ = has_returned ? t_s : returned_s_;
 		dismiss(t_s);
 	}
+}
+
+/// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
+/// tracker wandered meanwhile.
+bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
+	const double rested_s = HOLD_S + SLOWS_DOWN * (stood_s_ - begun_.onset_s);
+	if (!model().both_ways || stroke.onset_s < stood_s_ + rested_s || amplitudes(stroke) < TAIL ||
+			(stroke.to - stroke.from).dot(axis_) > 0.0) {
+		return false;
+	}
+	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
+	if (strokes.stray_m(stroke.onset_s - HOLD_S, stroke.onset_s) >
+			std::min(stray_m, FARTHEST_STRAY * task().amplitude_m)) {
+		return false;
+	}
+	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);
+	return evidence.rest > 0.0 && LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook > 0.0;
 }
 
 void OpenFollower::confirm(double t_s) {

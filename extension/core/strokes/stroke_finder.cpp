@@ -150,10 +150,14 @@ bool StrokeFinder::rests() const {
 /// may_end: false where another frame follows at once.
 void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	const double dt_s = place.t_s - newest_.t_s;
-	if (dt_s > LOSS_S && stroke_count_ > 0) {
+	const bool has_turned = dt_s > PIECE_S && turned_unseen(place.place_m);
+	if ((dt_s > LOSS_S || has_turned) && stroke_count_ > 0) {
 		lost_ = strokes_[0]; // as it was known until now
 		lost_->unrest_m = unrest_m(*lost_);
 		lost_->is_lost = true;
+	}
+	if (has_turned) {
+		begin_anew(newest_);
 	}
 	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
 	// A slope is that of half a window ago.
@@ -184,6 +188,15 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	list_strokes(onset, now);
 	ended_ = may_end &&
 			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s.dot(now.place_m - onset.place_m) < 0.0);
+}
+
+/// Since the last frame, going back to place_m: it may have passed the onset by now.
+bool StrokeFinder::turned_unseen(const FeaturePlace &place_m) const {
+	if (!onset_) {
+		return false;
+	}
+	const FeaturePlace seen_m = newest_.place_m - onset_->place_m, unseen_m = place_m - newest_.place_m;
+	return seen_m.norm() > smallest_m_ && unseen_m.norm() > smallest_m_ && seen_m.dot(unseen_m) < 0.0;
 }
 
 void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {

@@ -195,3 +195,33 @@ TEST_CASE("a tracker that shows the hand elsewhere for a moment at the end does 
 		}
 	}
 }
+
+TEST_CASE("after a second of rest the way back is a gesture, however a tracker wanders meanwhile") {
+	const Drag there{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 0.2 };
+	for (const double rests_s : { 0.5, 1.6, 2.5 }) {
+		for (const double wanders_m : { 0.0, 0.008, 0.013 }) {
+			for (const double phase : { 0.0, 1.5, 3.0, 4.5 }) {
+				CAPTURE(rests_s);
+				CAPTURE(wanders_m);
+				CAPTURE(phase);
+				const Drag back{ .onset_s = 1.8 + rests_s, .duration_s = 0.8, .amplitude_m = -0.2 };
+				const Way way = [=](double t_s) {
+					const double wander_m = wanders_m * std::sin(5.0 * t_s + phase);
+					return Eigen::Vector3d((x_m({ there, back }, t_s) + wander_m) * X);
+				};
+				const Events events = in_the_open(way, 4.0 + rests_s);
+				CHECK(std::ranges::count(events.said, "ended sideways") == (rests_s > 1.0 ? 2 : 1));
+			}
+		}
+	}
+}
+
+TEST_CASE("a way back soon after the hand has corrected itself at the end is none") {
+	for (const double by_m : { -0.06, -0.045, -0.035, 0.035, 0.045, 0.06 }) {
+		CAPTURE(by_m);
+		const Drag there{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 0.2 - by_m };
+		const Drag correction{ .onset_s = 2.3, .duration_s = 0.3, .amplitude_m = by_m };
+		const Drag back{ .onset_s = 3.1, .duration_s = 0.8, .amplitude_m = -0.2 };
+		CHECK(in_the_open(along(X, { there, correction, back }), 5.3).said == times(1, "sideways"));
+	}
+}
