@@ -35,8 +35,10 @@ constexpr double HOLD_S = 1.0;
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
-/// The hand has turned back once it is at this share of the furthest that it went.
+/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps left
+/// out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
 constexpr double RETURNED = 0.5;
+constexpr double LOSS_S = 0.1;
 /// At rest there it is shown to stray as far as trembling goes, and so many times as far as it did before the
 /// gesture, but no further than this, amplitudes.
 constexpr double STRAYS = 2.0;
@@ -68,6 +70,7 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 	if (!has_place) {
 		return std::nullopt;
 	}
+	watch(strokes);
 	switch (stage()) {
 		case Stage::RESTING:
 			look_for_start(frame.t_s, strokes);
@@ -81,6 +84,12 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 			break;
 	}
 	return along(last_place());
+}
+
+void OpenFollower::watch(const StrokeFinder &strokes) {
+	found_s_ = strokes.news_s() - news_s_ > LOSS_S ? strokes.news_s() : found_s_;
+	news_s_ = strokes.news_s();
+	furthest_shown_m_ = std::max(furthest_shown_m_, along(last_place()));
 }
 
 FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
@@ -170,6 +179,7 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
+	furthest_shown_m_ = along(last_place());
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
@@ -266,7 +276,9 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
-	const bool has_returned = now < RETURNED * furthest_;
+	const bool was_lost = found_s_ > begun_.onset_s;
+	const bool has_returned =
+			now < RETURNED * furthest_ || (was_lost && along(last_place()) < RETURNED * furthest_shown_m_);
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
 		dismiss(t_s);
 	} else if (has_returned || t_s - moved_s_ > HOLD_S) {

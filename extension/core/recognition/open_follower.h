@@ -40,12 +40,16 @@ private:
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
 	double furthest_ = 0.0;                         ///< since it arrived, in amplitudes
+	double furthest_shown_m_ = 0.0;                 ///< since it began, with the tracker's steps
+	double news_s_ = -INFINITY;                     ///< when the hand was last seen
+	double found_s_ = -INFINITY;                    ///< when it last was after it had been lost
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
+	void watch(const StrokeFinder &strokes);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
 	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);
