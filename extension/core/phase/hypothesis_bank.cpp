@@ -31,11 +31,11 @@ HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
 	return regime(place) == Regime::FREE && on_its_way(place) ? WANDERING : USUAL;
 }
 
-/// Without those at rest: a hand there may be held several times.
+/// Of those that make the gesture: a hand at rest may be held several times, and one on no way makes none.
 double HypothesisBank::total(std::span<const Place> places) const {
 	double sum = 0.0;
 	for (const Place i : places) {
-		sum += regime(i) == Regime::REST ? 0.0 : weight(i);
+		sum += on_its_way(i) ? weight(i) : 0.0;
 	}
 	return sum;
 }

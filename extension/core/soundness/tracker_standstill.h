@@ -35,7 +35,7 @@ public:
 		};
 		// The last frame may have been elsewhere, and the hand is where the one before it said.
 		return log_likelihood(x - told_.x, 2.0 * noise_variance) >
-				LOG_RATIO + std::max(goes_on(told_), goes_on(before_));
+				LOG_RATIO + std::max({ goes_on(told_), goes_on(before_), goes_on(braking()) });
 	}
 
 	/// A frame that shows that place to the last bit: a tracker that repeats itself does not tremble.
@@ -88,6 +88,7 @@ private:
 	static constexpr double BRAKED = 0.6;
 	static constexpr double NOT_YET_BRAKED = 0.9; ///< a frame earlier
 	static constexpr double BRAKES_S = 0.15;
+	static constexpr double SPARSE_S = 0.015; ///< between frames
 	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
 	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
 	/// square of its speed, 1 / s: a fast one slows down by a fifth from frame to frame.
@@ -122,9 +123,21 @@ private:
 	[[nodiscard]] bool is_moving() const {
 		const double speed = std::abs(told_.hand.velocity);
 		// Where the tracker stopped within a frame's time, the last speed is less than the hand's.
+		const double braked = is_sparse() ? NOT_YET_BRAKED : BRAKED;
 		const bool brakes =
-				speed < BRAKED * top_speed_ && std::abs(before_.hand.velocity) < NOT_YET_BRAKED * top_speed_;
+				speed < braked * top_speed_ && std::abs(before_.hand.velocity) < NOT_YET_BRAKED * top_speed_;
 		return !brakes && speed > std::max(RESTING_PER_S, MOVING_DEVIATIONS * std::sqrt(told_.hand.p11));
+	}
+	/// From one frame to the next a hand may all but stop.
+	[[nodiscard]] bool is_sparse() const { return told_.t_s - before_.t_s > SPARSE_S; }
+	/// The hand, where it slows down once more by what it has since the frame before, or stops.
+	[[nodiscard]] Told braking() const {
+		Told braking = told_;
+		const double velocity = told_.hand.velocity, change = velocity - before_.hand.velocity;
+		if (is_sparse() && change * velocity < 0.0) {
+			braking.hand.velocity += std::abs(change) < std::abs(velocity) ? change : -velocity;
+		}
+		return braking;
 	}
 	static double variance(double noise) { return noise * noise + SMALLEST_NOISE * SMALLEST_NOISE; }
 	/// Of a Gaussian, but for a constant.

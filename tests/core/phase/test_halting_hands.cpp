@@ -28,14 +28,14 @@ struct Furthest {
 	double off_last = 0.0; ///< in the second after the hand has arrived
 };
 
-Furthest furthest(const Halt &halt, double rate_hz, double noise) {
+Furthest furthest(const Halt &halt, double rate_hz, double noise, unsigned seed = 2) {
 	PhaseEstimator estimator(test::drag_model());
 	const test::Drag first{ .onset_s = 0.8, .duration_s = halt.first_s, .amplitude_m = halt.share };
 	const test::Drag second{ .onset_s = 0.8 + halt.first_s + halt.rest_s,
 		.duration_s = halt.second_s,
 		.amplitude_m = 1.0 - halt.share };
 	const double end_s = second.onset_s + second.duration_s;
-	std::mt19937_64 random(2);
+	std::mt19937_64 random(seed);
 	std::normal_distribution<double> trembling(0.0, noise);
 	Furthest furthest;
 	const auto hand = [&](double t_s) { return first.x_m(t_s) + second.x_m(t_s); };
@@ -62,6 +62,36 @@ TEST_CASE("a hand that halts as fast as hands do is no tracker that has frozen")
 					CAPTURE(noise);
 					const Halt halt{ .share = share, .first_s = first_s, .rest_s = 0.6, .second_s = 0.5 };
 					CHECK(furthest(halt, rate_hz, noise).off < 0.15);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("nor before a slow camera, one or two frames of which see it brake") {
+	int mistaken = 0;
+	for (const double rate_hz : { 25.0, 30.0 }) {
+		for (const double first_s : { 0.25, 0.3, 0.4 }) {
+			for (unsigned seed = 0; seed < 20; ++seed) {
+				const Halt halt{ .share = 0.35, .first_s = first_s, .rest_s = 0.6, .second_s = 0.5 };
+				mistaken += furthest(halt, rate_hz, 0.005, seed).off > 0.2 ? 1 : 0;
+			}
+		}
+	}
+	CHECK(mistaken <= 2);
+}
+
+TEST_CASE("a hand that goes on after it has halted for long is followed, and not led, by a right tracker") {
+	for (const double rate_hz : { 30.0, 90.0 }) {
+		for (const double share : { 0.3, 0.5, 0.7 }) {
+			for (const double rest_s : { 1.0, 2.0, 4.0 }) {
+				for (const double second_s : { 0.4, 0.8 }) {
+					CAPTURE(rate_hz);
+					CAPTURE(share);
+					CAPTURE(rest_s);
+					CAPTURE(second_s);
+					const Halt halt{ .share = share, .first_s = 0.5, .rest_s = rest_s, .second_s = second_s };
+					CHECK(furthest(halt, rate_hz, 5e-4).off < 0.08);
 				}
 			}
 		}
