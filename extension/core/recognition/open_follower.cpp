@@ -276,7 +276,7 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
-	const bool was_lost = found_s_ > begun_.onset_s;
+	const bool was_lost = found_s_ > stage_began_s() - LOSS_S;
 	const bool has_returned =
 			now < RETURNED * furthest_ || (was_lost && along(last_place()) < RETURNED * furthest_shown_m_);
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
