@@ -9,6 +9,7 @@
 #include "tracking/track_csv.h"
 #include "trained_models.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -85,19 +86,28 @@ inline std::vector<double> reference_curve(
 	return curve;
 }
 
-/// Calls output(seconds) at each instant of the outputs, frames up to it pushed before.
+/// A hand that is lost is judged on, as the reference goes on.
+inline double end_s(const SyntheticTrial &trial) {
+	return std::max(trial.measured.frames.back().t_s, trial.reference.frames.back().t_s);
+}
+
+/// Calls output(seconds) at each instant of the outputs until the end, frames up to it pushed before.
 template <class Output>
 void replay(
 		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
 	const UniformGrid grid = grid_of(trial, outputs_per_s);
 	std::size_t next = 0;
-	for (const HandFrame &frame : trial.measured.frames) {
-		for (double t_s = grid.time_s(next); t_s < frame.t_s; t_s = grid.time_s(++next)) {
+	const auto put_out_until = [&](double until_s) {
+		for (double t_s = grid.time_s(next); t_s < until_s; t_s = grid.time_s(++next)) {
 			r_recogniser.advance(t_s);
 			output(t_s);
 		}
+	};
+	for (const HandFrame &frame : trial.measured.frames) {
+		put_out_until(frame.t_s);
 		r_recogniser.push(frame);
 	}
+	put_out_until(end_s(trial));
 }
 
 /// The synthesised motion, held from output to output, against the reference.
@@ -109,8 +119,7 @@ inline CurveComparison compare_replay(const SyntheticTrial &trial, const Gesture
 		x.push_back(r_recogniser.motion(MotionSource::SYNTHESISED).value_m / trial.trial.amplitude_m);
 	});
 	const UniformGrid grid = grid_of(trial);
-	std::vector<double> held(
-			static_cast<std::size_t>((trial.measured.frames.back().t_s - grid.t0_s) * grid.rate_hz));
+	std::vector<double> held(static_cast<std::size_t>((end_s(trial) - grid.t0_s) * grid.rate_hz));
 	resample_hold(t_s, x, 0.0, grid, held);
 	return compare_curves(reference_curve(trial, model, held.size()), held, grid,
 			{ trial.trial.start_s, trial.trial.end_s });
