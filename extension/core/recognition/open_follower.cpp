@@ -35,8 +35,8 @@ constexpr double HOLD_S = 1.0;
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
-/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps left
-/// out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
+/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps
+/// left out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
 constexpr double RETURNED = 0.5;
 constexpr double LOSS_S = 0.1;
 /// At rest there it is shown to stray as far as trembling goes, and so many times as far as it did before the

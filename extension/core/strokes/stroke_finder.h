@@ -52,7 +52,9 @@ public:
 	/// How far from `from` the hand was before the onset of one of strokes(), at most, m: before slow strokes
 	/// it is looked at for longer, as a hand that wanders slowly hardly moves for a while where it turns.
 	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
-	[[nodiscard]] double stray_m(double since_s, double then_s) const { return knots_.stray_m(since_s, then_s); }
+	[[nodiscard]] double stray_m(double since_s, double then_s) const {
+		return knots_.stray_m(since_s, then_s);
+	}
 	/// Where the hand is, as strokes count it.
 	[[nodiscard]] const FeaturePlace &place_m() const { return newest_.place_m; }
 	/// By how far the tracker shows it beside that.
