@@ -87,8 +87,12 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 }
 
 void OpenFollower::watch(const StrokeFinder &strokes) {
-	found_s_ = strokes.news_s() - news_s_ > LOSS_S ? strokes.news_s() : found_s_;
+	const double unseen_s = strokes.news_s() - news_s_;
+	if (unseen_s > LOSS_S && speed_m_s_ * unseen_s > RETURNED * task().amplitude_m) {
+		found_s_ = strokes.news_s();
+	}
 	news_s_ = strokes.news_s();
+	speed_m_s_ = strokes.speed_m_s();
 	furthest_shown_m_ = std::max(furthest_shown_m_, along(last_place()));
 }
 

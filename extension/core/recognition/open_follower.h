@@ -42,7 +42,8 @@ private:
 	double furthest_ = 0.0;                         ///< since it arrived, in amplitudes
 	double furthest_shown_m_ = 0.0;                 ///< since it began, with the tracker's steps
 	double news_s_ = -INFINITY;                     ///< when the hand was last seen
-	double found_s_ = -INFINITY;                    ///< when it last was after it had been lost
+	double speed_m_s_ = 0.0;                        ///< how fast it was then
+	double found_s_ = -INFINITY;                    ///< when one that was lost on its way was seen again
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);

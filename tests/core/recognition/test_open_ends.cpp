@@ -196,6 +196,22 @@ TEST_CASE("a tracker that shows the hand elsewhere for a moment at the end does 
 	}
 }
 
+TEST_CASE("nor do single frames elsewhere, before and behind, where the hand rests to the last bit") {
+	for (const double from_s : { 1.9, 2.0, 2.1, 2.2, 2.3 }) {
+		CAPTURE(from_s);
+		const Way way = [=](double t_s) {
+			const bool is_before = t_s >= 1.7 && t_s < 1.709,
+					   is_behind = t_s >= from_s && t_s < from_s + 0.009;
+			const double off_m = is_before ? 0.1 : is_behind ? -0.08 : 0.0;
+			return Eigen::Vector3d((DRAG.x_m(t_s) + off_m) * X);
+		};
+		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+		const Events events = watch(recogniser, way, from_s + 0.3, 1e9, 1e9, 110.0, 0.0);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(std::abs(events.last_value_m - 0.2) < 0.01);
+	}
+}
+
 TEST_CASE("after a second of rest the way back is a gesture, however a tracker wanders meanwhile") {
 	const Drag there{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 0.2 };
 	for (const double rests_s : { 0.5, 1.6, 2.5 }) {
