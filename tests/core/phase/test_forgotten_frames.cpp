@@ -38,7 +38,8 @@ PhaseEstimator seen(double noise, int frame_elsewhere, double off, bool has_fram
 
 } // namespace
 
-TEST_CASE("a single frame elsewhere, once the next ones are seen, is as one that was left out") {
+TEST_CASE("a single frame elsewhere, once the next ones are seen, is as one that was left out" *
+		doctest::test_suite("figures")) {
 	constexpr int SETTLES_FRAMES = 10;
 	for (const double noise : { 0.0, 1e-3 }) {
 		for (const double at_s : { 0.5, 0.95, 1.2, 1.4, 1.6, 2.0 }) {

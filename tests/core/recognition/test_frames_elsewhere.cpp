@@ -88,7 +88,8 @@ int lost_in_the_open(const Tracker &tracker) {
 } // namespace
 
 TEST_CASE(
-		"single frames elsewhere mislead no more where a hand rests to the last bit than where it trembles") {
+		"single frames elsewhere mislead no more where a hand rests to the last bit than where it trembles" *
+		doctest::test_suite("figures")) {
 	for (const double rate_hz : { 100.0, 200.0 }) {
 		for (const double per_s : { 1.0, 3.0, 6.0 }) {
 			const double share = per_s / rate_hz;
