@@ -98,9 +98,9 @@ void replay(
 	const UniformGrid grid = grid_of(trial, outputs_per_s);
 	std::size_t next = 0;
 	const auto put_out_until = [&](double until_s) {
-		for (double t_s = grid.time_s(next); t_s < until_s; t_s = grid.time_s(++next)) {
-			r_recogniser.advance(t_s);
-			output(t_s);
+		for (; grid.time_s(next) < until_s; ++next) {
+			r_recogniser.advance(grid.time_s(next));
+			output(grid.time_s(next));
 		}
 	};
 	for (const HandFrame &frame : trial.measured.frames) {

@@ -1,16 +1,15 @@
 """Format, lint and layout checks. Each check is one test."""
 
-import hashlib
 import os
 import re
 import sys
 from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from gesture_end import END_LEVEL
+from suites import clang_tidy
 from suites.outcome import Outcome
-from suites.process import ROOT, run, scons
+from suites.process import ROOT, run
 
 PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
 VENV = Path(sys.executable).parent
@@ -29,7 +28,7 @@ def outcomes() -> Iterator[Outcome]:
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
-    yield from clang_tidy(cpp, headers)
+    yield from clang_tidy.outcomes(cpp, headers, files(".clang-tidy"))
 
 
 def one_version() -> Outcome:
@@ -59,30 +58,3 @@ def files(*endings: str) -> list[Path]:
 def check(name: str, command: list) -> Outcome:
     status, output = run(["nice", *command])  # what runs beside may have something to hear or to time
     return Outcome.of(f"lint/{name}", status == 0, output)
-
-
-def clang_tidy(cpp: list[Path], headers: list[Path]) -> Iterator[Outcome]:
-    """One outcome a source file; a file is looked at again only when it, a header or a setting has changed."""
-    status, output = scons("compiledb")
-    if status != 0:
-        yield Outcome.of("lint/clang-tidy", False, output)
-        return
-    common = hashlib.sha256()
-    for part in [*headers, *files(".clang-tidy")]:
-        common.update(part.read_bytes())
-    clean = ROOT / "build/clang_tidy"
-    clean.mkdir(parents=True, exist_ok=True)
-
-    def look(source: Path) -> Outcome:
-        key = common.copy()
-        key.update(source.read_bytes())
-        stamp = clean / f"{source.stem}.{key.hexdigest()[:32]}"
-        if stamp.exists():
-            return Outcome.of(f"lint/clang-tidy {source.relative_to(ROOT)}", True)
-        outcome = check(f"clang-tidy {source.relative_to(ROOT)}", [VENV / "clang-tidy", "--quiet", "-p", ".", source])
-        if not outcome.failed:
-            stamp.touch()
-        return outcome
-
-    with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        yield from pool.map(look, cpp)

@@ -6,13 +6,13 @@
 namespace godot::internal {
 
 namespace {
-std::mutex mutex;
+std::mutex names_mutex;
 } // namespace
 
 CachedName *CachedName::first_ = nullptr;
 
 void CachedName::make() {
-	const std::lock_guard lock(mutex);
+	const std::lock_guard lock(names_mutex);
 	if (!ready_.load(std::memory_order_relaxed)) {
 		new (storage_) StringName(text_);
 		next_ = first_;
@@ -22,7 +22,7 @@ void CachedName::make() {
 }
 
 void CachedName::free_all() {
-	const std::lock_guard lock(mutex);
+	const std::lock_guard lock(names_mutex);
 	for (CachedName *name = first_; name != nullptr; name = name->next_) {
 		reinterpret_cast<StringName *>(name->storage_)->~StringName();
 		name->ready_.store(false, std::memory_order_relaxed);

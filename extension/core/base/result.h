@@ -21,10 +21,12 @@ public:
 	[[nodiscard]] bool ok() const { return value_.has_value(); }
 	explicit operator bool() const { return ok(); }
 
+	// NOLINTBEGIN(bugprone-unchecked-optional-access): to ask is the caller's
 	/// Only where ok().
 	[[nodiscard]] const T &value() const & { return *value_; }
 	[[nodiscard]] T &value() & { return *value_; }
 	[[nodiscard]] T &&value() && { return *std::move(value_); }
+	// NOLINTEND(bugprone-unchecked-optional-access)
 
 	/// Only where not ok().
 	[[nodiscard]] const std::string &error() const { return error_.message; }

@@ -8,7 +8,7 @@ namespace steadyhand {
 namespace {
 
 constexpr double TWO_PI = 2.0 * std::numbers::pi;
-constexpr auto LENGTH = static_cast<std::int64_t>(RUN);
+constexpr auto RUN_LENGTH = static_cast<std::int64_t>(RUN);
 /// A swelling over this many periods of the carrier changes no faster than the carrier itself.
 constexpr double RAMP_PERIODS = 0.5;
 
@@ -113,7 +113,7 @@ void ArrivalVoice::fill_from_table(const Stretch &stretch, std::size_t run, Run 
 }
 
 void ArrivalVoice::add_level(Mix &out, std::size_t run) const {
-	if (window_.is_full(static_cast<float>(next_), static_cast<float>(next_ + LENGTH - 1))) {
+	if (window_.is_full(static_cast<float>(next_), static_cast<float>(next_ + RUN_LENGTH - 1))) {
 		add_sine(out, carrier_, course_, run);
 	} else {
 		add_windowed_sine(out, carrier_, course_, window_, static_cast<std::int32_t>(next_), run);
@@ -164,7 +164,7 @@ void ArrivalVoice::add_run(const Stretch &stretch, std::size_t run, Mix &out) {
 			break;
 		}
 	}
-	next_ += LENGTH;
+	next_ += RUN_LENGTH;
 	is_active_ = next_ < length_;
 }
 

@@ -3,12 +3,9 @@
 #include "hmm/expected_counts.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace steadyhand {
 namespace {
-
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
 
 /// Dirichlet(1 + pseudo) log density of the allowed entries, up to a constant.
 double log_prior(const DiscreteHmm &hmm, const PseudoCounts &pseudo) {

@@ -1,13 +1,11 @@
 #include "hmm/discrete_hmm.h"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 namespace steadyhand {
 namespace {
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
 constexpr double SUM_TOLERANCE = 1e-6;
 
 bool is_log_distribution(const Eigen::RowVectorXd &row) {

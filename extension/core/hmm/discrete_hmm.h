@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace steadyhand {
 /// state.
 using Symbol = std::int32_t;
 inline constexpr Symbol UNSEEN = -1;
+
+inline constexpr double NEVER = -std::numeric_limits<double>::infinity(); ///< log probability
 
 using SymbolSequence = std::vector<Symbol>;
 

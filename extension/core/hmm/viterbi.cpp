@@ -1,13 +1,11 @@
 #include "hmm/viterbi.h"
 
 #include <algorithm>
-#include <limits>
 #include <type_traits>
 
 namespace steadyhand {
 namespace {
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
 constexpr Eigen::Index WIDTH = 4;
 template <class Scalar> using States = Eigen::Array<Scalar, WIDTH, 1>;
 /// As Eigen allocates, and whole vectors further.

@@ -15,7 +15,7 @@ namespace {
 /// A motion that had not come this far when it was last seen could as well not have begun.
 constexpr double VISIBLE_PHASE = 0.06;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
-constexpr double NEGLIGIBLE = 1e-5;     ///< weight beside the best one's 1
+constexpr double LEAST_WEIGHT = 1e-5;   ///< weight beside the best one's 1
 /// Probability that a free hand near the end, or beyond, is at the end, and a tracker that has erred shows it
 /// there: such errors are greater than those of UNSOUND.
 constexpr double MISTAKEN = 0.6;
@@ -119,10 +119,10 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 	moving_ = free_phase_ = standing_phase_ = 0.0;
 	double total = 0.0;
 	for (std::size_t i = 0; i < bank.size(); ++i) {
-		total += bank.weight(i) > NEGLIGIBLE ? bank.weight(i) : 0.0;
+		total += bank.weight(i) > LEAST_WEIGHT ? bank.weight(i) : 0.0;
 	}
 	for (std::size_t i = 0; i < bank.size(); ++i) {
-		if (bank.weight(i) <= NEGLIGIBLE) {
+		if (bank.weight(i) <= LEAST_WEIGHT) {
 			continue;
 		}
 		const double weight = bank.weight(i) / total;

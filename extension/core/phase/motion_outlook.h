@@ -42,7 +42,8 @@ public:
 	/// At t_s, not before filtered_s (or as it was then).
 	[[nodiscard]] PhaseEstimate at(const ElementCurve &curve, double t_s) const {
 		const double s = t_s - piece_from_s_;
-		if (!(s >= 0.0 && s <= PIECE_S)) {
+		const bool is_on_piece = s >= 0.0 && s <= PIECE_S;
+		if (!is_on_piece) {
 			return beside_piece(curve, t_s);
 		}
 		const MotionPoint point = piece_.at(s);

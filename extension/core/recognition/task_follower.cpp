@@ -17,8 +17,8 @@ constexpr double WANDERS = 7.0;
 /// no more.
 constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
 constexpr double UNLIKELY_S = 0.3;
-constexpr double HALF_WAY = 0.5;        ///< from there on a hand has begun, whatever it did before,
-constexpr double WELL_UNDER_WAY = 0.25; ///< and from here on where it is seen to go the task's way
+constexpr double HALF_WAY = 0.5;     ///< from there on a hand has begun, whatever it did before,
+constexpr double SEEN_ON_WAY = 0.25; ///< and from here on where it is seen to go the task's way
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
@@ -37,7 +37,7 @@ constexpr double ENDED_STAYS = 0.02;
 constexpr double TURNED_FROM = 0.8;
 constexpr double TURNED_BY = 0.1;
 /// Either has to be the task's way beyond doubt, log odds: hands that go about something else stop anywhere.
-constexpr double SURE = 9.0;
+constexpr double BEYOND_DOUBT = 9.0;
 /// What was seen no longer ago says where the hand is.
 constexpr double SEEN_S = 0.1;
 
@@ -117,7 +117,7 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
 	return now.value > (now.moving > BEGUN ? onset : HALF_WAY) ||
-			(now.value > WELL_UNDER_WAY && strokes_.go_the_way(strokes));
+			(now.value > SEEN_ON_WAY && strokes_.go_the_way(strokes));
 }
 
 /// It went its own way, which the estimator takes for a gesture that is over, and has come back.
@@ -166,7 +166,7 @@ bool TaskFollower::ends_short(double t_s) {
 	}
 	furthest_ = std::max(furthest_, value);
 	const bool has_turned = furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY;
-	return strokes_.best_log_odds() > SURE &&
+	return strokes_.best_log_odds() > BEYOND_DOUBT &&
 			(t_s - stays_since_s_ > (has_ended ? ENDED_STAYS_S : STAYS_S) || has_turned);
 }
 

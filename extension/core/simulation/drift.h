@@ -31,7 +31,8 @@ public:
 	Drift(double tau_s, Random &r_random) :
 			// A low pass of tau_l leaves tau / (tau + tau_l) of the variance.
 			process_(tau_s, r_random), gain_(std::sqrt((tau_s + SMOOTHING_S) / tau_s)) {
-		for (double settled_s = 0.0; settled_s < 6.0 * SMOOTHING_S; settled_s += SMOOTHING_S / 16.0) {
+		constexpr int SETTLING_STEPS = 97; // 6 SMOOTHING_S
+		for (int i = 0; i < SETTLING_STEPS; ++i) {
 			step(SMOOTHING_S / 16.0, r_random);
 		}
 	}

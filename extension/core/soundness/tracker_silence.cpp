@@ -6,7 +6,7 @@
 namespace steadyhand {
 namespace {
 
-constexpr double SHORTEST_S = 1e-4;
+constexpr double SHORTEST_FRAME_S = 1e-4;
 constexpr double SILENT_INTERVALS = 3.5;
 /// Before so many changes a tracker may be one that looks seldom and is read often: it is not silent before
 /// this time, in which any looks again (20 Hz), and the least that it takes between changes is its interval.
@@ -31,7 +31,7 @@ constexpr double PERIOD_SHARE = 0.1;
 } // namespace
 
 void TrackerSilence::change(double t_s, double x, double step, const FeaturePlace &place_step) {
-	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_S);
+	const double velocity = step / std::max(t_s - changed_s_, SHORTEST_FRAME_S);
 	look(t_s, x);
 	speed_ += SPEED_SHARE * (velocity - speed_);
 	latest_ = velocity;
@@ -68,7 +68,7 @@ double TrackerSilence::followed(double period_s, double latest_s) {
 }
 
 void TrackerSilence::come_to(double t_s) {
-	frame_s_ = std::max(t_s - t_s_, SHORTEST_S);
+	frame_s_ = std::max(t_s - t_s_, SHORTEST_FRAME_S);
 	t_s_ = t_s;
 }
 

@@ -34,9 +34,9 @@ constexpr double NEARER = 0.5;
 constexpr double BLIND_S = 0.05;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
-/// A tracker that repeated itself no further from the start than AT_START, and then shows the hand where it
-/// was, has lost nothing: a hand at rest need not tremble.
-constexpr double AT_START = 0.05;
+/// A tracker that repeated itself no further from the start than STILL_AT_START, and then shows the hand
+/// where it was, has lost nothing: a hand at rest need not tremble.
+constexpr double STILL_AT_START = 0.05;
 constexpr double STILL_THERE = 0.005;
 /// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
 constexpr double JITTER_PER_BEND = 0.5117;
@@ -165,7 +165,7 @@ TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
 	if (frozen()) {
 		freeze_.add(fault_);
 	} else if (told()) {
-		if (std::abs(leap_.x) < AT_START && std::abs(x - leap_.x) < STILL_THERE) {
+		if (std::abs(leap_.x) < STILL_AT_START && std::abs(x - leap_.x) < STILL_THERE) {
 			needless = freeze_;
 		}
 		freeze_ = {};

@@ -15,7 +15,7 @@ constexpr double LARGEST_TURNS = 3.0;
 constexpr double LARGEST_TURN_M = 0.003;
 /// Longer means bend the hand's own way.
 constexpr double LONGEST_MEAN_S = 0.2;
-constexpr double PERIOD_SHARE = 0.1;
+constexpr double NEWEST_SHARE = 0.1;
 
 /// How long a mean is, in windows, that leaves this share < 1 of the variance of white noise's slopes over a
 /// window: with r windows 1 - r + r^2 / 5 is left (exact at both ends) up to one, 1 / (5 r^2) beyond.
@@ -68,7 +68,7 @@ TrembleFilter::Place TrembleFilter::push(const Place &place, double slope_s, dou
 	measure_noise(place);
 	if (!frames_.empty()) {
 		const double dt_s = std::min(place.t_s - frames_.newest().t_s, LONGEST_S);
-		period_s_ = period_s_ > 0.0 ? period_s_ + PERIOD_SHARE * (dt_s - period_s_) : dt_s;
+		period_s_ = period_s_ > 0.0 ? period_s_ + NEWEST_SHARE * (dt_s - period_s_) : dt_s;
 	}
 	frames_.push(place);
 	// White noise of variance v, f times a second, has slopes of variance 12 v / (f W^3) over W.

@@ -65,9 +65,9 @@ std::pair<std::string, std::string> parse_metadata(std::string_view line) {
 	return { "", std::string(text) };
 }
 
-class Reader {
+class TrackReader {
 public:
-	Reader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
+	TrackReader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
 
 	TrackReading read() {
 		reading_.error = read_metadata_and_header();
@@ -253,7 +253,7 @@ void append_column_names(std::string &r_out, const TrackColumns &columns) {
 } // namespace
 
 TrackReading read_track_csv(std::string_view text, std::string_view source_name) {
-	return Reader(text, source_name).read();
+	return TrackReader(text, source_name).read();
 }
 
 Result<Track> parse_track_csv(std::string_view text, std::string_view source_name) {

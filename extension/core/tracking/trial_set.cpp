@@ -47,9 +47,9 @@ bool is_filled_by(std::size_t column, TaskCells cells) {
 			(cells == TaskCells::RADIUS && (column == START_X || column == AMPLITUDE_M));
 }
 
-class Reader {
+class TableReader {
 public:
-	Reader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
+	TableReader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
 
 	Result<TrialTable> read() {
 		std::string_view line;
@@ -250,7 +250,7 @@ void append_trial(std::string &r_out, const Trial &trial) {
 } // namespace
 
 Result<TrialTable> parse_trials_csv(std::string_view text, std::string_view source_name) {
-	return Reader(text, source_name).read();
+	return TableReader(text, source_name).read();
 }
 
 std::string format_trials_csv(const std::vector<Trial> &trials) {

@@ -13,8 +13,6 @@ using namespace steadyhand;
 
 namespace {
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
-
 /// Adds how often each transition and symbol is to be expected in the sequence, path by path. Returns the
 /// log likelihood.
 double add_all_paths(const DiscreteHmm &hmm, const SymbolSequence &symbols, Eigen::MatrixXd &r_transitions,

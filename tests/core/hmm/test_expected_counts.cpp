@@ -10,8 +10,6 @@ using namespace steadyhand;
 
 namespace {
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
-
 /// By share of the largest.
 double difference(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
 	return (a - b).array().abs().maxCoeff() / b.maxCoeff();

@@ -15,8 +15,6 @@ using namespace steadyhand;
 
 namespace {
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
-
 /// Of numbers whose exponents long double has.
 long double value(const ScaledNumber &number) {
 	return std::ldexp(static_cast<long double>(number.mantissa),

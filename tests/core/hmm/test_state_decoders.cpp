@@ -16,8 +16,6 @@ namespace {
 
 constexpr std::array PRECISIONS{ StateDecoding::Precision::DOUBLE, StateDecoding::Precision::SINGLE };
 
-constexpr double NEVER = -std::numeric_limits<double>::infinity();
-
 /// Without skips: most transitions, and all first states but one, are impossible.
 DiscreteHmm random_left_right(std::mt19937_64 &r_random, Eigen::Index states, Eigen::Index symbols) {
 	DiscreteHmm hmm = test::random_hmm(r_random, states, symbols);
