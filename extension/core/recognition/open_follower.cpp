@@ -35,12 +35,8 @@ constexpr double HOLD_S = 1.0;
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
-/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps
-/// left out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
-constexpr double RETURNED = 0.5;
-constexpr double LOSS_S = 0.1;
-/// At rest there it is shown to stray as far as trembling goes, and so many times as far as it did before the
-/// gesture, but no further than this, amplitudes.
+/// At rest at the end a hand is shown to stray as far as trembling goes, and so many times as far as it did
+/// before the gesture, but no further than this, amplitudes.
 constexpr double STRAYS = 2.0;
 constexpr double FARTHEST_STRAY = 0.2;
 /// Where tracking is lost this near to the end, that was the end.
@@ -70,7 +66,7 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 	if (!has_place) {
 		return std::nullopt;
 	}
-	watch(strokes);
+	return_.see(strokes, gone_m(strokes), along(last_place()), task().amplitude_m);
 	switch (stage()) {
 		case Stage::RESTING:
 			look_for_start(frame.t_s, strokes);
@@ -84,16 +80,6 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 			break;
 	}
 	return along(last_place());
-}
-
-void OpenFollower::watch(const StrokeFinder &strokes) {
-	const double unseen_s = strokes.news_s() - news_s_;
-	if (unseen_s > LOSS_S && speed_m_s_ * unseen_s > RETURNED * task().amplitude_m) {
-		found_s_ = strokes.news_s();
-	}
-	news_s_ = strokes.news_s();
-	speed_m_s_ = strokes.speed_m_s();
-	furthest_shown_m_ = std::max(furthest_shown_m_, along(last_place()));
 }
 
 FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
@@ -126,9 +112,9 @@ double OpenFollower::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
-/// How far the hand is, in amplitudes, without the steps that no hand makes.
-double OpenFollower::gone(const StrokeFinder &strokes) const {
-	return (strokes.place_m() - from_).dot(way_) / task().amplitude_m;
+/// How far the hand is, without the steps that no hand makes.
+double OpenFollower::gone_m(const StrokeFinder &strokes) const {
+	return (strokes.place_m() - from_).dot(way_);
 }
 
 bool OpenFollower::is_near_end(const Stroke &stroke) const {
@@ -183,7 +169,7 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
-	furthest_shown_m_ = along(last_place());
+	return_.begin(along(last_place()));
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
@@ -247,7 +233,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
-		furthest_ = gone(strokes);
+		return_.end(t_s, gone_m(strokes));
 		moved_s_ = stood_s_ = stands_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > HOLD_S) {
 		give_way(t_s); // the way back of what is given up is over by now, and no gesture
@@ -269,8 +255,6 @@ double OpenFollower::stands_s(double t_s, const Stroke &stroke) {
 }
 
 void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
-	const double now = gone(strokes);
-	furthest_ = std::max(furthest_, now);
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
@@ -280,14 +264,11 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
-	const bool was_lost = found_s_ > stage_began_s() - LOSS_S;
-	const bool has_returned =
-			now < RETURNED * furthest_ || (was_lost && along(last_place()) < RETURNED * furthest_shown_m_);
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
 		dismiss(t_s);
-	} else if (has_returned || t_s - moved_s_ > HOLD_S) {
+	} else if (return_.has_returned() || t_s - moved_s_ > HOLD_S) {
 		not_before_s_ = t_s; // the way back is no gesture
-		returned_s_ = has_returned ? t_s : returned_s_;
+		returned_s_ = return_.has_returned() ? t_s : returned_s_;
 		dismiss(t_s);
 	}
 }

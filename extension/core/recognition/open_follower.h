@@ -1,6 +1,7 @@
 #pragma once
 
 #include "recognition/gesture_follower.h"
+#include "recognition/return_watch.h"
 #include "strokes/stroke_evidence.h"
 
 #include <cmath>
@@ -39,18 +40,13 @@ private:
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
-	double furthest_ = 0.0;                         ///< since it arrived, in amplitudes
-	double furthest_shown_m_ = 0.0;                 ///< since it began, with the tracker's steps
-	double news_s_ = -INFINITY;                     ///< when the hand was last seen
-	double speed_m_s_ = 0.0;                        ///< how fast it was then
-	double found_s_ = -INFINITY;                    ///< when one that was lost on its way was seen again
+	ReturnWatch return_;
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
-	void watch(const StrokeFinder &strokes);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
 	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);
@@ -59,7 +55,7 @@ private:
 	/// How far a place is along the way, m.
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
-	[[nodiscard]] double gone(const StrokeFinder &strokes) const;
+	[[nodiscard]] double gone_m(const StrokeFinder &strokes) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	[[nodiscard]] StrokeEvidence evidence_of(
 			const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const;
