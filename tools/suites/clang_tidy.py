@@ -9,6 +9,7 @@ import hashlib
 import json
 import os
 import re
+import shlex
 import sys
 from collections import defaultdict
 from collections.abc import Iterator
@@ -80,7 +81,7 @@ def includes(source: Path) -> Iterator[str]:
 def as_compiled(made: Path, source: Path, commands: dict[str, dict]) -> dict:
     """The entry of compile_commands.json for what was made of a folder with this source."""
     name = str(source.relative_to(ROOT))
-    command = commands[name]["command"].removesuffix(name) + str(made)
+    command = commands[name]["command"].removesuffix(name) + shlex.quote(str(made))
     return {"directory": str(ROOT), "file": str(made), "command": command}
 
 

@@ -19,8 +19,9 @@ using Lanes = std::array<double, LANES>;
 #define STEADYHAND_INLINE __attribute__((always_inline)) inline
 #define STEADYHAND_INLINE_LAMBDA __attribute__((always_inline))
 // Compiled for processors with wider registers too, and chosen when loaded: the same operations, the same
-// bits. (Sanitizers are not ready yet when that is chosen, and clang has it declared where it is first used.)
-#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__clang__)
+// bits. (Sanitizers are not ready yet when that is chosen; clang-tidy may have read a use of it before.)
+#if defined(__x86_64__) && defined(__linux__) && !defined(__SANITIZE_ADDRESS__) &&                           \
+		!defined(__clang_analyzer__)
 #define STEADYHAND_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define STEADYHAND_WIDE
