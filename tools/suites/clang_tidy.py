@@ -16,8 +16,9 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from suites.check import check
 from suites.outcome import Outcome
-from suites.process import ROOT, run, scons
+from suites.process import ROOT, scons
 
 PROGRAM = Path(sys.executable).parent / "clang-tidy"
 TOGETHER = ROOT / "build/clang_tidy"
@@ -47,10 +48,12 @@ def outcomes(sources: list[Path], headers: list[Path], settings: list[Path]) -> 
         for source in folders[folder]:
             key.update(source.read_bytes())
         stamp = TOGETHER / f"{key.hexdigest()[:32]}.clean"
-        found = [Outcome.of(f"lint/clang-tidy {folder}", True)]
+        if stamp.exists():
+            return [Outcome.of(f"lint/clang-tidy {folder}", True)]
         is_apart = any(re.search(r"^int main\(", source.read_text(), re.MULTILINE) for source in folders[folder])
-        if not stamp.exists() and (is_apart or clang_tidy(made[folder], TOGETHER)[0] != 0):
-            found = [alone(source) for source in folders[folder]]
+        found = [] if is_apart else [clang_tidy(folder, made[folder], TOGETHER)]
+        if is_apart or found[0].failed:
+            found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in folders[folder]]
         if not any(outcome.failed for outcome in found):
             stamp.touch()
         return found
@@ -85,13 +88,8 @@ def as_compiled(made: Path, source: Path, commands: dict[str, dict]) -> dict:
     return {"directory": str(ROOT), "file": str(made), "command": command}
 
 
-def alone(source: Path) -> Outcome:
-    status, output = clang_tidy(source, ROOT)
-    return Outcome.of(f"lint/clang-tidy {source.relative_to(ROOT)}", status == 0, output)
-
-
-def clang_tidy(source: Path, database: Path) -> tuple[int, str]:
-    return run(["nice", PROGRAM, "--quiet", "-p", database, source])
+def clang_tidy(name: Path, source: Path, database: Path) -> Outcome:
+    return check(f"clang-tidy {name}", [PROGRAM, "--quiet", "-p", database, source])
 
 
 def write(path: Path, text: str) -> Path:

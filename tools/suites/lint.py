@@ -8,8 +8,9 @@ from pathlib import Path
 
 from gesture_end import END_LEVEL
 from suites import clang_tidy
+from suites.check import check
 from suites.outcome import Outcome
-from suites.process import ROOT, run
+from suites.process import ROOT
 
 PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
 VENV = Path(sys.executable).parent
@@ -53,8 +54,3 @@ def files(*endings: str) -> list[Path]:
         subfolders[:] = sorted(set(subfolders) - PRODUCTS)
         found += [Path(folder, name) for name in sorted(names) if name.endswith(endings)]
     return found
-
-
-def check(name: str, command: list) -> Outcome:
-    status, output = run(["nice", *command])  # what runs beside may have something to hear or to time
-    return Outcome.of(f"lint/{name}", status == 0, output)

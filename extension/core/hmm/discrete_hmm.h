@@ -16,9 +16,10 @@ namespace steadyhand {
 using Symbol = std::int32_t;
 inline constexpr Symbol UNSEEN = -1;
 
-inline constexpr double NEVER = -std::numeric_limits<double>::infinity(); ///< log probability
-
 using SymbolSequence = std::vector<Symbol>;
+
+/// log probability of what cannot be.
+inline constexpr double NEVER = -std::numeric_limits<double>::infinity();
 
 /// A discrete hidden Markov model of N states and M symbols, lambda = (A, B, pi) of Rabiner, "A tutorial on
 /// hidden Markov models", Proc. IEEE 77(2), 1989, doi:10.1109/5.18626. All parameters are natural logarithms.

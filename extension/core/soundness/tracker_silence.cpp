@@ -6,7 +6,6 @@
 namespace steadyhand {
 namespace {
 
-constexpr double SHORTEST_FRAME_S = 1e-4;
 constexpr double SILENT_INTERVALS = 3.5;
 /// Before so many changes a tracker may be one that looks seldom and is read often: it is not silent before
 /// this time, in which any looks again (20 Hz), and the least that it takes between changes is its interval.

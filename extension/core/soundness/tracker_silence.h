@@ -13,6 +13,7 @@ class TrackerSilence {
 public:
 	/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
 	static constexpr double BACK_S = 0.2;
+	static constexpr double SHORTEST_FRAME_S = 1e-4; ///< over which a speed is taken
 
 	void start(double t_s) { changed_s_ = t_s_ = t_s; }
 	/// The first interval between frames is the first guess of the one between news.

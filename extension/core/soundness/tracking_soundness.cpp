@@ -7,7 +7,6 @@ namespace {
 
 constexpr double MEMORY_S = 1.0;
 constexpr double LASTING_MEMORY_S = 5.0;
-constexpr double SHORTEST_S = 1e-4;
 /// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
 constexpr double SKIPPED_PERIODS = 1.5, GAP_PERIODS = 4.0;
 constexpr double FULL_GAP_S = 0.061; ///< a gap of this length is as bad as a jump
@@ -71,7 +70,8 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 		news_s_ = t_s_;
 	}
 	jumped_ = returned_ = strayed_ = false;
-	const double frame_s = std::max(t_s - t_s_, SHORTEST_S), log_ratio_before = log_ratio();
+	const double frame_s = std::max(t_s - t_s_, TrackerSilence::SHORTEST_FRAME_S),
+				 log_ratio_before = log_ratio();
 	t_s_ = t_s;
 	if (frames_ > 0) {
 		weigh(frame_s, x, place);
@@ -250,7 +250,7 @@ void TrackingSoundness::forget_all_since(const Held &held) {
 }
 
 void TrackingSoundness::follow(double x, const FeaturePlace &place) {
-	const double dt_s = std::max(t_s_ - way_s_, SHORTEST_S);
+	const double dt_s = std::max(t_s_ - way_s_, TrackerSilence::SHORTEST_FRAME_S);
 	const double step = x - x_;
 	const FeaturePlace place_step = place - place_;
 	judge(dt_s, step, place_step);

@@ -6,7 +6,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 using namespace steadyhand;
@@ -60,9 +59,8 @@ SymbolSequence sample(const DiscreteHmm &hmm, std::mt19937_64 &r_random, std::si
 /// Four states that each like four of sixteen symbols, 20 frames long on average.
 DiscreteHmm four_state_left_right() {
 	DiscreteHmm hmm;
-	const double never = -std::numeric_limits<double>::infinity();
-	hmm.log_pi = Eigen::Vector4d(0.0, never, never, never);
-	hmm.log_a = Eigen::MatrixXd::Constant(4, 4, never);
+	hmm.log_pi = Eigen::Vector4d(0.0, NEVER, NEVER, NEVER);
+	hmm.log_a = Eigen::MatrixXd::Constant(4, 4, NEVER);
 	hmm.log_b = Eigen::MatrixXd::Constant(4, 16, std::log(0.1 / 12.0));
 	for (Eigen::Index i = 0; i < 4; ++i) {
 		hmm.log_a(i, i) = i < 3 ? std::log(0.95) : 0.0;
