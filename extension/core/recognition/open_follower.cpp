@@ -33,8 +33,10 @@ constexpr double HOLD_S = 1.0;
 /// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
-/// A gesture that comes again this soon after its own way back needs no rest before it.
+/// A gesture that comes again this soon after its own way back needs no rest before it; and competes with
+/// others as if it had been seen, nats: a small gesture's hand has not settled while a large one's has.
 constexpr double AGAIN_S = 1.0;
+constexpr double AGAIN = 2.0;
 /// At rest at the end a hand is shown to stray as far as trembling goes, and so many times as far as it did
 /// before the gesture, but no further than this, amplitudes.
 constexpr double STRAYS = 2.0;
@@ -94,7 +96,7 @@ StrokeEvidence OpenFollower::evidence_of(
 	Stroke watched = stroke;
 	watched.unrest_m = strokes.unrest_m(stroke);
 	StrokeEvidence evidence = stroke_evidence(watched, way, task().amplitude_m, model().duration_mean_s);
-	if (stroke.onset_s - returned_s_ < AGAIN_S) {
+	if (comes_again(stroke)) {
 		evidence.rest = std::max(evidence.rest, 0.0);
 	}
 	return evidence;
@@ -106,6 +108,10 @@ void OpenFollower::aim(const FeaturePlace &to) {
 	if (!feature().is_radius && chord.norm() > SHORTEST * task().amplitude_m) {
 		way_ = chord.normalized();
 	}
+}
+
+bool OpenFollower::comes_again(const Stroke &stroke) const {
+	return stroke.onset_s - returned_s_ < AGAIN_S;
 }
 
 double OpenFollower::amplitudes(const Stroke &stroke) const {
@@ -213,7 +219,8 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		if (path + evidence.outlook > 0.0) {
 			likely_s_ = t_s;
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
-			under_way = std::max(under_way, path);
+			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
+			under_way = std::max(under_way, path + again);
 			set_log_odds(under_way);
 		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
 			is_hopeless = true;

@@ -54,6 +54,7 @@ private:
 
 	/// How far a place is along the way, m.
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
+	[[nodiscard]] bool comes_again(const Stroke &stroke) const;
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
 	[[nodiscard]] double gone_m(const StrokeFinder &strokes) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
