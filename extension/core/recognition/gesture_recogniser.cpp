@@ -12,6 +12,9 @@ namespace {
 
 /// The gesture shown changes for one that is likelier by this factor, in nats.
 constexpr double SWITCH_MARGIN = 2.0;
+/// What a finger does while several make a gesture it may do by itself, and then hardly moves against the
+/// others: nats against that, for each amplitude by which the gesture of several has grown.
+constexpr double PART = 12.0;
 /// Of the smallest amplitude: what is shorter is no stroke of its own.
 constexpr double SMALLEST_STROKE = 0.06;
 constexpr double LEAD_RATE_PER_S =
@@ -130,42 +133,59 @@ void GestureRecogniser::step_followers(double t_s) {
 	}
 }
 
-double GestureRecogniser::posterior(const GestureFollower &follower) const {
-	// Odds against none, the largest taken out of the sum so that none overflows.
-	const double largest = std::max(follower.log_odds(), 0.0);
-	double all = std::exp(-largest);
-	for (const std::unique_ptr<GestureFollower> &other : followers_) {
-		if (other.get() == &follower || other->stage() == GestureFollower::Stage::MOVING) {
-			all += std::exp(other->log_odds() - largest);
+double GestureRecogniser::log_odds(std::size_t follower) const {
+	const auto joints = watched(follower).feature->joints;
+	double whole = 0.0; // how far the gesture has grown of which this one's motion would be a part
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		const GestureFollower &other = *followers_[i];
+		const bool has_more =
+				watched(i).feature->joints != joints && (watched(i).feature->joints & joints) == joints;
+		if (has_more && other.stage() == GestureFollower::Stage::MOVING) {
+			whole = std::max(whole, std::min(other.measured_m() / other.task().amplitude_m, 1.0));
 		}
 	}
-	return std::exp(follower.log_odds() - largest) / all;
+	return followers_[follower]->log_odds() - PART * whole;
+}
+
+double GestureRecogniser::posterior(std::size_t follower) const {
+	// Odds against none, the largest taken out of the sum so that none overflows.
+	const double odds = log_odds(follower), largest = std::max(odds, 0.0);
+	double all = std::exp(-largest);
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (i == follower || followers_[i]->stage() == GestureFollower::Stage::MOVING) {
+			all += std::exp(log_odds(i) - largest);
+		}
+	}
+	return std::exp(odds - largest) / all;
 }
 
 double GestureRecogniser::confidence() const {
 	return follower() != nullptr && follower()->stage() != GestureFollower::Stage::RESTING
-			? posterior(*follower())
+			? posterior(shown())
 			: 0.0;
 }
 
 template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
+	double best_odds = -INFINITY;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		const int candidate = static_cast<int>(i);
-		if (is_candidate(*followers_[i]) && (best < 0 || log_odds(candidate) > log_odds(best))) {
-			best = candidate;
+		if (const double odds = log_odds(i); is_candidate(i) && (best < 0 || odds > best_odds)) {
+			best = static_cast<int>(i);
+			best_odds = odds;
 		}
 	}
 	return best;
 }
 
 void GestureRecogniser::decide_claims() {
-	const int best = likeliest([](const GestureFollower &follower) { return follower.claims(); });
+	const int best = likeliest([&](std::size_t i) { return followers_[i]->claims(); });
 	if (best < 0) {
 		return;
 	}
-	const int task = likeliest([](const GestureFollower &follower) { return follower.nears_end(); });
-	if (task >= 0 && log_odds(task) > log_odds(best)) { // which will say itself when it ends
+	const int task = likeliest([&](std::size_t i) { return followers_[i]->nears_end(); });
+	if (task >= 0 &&
+			log_odds(static_cast<std::size_t>(task)) >
+					log_odds(static_cast<std::size_t>(best))) { // which will say itself when it ends
 		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
 			if (follower->claims()) {
 				follower->give_way(time_s_);
@@ -199,7 +219,7 @@ void GestureRecogniser::let_return() {
 
 void GestureRecogniser::choose_leader() {
 	using Stage = GestureFollower::Stage;
-	const auto is_moving = [](const GestureFollower &other) { return other.stage() == Stage::MOVING; };
+	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
 	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
 		lead(likeliest(is_moving));
 		return;
@@ -208,14 +228,15 @@ void GestureRecogniser::choose_leader() {
 	// on one way the one that the hand comes to first ends first, and the next one's end is told when the
 	// hand gets there.
 	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
-	const double odds = follower()->log_odds(), since_s = follower()->stage_began_s();
-	const int best = likeliest([&](const GestureFollower &other) {
-		const bool is_news = other.stage() != Stage::RESTING && other.stage_began_s() > since_s;
+	const double odds = log_odds(shown()), since_s = follower()->stage_began_s();
+	const int best = likeliest([&](std::size_t i) {
+		const Stage stage = followers_[i]->stage();
+		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s;
 		if (has_arrived) {
-			return is_news && (other.stage() == Stage::ARRIVED || other.log_odds() > 0.0);
+			return is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0);
 		}
-		return is_moving(other) ? other.log_odds() > odds + SWITCH_MARGIN
-								: is_news && other.log_odds() > odds - SWITCH_MARGIN;
+		return is_moving(i) ? log_odds(i) > odds + SWITCH_MARGIN
+							: is_news && log_odds(i) > odds - SWITCH_MARGIN;
 	});
 	if (best >= 0) {
 		lead(best);

@@ -77,11 +77,11 @@ private:
 	void advance_followers(double t_s);
 	void step_followers(double t_s);
 	void expect_absence();
-	[[nodiscard]] double posterior(const GestureFollower &follower) const;
-	[[nodiscard]] double log_odds(int follower) const {
-		return followers_[static_cast<std::size_t>(follower)]->log_odds();
-	}
-	/// Index of the one of greatest log odds among the candidates; -1 where there are none.
+	[[nodiscard]] double posterior(std::size_t follower) const;
+	/// GestureFollower::log_odds, less what speaks for another one of which this one's motion is a part.
+	[[nodiscard]] double log_odds(std::size_t follower) const;
+	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
+	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	void decide_claims();
 	void let_return();

@@ -1,5 +1,4 @@
 #include "gesture/circumcircle.h"
-#include "gesture_events.h"
 #include "recognition/gesture_recogniser.h"
 #include "signal/minimum_jerk.h"
 #include "simulation/other_motion.h"
@@ -201,45 +200,4 @@ TEST_CASE("with the task given, fingers at rest hardly seem to set out before a 
 		}
 	}
 	CHECK(starts <= 3); // in 200 s; those of 0.03 of the way and more are 34
-}
-
-TEST_CASE("a zoom's strokes are no drag of the index, before a tracker that trembles by 1 mm") {
-	constexpr double RATE_HZ = 60.0, OPENS_S = 0.55, CLOSES_S = 1.0, PERIOD_S = 1.75;
-	constexpr int STROKES = 4;
-	const double closed_m = 0.016;
-	const std::array joints{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
-	const auto growth_m = [](double t_s) {
-		double opened = 0.0;
-		for (int stroke = 0; stroke < STROKES; ++stroke) {
-			const double since_s = t_s - 1.2 - stroke * PERIOD_S;
-			opened += minimum_jerk(since_s / OPENS_S).value -
-					minimum_jerk((since_s - OPENS_S - 0.1) / CLOSES_S).value;
-		}
-		return GROWTH_M * opened;
-	};
-	int ended = 0, taken_for_drag = 0;
-	for (std::uint64_t seed = 0; seed < 20; ++seed) {
-		std::mt19937_64 random(seed);
-		std::normal_distribution<double> noise(0.0, 1e-3);
-		GestureRecogniser hmm(
-				{ test::zoom_model(closed_m, GROWTH_M), test::models()[1] }, std::nullopt, MotionMode::PHASE);
-		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
-		for (int i = 0; i < RATE_HZ * (1.2 + STROKES * PERIOD_S); ++i) {
-			const Tips tips = on_circle(closed_m + growth_m(i / RATE_HZ), { 3.6, 0.5 * PI, 0.4 });
-			HandFrame frame;
-			frame.t_s = i / RATE_HZ;
-			for (std::size_t k = 0; k < joints.size(); ++k) {
-				const double x = noise(random), y = noise(random), z = noise(random);
-				frame.set(joints[k], { tips[k].x() + x, tips[k].y() + y, z });
-			}
-			hmm.push(frame);
-			const GestureFollower::Stage now =
-					hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-			ended += hmm.gesture() == 0 && now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
-			taken_for_drag += hmm.gesture() == 1 ? 1 : 0;
-			stage = now;
-		}
-	}
-	CHECK(ended == 20 * STROKES);
-	CHECK(taken_for_drag == 0);
 }

@@ -1,0 +1,100 @@
+// With nothing given: the way that the index finger goes while fingers open is no drag of its own.
+
+#include "gesture_events.h"
+#include "signal/minimum_jerk.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+constexpr double CLOSED_M = 0.016, GROWTH_M = 0.03;
+constexpr double OPENS_S = 1.2; ///< the first time
+
+/// Thumb against two fingers, of which the index goes straight up.
+HandFrame fingers(double t_s, double radius_m, Tremor &r_tremor) {
+	constexpr std::array JOINTS{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
+	constexpr std::array ANGLES_RAD{ 3.6, 0.5 * std::numbers::pi, 0.4 };
+	HandFrame frame;
+	frame.t_s = t_s;
+	for (std::size_t i = 0; i < JOINTS.size(); ++i) {
+		const Eigen::Vector3d tip(std::cos(ANGLES_RAD[i]), std::sin(ANGLES_RAD[i]), 0.0);
+		frame.set(JOINTS[i], radius_m * tip + r_tremor());
+	}
+	return frame;
+}
+
+struct Shown {
+	int ended = 0;       ///< zooms
+	int drag_frames = 0; ///< in which the hand was said to drag
+};
+
+/// frame: f(t_s).
+template <class Function> Shown shown(Function frame, double rate_hz, double length_s) {
+	GestureRecogniser recogniser(
+			{ zoom_model(CLOSED_M, GROWTH_M), models()[1] }, std::nullopt, MotionMode::PHASE);
+	Shown shown;
+	bool had_ended = false;
+	for (int i = 0; i < rate_hz * length_s; ++i) {
+		recogniser.push(frame(i / rate_hz));
+		const bool has_ended = recogniser.gesture() == 0 &&
+				recogniser.follower()->stage() == GestureFollower::Stage::ARRIVED;
+		shown.ended += has_ended && !had_ended ? 1 : 0;
+		shown.drag_frames += recogniser.gesture() == 1 ? 1 : 0;
+		had_ended = has_ended;
+	}
+	return shown;
+}
+
+} // namespace
+
+TEST_CASE("a zoom's strokes are no drag of the index before a tracker that trembles by 1 mm") {
+	constexpr double OUT_S = 0.55, REST_S = 0.1, BACK_S = 1.0, PERIOD_S = 1.75;
+	constexpr int STROKES = 4;
+	const auto radius_m = [](double t_s) {
+		double opened = 0.0;
+		for (int stroke = 0; stroke < STROKES; ++stroke) {
+			const double since_s = t_s - OPENS_S - stroke * PERIOD_S;
+			opened += minimum_jerk(since_s / OUT_S).value -
+					minimum_jerk((since_s - OUT_S - REST_S) / BACK_S).value;
+		}
+		return CLOSED_M + GROWTH_M * opened;
+	};
+	for (unsigned seed = 0; seed < 20; ++seed) {
+		CAPTURE(seed);
+		Tremor tremor(1e-3, seed);
+		const auto frame = [&](double t_s) { return fingers(t_s, radius_m(t_s), tremor); };
+		const Shown zooms = shown(frame, 60.0, OPENS_S + STROKES * PERIOD_S);
+		CHECK(zooms.ended == STROKES);
+		CHECK(zooms.drag_frames == 0);
+	}
+}
+
+TEST_CASE(
+		"a zoom is no drag of the index where the tracker has the thumb to and fro, and the index too far") {
+	constexpr double WAVERS_M = 0.01, WAVERS_RAD_S = 12.0;
+	for (const double duration_s : { 0.6, 1.0 }) {
+		for (const double too_far_m : { 0.0, 0.02, 0.04 }) {
+			CAPTURE(duration_s);
+			CAPTURE(too_far_m);
+			Tremor tremor(2e-4, 3);
+			const auto frame = [&](double t_s) {
+				const double opened = minimum_jerk((t_s - OPENS_S) / duration_s).value;
+				HandFrame seen = fingers(t_s, CLOSED_M + GROWTH_M * opened, tremor);
+				seen.set(Joint::THUMB,
+						seen.position(Joint::THUMB) + WAVERS_M * std::sin(WAVERS_RAD_S * t_s) * X);
+				seen.set(Joint::INDEX, seen.position(Joint::INDEX) + too_far_m * opened * Y);
+				return seen;
+			};
+			const Shown zoom = shown(frame, 110.0, OPENS_S + 1.8);
+			CHECK(zoom.ended == 1);
+			CHECK(zoom.drag_frames == 0);
+		}
+	}
+}
