@@ -147,7 +147,8 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			continue;
 		}
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
-		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, 0.0) : evidence.outlook;
+		const double yet = evidence.outlook + shortfall(stroke, strokes.speed_m_s(), task().amplitude_m);
+		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, yet) : yet;
 		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
 			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
 			from_ = stroke.from;

@@ -1,5 +1,7 @@
 #include "strokes/stroke_evidence.h"
 
+#include "signal/minimum_jerk.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,6 +48,11 @@ constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
 constexpr double OWN_PACE = 0.25;
 /// Nats against a gesture of several strokes: few are.
 constexpr double HESITATED = 0.5;
+/// Below this share of its peak speed a hand slows down, and goes at most so many times as far as a minimum
+/// jerk that does; but for a share of all.
+constexpr double SLOWS_DOWN = 0.85;
+constexpr double FURTHER = 2.0;
+constexpr double GOES_ON = 0.003;
 constexpr double START = 0.12; ///< amplitudes: how far from a task's start a hand begins
 /// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
 /// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
@@ -111,6 +118,12 @@ double size_evidence(double log_length, double log_time) {
 			std::log((1.0 - OWN_PACE) * usual + OWN_PACE);
 }
 
+/// Of the way of a minimum jerk, that which is covered by the time that its speed has fallen to this share, 0
+/// to 1, of its peak: 16 s^2 (1 - s)^2 at the share s of its duration.
+double covered(double speed_share) {
+	return minimum_jerk(0.5 + 0.5 * std::sqrt(1.0 - std::sqrt(speed_share))).value;
+}
+
 /// By which a stroke may go off the way at its end, as it has gone so far.
 double best_off(double off, double length_m, double amplitude_m) {
 	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
@@ -157,6 +170,16 @@ StrokeEvidence stroke_evidence(
 	evidence.outlook =
 			direction_in_the_open(best_off(off, length_m, amplitude_m)) - direction + size_evidence(0.0, 0.0);
 	return evidence;
+}
+
+double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m) {
+	const double share = speed_m_s / stroke.peak_m_s;
+	if (!(share < SLOWS_DOWN)) {
+		return 0.0;
+	}
+	const double longest_m = FURTHER * (stroke.to - stroke.from).norm() / covered(share);
+	const double z = std::min(std::log(longest_m / amplitude_m), 0.0) / LOG_SHORTER;
+	return std::log((1.0 - GOES_ON) * std::exp(-0.5 * z * z) + GOES_ON);
 }
 
 double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {

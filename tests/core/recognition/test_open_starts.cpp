@@ -78,3 +78,14 @@ TEST_CASE(
 		}
 	}
 }
+
+TEST_CASE("a hand that moves an eighth of a gesture's way along it and slows down begins none") {
+	for (const double duration_s : { 0.2, 0.5, 1.0 }) {
+		for (const double share : { 0.13, 0.14, 0.15 }) {
+			CAPTURE(duration_s);
+			CAPTURE(share);
+			const Drag shift{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = share * 0.2 };
+			CHECK(in_the_open(along(X, { shift }), 3.0).said.empty());
+		}
+	}
+}
