@@ -28,8 +28,9 @@ constexpr double SURE = 1.5;
 constexpr double SLOWED = 0.5;
 constexpr double TAIL = 0.25;
 /// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
-/// start.
+/// start. Where it still creeps by more than this, amplitudes, it has twice as long: hands settle slowly.
 constexpr double HOLD_S = 1.0;
+constexpr double CREEPS = 0.03;
 /// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
@@ -274,11 +275,18 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	}
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
 		dismiss(t_s);
-	} else if (return_.has_returned() || t_s - moved_s_ > HOLD_S) {
+	} else if (return_.has_returned() || is_at_new_start(t_s, strokes)) {
 		not_before_s_ = t_s; // the way back is no gesture
 		returned_s_ = return_.has_returned() ? t_s : returned_s_;
 		dismiss(t_s);
 	}
+}
+
+bool OpenFollower::is_at_new_start(double t_s, const StrokeFinder &strokes) const {
+	const double rested_s = t_s - moved_s_;
+	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= 2.0 * HOLD_S &&
+			strokes.stray_m(t_s - HOLD_S, t_s) > CREEPS * task().amplitude_m;
+	return rested_s > HOLD_S && !is_settling;
 }
 
 /// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the

@@ -48,6 +48,7 @@ private:
 	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
+	[[nodiscard]] bool is_at_new_start(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
 	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);
 	void dismiss(double t_s);

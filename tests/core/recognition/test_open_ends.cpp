@@ -241,3 +241,22 @@ TEST_CASE("a way back soon after the hand has corrected itself at the end is non
 		CHECK(in_the_open(along(X, { there, correction, back }), 5.3).said == times(1, "sideways"));
 	}
 }
+
+TEST_CASE("a hand that settles slowly at the end is followed there for a second more than one that rests") {
+	const double stands_s = DRAG.onset_s + DRAG.duration_s;
+	for (const double settles_m : { 0.0, 0.01, 0.02 }) {
+		for (const double sense : { 1.0, -1.0 }) {
+			CAPTURE(settles_m);
+			CAPTURE(sense);
+			const Drag tail{
+				.onset_s = stands_s - 0.15, .duration_s = 1.5, .amplitude_m = sense * settles_m
+			};
+			const Way way = along(X, { DRAG, tail });
+			const double rests_at_m = DRAG.amplitude_m + tail.amplitude_m;
+			const Events soon = in_the_open(way, stands_s + 1.35), later = in_the_open(way, stands_s + 2.35);
+			CHECK(soon.last_value_m == doctest::Approx(settles_m > 0.0 ? rests_at_m : 0.0).epsilon(0.02));
+			CHECK(std::abs(later.last_value_m) < 0.001);
+			CHECK(later.said == times(1, "sideways"));
+		}
+	}
+}
