@@ -27,13 +27,6 @@ constexpr double SURE = 1.5;
 /// than this, amplitudes: what follows is the tracker's error.
 constexpr double SLOWED = 0.5;
 constexpr double TAIL = 0.25;
-/// A hand that has rested this long half-way has given up; one that has rested so long at the end is at a new
-/// start. Where it still creeps by more than this, amplitudes, it has twice as long: hands settle slowly.
-constexpr double HOLD_S = 1.0;
-constexpr double CREEPS = 0.03;
-/// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
-/// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
-constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// A gesture that comes again this soon after its own way back needs no rest before it; and competes with
 /// others as if it had been seen, nats: a small gesture's hand has not settled while a large one's has.
 constexpr double AGAIN_S = 1.0;
@@ -69,7 +62,7 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 	if (!has_place) {
 		return std::nullopt;
 	}
-	return_.see(strokes, gone_m(strokes), along(last_place()), task().amplitude_m);
+	end_.see(strokes, gone_m(strokes), along(last_place()), task().amplitude_m);
 	switch (stage()) {
 		case Stage::RESTING:
 			look_for_start(frame.t_s, strokes);
@@ -177,7 +170,7 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
-	return_.begin(along(last_place()));
+	end_.begin(begun_.onset_s, along(last_place()));
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
@@ -242,10 +235,9 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
-		return_.end(t_s, gone_m(strokes));
-		moved_s_ = stood_s_ = stands_s(t_s, strokes.strokes().front());
-	} else if (t_s - moved_s_ > HOLD_S) {
-		give_way(t_s); // the way back of what is given up is over by now, and no gesture
+		end_.end(t_s, strokes.strokes().front(), gone_m(strokes));
+	} else if (t_s - moved_s_ > HeldEnd::HOLD_S) {
+		give_way(t_s); // half-way; the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		dismiss(t_s);
 	}
@@ -258,48 +250,29 @@ bool OpenFollower::is_arriving(double t_s, const Stroke &stroke) const {
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
-/// When the hand will stand, if it slows down now.
-double OpenFollower::stands_s(double t_s, const Stroke &stroke) {
-	return t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
-}
-
 void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
-		const bool is_gesture = stroke.onset_s < stage_began_s();
-		stood_s_ = is_gesture ? stands_s(t_s, stroke) : stood_s_;
-		moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
+		end_.follow(t_s, stroke);
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
 		dismiss(t_s);
-	} else if (return_.has_returned() || is_at_new_start(t_s, strokes)) {
+	} else if (end_.has_returned() || end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
 		not_before_s_ = t_s; // the way back is no gesture
-		returned_s_ = return_.has_returned() ? t_s : returned_s_;
+		returned_s_ = end_.has_returned() ? t_s : returned_s_;
 		dismiss(t_s);
 	}
-}
-
-bool OpenFollower::is_at_new_start(double t_s, const StrokeFinder &strokes) const {
-	const double rested_s = t_s - moved_s_;
-	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= 2.0 * HOLD_S &&
-			strokes.stray_m(t_s - HOLD_S, t_s) > CREEPS * task().amplitude_m;
-	return rested_s > HOLD_S && !is_settling;
 }
 
 /// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
 /// tracker wandered meanwhile.
 bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
-	const double rested_s = HOLD_S + SLOWS_DOWN * (stood_s_ - begun_.onset_s);
-	if (!model().both_ways || stroke.onset_s < stood_s_ + rested_s || amplitudes(stroke) < TAIL ||
-			(stroke.to - stroke.from).dot(axis_) > 0.0) {
-		return false;
-	}
 	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
-	if (strokes.stray_m(stroke.onset_s - HOLD_S, stroke.onset_s) >
-			std::min(stray_m, FARTHEST_STRAY * task().amplitude_m)) {
+	if (!model().both_ways || amplitudes(stroke) < TAIL || (stroke.to - stroke.from).dot(axis_) > 0.0 ||
+			!end_.has_rested(stroke, strokes, std::min(stray_m, FARTHEST_STRAY * task().amplitude_m))) {
 		return false;
 	}
 	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);

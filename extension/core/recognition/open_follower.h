@@ -1,7 +1,7 @@
 #pragma once
 
 #include "recognition/gesture_follower.h"
-#include "recognition/return_watch.h"
+#include "recognition/held_end.h"
 #include "strokes/stroke_evidence.h"
 
 #include <cmath>
@@ -34,13 +34,12 @@ private:
 	bool claims_ = false;
 	double log_odds_of_return_ = -INFINITY;
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
-	double moved_s_ = 0.0;            ///< when such a one was last on its way, or when its hand will stand
-	double stood_s_ = 0.0;            ///< when its hand came to stand at the end
+	double moved_s_ = 0.0;            ///< when such a one was last on its way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
-	ReturnWatch return_;
+	HeldEnd end_;
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
@@ -48,9 +47,7 @@ private:
 	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
-	[[nodiscard]] bool is_at_new_start(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
-	[[nodiscard]] static double stands_s(double t_s, const Stroke &stroke);
 	void dismiss(double t_s);
 
 	/// How far a place is along the way, m.

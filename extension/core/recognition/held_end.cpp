@@ -1,0 +1,70 @@
+#include "recognition/held_end.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps
+/// left out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
+constexpr double RETURNED = 0.5;
+constexpr double LOST_S = 0.1;
+/// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
+/// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
+constexpr double SLOWS_DOWN = 0.146 / 0.708;
+/// Where the hand creeps by more than this, amplitudes, it has twice as long: hands settle slowly.
+constexpr double CREEPS = 0.03;
+
+} // namespace
+
+void HeldEnd::begin(double onset_s, double shown_m) {
+	onset_s_ = onset_s;
+	furthest_shown_m_ = shown_m;
+}
+
+void HeldEnd::see(const StrokeFinder &strokes, double gone_m, double shown_m, double amplitude_m) {
+	const double unseen_s = strokes.news_s() - news_s_;
+	if (unseen_s > LOST_S && speed_m_s_ * unseen_s > RETURNED * amplitude_m) {
+		found_s_ = strokes.news_s();
+	}
+	news_s_ = strokes.news_s();
+	speed_m_s_ = strokes.speed_m_s();
+	gone_m_ = gone_m;
+	shown_m_ = shown_m;
+	furthest_m_ = std::max(furthest_m_, gone_m);
+	furthest_shown_m_ = std::max(furthest_shown_m_, shown_m);
+}
+
+void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
+	ended_s_ = t_s;
+	moved_s_ = stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+	furthest_m_ = gone_m;
+}
+
+void HeldEnd::follow(double t_s, const Stroke &stroke) {
+	const bool is_gesture = stroke.onset_s < ended_s_;
+	if (is_gesture) {
+		stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+	}
+	moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
+}
+
+bool HeldEnd::has_returned() const {
+	const bool was_lost = found_s_ > ended_s_ - LOST_S;
+	return gone_m_ < RETURNED * furthest_m_ || (was_lost && shown_m_ < RETURNED * furthest_shown_m_);
+}
+
+bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {
+	const double rested_s = t_s - moved_s_;
+	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= 2.0 * HOLD_S &&
+			strokes.stray_m(t_s - HOLD_S, t_s) > CREEPS * amplitude_m;
+	return rested_s > HOLD_S && !is_settling;
+}
+
+bool HeldEnd::has_rested(const Stroke &stroke, const StrokeFinder &strokes, double stray_m) const {
+	// When a slow hand stands is less sure.
+	const double rested_s = stood_s_ + HOLD_S + SLOWS_DOWN * (stood_s_ - onset_s_);
+	return stroke.onset_s >= rested_s && strokes.stray_m(stroke.onset_s - HOLD_S, stroke.onset_s) <= stray_m;
+}
+
+} // namespace steadyhand
