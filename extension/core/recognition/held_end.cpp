@@ -12,8 +12,10 @@ constexpr double LOST_S = 0.1;
 /// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
-/// Where the hand creeps by more than this, amplitudes, it has twice as long: hands settle slowly.
+/// A hand that creeps by more than this, amplitudes, has not rested; but a tracker that wanders shows any so,
+/// and is not believed for longer than that.
 constexpr double CREEPS = 0.03;
+constexpr double SETTLES_S = 3.0;
 
 } // namespace
 
@@ -56,7 +58,7 @@ bool HeldEnd::has_returned() const {
 
 bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {
 	const double rested_s = t_s - moved_s_;
-	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= 2.0 * HOLD_S &&
+	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= SETTLES_S &&
 			strokes.stray_m(t_s - HOLD_S, t_s) > CREEPS * amplitude_m;
 	return rested_s > HOLD_S && !is_settling;
 }

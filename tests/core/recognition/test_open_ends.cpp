@@ -242,7 +242,7 @@ TEST_CASE("a way back soon after the hand has corrected itself at the end is non
 	}
 }
 
-TEST_CASE("a hand that settles slowly at the end is followed there for a second more than one that rests") {
+TEST_CASE("a hand that settles slowly at the end is followed there for longer than one that rests") {
 	const double stands_s = DRAG.onset_s + DRAG.duration_s;
 	for (const double settles_m : { 0.0, 0.01, 0.02 }) {
 		for (const double sense : { 1.0, -1.0 }) {
