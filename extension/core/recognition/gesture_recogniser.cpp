@@ -169,7 +169,10 @@ template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candida
 	int best = -1;
 	double best_odds = -INFINITY;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (const double odds = log_odds(i); is_candidate(i) && (best < 0 || odds > best_odds)) {
+		if (!is_candidate(i)) {
+			continue;
+		}
+		if (const double odds = log_odds(i); best < 0 || odds > best_odds) {
 			best = static_cast<int>(i);
 			best_odds = odds;
 		}
