@@ -16,6 +16,8 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// and is not believed for longer than that.
 constexpr double CREEPS = 0.03;
 constexpr double SETTLES_S = 3.0;
+/// Amplitudes: shorter strokes after the end are corrections, or the tracker's.
+constexpr double CORRECTION = 0.25;
 
 } // namespace
 
@@ -41,12 +43,15 @@ void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
 	ended_s_ = t_s;
 	moved_s_ = stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
 	furthest_m_ = gone_m;
+	has_set_out_ = false;
 }
 
-void HeldEnd::follow(double t_s, const Stroke &stroke) {
+void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
 		stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+	} else if ((stroke.to - stroke.from).norm() > CORRECTION * amplitude_m) {
+		has_set_out_ = true;
 	}
 	moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
 }
@@ -57,10 +62,11 @@ bool HeldEnd::has_returned() const {
 }
 
 bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {
-	const double rested_s = t_s - moved_s_;
-	const bool is_settling = moved_s_ <= stood_s_ && rested_s <= SETTLES_S &&
-			strokes.stray_m(t_s - HOLD_S, t_s) > CREEPS * amplitude_m;
-	return rested_s > HOLD_S && !is_settling;
+	if (t_s - moved_s_ <= HOLD_S) {
+		return false;
+	}
+	const bool may_settle = !has_set_out_ && t_s - stood_s_ <= SETTLES_S;
+	return !may_settle || strokes.stray_m(t_s - HOLD_S, t_s) <= CREEPS * amplitude_m;
 }
 
 bool HeldEnd::has_rested(const Stroke &stroke, const StrokeFinder &strokes, double stray_m) const {

@@ -21,7 +21,7 @@ public:
 	/// The gesture is over, by this stroke.
 	void end(double t_s, const Stroke &stroke, double gone_m);
 	/// Since the end: a hand that is still, or again, on its way.
-	void follow(double t_s, const Stroke &stroke);
+	void follow(double t_s, const Stroke &stroke, double amplitude_m);
 
 	/// Since the end.
 	[[nodiscard]] bool has_returned() const;
@@ -32,8 +32,9 @@ public:
 private:
 	double onset_s_ = 0.0;
 	double ended_s_ = 0.0;
-	double stood_s_ = 0.0; ///< when the hand came to stand, or will
-	double moved_s_ = 0.0; ///< when it was last on its way, or when it will stand
+	double stood_s_ = 0.0;     ///< when the hand came to stand, or will
+	double moved_s_ = 0.0;     ///< when it was last on its way, or when it will stand
+	bool has_set_out_ = false; ///< on something else, since the end
 	double gone_m_ = 0.0, shown_m_ = 0.0;
 	double furthest_m_ = 0.0;       ///< since the end
 	double furthest_shown_m_ = 0.0; ///< since the beginning

@@ -260,3 +260,15 @@ TEST_CASE("a hand that settles slowly at the end is followed there for longer th
 		}
 	}
 }
+
+TEST_CASE("a correction at the end leads nowhere else, and what settles after it is followed") {
+	const double stands_s = DRAG.onset_s + DRAG.duration_s, corrected_s = stands_s + 0.7;
+	for (const double corrects_m : { 0.03, 0.04 }) {
+		CAPTURE(corrects_m);
+		const Drag correction{ .onset_s = stands_s + 0.2, .duration_s = 0.5, .amplitude_m = corrects_m };
+		const Drag tail{ .onset_s = corrected_s, .duration_s = 1.8, .amplitude_m = 0.015 };
+		const Events events = in_the_open(along(X, { DRAG, correction, tail }), corrected_s + 1.5);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_value_m > DRAG.amplitude_m + corrects_m);
+	}
+}
