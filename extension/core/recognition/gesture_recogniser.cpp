@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace steadyhand {
@@ -134,13 +135,13 @@ void GestureRecogniser::step_followers(double t_s) {
 }
 
 double GestureRecogniser::log_odds(std::size_t follower) const {
-	const auto joints = watched(follower).feature->joints;
-	double whole = 0.0; // how far the gesture has grown of which this one's motion would be a part
+	const std::uint8_t joints = watched(follower).feature->joints;
+	double whole = 0.0; // how far a gesture has grown of which this one's motion would be a part
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		const GestureFollower &other = *followers_[i];
-		const bool has_more =
-				watched(i).feature->joints != joints && (watched(i).feature->joints & joints) == joints;
-		if (has_more && other.stage() == GestureFollower::Stage::MOVING) {
+		const std::uint8_t others = watched(i).feature->joints;
+		const bool is_part = others != joints && (others & joints) == joints;
+		if (is_part && other.stage() == GestureFollower::Stage::MOVING) {
 			whole = std::max(whole, std::min(other.measured_m() / other.task().amplitude_m, 1.0));
 		}
 	}
@@ -186,9 +187,8 @@ void GestureRecogniser::decide_claims() {
 		return;
 	}
 	const int task = likeliest([&](std::size_t i) { return followers_[i]->nears_end(); });
-	if (task >= 0 &&
-			log_odds(static_cast<std::size_t>(task)) >
-					log_odds(static_cast<std::size_t>(best))) { // which will say itself when it ends
+	const double odds = log_odds(static_cast<std::size_t>(best));
+	if (task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds) { // which will say itself when it ends
 		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
 			if (follower->claims()) {
 				follower->give_way(time_s_);

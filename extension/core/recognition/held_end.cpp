@@ -19,6 +19,11 @@ constexpr double SETTLES_S = 3.0;
 /// Amplitudes: shorter strokes after the end are corrections, or the tracker's.
 constexpr double CORRECTION = 0.25;
 
+/// When the hand will stand, if it slows down now.
+double will_stand_s(double t_s, const Stroke &stroke) {
+	return t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+}
+
 } // namespace
 
 void HeldEnd::begin(double onset_s, double shown_m) {
@@ -41,7 +46,7 @@ void HeldEnd::see(const StrokeFinder &strokes, double gone_m, double shown_m, do
 
 void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
 	ended_s_ = t_s;
-	moved_s_ = stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+	moved_s_ = stood_s_ = will_stand_s(t_s, stroke);
 	furthest_m_ = gone_m;
 	has_set_out_ = false;
 }
@@ -49,7 +54,7 @@ void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
 void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
-		stood_s_ = t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
+		stood_s_ = will_stand_s(t_s, stroke);
 	} else if ((stroke.to - stroke.from).norm() > CORRECTION * amplitude_m) {
 		has_set_out_ = true;
 	}

@@ -25,8 +25,8 @@ struct StrokeEvidence {
 [[nodiscard]] StrokeEvidence stroke_evidence(
 		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
 
-/// By how much less than the most that it can come to size will, nats, <= 0, should a stroke that slows down
-/// before it is half-way go hardly further: a minimum jerk would. speed_m_s: the hand's by now.
+/// By how much the outlook of a stroke is less that slows down long before the gesture's length, nats, <= 0:
+/// a minimum jerk whose speed has fallen as far would go little further. speed_m_s: the hand's by now.
 [[nodiscard]] double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m);
 
 /// What so_far() and the rest of the way, or size, come to at most, nats: quickly told of strokes that go
