@@ -48,6 +48,7 @@ void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
 	ended_s_ = t_s;
 	moved_s_ = stood_s_ = will_stand_s(t_s, stroke);
 	furthest_m_ = gone_m;
+	may_set_out_s_ = INFINITY;
 	has_set_out_ = false;
 }
 
@@ -55,8 +56,10 @@ void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
 		stood_s_ = will_stand_s(t_s, stroke);
-	} else if ((stroke.to - stroke.from).norm() > CORRECTION * amplitude_m) {
-		has_set_out_ = true;
+	} else {
+		may_set_out_s_ =
+				t_s - moved_s_ > HOLD_S ? std::min(may_set_out_s_, moved_s_ + HOLD_S) : may_set_out_s_;
+		has_set_out_ = has_set_out_ || (stroke.to - stroke.from).norm() > CORRECTION * amplitude_m;
 	}
 	moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
 }

@@ -50,6 +50,11 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
 }
 
+/// By the best that may come of it.
+bool is_likely(const StrokeEvidence &evidence) {
+	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook > 0.0;
+}
+
 } // namespace
 
 OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis) :
@@ -259,6 +264,7 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
+		not_before_s_ = strokes.strokes().front().onset_s;
 		dismiss(t_s);
 	} else if (end_.has_returned() || end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
 		not_before_s_ = t_s; // the way back is no gesture
@@ -268,15 +274,21 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 }
 
 /// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
-/// tracker wandered meanwhile.
+/// tracker wandered meanwhile; and so is a way on after a second.
 bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
+	if (amplitudes(stroke) < TAIL) {
+		return false;
+	}
+	if ((stroke.to - stroke.from).dot(axis_) > 0.0) {
+		return stroke.onset_s >= end_.may_set_out_s() && is_likely(evidence_of(stroke, strokes, axis_));
+	}
 	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
-	if (!model().both_ways || amplitudes(stroke) < TAIL || (stroke.to - stroke.from).dot(axis_) > 0.0 ||
+	if (!model().both_ways ||
 			!end_.has_rested(stroke, strokes, std::min(stray_m, FARTHEST_STRAY * task().amplitude_m))) {
 		return false;
 	}
 	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);
-	return evidence.rest > 0.0 && LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook > 0.0;
+	return evidence.rest > 0.0 && is_likely(evidence);
 }
 
 void OpenFollower::confirm(double t_s) {

@@ -272,3 +272,22 @@ TEST_CASE("a correction at the end leads nowhere else, and what settles after it
 		CHECK(events.last_value_m > DRAG.amplitude_m + corrects_m);
 	}
 }
+
+TEST_CASE("a hand that goes on from the end after a second makes another gesture, however the tracker "
+		  "wanders") {
+	constexpr double WANDERS_M = 0.007;
+	for (const double rests_s : { 1.5, 2.0, 3.0 }) {
+		for (const double wanders_rad_s : { 0.0, 2.0, 3.0 }) {
+			CAPTURE(rests_s);
+			CAPTURE(wanders_rad_s);
+			const Drag on{ .onset_s = DRAG.onset_s + DRAG.duration_s + rests_s,
+				.duration_s = 1.0,
+				.amplitude_m = DRAG.amplitude_m };
+			const Way way = [&](double t_s) {
+				const double wanders_m = WANDERS_M * std::sin(wanders_rad_s * t_s);
+				return Eigen::Vector3d((x_m({ DRAG, on }, t_s) + wanders_m) * X + wanders_m * Y);
+			};
+			CHECK(in_the_open(way, on.onset_s + 1.5).said == times(2, "sideways"));
+		}
+	}
+}
