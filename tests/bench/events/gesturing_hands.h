@@ -53,6 +53,7 @@ inline constexpr std::array GESTURING_HANDS{
 	HandKind{ "zooms in three to five strokes", ZOOMS, zoom_in_strokes },
 	HandKind{ "four drags, hardly a rest between them", DRAGS, drag_without_rest },
 	HandKind{ "four drags and the ways back, 1.6 s apart", DRAGS, drag_there_and_back },
+	HandKind{ "three drags on and on, 1.3 to 2.5 s apart", DRAGS, drag_on },
 	HandKind{ "twelve equal gestures in a row", ALL, make_twelve },
 	HandKind{ "five different ones in a row", ALL, make_five_different },
 	HandKind{ "two tasks apart, in turns", BUT_ZOOMS, take_turns },

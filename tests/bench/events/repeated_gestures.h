@@ -56,6 +56,16 @@ inline void drag_there_and_back(Performance &hand, Draws &draws) {
 	}
 }
 
+inline void drag_on(Performance &hand, Draws &draws) {
+	const Movement movement = hand.movement();
+	const HandPose way = movement.amplitude_m * movement.direction;
+	const double out_s = draws.between(0.5, 1.0);
+	for (int i = 0; i < 3; ++i) {
+		const HandPose end = hand.make_gesture(out_s).rest(draws.between(1.3, 2.5)).start() + way;
+		hand.aim(movement, end);
+	}
+}
+
 inline void make_twelve(Performance &hand, Draws & /*draws*/) {
 	const double duration_s = hand.movement().duration_s;
 	make_strokes(hand, 12, duration_s, 0.5, duration_s, 1.4);
