@@ -2,6 +2,7 @@
 
 #include "strokes/stroke_finder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
@@ -26,19 +27,19 @@ public:
 	/// Since the end.
 	[[nodiscard]] bool has_returned() const;
 	[[nodiscard]] bool is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const;
-	/// From when on what the hand sets out on may be a gesture of its own, though it has been held on for
-	/// that it may have settled; infinity while it has not rested.
-	[[nodiscard]] double may_set_out_s() const { return may_set_out_s_; }
+	/// From when on what the hand sets out on may be a gesture of its own, though the end is held on, as it
+	/// may have been settling.
+	[[nodiscard]] double may_set_out_s() const { return std::min(may_set_out_s_, moved_s_ + HOLD_S); }
 	/// Before this stroke, one of the finder's, and strayed no further than that.
 	[[nodiscard]] bool has_rested(const Stroke &stroke, const StrokeFinder &strokes, double stray_m) const;
 
 private:
 	double onset_s_ = 0.0;
 	double ended_s_ = 0.0;
-	double stood_s_ = 0.0; ///< when the hand came to stand, or will
-	double moved_s_ = 0.0; ///< when it was last on its way, or when it will stand
-	double may_set_out_s_ = INFINITY;
-	bool has_set_out_ = false; ///< on something else, since the end
+	double stood_s_ = 0.0;            ///< when the hand came to stand, or will
+	double moved_s_ = 0.0;            ///< when it was last on its way, or when it will stand
+	double may_set_out_s_ = INFINITY; ///< of what it has set out on since
+	bool has_set_out_ = false;        ///< on something else, since the end
 	double gone_m_ = 0.0, shown_m_ = 0.0;
 	double furthest_m_ = 0.0;       ///< since the end
 	double furthest_shown_m_ = 0.0; ///< since the beginning

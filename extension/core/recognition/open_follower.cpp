@@ -267,7 +267,8 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 		not_before_s_ = strokes.strokes().front().onset_s;
 		dismiss(t_s);
 	} else if (end_.has_returned() || end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
-		not_before_s_ = t_s; // the way back is no gesture
+		// The way back is no gesture.
+		not_before_s_ = end_.has_returned() ? t_s : std::min(t_s, end_.may_set_out_s());
 		returned_s_ = end_.has_returned() ? t_s : returned_s_;
 		dismiss(t_s);
 	}

@@ -276,7 +276,7 @@ TEST_CASE("a correction at the end leads nowhere else, and what settles after it
 TEST_CASE("a hand that goes on from the end after a second makes another gesture, however the tracker "
 		  "wanders") {
 	constexpr double WANDERS_M = 0.007;
-	for (const double rests_s : { 1.5, 2.0, 3.0 }) {
+	for (const double rests_s : { 1.5, 2.0, 2.9, 3.0 }) {
 		for (const double wanders_rad_s : { 0.0, 2.0, 3.0 }) {
 			CAPTURE(rests_s);
 			CAPTURE(wanders_rad_s);
