@@ -56,12 +56,14 @@ void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
 		stood_s_ = will_stand_s(t_s, stroke);
-	} else {
-		may_set_out_s_ =
-				t_s - moved_s_ > HOLD_S ? std::min(may_set_out_s_, moved_s_ + HOLD_S) : may_set_out_s_;
-		has_set_out_ = has_set_out_ || (stroke.to - stroke.from).norm() > CORRECTION * amplitude_m;
+		moved_s_ = std::max(moved_s_, stood_s_);
+		return;
 	}
-	moved_s_ = std::max(moved_s_, is_gesture ? stood_s_ : t_s);
+	if (t_s - moved_s_ > HOLD_S) {
+		may_set_out_s_ = may_set_out_s();
+	}
+	has_set_out_ = has_set_out_ || (stroke.to - stroke.from).norm() > CORRECTION * amplitude_m;
+	moved_s_ = std::max(moved_s_, t_s);
 }
 
 bool HeldEnd::has_returned() const {

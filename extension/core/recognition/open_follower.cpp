@@ -50,9 +50,9 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
 }
 
-/// By the best that may come of it.
-bool is_likely(const StrokeEvidence &evidence) {
-	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook > 0.0;
+/// log odds by the best that may come of it.
+double best_odds(const StrokeEvidence &evidence) {
+	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook;
 }
 
 } // namespace
@@ -216,13 +216,13 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, axis_);
 		const double path = LOG_PRIOR_OPEN + evidence.so_far();
 		aim(stroke.to);
-		if (path + evidence.outlook > 0.0) {
+		if (best_odds(evidence) > 0.0) {
 			likely_s_ = t_s;
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
 			under_way = std::max(under_way, path + again);
 			set_log_odds(under_way);
-		} else if (path + evidence.outlook < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
+		} else if (best_odds(evidence) < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
@@ -266,10 +266,11 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
 		not_before_s_ = strokes.strokes().front().onset_s;
 		dismiss(t_s);
-	} else if (end_.has_returned() || end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
-		// The way back is no gesture.
-		not_before_s_ = end_.has_returned() ? t_s : std::min(t_s, end_.may_set_out_s());
-		returned_s_ = end_.has_returned() ? t_s : returned_s_;
+	} else if (end_.has_returned()) {
+		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
+		dismiss(t_s);
+	} else if (end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
+		not_before_s_ = end_.may_set_out_s();
 		dismiss(t_s);
 	}
 }
@@ -281,7 +282,7 @@ bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) co
 		return false;
 	}
 	if ((stroke.to - stroke.from).dot(axis_) > 0.0) {
-		return stroke.onset_s >= end_.may_set_out_s() && is_likely(evidence_of(stroke, strokes, axis_));
+		return stroke.onset_s >= end_.may_set_out_s() && best_odds(evidence_of(stroke, strokes, axis_)) > 0.0;
 	}
 	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
 	if (!model().both_ways ||
@@ -289,7 +290,7 @@ bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) co
 		return false;
 	}
 	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);
-	return evidence.rest > 0.0 && is_likely(evidence);
+	return evidence.rest > 0.0 && best_odds(evidence) > 0.0;
 }
 
 void OpenFollower::confirm(double t_s) {
