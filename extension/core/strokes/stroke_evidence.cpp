@@ -24,13 +24,14 @@ constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
 constexpr double LARGEST_BOW = 0.5;
 // Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m, and m for
 // each second that it takes. Of gestures, a share goes astray by so many times that, because the tracker
-// does.
+// does. Of any hand (1 + detour / OTHER_DETOUR)^-3: the distance of one that comes back to where it set out
+// is next to nothing.
 constexpr double DETOUR = 0.03;
 constexpr double DETOUR_M = 0.01;
 constexpr double DETOUR_M_S = 0.003;
 constexpr double ASTRAY = 0.1;
 constexpr double ASTRAY_TIMES = 3.0;
-constexpr double OTHER_DETOUR = 0.85;
+constexpr double OTHER_DETOUR = 1.7;
 // How far a hand strays before the onset: at rest, in amplitudes, and what a tracker's error adds to it, m;
 // any hand, in amplitudes for each second that it is watched. Of gestures, those that begin without a rest;
 // nats against one whose rest nobody saw, as the hand must have come from elsewhere.
@@ -92,16 +93,26 @@ double straightness(const Stroke &stroke, double length_m) {
 }
 
 /// stroke: of length_m > 0.
+double detour(const Stroke &stroke, double length_m) {
+	return std::max(stroke.way_m / length_m - 1.0, 0.0);
+}
+
+/// stroke: of length_m > 0.
 double usual_detour(const Stroke &stroke, double length_m) {
 	return DETOUR + (DETOUR_M + DETOUR_M_S * (stroke.now_s - stroke.onset_s)) / length_m;
 }
 
+/// By how much less likely any hand goes such a detour than none, in nats, less the same of one that goes
+/// astray.
+double astray_evidence(double detour, double mean) {
+	return 3.0 * std::log1p(detour / OTHER_DETOUR) - detour / (ASTRAY_TIMES * mean);
+}
+
 double detour_evidence(double detour, double mean) {
-	const double astray = ASTRAY_TIMES * mean;
 	// The slower of the two exponentials is taken out, so that no detour is too long for a logarithm.
-	const double plain = (1.0 - ASTRAY) / mean * std::exp(-detour * (1.0 / mean - 1.0 / astray));
-	return std::log(plain + ASTRAY / astray) - detour / astray + detour / OTHER_DETOUR +
-			std::log(OTHER_DETOUR);
+	const double plain = (1.0 - ASTRAY) * std::exp(-detour / mean * (1.0 - 1.0 / ASTRAY_TIMES));
+	return std::log((plain + ASTRAY / ASTRAY_TIMES) / mean * 0.5 * OTHER_DETOUR) +
+			astray_evidence(detour, mean);
 }
 
 double rest_evidence(const Stroke &stroke, double amplitude_m) {
@@ -162,8 +173,7 @@ StrokeEvidence stroke_evidence(
 	const double direction = direction_in_the_open(off);
 	StrokeEvidence evidence;
 	evidence.path = direction + straightness(stroke, length_m);
-	evidence.detour =
-			detour_evidence(std::max(stroke.way_m / length_m - 1.0, 0.0), usual_detour(stroke, length_m)) -
+	evidence.detour = detour_evidence(detour(stroke, length_m), usual_detour(stroke, length_m)) -
 			(stroke.is_joined ? HESITATED : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
@@ -183,8 +193,7 @@ double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m) {
 }
 
 double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {
-	static const double at_most = bow_evidence(0.0) +
-			std::log((1.0 - ASTRAY + ASTRAY / ASTRAY_TIMES) / DETOUR * OTHER_DETOUR) +
+	static const double at_most = bow_evidence(0.0) + detour_evidence(0.0, DETOUR) +
 			std::log((1.0 - ON_THE_GO) * std::hypot(1.0, OTHER_UNREST_PER_S * Stroke::REST_S / UNREST) +
 					ON_THE_GO) +
 			size_evidence(0.0, 0.0);
@@ -195,9 +204,8 @@ double most_evidence(const Stroke &stroke, const FeaturePlace &way, double ampli
 	}
 	const double off = (chord / length_m - way).norm();
 	// Of a detour that is long beside the tracker's error the null model's density may be the smaller one.
-	const double rise = 1.0 / OTHER_DETOUR - 1.0 / (ASTRAY_TIMES * usual_detour(stroke, length_m));
-	return direction_in_the_open(best_off(off, length_m, amplitude_m)) +
-			std::max(rise, 0.0) * std::max(stroke.way_m / length_m - 1.0, 0.0) + at_most;
+	const double more = astray_evidence(detour(stroke, length_m), usual_detour(stroke, length_m));
+	return direction_in_the_open(best_off(off, length_m, amplitude_m)) + std::max(more, 0.0) + at_most;
 }
 
 double task_evidence(

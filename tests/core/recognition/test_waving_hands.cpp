@@ -52,6 +52,14 @@ TEST_CASE("a hand that waves makes no gesture, also where frames are missing or 
 	}
 }
 
+TEST_CASE("a hand that goes on waving begins no gesture, wherever its strokes together have come back to") {
+	for (const double rate_hz : { 0.5, 0.7, 0.8, 1.0 }) {
+		CAPTURE(rate_hz);
+		const Way way = [&](double t_s) { return waving(rate_hz, t_s); };
+		CHECK(in_the_open(way, 8.0).said.empty());
+	}
+}
+
 TEST_CASE("a hand that wanders slowly makes hardly a gesture" * doctest::test_suite("figures")) {
 	constexpr int HANDS = 24;
 	constexpr double SECONDS = 30.0;

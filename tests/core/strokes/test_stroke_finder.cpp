@@ -47,6 +47,11 @@ StrokeEvidence evidence(const Stroke &stroke) {
 	return stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
 }
 
+/// Density of any hand's.
+double other_detour(double detour) {
+	return 2.0 / 1.7 * std::pow(1.0 + detour / 1.7, -3.0);
+}
+
 /// Of f over 0 .. to, by the midpoint rule.
 double integral(const std::function<double(double)> &f, double to) {
 	constexpr int STEPS = 20000;
@@ -169,7 +174,7 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	const auto detours = [](double detour) {
 		Stroke winding = straight(0.2);
 		winding.way_m = (1.0 + detour) * 0.2;
-		return std::exp(evidence(winding).detour) * std::exp(-detour / 0.85) / 0.85;
+		return std::exp(evidence(winding).detour) * other_detour(detour);
 	};
 	CHECK(integral(detours, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
 	const auto unrest = [](double amplitudes) {
@@ -189,7 +194,7 @@ TEST_CASE(
 	const auto density = [](double detour) {
 		Stroke winding = straight(0.2);
 		winding.way_m = (1.0 + detour) * 0.2;
-		return std::exp(evidence(winding).detour) * std::exp(-detour / 0.85) / 0.85;
+		return std::exp(evidence(winding).detour) * other_detour(detour);
 	};
 	for (const double times : { 1.0, 3.0, 6.0, 12.0 }) {
 		CAPTURE(times);
@@ -329,6 +334,19 @@ TEST_CASE("no stroke speaks more for a gesture than at most it may; the best one
 	}
 	CHECK(evidence(straight(0.2)).sum() > most_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
 	CHECK(most_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
+}
+
+TEST_CASE("a hand that comes back to where it set out has gone a detour, however near it comes") {
+	for (const double way_m : { 0.4, 1.0, 3.0 }) {
+		for (const double length_m : { 0.1, 0.05, 0.03, 0.02, 0.01, 0.005 }) {
+			CAPTURE(way_m);
+			CAPTURE(length_m);
+			Stroke back = straight(length_m);
+			back.way_m = way_m;
+			back.now_s = way_m / 0.4;
+			CHECK(evidence(back).detour < -2.0);
+		}
+	}
 }
 
 TEST_CASE("the longer a stroke takes, the less a winding way speaks against it: a tracker's error goes on") {
