@@ -110,7 +110,7 @@ void OpenFollower::aim(const FeaturePlace &to) {
 }
 
 bool OpenFollower::comes_again(const Stroke &stroke) const {
-	return stroke.onset_s - returned_s_ < AGAIN_S;
+	return may_come_again_ && stroke.onset_s - returned_s_ < AGAIN_S;
 }
 
 double OpenFollower::amplitudes(const Stroke &stroke) const {
@@ -153,6 +153,8 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
+			// A hand that came into view waving is not excused a second time.
+			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= Stroke::REST_S;
 			begun_ = stroke;
 			begun_step_m_ = strokes.step_m();
 			start_ = start_of(stroke, strokes, way_);

@@ -37,6 +37,7 @@ private:
 	double moved_s_ = 0.0;            ///< when such a one was last on its way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
+	bool may_come_again_ = false;     ///< without a rest: the first one's, or none, was seen
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
 	HeldEnd end_;

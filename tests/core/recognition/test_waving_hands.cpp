@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -57,6 +58,18 @@ TEST_CASE("a hand that goes on waving begins no gesture, wherever its strokes to
 		CAPTURE(rate_hz);
 		const Way way = [&](double t_s) { return waving(rate_hz, t_s); };
 		CHECK(in_the_open(way, 8.0).said.empty());
+	}
+}
+
+TEST_CASE("a hand that comes into view waving makes one gesture at most") {
+	for (const double rate_hz : { 0.7, 1.0, 1.5 }) {
+		for (int phase = 0; phase < PHASES; ++phase) {
+			CAPTURE(rate_hz);
+			CAPTURE(phase);
+			const double into_s = phase / (PHASES * rate_hz);
+			const Way way = [&](double t_s) { return waving(rate_hz, t_s + into_s); };
+			CHECK(std::ranges::count(in_the_open(way, 6.0).said, "ended sideways") <= 1);
+		}
 	}
 }
 
