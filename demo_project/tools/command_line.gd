@@ -45,13 +45,13 @@ func choice(option: String, allowed: Array) -> String:
 
 
 ## A number within the bounds, which are in `unit`.
-func number(option: String, lowest: float, highest: float, unit: String) -> float:
+func number(option: String, lowest: float, highest: float, what: String) -> float:
 	var value := _values[option].to_float()
 	if not _values[option].is_valid_float() or value < lowest or value > highest:
 		_report(
 			(
-				"--%s is '%s'; it must be a number of %s from %s to %s"
-				% [option, _values[option], unit, lowest, highest]
+				"--%s is '%s'; it must be a %s from %s to %s"
+				% [option, _values[option], what, lowest, highest]
 			)
 		)
 	return value

@@ -1,6 +1,7 @@
 extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/evaluate.gd -- --trials DIR --out DIR
 ##     [--models DIR] [--mode phase|paper] [--context scene|open] [--sensor-latency SECONDS]
+##     [--min-confidence PROBABILITY]
 ##
 ## Exit code: 0; 1 where a trial could not be judged (the others are reported) or the set has none;
 ## 2 where nothing could be done.
@@ -20,14 +21,16 @@ func work(arguments: PackedStringArray) -> void:
 		mode = Evaluation.MODES.keys()[0],
 		context = Evaluation.CONTEXTS[0],
 	}
-	defaults["sensor-latency"] = str(Evaluation.default_sensor_latency_s())
+	defaults["sensor-latency"] = str(Evaluation.default_of(&"sensor_latency"))
+	defaults["min-confidence"] = str(Evaluation.default_of(&"min_confidence"))
 	var options := CommandLine.new(arguments, defaults)
 	var trials_folder := options.path("trials")
 	var out_folder := options.path("out")
 	var settings := {
 		mode = options.choice("mode", Evaluation.MODES.keys()),
 		context = options.choice("context", Evaluation.CONTEXTS),
-		sensor_latency_s = options.number("sensor-latency", 0.0, LONGEST_LATENCY_S, "seconds"),
+		sensor_latency_s = options.number("sensor-latency", 0.0, LONGEST_LATENCY_S, "time in s"),
+		min_confidence = options.number("min-confidence", 0.0, 1.0, "probability"),
 		models = options.path("models"),
 		trials = trials_folder,
 	}

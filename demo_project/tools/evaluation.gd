@@ -28,8 +28,8 @@ var _is_empty := false
 var _without_model: Array[String] = []
 
 
-## `settings`: {mode, context, models}, and sensor_latency_s where it is not the node's own; all are
-## written down. `parent`: a node in the tree.
+## `settings`: {mode, context, models}, and sensor_latency_s and min_confidence where they are not
+## the node's own; all are written down. `parent`: a node in the tree.
 func run(
 	trial_set: TrialSet,
 	models: Array[GestureModel],
@@ -37,7 +37,11 @@ func run(
 	out_folder: String,
 	parent: Node
 ) -> void:
-	settings = settings.merged({sensor_latency_s = default_sensor_latency_s()})
+	var defaults := {
+		sensor_latency_s = default_of(&"sensor_latency"),
+		min_confidence = default_of(&"min_confidence"),
+	}
+	settings = settings.merged(defaults)
 	var report := EvaluationReport.new(out_folder)
 	var progress := Progress.new(_trials(trial_set.get_count()))
 	broken = trial_set.get_left_out_count()
@@ -50,6 +54,7 @@ func run(
 		var trial := trial_set.get_trial(index)
 		var trial_run := TrialRun.new(trial, parent)
 		trial_run.sensor_latency_s = settings["sensor_latency_s"]
+		trial_run.min_confidence = settings["min_confidence"]
 		if trial["gesture"] == TrialRun.NO_GESTURE:
 			trial_run.task_trial = _task_to_wait_for(trial_set, models, trial["position"], index)
 		trial_run.run(
@@ -110,8 +115,8 @@ func _tell_without_model(gesture: String, models_folder: String) -> void:
 
 
 ## As GestureHMM has it.
-static func default_sensor_latency_s() -> float:
-	return ClassDB.class_get_property_default_value(&"GestureHMM", &"sensor_latency")
+static func default_of(property: StringName) -> float:
+	return ClassDB.class_get_property_default_value(&"GestureHMM", property)
 
 
 ## While a hand does nothing a scene waits all the same: for the task of one of the set's other

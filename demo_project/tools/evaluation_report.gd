@@ -36,6 +36,8 @@ var _recognised: PackedStringArray = []
 ## Of the trials in which no gesture is made: {trial, gesture, time_s}.
 var _false_alarms: Array[Dictionary] = []
 var _none_s := 0.0
+var _none_begun := 0
+var _none_under_way_s := 0.0
 
 
 func _init(folder: String) -> void:
@@ -73,6 +75,8 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 		for end in run.ends:
 			_false_alarms.append({trial = trial["trial"]}.merged(end))
 		_none_s += run.count / TrialRun.RATE_HZ
+		_none_begun += run.begun
+		_none_under_way_s += run.under_way / TrialRun.RATE_HZ
 
 
 ## `settings`: what the figures depend on, kept beside them.
@@ -100,6 +104,8 @@ func finish(settings: Dictionary) -> void:
 			false_alarms = _false_alarms,
 			false_alarms_per_minute =
 			MotionMetrics.false_alarms_per_minute(_false_alarms.size(), _none_s),
+			begun_per_minute = MotionMetrics.false_alarms_per_minute(_none_begun, _none_s),
+			under_way_share = _none_under_way_s / _none_s if _none_s > 0.0 else 0.0,
 			none_minutes = _none_s / 60.0,
 			groups = groups,
 		}

@@ -38,6 +38,10 @@ var note := ""
 var recognised := NO_GESTURE
 ## Each gesture that was recognised to its end, right or wrong: {gesture, time_s}.
 var ends: Array[Dictionary] = []
+## How many were begun, whatever became of them.
+var begun := 0
+## Instants of the curves at which one was under way.
+var under_way := 0
 ## First instant of the curves, whole milliseconds on the trial's clock.
 var first_ms := 0
 ## Number of instants, 1 ms apart; they span the reference's record.
@@ -53,6 +57,7 @@ var figures: Dictionary[String, Dictionary] = {}
 var task_trial: Dictionary
 ## Of GestureHMM.
 var sensor_latency_s := 0.0
+var min_confidence := 0.0
 
 var _trial: Dictionary
 var _parent: Node
@@ -91,6 +96,7 @@ func run(
 	var hmm := GestureHMM.new()
 	hmm.mode = mode
 	hmm.sensor_latency = sensor_latency_s
+	hmm.min_confidence = min_confidence
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	# It would warn, at each trial, that nothing is recognised.
 	hmm.tracker = null if hmm.models.is_empty() else tracker
@@ -99,6 +105,7 @@ func run(
 		func(ended: StringName, time_s: float) -> void:
 			ends.append({gesture = String(ended), time_s = time_s})
 	)
+	hmm.gesture_started.connect(func(_gesture: StringName) -> void: begun += 1)
 	_parent.add_child(hmm)
 
 	_record(tracker, hmm, 1.0 if gesture == NO_GESTURE else _trial["amplitude_m"])
@@ -240,6 +247,7 @@ func _record(tracker: HandTracker, hmm: GestureHMM, unit_m: float) -> void:
 	samples.resize(motions.size() * count)
 	for i in count:
 		tracker.advance_to((first_ms + i) / RATE_HZ)
+		under_way += 0 if hmm.gesture.is_empty() else 1
 		var place := i
 		for motion in motions:
 			samples[place] = hmm.get_motion_value(motion) / unit_m

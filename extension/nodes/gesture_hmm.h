@@ -63,6 +63,8 @@ public:
 	Motion get_motion() const { return motion_; }
 	void set_sensor_latency(double p_latency_s);
 	double get_sensor_latency() const { return sensor_latency_s_; }
+	void set_min_confidence(double p_confidence);
+	double get_min_confidence() const { return min_confidence_; }
 
 	double get_value() const;
 	/// As by now it will be at p_time_s.
@@ -131,6 +133,7 @@ private:
 	Motion motion_ = MOTION_SYNTHESISED;
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
 	double sensor_latency_s_ = steadyhand::USUAL_SENSOR_LATENCY_S;
+	double min_confidence_ = 0.0;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;

@@ -100,6 +100,15 @@ void GestureHMM::set_sensor_latency(double p_latency_s) {
 	}
 }
 
+void GestureHMM::set_min_confidence(double p_confidence) {
+	ERR_FAIL_COND_MSG(!(p_confidence >= 0.0) || p_confidence > 1.0,
+			"GestureHMM: min_confidence must be within 0..1");
+	min_confidence_ = p_confidence;
+	if (recogniser_) {
+		recogniser_->set_min_confidence(p_confidence);
+	}
+}
+
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (tracker_ == nullptr) {
@@ -152,6 +161,8 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_motion"), &GestureHMM::get_motion);
 	ClassDB::bind_method(D_METHOD("set_sensor_latency", "latency"), &GestureHMM::set_sensor_latency);
 	ClassDB::bind_method(D_METHOD("get_sensor_latency"), &GestureHMM::get_sensor_latency);
+	ClassDB::bind_method(D_METHOD("set_min_confidence", "confidence"), &GestureHMM::set_min_confidence);
+	ClassDB::bind_method(D_METHOD("get_min_confidence"), &GestureHMM::get_min_confidence);
 	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
 	ClassDB::bind_method(D_METHOD("get_value_at", "time"), &GestureHMM::get_value_at);
 	ClassDB::bind_method(D_METHOD("get_velocity"), &GestureHMM::get_velocity);
@@ -186,6 +197,8 @@ void GestureHMM::_bind_methods() {
 			"set_motion", "get_motion");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "sensor_latency", PROPERTY_HINT_RANGE, "0,0.2,0.001,suffix:s"),
 			"set_sensor_latency", "get_sensor_latency");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "min_confidence", PROPERTY_HINT_RANGE, "0,1,0.01"),
+			"set_min_confidence", "get_min_confidence");
 
 	constexpr uint32_t SCRIPT_ONLY = PROPERTY_USAGE_NONE, READ_ONLY = PROPERTY_USAGE_NONE;
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask", SCRIPT_ONLY),

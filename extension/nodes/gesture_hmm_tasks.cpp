@@ -107,6 +107,7 @@ void GestureHMM::build_recogniser() {
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(gestures),
 			static_cast<steadyhand::MotionMode>(mode_),
 			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
+	recogniser_->set_min_confidence(min_confidence_);
 }
 
 /// Who is freed tells nobody.

@@ -61,9 +61,7 @@ func test_the_sensors_latency_can_be_given() -> void:
 	for wrong: String in ["soon", "-0.001", "0.201", "nan", "1e999", ""]:
 		var options := ["--trials", _path("late"), "--out", _path("wrong_out")]
 		var run := ToolRun.new("evaluate", options + ["--sensor-latency", wrong])
-		var text := (
-			"--sensor-latency is '%s'; it must be a number of seconds from 0.0 to 0.2" % wrong
-		)
+		var text := "--sensor-latency is '%s'; it must be a time in s from 0.0 to 0.2" % wrong
 		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
 		check_equal(run.not_said([text]), "", "it is said")
 		check(not DirAccess.dir_exists_absolute(_path("wrong_out")), "and nothing is written")
@@ -277,11 +275,39 @@ func test_confusion_and_false_alarms() -> void:
 	check_near(
 		summary["false_alarms_per_minute"] * summary["none_minutes"], 1.0, 1e-9, "one false alarm"
 	)
+	# The hand is still again before the record ends; an end is held.
+	var begun: float = summary["begun_per_minute"] * summary["none_minutes"]
+	check(begun > 0.5, "what ended had begun")
+	var under_way_s: float = summary["under_way_share"] * summary["none_minutes"] * 60.0
+	var left_s: float = instants / 1000.0 - cells[4].to_float()
+	check(under_way_s > 0.1 and under_way_s < left_s, "under way for %.3f s" % under_way_s)
 	var alarms: Array = summary["false_alarms"]
 	check_equal(alarms.size(), 1, "and it is listed")
 	check_equal(alarms[0]["trial"], cells[0], "with its trial")
 	check_equal(alarms[0]["gesture"], "horizontal_drag", "its gesture")
 	check(alarms[0]["time_s"] > cells[4].to_float(), "and when it ended")
+
+
+func test_how_sure_a_gesture_has_to_be_can_be_given() -> void:
+	var trials := Rig.write_trials(_path("sure"))
+	for given: String in ["", "0.3", "1"]:
+		var out := "sure_out" + given
+		var options := ["--trials", _path("sure"), "--out", _path(out), "--context", "open"]
+		if not given.is_empty():
+			options.append_array(["--min-confidence", given])
+		check_equal(ToolRun.new("evaluate", options).exit_code, 0, "--min-confidence '%s'" % given)
+		var summary: Dictionary = JSON.parse_string("\n".join(_lines(out + "/summary.json")))
+		check_equal(
+			summary["settings"]["min_confidence"], given.to_float(), "it is in summary.json"
+		)
+		var recognised := _lines(out + "/results.csv")[1].get_slice(",", 4)
+		check_equal(recognised, "none" if given == "1" else "horizontal_drag", "at '%s'" % given)
+	for wrong: String in ["sure", "-0.01", "1.01", "nan", ""]:
+		var options := ["--trials", trials.get_path(), "--out", _path("wrong_out")]
+		var run := ToolRun.new("evaluate", options + ["--min-confidence", wrong])
+		var text := "--min-confidence is '%s'; it must be a probability from 0.0 to 1.0" % wrong
+		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
+		check_equal(run.not_said([text]), "", "it is said")
 
 
 func test_arguments() -> void:

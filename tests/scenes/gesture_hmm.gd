@@ -201,6 +201,36 @@ func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> v
 	check(absi(earlier_ms - LATENCY_MS) < 10, "earlier by %d ms" % earlier_ms)
 
 
+func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
+	# expects error: GestureHMM: min_confidence must be within 0..1
+	var rig := _make_rig(STABLE)
+	var hmm := rig.gesture_hmm
+	hmm.tasks = []
+	hmm.min_confidence = 1.01
+	hmm.min_confidence = -0.01
+	hmm.min_confidence = NAN
+	check_equal(hmm.min_confidence, 0.0, "none of them is taken")
+	var least: Array[float] = []
+	hmm.gesture_started.connect(func(_gesture: StringName) -> void: least.append(hmm.confidence))
+	for wanted: float in [0.9, 1.0]:
+		hmm.min_confidence = wanted
+		rig.record(0, 2400)
+		var is_shown := wanted < 1.0
+		check_equal(String(hmm.recognised), "horizontal_drag" if is_shown else "", "at %s" % wanted)
+		check_equal(least.size(), 1, "begun once, at 0.9")
+	check(least[0] >= 0.9, "begun at %s" % least[0])
+	# Too sure until the hand is on its way, and no more from then on.
+	rig.tracker.start()
+	var trial := _trials.get_trial(STABLE)
+	var half_way_s: float = 0.5 * (trial["start_s"] + trial["end_s"])
+	rig.tracker.advance_to(half_way_s)
+	check_equal(hmm.gesture, &"", "not sure enough half-way")
+	hmm.min_confidence = 0.0
+	rig.tracker.advance_to(half_way_s + 0.1)
+	check_equal(String(hmm.gesture), "horizontal_drag", "under way as soon as it may be")
+	rig.free_nodes()
+
+
 func test_joints_that_no_frame_holds_are_named() -> void:
 	# expects warning: by thumb, index, middle: no frame has held thumb, middle
 	var rig := _make_rig(STABLE)

@@ -18,8 +18,10 @@ constexpr double SWITCH_MARGIN = 2.0;
 constexpr double PART = 12.0;
 /// Of the smallest amplitude: what is shorter is no stroke of its own.
 constexpr double SMALLEST_STROKE = 0.06;
-constexpr double LEAD_RATE_PER_S =
-		50.0; ///< from one gesture's motion to another's within a tenth of a second
+/// 1/s: from one gesture's motion to another's within a tenth of a second, to a first one's within half of
+/// it.
+constexpr double LEAD_RATE_PER_S = 50.0;
+constexpr double SHOW_RATE_PER_S = 100.0;
 
 std::vector<ExpectedGesture> at_one_place(
 		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
@@ -166,6 +168,10 @@ double GestureRecogniser::confidence() const {
 			: 0.0;
 }
 
+bool GestureRecogniser::is_likely(std::size_t follower) const {
+	return min_confidence_ <= 0.0 || gestures_[follower].task || posterior(follower) >= min_confidence_;
+}
+
 template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	double best_odds = -INFINITY;
@@ -188,7 +194,9 @@ void GestureRecogniser::decide_claims() {
 	}
 	const int task = likeliest([&](std::size_t i) { return followers_[i]->nears_end(); });
 	const double odds = log_odds(static_cast<std::size_t>(best));
-	if (task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds) { // which will say itself when it ends
+	// What is done at a task will say itself when it ends.
+	const bool is_of_task = task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds;
+	if (is_of_task || !is_likely(static_cast<std::size_t>(best))) {
 		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
 			if (follower->claims()) {
 				follower->give_way(time_s_);
@@ -224,7 +232,7 @@ void GestureRecogniser::choose_leader() {
 	using Stage = GestureFollower::Stage;
 	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
 	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
-		lead(likeliest(is_moving));
+		lead(likeliest([&](std::size_t i) { return is_moving(i) && is_likely(i); }));
 		return;
 	}
 	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
@@ -235,11 +243,10 @@ void GestureRecogniser::choose_leader() {
 	const int best = likeliest([&](std::size_t i) {
 		const Stage stage = followers_[i]->stage();
 		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s;
-		if (has_arrived) {
-			return is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0);
-		}
-		return is_moving(i) ? log_odds(i) > odds + SWITCH_MARGIN
-							: is_news && log_odds(i) > odds - SWITCH_MARGIN;
+		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
+				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
+									  : is_news && log_odds(i) > odds - SWITCH_MARGIN;
+		return wins && is_likely(i);
 	});
 	if (best >= 0) {
 		lead(best);
@@ -254,10 +261,15 @@ void GestureRecogniser::lead(int follower) {
 	if (leader_ >= 0 && this->follower()->stage() == GestureFollower::Stage::ARRIVED) {
 		followers_[static_cast<std::size_t>(leader_)]->leave_end(time_s_);
 	}
+	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
 	leader_ = follower;
-	const Motion now = followers_[shown()]->motion(time_s_);
-	blend_.start(
-			time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, LEAD_RATE_PER_S);
+	const Motion now = synthesised(time_s_);
+	blend_.start(time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, rate_per_s);
+}
+
+/// A hand at a task is shown at rest too.
+Motion GestureRecogniser::synthesised(double t_s) const {
+	return leader_ >= 0 || gestures_.front().task ? followers_[shown()]->motion(t_s) : Motion{};
 }
 
 Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
@@ -266,7 +278,7 @@ Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
 	}
 	const GestureFollower &follower = *followers_[shown()];
 	if (source == MotionSource::SYNTHESISED) {
-		return blend_.completed(follower.motion(t_s), t_s);
+		return blend_.completed(synthesised(t_s), t_s);
 	}
 	const double value_m = filtered_[shown()].value_m(source);
 	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };

@@ -31,6 +31,10 @@ public:
 			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
 			double latency_s = 0.0, const StateDecoding &decoding = {});
 
+	/// A gesture without a task is shown, and ends, only where its confidence() has come to this: 0..1. Less
+	/// shows more of what hands do otherwise, more shows gestures later.
+	void set_min_confidence(double probability) { min_confidence_ = probability; }
+
 	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
 	void push(const HandFrame &frame);
 	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
@@ -42,13 +46,13 @@ public:
 	/// What it will be at t_s, not before that time, if nothing is seen until then.
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
 
-	/// Index of the gesture under way or just finished; -1 while all of them rest.
+	/// Index of the gesture under way or just finished; -1 while there is none, or none that may be shown.
 	[[nodiscard]] int gesture() const { return leader_; }
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
 	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
-	/// none: 0..1; 0 while all of them rest.
+	/// none: 0..1; 0 while none is shown.
 	[[nodiscard]] double confidence() const;
 	[[nodiscard]] double time_s() const { return time_s_; }
 
@@ -64,6 +68,7 @@ private:
 	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
 	std::vector<std::unique_ptr<GestureFollower>> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
+	double min_confidence_ = 0.0;
 	int leader_ = -1;
 	OutputBlend blend_; ///< of what would step when another one takes the lead, m
 	double time_s_;
@@ -80,6 +85,8 @@ private:
 	[[nodiscard]] double posterior(std::size_t follower) const;
 	/// GestureFollower::log_odds, less what speaks for another one of which this one's motion is a part.
 	[[nodiscard]] double log_odds(std::size_t follower) const;
+	/// Likely enough to be shown, and to end.
+	[[nodiscard]] bool is_likely(std::size_t follower) const;
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
@@ -87,8 +94,9 @@ private:
 	void let_return();
 	void choose_leader();
 	void lead(int follower);
-	/// While all rest, the first one's motion is what is shown.
+	/// While none leads, what is seen along the first one is what is shown.
 	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
+	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 
 } // namespace steadyhand
