@@ -101,8 +101,8 @@ void GestureHMM::set_sensor_latency(double p_latency_s) {
 }
 
 void GestureHMM::set_min_confidence(double p_confidence) {
-	ERR_FAIL_COND_MSG(!(p_confidence >= 0.0) || p_confidence > 1.0,
-			"GestureHMM: min_confidence must be within 0..1");
+	ERR_FAIL_COND_MSG(
+			!(p_confidence >= 0.0) || p_confidence > 1.0, "GestureHMM: min_confidence must be within 0..1");
 	min_confidence_ = p_confidence;
 	if (recogniser_) {
 		recogniser_->set_min_confidence(p_confidence);

@@ -1,8 +1,8 @@
 // What is said of gestures, and when, by a simulation of hands and trackers of its own: the share of runs in
 // which each gesture is started and ended once and nothing else is said, and how often a gesture is said of
-// hands that make none. bench_events [MODELS [RUNS]], by default the folder models and 40 runs of each hand,
-// tracker and context. bench_events MODELS show HAND TRACKER CONTEXT RUN: what was to be said in one run, and
-// what was, each name or how it begins.
+// hands that make none. bench_events [MODELS [RUNS [MIN_CONFIDENCE]]], by default the folder models, 40 runs
+// of each hand, tracker and context, and 0. bench_events MODELS show HAND TRACKER CONTEXT RUN: what was to be
+// said in one run, and what was, each name or how it begins.
 
 #include "events/gesturing_hands.h"
 #include "events/idle_hands.h"
@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -45,42 +46,67 @@ struct NamedContext {
 constexpr std::array CONTEXTS{ NamedContext{ "task", Context::TASK },
 	NamedContext{ "nothing given", Context::OPEN } };
 
+struct Setting {
+	const Models &models;
+	std::uint64_t runs;
+	double min_confidence;
+};
+
 struct Run {
 	Performance hand;
 	std::vector<Said> said;
 	std::set<std::string> faults;
 };
 
-Run run(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
-		std::uint64_t seed) {
+Run run(const Models &models, const HandKind &kind, TrackerKind tracker, Context context, std::uint64_t seed,
+		double min_confidence = 0.0) {
 	Performance hand(models, context, kind.movements.at(seed), seed);
 	kind.perform(hand, hand.draws());
 	const std::vector<HandFrame> frames =
 			PlainTracker(tracker_traits(tracker, seed), seed).watch(hand.plan());
-	std::vector<Said> said = follow(hand.gestures(), frames, hand.now_s());
+	std::vector<Said> said = follow(hand.gestures(), frames, hand.now_s(), min_confidence);
 	std::set<std::string> faults = Verdict(hand.expected(), said, tracker == TrackerKind::BAD).faults();
 	return { std::move(hand), std::move(said), std::move(faults) };
 }
 
 /// Of runs without a fault.
-double percent_right(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
-		std::uint64_t runs) {
+double percent_right(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {
 	std::uint64_t right = 0;
-	for (std::uint64_t seed = 0; seed < runs; ++seed) {
-		right += run(models, kind, tracker, context, seed).faults.empty() ? 1 : 0;
+	for (std::uint64_t seed = 0; seed < setting.runs; ++seed) {
+		const Run one = run(setting.models, kind, tracker, context, seed, setting.min_confidence);
+		right += one.faults.empty() ? 1 : 0;
 	}
-	return 100.0 * static_cast<double>(right) / static_cast<double>(runs);
+	return 100.0 * static_cast<double>(right) / static_cast<double>(setting.runs);
 }
 
-double ends_a_minute(const Models &models, const HandKind &kind, TrackerKind tracker, Context context,
-		std::uint64_t runs) {
-	double ends = 0.0, minutes = 0.0;
-	for (std::uint64_t seed = 0; seed < runs; ++seed) {
-		const Run one = run(models, kind, tracker, context, seed);
-		ends += static_cast<double>(std::ranges::count(one.said, Happening::ENDED, &Said::happening));
+struct Rates {
+	double ended = 0.0, begun = 0.0; ///< gestures a minute
+};
+
+Rates rates(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {
+	Rates counts;
+	double minutes = 0.0;
+	for (std::uint64_t seed = 0; seed < setting.runs; ++seed) {
+		const Run one = run(setting.models, kind, tracker, context, seed, setting.min_confidence);
+		counts.ended += static_cast<double>(std::ranges::count(one.said, Happening::ENDED, &Said::happening));
+		counts.begun +=
+				static_cast<double>(std::ranges::count(one.said, Happening::STARTED, &Said::happening));
 		minutes += one.hand.now_s() / 60.0;
 	}
-	return ends / minutes;
+	return { counts.ended / minutes, counts.begun / minutes };
+}
+
+/// By hand, and in that by context and tracker, as a table has them.
+std::vector<Rates> rates_of_idle_hands(const Setting &setting) {
+	std::vector<Rates> all;
+	for (const HandKind &hand : IDLE_HANDS) {
+		for (const NamedContext &context : CONTEXTS) {
+			for (const NamedTracker &tracker : TRACKERS) {
+				all.push_back(rates(setting, hand, tracker.kind, context.context));
+			}
+		}
+	}
+	return all;
 }
 
 /// A cell of each tracker, first with the task given, then with nothing.
@@ -120,6 +146,18 @@ std::optional<std::uint64_t> parse_count(std::string_view text, std::uint32_t le
 		return std::nullopt;
 	}
 	return count;
+}
+
+/// Nothing, and the reason on stderr, where it is none.
+std::optional<double> parse_probability(std::string_view text) {
+	double probability = -1.0;
+	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), probability);
+	if (error != std::errc() || end != text.data() + text.size() || !(probability >= 0.0) ||
+			probability > 1.0) {
+		std::fprintf(stderr, "no probability from 0 to 1: \"%s\"\n", std::string(text).c_str());
+		return std::nullopt;
+	}
+	return probability;
 }
 
 bool show(const Models &models, const std::array<std::string_view, 4> &names) {
@@ -165,13 +203,21 @@ int main(int count, char **arguments) {
 	if (!runs) {
 		return 1;
 	}
+	const std::optional<double> min_confidence = parse_probability(count > 3 ? arguments[3] : "0");
+	if (!min_confidence) {
+		return 1;
+	}
+	const Setting setting{ models, *runs, *min_confidence };
 	std::printf("Of %d runs, %%:\n\n", static_cast<int>(*runs));
 	print_table(GESTURING_HANDS, 0, [&](const HandKind &hand, TrackerKind tracker, Context context) {
-		return percent_right(models, hand, tracker, context, *runs);
+		return percent_right(setting, hand, tracker, context);
 	});
+	const std::vector<Rates> idle = rates_of_idle_hands(setting);
+	std::size_t cell = 0;
 	std::printf("\nFalse alarms a minute:\n\n");
-	print_table(IDLE_HANDS, 2, [&](const HandKind &hand, TrackerKind tracker, Context context) {
-		return ends_a_minute(models, hand, tracker, context, *runs);
-	});
+	print_table(IDLE_HANDS, 2, [&](auto...) { return idle[cell++].ended; });
+	cell = 0;
+	std::printf("\nBegun a minute, whatever became of them:\n\n");
+	print_table(IDLE_HANDS, 1, [&](auto...) { return idle[cell++].begun; });
 	return 0;
 }

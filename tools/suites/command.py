@@ -168,12 +168,15 @@ def events() -> Iterator[Outcome]:
     """The tables of events, of one run each: hands by trackers and contexts."""
     status, output = run(["./steadyhand", "bench", "events", "--runs", 1])
     rows = re.findall(r"^\| ([a-z].*?) \|((?: [\d.]+ \|){6})$", output, re.MULTILINE)
-    yield Outcome.of("command/bench events: every hand", status == 0 and len(rows) == 31, output)
+    yield Outcome.of("command/bench events: every hand", status == 0 and len(rows) == 38, output)
     plain = dict(rows).get("twelve equal gestures in a row")
     yield Outcome.of("command/bench events: plain gestures are told", plain == " 100 |" * 6, output)
     status, output = run(["./steadyhand", "bench", "events", "--runs", "some"])
     good = status == 1 and output.splitlines()[-1] == 'no whole number of at least 1: "some"'
     yield Outcome.of("command/bench events: a number is one", good, f"{status}\n{output}")
+    status, output = run(["./steadyhand", "bench", "events", "--min-confidence", "1.5"])
+    good = status == 1 and output.splitlines()[-1] == 'no probability from 0 to 1: "1.5"'
+    yield Outcome.of("command/bench events: a probability is one", good, f"{status}\n{output}")
 
 
 def results(folder: Path) -> Iterator[Outcome]:

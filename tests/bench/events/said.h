@@ -52,11 +52,12 @@ private:
 	std::vector<Said> said_;
 };
 
-/// Looked at each millisecond, as scenes do.
-inline std::vector<Said> follow(
-		const std::vector<ExpectedGesture> &gestures, const std::vector<HandFrame> &frames, double length_s) {
+/// Looked at each millisecond, as scenes do. min_confidence: GestureRecogniser::set_min_confidence.
+inline std::vector<Said> follow(const std::vector<ExpectedGesture> &gestures,
+		const std::vector<HandFrame> &frames, double length_s, double min_confidence) {
 	GestureRecogniser recogniser(
 			gestures, MotionMode::PHASE, phase_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
+	recogniser.set_min_confidence(min_confidence);
 	Announcer announcer;
 	std::size_t next = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
