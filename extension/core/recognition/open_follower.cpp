@@ -16,11 +16,13 @@ constexpr double IMPOSSIBLE = -std::numeric_limits<double>::infinity(); ///< log
 constexpr double SHORTEST = 0.12;
 /// Nor do those that are shorter than so many times the tracker's noise, but for such as are well under way.
 constexpr double TREMBLES = 10.0;
-/// log odds, at the best that may come, below which a stroke that is well under way was none after all, and
-/// how far that is.
+/// log odds, at the best that may come, below which for so long a stroke was none after all: one that is well
+/// under way, amplitudes, or any where the gesture has come no further than the other. It begins again where
+/// it is well under way.
 constexpr double HOPELESS = -8.0;
 constexpr double HOPELESS_S = 0.1;
 constexpr double WELL_UNDER_WAY = 0.3;
+constexpr double BARELY_BEGUN = 0.2;
 /// log odds from which on an end is taken before the hand has come to it.
 constexpr double SURE = 1.5;
 /// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
@@ -138,7 +140,8 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
-		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < shortest) {
+		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least) {
 			continue;
 		}
 		const FeaturePlace way = way_of(stroke);
@@ -177,6 +180,7 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
+	furthest_ = 0.0;
 	end_.begin(begun_.onset_s, along(last_place()));
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
@@ -220,11 +224,13 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 		aim(stroke.to);
 		if (best_odds(evidence) > 0.0) {
 			likely_s_ = t_s;
+			furthest_ = std::max(furthest_, amplitudes(stroke));
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
 			under_way = std::max(under_way, path + again);
 			set_log_odds(under_way);
-		} else if (best_odds(evidence) < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY) {
+		} else if (best_odds(evidence) < HOPELESS &&
+				(amplitudes(stroke) > WELL_UNDER_WAY || furthest_ < BARELY_BEGUN)) {
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
@@ -246,6 +252,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	} else if (t_s - moved_s_ > HeldEnd::HOLD_S) {
 		give_way(t_s); // half-way; the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
+		hopeless_s_ = t_s;
 		dismiss(t_s);
 	}
 }

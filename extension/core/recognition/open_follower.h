@@ -36,6 +36,8 @@ private:
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
 	double moved_s_ = 0.0;            ///< when such a one was last on its way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
+	double furthest_ = 0.0;           ///< that it came while it looked so, amplitudes
+	double hopeless_s_ = -INFINITY;   ///< when one was last found to be none
 	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
 	bool may_come_again_ = false;     ///< without a rest: the first one's, or none, was seen
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
