@@ -23,6 +23,11 @@ public:
 	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
 
 private:
+	static constexpr double IMPOSSIBLE = -INFINITY; ///< log odds
+	/// Strokes, amplitudes: shorter ones do not say where they go, and from the other on they are well under
+	/// way.
+	static constexpr double SHORTEST = 0.12, WELL_UNDER_WAY = 0.3;
+
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
 	FeaturePlace start_ = FeaturePlace::Zero();        ///< of the motion element
 	FeaturePlace from_ = FeaturePlace::Zero();         ///< the same, as strokes count it

@@ -1,6 +1,9 @@
-// With nothing given: from where the motion counts where the tracker shows the hand elsewhere for a frame.
+// With nothing given: from where the motion counts where the tracker shows the hand elsewhere for a frame,
+// and what begins and is none.
 
 #include "gesture_events.h"
+
+#include "simulation/oscillation.h"
 
 #include <doctest/doctest.h>
 
@@ -87,5 +90,31 @@ TEST_CASE("a hand that moves an eighth of a gesture's way along it and slows dow
 			const Drag shift{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = share * 0.2 };
 			CHECK(in_the_open(along(X, { shift }), 3.0).said.empty());
 		}
+	}
+}
+
+TEST_CASE("a hand that a tracker shows wandering by 1 cm is not shown half of the time as one that makes a "
+		  "gesture") {
+	constexpr int HANDS = 16;
+	constexpr double SECONDS = 20.0, WANDERS_M = 0.01;
+	struct Pace {
+		double slowest_hz, fastest_hz, share;
+	};
+	for (const Pace &pace : { Pace{ 0.1, 0.5, 0.25 }, { 0.2, 0.8, 0.35 }, { 0.5, 1.5, 0.4 } }) {
+		CAPTURE(pace.fastest_hz);
+		double shown_s = 0.0;
+		for (int hand = 0; hand < HANDS; ++hand) {
+			Random random(static_cast<std::uint64_t>(hand));
+			const Oscillation wandering(pace.slowest_hz, pace.fastest_hz, WANDERS_M, random);
+			GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
+			double last_s = 0.0;
+			const Way way = [&](double t_s) -> Eigen::Vector3d {
+				shown_s += recogniser.gesture() >= 0 ? t_s - last_s : 0.0;
+				last_s = t_s;
+				return wandering.at(t_s);
+			};
+			watch(recogniser, way, SECONDS);
+		}
+		CHECK(shown_s < pace.share * HANDS * SECONDS);
 	}
 }

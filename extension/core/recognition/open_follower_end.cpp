@@ -1,0 +1,152 @@
+#include "recognition/open_follower.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+/// log odds, at the best that may come, below which for so long a stroke was none after all: one that is well
+/// under way, or any where the gesture has come no further than this, amplitudes. It begins again where it is
+/// well under way.
+constexpr double HOPELESS = -8.0;
+constexpr double HOPELESS_S = 0.1;
+constexpr double BARELY_BEGUN = 0.2;
+/// log odds from which on an end is taken before the hand has come to it.
+constexpr double SURE = 1.5;
+/// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
+/// than this, amplitudes: what follows is the tracker's error.
+constexpr double SLOWED = 0.5;
+constexpr double TAIL = 0.25;
+/// A gesture that comes again competes with others as if a rest had been seen before it, nats: a small
+/// gesture's hand has not settled while a large one's has.
+constexpr double AGAIN = 2.0;
+/// At rest at the end a hand is shown to stray as far as trembling goes, and so many times as far as it did
+/// before the gesture, but no further than this, amplitudes.
+constexpr double STRAYS = 2.0;
+constexpr double FARTHEST_STRAY = 0.2;
+/// Where tracking is lost this near to the end, that was the end.
+constexpr double LOST_AT_END = 0.7;
+
+/// log odds by the best that may come of it.
+double best_odds(const StrokeEvidence &evidence) {
+	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook;
+}
+
+} // namespace
+
+bool OpenFollower::is_near_end(const Stroke &stroke) const {
+	return amplitudes(stroke) > LOST_AT_END;
+}
+
+/// stroke: one of the finder's. What was lost near the end was over too.
+bool OpenFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
+	return stroke.is_lost ? is_near_end(stroke) : strokes.ended();
+}
+
+void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
+	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
+	if (stage() == Stage::MOVING && t_s >= strokes.news_s() + ABSENCES_S.front()) {
+		look_for_end(t_s, strokes, true);
+	}
+	if (stage() != Stage::RESTING && !claims_ && is_gone) {
+		give_way(t_s);
+	}
+}
+
+/// is_missed: nothing more is expected to be seen of it.
+void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
+	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
+	bool is_hopeless = false;
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
+			continue;
+		}
+		const StrokeEvidence evidence = evidence_of(stroke, strokes, axis_);
+		const double path = LOG_PRIOR_OPEN + evidence.so_far();
+		aim(stroke.to);
+		if (best_odds(evidence) > 0.0) {
+			likely_s_ = t_s;
+			furthest_ = std::max(furthest_, amplitudes(stroke));
+			moved_s_ = std::max(moved_s_, stroke.moved_s);
+			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
+			under_way = std::max(under_way, path + again);
+			set_log_odds(under_way);
+		} else if (best_odds(evidence) < HOPELESS &&
+				(amplitudes(stroke) > WELL_UNDER_WAY || furthest_ < BARELY_BEGUN)) {
+			is_hopeless = true;
+		}
+		const double ended = LOG_PRIOR_OPEN + evidence.sum();
+		if (ended > slowed_odds_ && strokes.speed_m_s() < SLOWED * stroke.peak_m_s) {
+			slowed_odds_ = ended;
+			slowed_at_ = stroke.to;
+		}
+		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task().amplitude_m;
+		if (is_missed ? is_near_end(stroke) : is_over(stroke, strokes)) {
+			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
+		} else if (ended > SURE && is_arriving(t_s, stroke)) {
+			size = std::max(size, ended);
+		}
+	}
+	if (size > 0.0) {
+		set_log_odds(size);
+		claims_ = true;
+		end_.end(t_s, strokes.strokes().front(), gone_m(strokes));
+	} else if (t_s - moved_s_ > HeldEnd::HOLD_S) {
+		give_way(t_s); // half-way; the way back of what is given up is over by now, and no gesture
+	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
+		hopeless_s_ = t_s;
+		dismiss(t_s);
+	}
+}
+
+/// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
+/// slowed down too.
+bool OpenFollower::is_arriving(double t_s, const Stroke &stroke) const {
+	return mode() == MotionMode::PHASE && is_at_end(t_s) &&
+			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
+}
+
+void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
+	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
+	if (is_on_its_way) {
+		const Stroke &stroke = strokes.strokes().front();
+		end_.follow(t_s, stroke, task().amplitude_m);
+		log_odds_of_return_ = LOG_PRIOR_TASK +
+				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
+	}
+	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
+		not_before_s_ = strokes.strokes().front().onset_s;
+		dismiss(t_s);
+	} else if (end_.has_returned()) {
+		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
+		dismiss(t_s);
+	} else if (end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
+		not_before_s_ = end_.may_set_out_s();
+		dismiss(t_s);
+	}
+}
+
+/// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
+/// tracker wandered meanwhile; and so is a way on after a second.
+bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
+	if (amplitudes(stroke) < TAIL) {
+		return false;
+	}
+	if ((stroke.to - stroke.from).dot(axis_) > 0.0) {
+		return stroke.onset_s >= end_.may_set_out_s() && best_odds(evidence_of(stroke, strokes, axis_)) > 0.0;
+	}
+	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
+	if (!model().both_ways ||
+			!end_.has_rested(stroke, strokes, std::min(stray_m, FARTHEST_STRAY * task().amplitude_m))) {
+		return false;
+	}
+	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);
+	return evidence.rest > 0.0 && best_odds(evidence) > 0.0;
+}
+
+void OpenFollower::confirm(double t_s) {
+	claims_ = false;
+	arrive(t_s);
+}
+
+} // namespace steadyhand
