@@ -44,7 +44,7 @@ func choice(option: String, allowed: Array) -> String:
 	return _values[option]
 
 
-## A number within the bounds, which are in `unit`.
+## A number within the bounds. `what` it is, with its unit, is for who is told that it is none.
 func number(option: String, lowest: float, highest: float, what: String) -> float:
 	var value := _values[option].to_float()
 	if not _values[option].is_valid_float() or value < lowest or value > highest:
