@@ -16,7 +16,8 @@ constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
 constexpr double STANDS_PER_S = 2.0;  ///< how soon a hand stands half-way
-constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be at the end
+constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be at the end,
+constexpr double STANDS_BEYOND = 1.1; ///< and one so much further is not, where any length may come
 constexpr double SLOW_PER_S = 0.85;   ///< slower than this, as a tracker that wanders shows it
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
 constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has made the gesture
@@ -70,8 +71,10 @@ void choose_rest(HypothesisBank &r_bank) {
 
 } // namespace
 
-HypothesisBirths::HypothesisBirths(const GestureModel &model, const PhaseEffort &effort, double gain_spread) :
-		model_(&model), period_s_(effort.branch_period_s), gain_spread_(gain_spread),
+HypothesisBirths::HypothesisBirths(
+		const GestureModel &model, const PhaseEffort &effort, double gain_spread, bool knows_end) :
+		model_(&model),
+		period_s_(effort.branch_period_s), gain_spread_(gain_spread), knows_end_(knows_end),
 		durations_(effort.durations) {
 	const double relative = model.duration_deviation_s / model.duration_mean_s;
 	const double spread = std::max(std::sqrt(std::log1p(relative * relative)), SMALLEST_SPREAD);
@@ -159,7 +162,8 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 }
 
 void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const {
-	if (x < NEAR_START || x > STANDS_TO || std::abs(per_s) > SLOW_PER_S) {
+	const bool may_be_at_end = x > STANDS_TO && (knows_end_ || x < STANDS_BEYOND);
+	if (x < NEAR_START || may_be_at_end || std::abs(per_s) > SLOW_PER_S) {
 		return;
 	}
 	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });

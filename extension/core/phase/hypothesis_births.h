@@ -13,8 +13,9 @@ namespace steadyhand {
 /// comes to rest, and what of that it may have done while it was not seen.
 class HypothesisBirths {
 public:
-	/// model must outlive this. gain_spread: as PhaseEstimator's.
-	HypothesisBirths(const GestureModel &model, const PhaseEffort &effort, double gain_spread = 1.0);
+	/// model must outlive this. gain_spread, knows_end: as PhaseEstimator's.
+	HypothesisBirths(const GestureModel &model, const PhaseEffort &effort, double gain_spread = 1.0,
+			bool knows_end = true);
 
 	/// The tracker has come back or jumped, and shows x: it may have been astray until now, and the hand at
 	/// rest. Where that had been given up for what the tracker showed, it counts again.
@@ -35,6 +36,7 @@ private:
 	const GestureModel *model_;
 	double period_s_;
 	double gain_spread_;
+	bool knows_end_;
 	std::size_t durations_;
 	std::array<double, PhaseEffort::MOST_DURATIONS> log_durations_{};
 	std::array<double, PhaseEffort::MOST_DURATIONS> log_prior_{};

@@ -36,11 +36,11 @@ constexpr double ERRING_SETTLING_S = 0.15;
 
 } // namespace
 
-PhaseEstimator::PhaseEstimator(
-		const GestureModel &model, const PhaseEffort &effort, double latency_s, double gain_spread) :
+PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s,
+		double gain_spread, bool knows_end) :
 		curve_(model),
-		births_(model, effort, gain_spread), branch_period_s_(effort.branch_period_s),
-		latency_s_(latency_s), now_{ .bank = HypothesisBank(effort) } {}
+		births_(model, effort, gain_spread, knows_end), branch_period_s_(effort.branch_period_s),
+		latency_s_(latency_s), knows_end_(knows_end), now_{ .bank = HypothesisBank(effort) } {}
 
 /// A hand that moves, or is elsewhere than at the start, may be about something else than to rest there.
 void PhaseEstimator::begin(double t_s, double d, double velocity) {
@@ -119,8 +119,8 @@ bool PhaseEstimator::jumps_back(double t_s, double x) const {
 	}
 	const Belief &then = before_leap_.belief;
 	MotionOutlook outlook;
-	outlook.look(then.bank, curve_, then.filtered_s, t_s - then.filtered_s, then.seen_s,
-			soundness_.lasting_unsoundness(), then.halted.is_halted());
+	outlook.look(then.bank, curve_, then.filtered_s, t_s - then.filtered_s, then.seen_s, mistaken(),
+			then.halted.is_halted());
 	return std::abs(x - outlook.at(curve_, t_s).value) < NEARER * std::abs(x - now_.told_x);
 }
 

@@ -31,9 +31,9 @@ class PhaseEstimator {
 public:
 	/// model must outlive the estimator. latency_s: how old what a frame shows always is; the estimate is
 	/// that much ahead of the frames. gain_spread: how many times as freely as with a task a hand may go
-	/// further than 1, or less far.
+	/// further than 1, or less far. knows_end: there is something at 1 that hands go to.
 	explicit PhaseEstimator(const GestureModel &model, const PhaseEffort &effort = {}, double latency_s = 0.0,
-			double gain_spread = 1.0);
+			double gain_spread = 1.0, bool knows_end = true);
 
 	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
 	/// takes it. In amplitudes.
@@ -103,6 +103,7 @@ private:
 	HypothesisBirths births_;
 	double branch_period_s_;
 	double latency_s_;
+	bool knows_end_;
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	TrackingSoundness soundness_;
 	Belief now_;
@@ -114,9 +115,10 @@ private:
 
 	void begin(double t_s, double d, double velocity);
 	void look(double t_s) {
-		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, soundness_.lasting_unsoundness(),
-				now_.halted.is_halted());
+		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, mistaken(), now_.halted.is_halted());
 	}
+	/// How far a free hand that is shown beside the end may be at it, as the tracker has erred.
+	[[nodiscard]] double mistaken() const { return knows_end_ ? soundness_.lasting_unsoundness() : 0.0; }
 	void branch_until(double t_s);
 	void prune();
 	[[nodiscard]] bool jumps_back(double t_s, double x) const;

@@ -20,7 +20,7 @@ GestureFollower::GestureFollower(
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
 		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_OPEN), decoder_(model.hmm, synthesis.decoding),
 		paper_(model), phase_(model, synthesis.effort, synthesis.latency_s,
-							   follows_rest ? 1.0 : feature_->open_gain_spread) {}
+							   follows_rest ? 1.0 : feature_->open_gain_spread, follows_rest) {}
 
 bool GestureFollower::push(
 		const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes) {

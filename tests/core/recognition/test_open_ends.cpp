@@ -291,3 +291,20 @@ TEST_CASE("a hand that goes on from the end after a second makes another gesture
 		}
 	}
 }
+
+TEST_CASE("a hand that goes further than the model is shown where it is, also where its tracker has erred") {
+	for (const double length_m : { 0.26, 0.28 }) {
+		for (const double frozen_s : { 0.15, 0.2, 0.25 }) {
+			for (const double share : { 0.4, 0.5, 0.6 }) {
+				CAPTURE(length_m);
+				CAPTURE(frozen_s);
+				CAPTURE(share);
+				const Drag drag{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = length_m };
+				const double from_s = drag.onset_s + share * drag.duration_s;
+				const Events events = in_the_open(held(along(X, { drag }), from_s, from_s + frozen_s), 2.0);
+				CHECK(events.said == times(1, "sideways"));
+				CHECK(std::abs(events.last_value_m - length_m) < 0.01);
+			}
+		}
+	}
+}
