@@ -96,19 +96,6 @@ Rates rates(const Setting &setting, const HandKind &kind, TrackerKind tracker, C
 	return { counts.ended / minutes, counts.begun / minutes };
 }
 
-/// By hand, and in that by context and tracker, as a table has them.
-std::vector<Rates> rates_of_idle_hands(const Setting &setting) {
-	std::vector<Rates> all;
-	for (const HandKind &hand : IDLE_HANDS) {
-		for (const NamedContext &context : CONTEXTS) {
-			for (const NamedTracker &tracker : TRACKERS) {
-				all.push_back(rates(setting, hand, tracker.kind, context.context));
-			}
-		}
-	}
-	return all;
-}
-
 /// A cell of each tracker, first with the task given, then with nothing.
 template <class Measure> void print_table(std::span<const HandKind> hands, int decimals, Measure measure) {
 	std::printf("| hand | 0.1 mm, task | 1 mm, task | bad, task | 0.1 mm, nothing given | 1 mm | bad |\n"
@@ -212,12 +199,13 @@ int main(int count, char **arguments) {
 	print_table(GESTURING_HANDS, 0, [&](const HandKind &hand, TrackerKind tracker, Context context) {
 		return percent_right(setting, hand, tracker, context);
 	});
-	const std::vector<Rates> idle = rates_of_idle_hands(setting);
-	std::size_t cell = 0;
+	std::vector<Rates> idle;
 	std::printf("\nFalse alarms a minute:\n\n");
-	print_table(IDLE_HANDS, 2, [&](auto...) { return idle[cell++].ended; });
-	cell = 0;
+	print_table(IDLE_HANDS, 2, [&](const HandKind &hand, TrackerKind tracker, Context context) {
+		return idle.emplace_back(rates(setting, hand, tracker, context)).ended;
+	});
+	auto cell = idle.begin();
 	std::printf("\nBegun a minute, whatever became of them:\n\n");
-	print_table(IDLE_HANDS, 1, [&](auto...) { return idle[cell++].begun; });
+	print_table(IDLE_HANDS, 1, [&](auto...) { return (cell++)->begun; });
 	return 0;
 }

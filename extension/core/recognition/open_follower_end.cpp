@@ -62,17 +62,16 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 			continue;
 		}
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, axis_);
-		const double path = LOG_PRIOR_OPEN + evidence.so_far();
+		const double path = LOG_PRIOR_OPEN + evidence.so_far(), best = best_odds(evidence);
 		aim(stroke.to);
-		if (best_odds(evidence) > 0.0) {
+		if (best > 0.0) {
 			likely_s_ = t_s;
 			furthest_ = std::max(furthest_, amplitudes(stroke));
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
 			under_way = std::max(under_way, path + again);
 			set_log_odds(under_way);
-		} else if (best_odds(evidence) < HOPELESS &&
-				(amplitudes(stroke) > WELL_UNDER_WAY || furthest_ < BARELY_BEGUN)) {
+		} else if (best < HOPELESS && (furthest_ < BARELY_BEGUN || amplitudes(stroke) > WELL_UNDER_WAY)) {
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
