@@ -1,6 +1,7 @@
 #include "gesture_hmm.h"
 
 #include "conversions.h"
+#include "node_label.h"
 
 #include "recognition/gesture_recogniser.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace godot {
 
@@ -30,7 +32,7 @@ void GestureHMM::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
 		set_process_internal(false);
 		if (tracker_ == nullptr) {
-			WARN_PRINT("GestureHMM: nothing is recognised until its \"tracker\" is set");
+			WARN_PRINT(node_label(*this) + ": nothing is recognised until its \"tracker\" is set");
 		}
 	}
 }
@@ -38,31 +40,46 @@ void GestureHMM::_notification(int p_what) {
 void GestureHMM::reset() {
 	outdated_ = true;
 	recognised_ = StringName();
-	const bool was_active = shown_.state >= 0;
-	shown_ = {};
-	if (was_active) {
+	give_up_shown(get_gesture());
+}
+
+void GestureHMM::give_up_shown(const StringName &p_gesture) {
+	const Watch watch(listeners_);
+	const Shown before = std::exchange(shown_, {});
+	if (before.gesture >= 0 && !before.arrived) {
+		emit_signal(names_.gesture_aborted, p_gesture);
+	}
+	if (before.state >= 0 && !watch.is_gone() && shown_.state < 0) {
 		emit_signal(names_.state_changed, -1);
 	}
 }
 
+void GestureHMM::on_stream_started() {
+	++stream_;
+	reset();
+}
+
 bool GestureHMM::prepare(double p_time_s) {
 	const Watch watch(listeners_);
+	const uint64_t this_stream = stream_;
+	const auto is_over = [&] { return watch.is_gone() || stream_ != this_stream; };
 	if (recogniser_ && std::abs(p_time_s - time_s_) > LONGEST_GAP_S) {
 		reset();
-		if (watch.is_gone()) {
+		if (is_over()) {
 			return false;
 		}
 		if (++leaps_ == LEAPS_TOLD) {
-			WARN_PRINT("GestureHMM: time stamps leap by more than 10 s from frame to frame, and nothing is "
-					   "recognised across such a gap; stamps are seconds");
+			WARN_PRINT(node_label(*this) +
+					": time stamps leap by more than 10 s from frame to frame, and nothing is "
+					"recognised across such a gap; stamps are seconds");
 		}
 	} else if (p_time_s > time_s_) {
 		leaps_ = 0;
 	}
 	if (!outdated_ && is_task_gone()) {
-		reset();
+		update_expected();
 	}
-	if (watch.is_gone()) {
+	if (is_over()) {
 		return false;
 	}
 	if (!outdated_) {
@@ -74,12 +91,13 @@ bool GestureHMM::prepare(double p_time_s) {
 	next_instant_ = static_cast<int64_t>(std::ceil(p_time_s * CONTROL_RATE_HZ));
 	time_s_ = p_time_s;
 	listeners_.call(&MotionListener::on_motion_started);
-	return true;
+	return !is_over();
 }
 
 bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 	const Watch watch(listeners_);
-	const uint64_t this_build = build_;
+	const uint64_t this_stream = stream_;
+	uint64_t this_build = build_;
 	// A script that is told of an instant may change settings, or push the next frame.
 	while (!watch.is_gone() && build_ == this_build && !outdated_) {
 		const double instant_s = static_cast<double>(next_instant_) / CONTROL_RATE_HZ;
@@ -90,8 +108,12 @@ bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 		recogniser_->advance(instant_s);
 		time_s_ = instant_s;
 		publish();
+		if (!watch.is_gone() && build_ == this_build && expects_others_ && !outdated_) {
+			update_expected();
+			this_build = watch.is_gone() ? 0 : build_;
+		}
 	}
-	return !watch.is_gone();
+	return !watch.is_gone() && stream_ == this_stream;
 }
 
 void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
@@ -119,12 +141,14 @@ void GestureHMM::publish() {
 	const Shown before = shown_;
 	shown_.gesture = under_way ? recogniser_->gesture() : -1;
 	shown_.state = under_way ? follower->state() : -1;
+	shown_.begun = under_way ? follower->gestures_begun() : 0;
 	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
-	const bool started = under_way && shown_.gesture != before.gesture;
-	gestures_begun_ += started || (before.arrived && under_way && !shown_.arrived) ? 1 : 0;
-	task_changes_ = started ? 0 : task_changes_;
+	const bool is_other = shown_.gesture != before.gesture || shown_.begun != before.begun;
+	const bool started = under_way && is_other;
+	gestures_begun_ += started ? 1 : 0;
 	const bool ended = shown_.arrived && (started || !before.arrived);
-	const bool aborted = before.gesture >= 0 && !before.arrived && shown_.gesture != before.gesture;
+	task_changes_ = ended ? 0 : task_changes_;
+	const bool aborted = before.gesture >= 0 && !before.arrived && is_other;
 	const bool state_changed = started || shown_.state != before.state;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
@@ -140,7 +164,10 @@ void GestureHMM::publish() {
 	// What was recognised before a script changed settings is no news after that.
 	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
-	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
+	const auto is_valid = [&] {
+		return !watch.is_gone() && build_ == this_build && !outdated_ && !expects_others_;
+	};
+	++telling_;
 	if (aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
@@ -155,6 +182,9 @@ void GestureHMM::publish() {
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {
 		emit_signal(names_.motion_updated, instant_s);
+	}
+	if (!watch.is_gone()) {
+		--telling_;
 	}
 }
 

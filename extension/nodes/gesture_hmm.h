@@ -19,6 +19,7 @@
 
 namespace steadyhand {
 class GestureRecogniser;
+struct ExpectedGesture;
 } // namespace steadyhand
 
 namespace godot {
@@ -89,7 +90,7 @@ public:
 	void add_listener(MotionListener *p_listener) { listeners_.add(p_listener); }
 	void remove_listener(MotionListener *p_listener) { listeners_.remove(p_listener); }
 
-	void on_stream_started() override { reset(); }
+	void on_stream_started() override;
 	void on_frame(const steadyhand::HandFrame &p_frame) override;
 	void on_time_advanced(double p_time_s) override;
 	void on_tracker_freed() override;
@@ -110,7 +111,8 @@ private:
 	};
 	/// What scripts see of the recognition, as of the last control instant.
 	struct Shown {
-		int gesture = -1; ///< index into expected_
+		int gesture = -1;   ///< index into expected_
+		uint32_t begun = 0; ///< GestureFollower::gestures_begun
 		int state = -1;
 		bool arrived = false;
 	};
@@ -141,14 +143,18 @@ private:
 	std::vector<Expected> expected_; ///< by the recogniser
 	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
 	bool outdated_ = true;
-	uint64_t build_ = 0;
+	/// Models or tasks changed while an instant was told: taken up after it.
+	bool expects_others_ = false;
+	int telling_ = 0;    ///< instants, one in a signal of the other
+	uint64_t build_ = 0; ///< of recogniser_, or of what it expects
+	uint64_t stream_ = 0;
 	int64_t next_instant_ = 0; ///< in control periods on the frames' clock
 	double time_s_ = 0.0;
 	Shown shown_;
 	StringName recognised_;
 	uint32_t gestures_begun_ = 0;
 	String warned_;
-	int task_changes_ = 0;                        ///< since a gesture last began
+	int task_changes_ = 0;                        ///< since a gesture last ended
 	int leaps_ = 0;                               ///< gaps too long to connect, one after the other
 	int frames_with_hand_ = 0;                    ///< since the recogniser was made
 	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
@@ -156,14 +162,20 @@ private:
 	/// What is told may free this node with its scene.
 	using Watch = ListenerList<MotionListener>::Watch;
 
-	/// False where this node is gone since, as run_clock().
+	/// False where this node is gone since, or follows another stream, as run_clock().
 	[[nodiscard]] bool prepare(double p_time_s);
+	static bool is_usable(const Ref<GestureModel> &p_model);
+	static steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model);
 	/// By the models as they are now, at no place.
 	std::vector<Expected> find_usable() const;
 	/// By the models and tasks as they are now.
 	std::vector<Expected> find_expected() const;
+	static std::vector<steadyhand::ExpectedGesture> core_of(const std::vector<Expected> &p_expected);
 	bool is_task_gone() const;
 	void build_recogniser();
+	void update_expected();
+	/// What was under way is so no longer, and that is told; it may free this node.
+	void give_up_shown(const StringName &p_gesture);
 	void warn_of_silence();
 	void watch_joints(uint8_t p_tracked);
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
@@ -181,6 +193,7 @@ private:
 	bool has_model_of(const StringName &p_gesture) const;
 	StringName gesture_name(int p_expected) const;
 	void on_settings_changed();
+	void on_expected_changed();
 	void on_task_changed();
 	void connect_changed(Object *p_object, const Callable &p_callable, bool p_connect);
 };

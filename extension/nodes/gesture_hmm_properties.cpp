@@ -30,20 +30,20 @@ GestureHMM::~GestureHMM() {
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	if (listen_to(p_tracker, tracker_, this)) {
-		reset();
 		joints_seen_ = joints_missed_ = 0;
 		update_configuration_warnings();
+		on_stream_started();
 	}
 }
 
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
 	update_configuration_warnings();
-	reset();
+	on_stream_started();
 }
 
 void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
-	const Callable callable = callable_mp(this, &GestureHMM::on_settings_changed);
+	const Callable callable = callable_mp(this, &GestureHMM::on_expected_changed);
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		connect_changed(models_[i], callable, false);
 	}
@@ -51,7 +51,7 @@ void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		connect_changed(models_[i], callable, true);
 	}
-	on_settings_changed();
+	on_expected_changed();
 }
 
 void GestureHMM::connect_changed(Object *p_object, const Callable &p_callable, bool p_connect) {
@@ -66,8 +66,8 @@ void GestureHMM::connect_changed(Object *p_object, const Callable &p_callable, b
 }
 
 void GestureHMM::on_settings_changed() {
-	reset();
 	update_configuration_warnings();
+	reset();
 }
 
 void GestureHMM::set_mode(Mode p_mode) {

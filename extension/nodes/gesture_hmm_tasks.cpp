@@ -18,34 +18,9 @@ namespace godot {
 
 namespace {
 
-/// Without a gesture in between; a script may set some properties one by one, or slide a task into its place.
+/// Without one that ends in between; a script may set some properties one by one, or slide a task into its
+/// place.
 constexpr int TASK_CHANGES_TOLD = 100;
-/// Frames with a hand in them: two seconds of a usual tracker's.
-constexpr int FRAMES_WATCHED = 200;
-
-bool is_usable(const Ref<GestureModel> &p_model) {
-	return p_model.is_valid() && p_model->core() != nullptr &&
-			steadyhand::find_feature(p_model->core()->feature) != nullptr;
-}
-
-steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
-	if (steadyhand::find_feature(p_model.feature)->is_radius) {
-		// Wherever the node is and however it is turned.
-		return { Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0), Eigen::Vector3d::UnitX(),
-			p_task.get_amplitude() };
-	}
-	return { to_core(p_task.get_start()), to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
-}
-
-String joint_list(uint8_t p_joints) {
-	String names;
-	for (std::size_t i = 0; i < steadyhand::JOINT_COUNT; ++i) {
-		if ((p_joints >> i & 1U) != 0) {
-			names += (names == String() ? String() : String(", ")) + to_godot(steadyhand::JOINT_NAMES[i]);
-		}
-	}
-	return names;
-}
 
 } // namespace
 
@@ -57,6 +32,20 @@ GestureTask *GestureHMM::get_current_task() const {
 	return shown_.gesture >= 0 ? Object::cast_to<GestureTask>(ObjectDB::get_instance(
 										 expected_[static_cast<std::size_t>(shown_.gesture)].task))
 							   : nullptr;
+}
+
+bool GestureHMM::is_usable(const Ref<GestureModel> &p_model) {
+	return p_model.is_valid() && p_model->core() != nullptr &&
+			steadyhand::find_feature(p_model->core()->feature) != nullptr;
+}
+
+steadyhand::Task GestureHMM::core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
+	if (steadyhand::find_feature(p_model.feature)->is_radius) {
+		// Wherever the node is and however it is turned.
+		return { Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0), Eigen::Vector3d::UnitX(),
+			p_task.get_amplitude() };
+	}
+	return { to_core(p_task.get_start()), to_core(p_task.get_axis()).normalized(), p_task.get_amplitude() };
 }
 
 std::vector<GestureHMM::Expected> GestureHMM::find_usable() const {
@@ -95,19 +84,54 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 	return is_told ? at_tasks : anywhere;
 }
 
+std::vector<steadyhand::ExpectedGesture> GestureHMM::core_of(const std::vector<Expected> &p_expected) {
+	std::vector<steadyhand::ExpectedGesture> gestures;
+	gestures.reserve(p_expected.size());
+	for (const Expected &one : p_expected) {
+		gestures.push_back({ one.model, one.place });
+	}
+	return gestures;
+}
+
 void GestureHMM::build_recogniser() {
+	expects_others_ = false;
 	expected_ = find_expected();
 	warn_of_silence();
 	frames_with_hand_ = 0;
-	std::vector<steadyhand::ExpectedGesture> gestures;
-	gestures.reserve(expected_.size());
-	for (const Expected &one : expected_) {
-		gestures.push_back({ one.model, one.place });
-	}
-	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(std::move(gestures),
+	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
 			static_cast<steadyhand::MotionMode>(mode_),
 			steadyhand::phase_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 	recogniser_->set_min_confidence(min_confidence_);
+}
+
+/// What goes on at tasks and models that are as they were goes on.
+void GestureHMM::update_expected() {
+	expects_others_ = false;
+	std::vector<Expected> expected = find_expected();
+	if (expected == expected_) {
+		return;
+	}
+	++build_;
+	// The one whose motion is put out: while none is under way the first.
+	const auto put_out = [this] { return static_cast<std::size_t>(std::max(recogniser_->gesture(), 0)); };
+	const std::size_t before = put_out();
+	const std::vector<int> now = recogniser_->expect(core_of(expected));
+	const bool motion_goes_on = before < now.size() && now[before] == static_cast<int>(put_out());
+	frames_with_hand_ = 0;
+	const StringName gesture = get_gesture();
+	expected_ = std::move(expected);
+	warn_of_silence();
+	const int shown = shown_.gesture >= 0 ? now[static_cast<std::size_t>(shown_.gesture)] : -1;
+	if (shown >= 0) {
+		shown_.gesture = shown;
+	}
+	const Watch watch(listeners_);
+	if (!motion_goes_on) {
+		listeners_.call(&MotionListener::on_motion_started);
+	}
+	if (shown < 0 && !watch.is_gone()) {
+		give_up_shown(gesture);
+	}
 }
 
 /// Who is freed tells nobody.
@@ -115,117 +139,6 @@ bool GestureHMM::is_task_gone() const {
 	return std::any_of(expected_.begin(), expected_.end(), [](const Expected &one) {
 		return one.task.is_valid() && ObjectDB::get_instance(one.task) == nullptr;
 	});
-}
-
-/// Of what keeps it from recognising; once, however often it is made anew.
-void GestureHMM::warn_of_silence() {
-	String warning;
-	if (models_.is_empty()) {
-		warning = "GestureHMM: nothing will be recognised, since it has no models";
-	}
-	for (int64_t i = 0; i < models_.size(); ++i) {
-		const Ref<GestureModel> model = models_[i];
-		if (model.is_valid() && model->core() != nullptr && !is_usable(model)) {
-			warning = String("GestureHMM: the model of '") + String(model->get_gesture()) +
-					String("' needs the feature '") + model->get_feature() +
-					String("', which this version does not have");
-		}
-	}
-	const std::size_t usable = find_usable().size();
-	if (usable == 0 && warning == String()) {
-		warning = "GestureHMM: nothing will be recognised, since none of its models holds a gesture";
-	}
-	int64_t tasks = 0;
-	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
-		const GestureTask *const task = task_at(i);
-		if (task == nullptr) {
-			continue;
-		}
-		++tasks;
-		if (task->get_gesture() == StringName() && usable > 1) {
-			warning = String("GestureHMM: the place of a task is not used, since it does not say which of "
-							 "the ") +
-					String::num_int64(static_cast<int64_t>(usable)) +
-					String(" models it is for; set the GestureTask's \"gesture\"");
-		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
-			warning = String("GestureHMM: nothing will be recognised at a task, since none of its models is "
-							 "of the "
-							 "gesture '") +
-					String(task->get_gesture()) + String("'");
-		} else if (const String fault = place_fault(*task); fault != String()) {
-			warning = String("GestureHMM: ") + fault;
-		}
-	}
-	if (warning == String() && tasks == 0 && !tasks_.is_empty()) {
-		warning = "GestureHMM: nothing will be recognised, since none of its tasks is there any more; set "
-				  "\"tasks\" to others, or to an empty array for gestures anywhere";
-	}
-	if (warning == String() && taskless_fault() != String()) {
-		warning = String("GestureHMM: ") + taskless_fault();
-	}
-	if (warning != String() && warning != warned_) {
-		WARN_PRINT(warning);
-	}
-	warned_ = std::move(warning);
-}
-
-/// Of a tracker that never shows what a task's gesture, or the only one, is measured by; once for each such
-/// joint. Where several are waited for anywhere, that some cannot come may be meant.
-void GestureHMM::watch_joints(uint8_t p_tracked) {
-	joints_seen_ |= p_tracked;
-	if (p_tracked == 0 || ++frames_with_hand_ != FRAMES_WATCHED) {
-		return;
-	}
-	for (const Expected &one : expected_) {
-		const uint8_t needed = steadyhand::find_feature(one.model->feature)->joints;
-		const uint8_t missed = needed & ~joints_seen_;
-		const bool is_waited_for = one.place.has_value() || expected_.size() == 1;
-		if (!is_waited_for || (missed & ~joints_missed_) == 0) {
-			continue;
-		}
-		joints_missed_ |= missed;
-		WARN_PRINT(String("GestureHMM: nothing is recognised of '") + String(one.gesture) +
-				String("', which is measured by ") + joint_list(needed) + String(": no frame has held ") +
-				joint_list(missed));
-	}
-}
-
-String GestureHMM::place_fault(const GestureTask &p_task) const {
-	const std::vector<Expected> usable = find_usable();
-	for (const Expected &one : usable) {
-		// As find_expected() uses the place.
-		const bool is_for_it = p_task.get_gesture() == StringName() ? usable.size() == 1
-																	: p_task.get_gesture() == one.gesture;
-		if (!is_for_it) {
-			continue;
-		}
-		const steadyhand::Task place = core_task(p_task, *one.model);
-		if (steadyhand::find_feature(one.model->feature)->is_radius) {
-			if (place.start_m.x() <= 0.0) {
-				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
-						String("' to the radius at its start; it is 0.");
-			}
-		} else if (!place.start_m.allFinite()) {
-			return String("Place ") + node_label(p_task) + String(", the task of '") + String(one.gesture) +
-					String("': its global position is not finite.");
-		} else if (place.axis.isZero()) {
-			return String("Set \"direction\" of the task of '") + String(one.gesture) +
-					String("' to the way the hand moves; it is zero.");
-		}
-	}
-	return String();
-}
-
-String GestureHMM::taskless_fault() const {
-	for (const Expected &one : find_expected()) {
-		if (!one.place && steadyhand::find_feature(one.model->feature)->place == nullptr) {
-			return String("Add a GestureTask of '") + String(one.gesture) +
-					String("' to \"tasks\": its motion is measured about the task's start, and without one "
-						   "it "
-						   "is not recognised.");
-		}
-	}
-	return String();
 }
 
 bool GestureHMM::has_model_of(const StringName &p_gesture) const {
@@ -259,7 +172,7 @@ void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
 		connect_changed(task_at(i), callable, true);
 	}
-	on_settings_changed();
+	on_expected_changed();
 }
 
 /// A node tells that it was moved once the frame is over: by then the place may be in use already.
@@ -269,11 +182,20 @@ void GestureHMM::on_task_changed() {
 	}
 	// In the editor, and where nothing has been seen since, there is nothing that could start anew.
 	if (!outdated_ && ++task_changes_ == TASK_CHANGES_TOLD) {
-		WARN_PRINT("GestureHMM: a GestureTask keeps moving, and the recognition starts anew each time; it "
-				   "must not "
-				   "be a child of what the gesture moves");
+		WARN_PRINT(node_label(*this) +
+				": a GestureTask keeps moving, and its gesture starts anew each time; it must "
+				"not be a child of what the gesture moves");
 	}
-	on_settings_changed();
+	on_expected_changed();
+}
+
+void GestureHMM::on_expected_changed() {
+	update_configuration_warnings();
+	if (telling_ > 0) {
+		expects_others_ = true;
+	} else if (!outdated_) {
+		update_expected();
+	}
 }
 
 } // namespace godot

@@ -51,6 +51,7 @@ void GestureTrainer::set_r2_threshold(double p_threshold) {
 
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
+	const Ref<GestureTrainer> kept(this); // whoever is told of progress may let go of it
 	cancelled_ = false;
 	is_training_ = true;
 	Ref<GestureModel> model = train_on(p_trial_set, p_gesture);

@@ -1,6 +1,7 @@
 #include "hand_tracker.h"
 
 #include "conversions.h"
+#include "node_label.h"
 #include "track_file.h"
 #include "trial_dictionary.h"
 #include "written_file.h"
@@ -85,13 +86,13 @@ Error HandTracker::start() {
 	synthetic_trial_ = Dictionary();
 	finished_ = false;
 	clock_set_ = false;
-	complained_ = false;
+	complained_ = 0;
 	time_s_ = start_time_s_ = duration_s_ = 0.0;
 	if (source_ != SOURCE_SCRIPT) {
 		steadyhand::Result<std::vector<steadyhand::HandFrame>> frames = load_frames();
 		if (!frames) {
 			const String message = to_godot(frames.error());
-			ERR_PRINT(String("HandTracker: ") + message);
+			ERR_PRINT(node_label(*this) + String(": ") + message);
 			emit_signal("source_unavailable", message);
 			return ERR_CANT_OPEN;
 		}
@@ -103,7 +104,7 @@ Error HandTracker::start() {
 	running_ = true;
 	update_processing();
 	const uint64_t this_run = run_;
-	listeners_.call(&FrameListener::on_stream_started);
+	listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_stream_started);
 	if (goes_on(watch, this_run)) {
 		emit_signal("source_ready");
 	}
@@ -173,7 +174,7 @@ void HandTracker::advance_to(double p_time_s) {
 		steadyhand::HandFrame frame;
 		while (playback.next(p_time_s, frame)) {
 			if (new_round) {
-				listeners_.call(&FrameListener::on_stream_started);
+				listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_stream_started);
 			}
 			if (goes_on(watch, this_run)) {
 				deliver(frame);
@@ -199,23 +200,25 @@ void HandTracker::advance_to(double p_time_s) {
 void HandTracker::tell_time(double p_time_s) {
 	if (p_time_s >= time_s_) {
 		time_s_ = p_time_s;
-		listeners_.call(&FrameListener::on_time_advanced, time_s_);
+		const uint64_t this_run = run_;
+		listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_time_advanced, p_time_s);
 	}
 }
 
 Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, double p_confidence) {
 	if (source_ != SOURCE_SCRIPT) {
-		return refuse_frame("set source to SOURCE_SCRIPT first");
+		return refuse_frame(Refusal::OTHER_SOURCE, "set source to SOURCE_SCRIPT first");
 	}
 	if (!running_ || playback_) {
-		return refuse_frame("start() the tracker first");
+		return refuse_frame(Refusal::NOT_RUNNING, "start() the tracker first");
 	}
 	if (!is_usable_time(p_time_s)) {
-		return refuse_frame(TIME_FAULT);
+		return refuse_frame(Refusal::NO_TIME, TIME_FAULT);
 	}
 	if (clock_set_ && p_time_s < time_s_) {
-		return refuse_frame(String("the time ") + String::num(p_time_s) + String(" s is before ") +
-				String::num(time_s_) + String(" s"));
+		return refuse_frame(Refusal::OLDER,
+				String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
+						String(" s"));
 	}
 	steadyhand::HandFrame frame;
 	frame.t_s = p_time_s;
@@ -232,7 +235,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		}
 	}
 	if (known != p_joints.size()) {
-		return refuse_frame(fault_of(p_joints));
+		return refuse_frame(Refusal::NO_JOINTS, fault_of(p_joints));
 	}
 	if (!clock_set_) {
 		start_time_s_ = p_time_s;
@@ -248,10 +251,11 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 	return OK;
 }
 
-Error HandTracker::refuse_frame(const String &p_reason) {
-	if (!complained_) {
-		complained_ = true;
-		ERR_PRINT(String("HandTracker.push_frame: ") + p_reason + String(" (said once a run)"));
+Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
+	const auto bit = static_cast<uint8_t>(1U << static_cast<unsigned>(p_refusal));
+	if ((complained_ & bit) == 0) {
+		complained_ |= bit;
+		ERR_PRINT(node_label(*this) + String(": push_frame: ") + p_reason + String(" (said once a run)"));
 	}
 	return ERR_INVALID_PARAMETER;
 }
@@ -274,7 +278,7 @@ void HandTracker::deliver(const steadyhand::HandFrame &p_frame) {
 	}
 	set_hand_present(tracked_ != 0);
 	if (goes_on(watch, this_run)) {
-		listeners_.call(&FrameListener::on_frame, p_frame);
+		listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_frame, p_frame);
 	}
 	if (goes_on(watch, this_run) && has_connections(names_.frame_received)) {
 		emit_signal(names_.frame_received, p_frame.t_s);
@@ -314,7 +318,9 @@ Error HandTracker::start_recording(const String &p_path) {
 	if (const Error error = WrittenFile::check_free(*this, p_path); error != OK) {
 		return error;
 	}
-	stop_recording();
+	if (recorder_ && is_same_file(p_path, recorder_->path())) {
+		stop_recording();
+	}
 	auto opened = std::make_unique<TrackRecorder>();
 	const Error error = opened->open(*this, p_path);
 	if (error == OK) {

@@ -79,6 +79,8 @@ protected:
 	void _validate_property(PropertyInfo &p_property) const;
 
 private:
+	/// Of a pushed frame; each is explained once a run.
+	enum class Refusal : uint8_t { OTHER_SOURCE, NOT_RUNNING, NO_TIME, OLDER, NO_JOINTS };
 	/// Names that each frame needs: making one takes a lock.
 	struct SignalNames {
 		StringName frame_received = "frame_received";
@@ -115,7 +117,7 @@ private:
 	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m_; ///< last seen ones
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
-	bool complained_ = false; ///< of a bad pushed frame, in this run
+	uint8_t complained_ = 0; ///< bit i: of a pushed frame, by Refusal i, in this run
 
 	/// What is told of a frame may free this node.
 	using Watch = ListenerList<FrameListener>::Watch;
@@ -123,7 +125,7 @@ private:
 	bool goes_on(const Watch &p_watch, uint64_t p_run) const { return !p_watch.is_gone() && run_ == p_run; }
 
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
-	Error refuse_frame(const String &p_reason);
+	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	void deliver(const steadyhand::HandFrame &p_frame);
 	void tell_time(double p_time_s);
 	void set_hand_present(bool p_present);

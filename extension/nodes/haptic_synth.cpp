@@ -4,6 +4,7 @@
 #include "gesture_hmm.h"
 #include "gesture_task.h"
 #include "listener_list.h"
+#include "node_label.h"
 #include "sample_rates.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -209,7 +210,7 @@ void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	connect_effects(false);
 	effects_ = p_effects.duplicate();
 	if (effects_.size() > static_cast<int64_t>(steadyhand::EffectSet::MOST)) {
-		WARN_PRINT(String("HapticSynth: only the first ") + itos(steadyhand::EffectSet::MOST) +
+		WARN_PRINT(node_label(*this) + String(": only the first ") + itos(steadyhand::EffectSet::MOST) +
 				" effects are played");
 	}
 	connect_effects(true);
@@ -261,7 +262,7 @@ void HapticSynth::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
 		set_process_internal(false);
 		if (gesture_hmm_ == nullptr) {
-			WARN_PRINT("HapticSynth: nothing is felt until its \"gesture_hmm\" is set");
+			WARN_PRINT(node_label(*this) + ": nothing is felt until its \"gesture_hmm\" is set");
 		}
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);

@@ -2,6 +2,8 @@
 
 #include "haptic_synth.h"
 
+#include "node_label.h"
+
 #include <godot_cpp/classes/audio_server.hpp>
 #include <godot_cpp/classes/audio_stream_player.hpp>
 #include <godot_cpp/classes/engine.hpp>
@@ -61,7 +63,7 @@ void HapticSynth::update_player() {
 	const bool exists = bus_exists();
 	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
-		ERR_PRINT(String("HapticSynth: there is no audio bus '") + String(bus_) +
+		ERR_PRINT(node_label(*this) + String(": there is no audio bus '") + String(bus_) +
 				String("'; nothing is played"));
 	}
 	if (player_ != nullptr && (!exists || player_->get_bus() != bus_)) {

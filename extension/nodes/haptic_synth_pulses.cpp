@@ -2,6 +2,8 @@
 
 #include "haptic_synth.h"
 
+#include "node_label.h"
+
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/input.hpp>
 #include <godot_cpp/classes/project_settings.hpp>
@@ -69,7 +71,7 @@ void HapticSynth::update_pulses() {
 	add_sink_warnings(missing);
 	for (int64_t i = 0; i < missing.size(); ++i) {
 		if (!told_.has(missing[i])) {
-			WARN_PRINT(String("HapticSynth: ") + missing[i]);
+			WARN_PRINT(node_label(*this) + String(": ") + missing[i]);
 		}
 	}
 	told_ = std::move(missing);
@@ -90,7 +92,7 @@ void HapticSynth::on_joypad_changed(int64_t p_joypad, bool p_is_connected) {
 	}
 	update_configuration_warnings();
 	if (!p_is_connected && !Engine::get_singleton()->is_editor_hint()) {
-		WARN_PRINT(String("HapticSynth: joypad ") + itos(joypad_) + String(" is gone"));
+		WARN_PRINT(node_label(*this) + String(": joypad ") + itos(joypad_) + String(" is gone"));
 	}
 }
 

@@ -34,9 +34,16 @@ public:
 
 	template <class... Arguments, class... Values>
 	void call(void (Listener::*p_method)(Arguments...), const Values &...p_values) {
+		call_while([] { return true; }, p_method, p_values...);
+	}
+
+	/// As long as p_goes_on() says so, which is asked before each.
+	template <class Predicate, class... Arguments, class... Values>
+	void call_while(
+			const Predicate &p_goes_on, void (Listener::*p_method)(Arguments...), const Values &...p_values) {
 		const Watch watch(*this);
 		++calls_;
-		for (std::size_t i = 0; !watch.is_gone() && i < listeners_.size(); ++i) {
+		for (std::size_t i = 0; !watch.is_gone() && i < listeners_.size() && p_goes_on(); ++i) {
 			if (listeners_[i] != nullptr) {
 				(listeners_[i]->*p_method)(p_values...);
 			}

@@ -9,6 +9,9 @@
 namespace godot {
 
 String cannot_open(const String &p_path, Error p_error) {
+	if (DirAccess::dir_exists_absolute(p_path)) {
+		return p_path + String(": this is a folder, not a file");
+	}
 	switch (p_error) {
 		case ERR_FILE_NOT_FOUND:
 			return p_path + String(": there is no such file or folder");

@@ -22,6 +22,7 @@ public:
 	/// decreases.
 	void write(const steadyhand::HandFrame &p_frame);
 	~TrackRecorder();
+	const String &path() const { return path_; }
 
 private:
 	static constexpr double FLUSH_EVERY_S = 1.0;

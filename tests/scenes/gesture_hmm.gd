@@ -252,8 +252,8 @@ func test_what_keeps_it_from_recognising_is_said() -> void:
 	# expects warning: none of its models is of the gesture 'tap'
 	# expects warning: Set "direction" of the task of 'horizontal_drag'
 	# expects warning: Set "start_radius" of the task of 'zoom'
-	# expects warning: GestureHMM: nothing is recognised until its "tracker" is set
-	# expects warning: HapticSynth: nothing is felt until its "gesture_hmm" is set
+	# expects warning: nothing is recognised until its "tracker" is set
+	# expects warning: nothing is felt until its "gesture_hmm" is set
 	var rig := _make_rig(STABLE)
 	var hmm := rig.gesture_hmm
 	var own := hmm.models

@@ -25,9 +25,10 @@ RecordedCurve reference_motion(const Feature &feature, const TrainingRecording &
 	return curve;
 }
 
-/// Of a recording whose gesture has no length, or is not wholly where its reference can show it.
+/// Of a recording whose gesture has no length, or no end, or is not wholly where its reference can show it.
 std::optional<std::string> recording_error(const TrainingRecording &recording) {
-	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
+	constexpr double ROUNDING_S = 1e-6;          // stamps are decimal text
+	constexpr double LONGEST_GESTURE_S = 3600.0; // as a model may say
 	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
 		return recording.name + ": its amplitude_m is empty or not above 0";
 	}
@@ -35,13 +36,20 @@ std::optional<std::string> recording_error(const TrainingRecording &recording) {
 	if (frames.empty()) {
 		return recording.name + ": its reference has no frames";
 	}
-	if (recording.start_s < recording.end_s && recording.start_s >= frames.front().t_s - ROUNDING_S &&
-			recording.end_s <= frames.back().t_s + ROUNDING_S) {
-		return std::nullopt;
+	const bool is_within = recording.start_s < recording.end_s &&
+			recording.start_s >= frames.front().t_s - ROUNDING_S &&
+			recording.end_s <= frames.back().t_s + ROUNDING_S;
+	if (!is_within) {
+		return recording.name + ": start_s " + std::to_string(recording.start_s) + " .. end_s " +
+				std::to_string(recording.end_s) + " is not within its reference, " +
+				std::to_string(frames.front().t_s) + " .. " + std::to_string(frames.back().t_s) + " s";
 	}
-	return recording.name + ": start_s " + std::to_string(recording.start_s) + " .. end_s " +
-			std::to_string(recording.end_s) + " is not within its reference, " +
-			std::to_string(frames.front().t_s) + " .. " + std::to_string(frames.back().t_s) + " s";
+	if (recording.end_s - recording.start_s > LONGEST_GESTURE_S) {
+		return recording.name + ": its gesture takes " + std::to_string(recording.end_s - recording.start_s) +
+				" s, and " + std::to_string(static_cast<int>(LONGEST_GESTURE_S)) +
+				" are the most; start_s, end_s and t are seconds";
+	}
+	return std::nullopt;
 }
 
 } // namespace

@@ -28,7 +28,7 @@ struct RecordedMovements {
 };
 
 /// The recordings must outlive what is returned. Errors: an amplitude that is not above 0, a span that is not
-/// within its reference, no recording in which the feature moves.
+/// within its reference or takes more than an hour, no recording in which the feature moves.
 Result<RecordedMovements> recorded_movements(
 		const Feature &feature, std::span<const TrainingRecording> recordings);
 

@@ -73,6 +73,7 @@ void GestureFollower::begin(double t_s, double value) {
 	if (mode_ == MotionMode::PAPER) {
 		paper_.begin(t_s, phase_of_value(*model_, value));
 	}
+	gestures_begun_ += stage_ != Stage::MOVING ? 1 : 0;
 	enter(Stage::MOVING, t_s);
 }
 

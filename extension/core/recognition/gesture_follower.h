@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 namespace steadyhand {
@@ -53,6 +54,8 @@ public:
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
+	/// How many have been under way so far, this one with them.
+	[[nodiscard]] std::uint32_t gestures_begun() const { return gestures_begun_; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
 	/// log of the posterior odds of the gesture against none by what has been seen of it, nats; the measure
 	/// by which gestures compete.
@@ -144,6 +147,7 @@ private:
 
 	Stage stage_ = Stage::RESTING;
 	double stage_began_s_ = -INFINITY;
+	std::uint32_t gestures_begun_ = 0;
 	double log_odds_;
 	StateDecoder decoder_;
 	int state_played_ = 0;

@@ -1,8 +1,5 @@
 #include "recognition/gesture_recogniser.h"
 
-#include "recognition/open_follower.h"
-#include "recognition/task_follower.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,63 +13,18 @@ constexpr double SWITCH_MARGIN = 2.0;
 /// What a finger does while several make a gesture it may do by itself, and then hardly moves against the
 /// others: nats against that, for each amplitude by which the gesture of several has grown.
 constexpr double PART = 12.0;
-/// Of the smallest amplitude: what is shorter is no stroke of its own.
-constexpr double SMALLEST_STROKE = 0.06;
 /// 1/s: from one gesture's motion to another's within a tenth of a second, to a first one's within half of
 /// it.
 constexpr double LEAD_RATE_PER_S = 50.0;
 constexpr double SHOW_RATE_PER_S = 100.0;
 
-std::vector<ExpectedGesture> at_one_place(
-		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
-	std::vector<ExpectedGesture> gestures;
-	gestures.reserve(models.size());
-	for (const std::shared_ptr<const GestureModel> &model : models) {
-		gestures.push_back({ model, task });
-	}
-	return gestures;
-}
-
-std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, const Synthesis &synthesis) {
-	if (gesture.task) {
-		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
-	}
-	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
-}
-
 } // namespace
 
-GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s,
-		const StateDecoding &decoding) :
-		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
-
-GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
-		const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
-		gestures_(std::move(gestures)),
-		filtered_(gestures_.size()), time_s_(-std::numeric_limits<double>::infinity()) {
-	followers_.reserve(gestures_.size());
-	const Synthesis synthesis{ mode, effort, latency_s, decoding };
-	for (const ExpectedGesture &gesture : gestures_) {
-		followers_.push_back(follower_of(gesture, synthesis));
-		const Feature *const feature = find_feature(gesture.model->feature);
-		const double smallest_m = SMALLEST_STROKE * followers_.back()->task().amplitude_m;
-		const auto known = std::find_if(watched_.begin(), watched_.end(),
-				[feature](const WatchedFeature &watched) { return watched.feature == feature; });
-		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
-		if (known == watched_.end()) {
-			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
-			watched_.push_back({ feature, StrokeFinder(shares, smallest_m), {} });
-		} else {
-			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
-		}
-	}
-}
-
 void GestureRecogniser::push(const HandFrame &frame) {
-	if (!(std::abs(frame.t_s) <= FARTHEST_S) || frame.t_s < time_s_) {
+	if (!(std::abs(frame.t_s) <= FARTHEST_S) || frame.t_s < time_s_ || frame.repeats(last_frame_)) {
 		return;
 	}
+	last_frame_ = frame;
 	// What is due before this frame must not see the stroke that it makes.
 	advance_followers(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {

@@ -16,11 +16,13 @@ namespace steadyhand {
 struct ExpectedGesture {
 	std::shared_ptr<const GestureModel> model;
 	std::optional<Task> task; ///< its place; nothing where the start is to be found by the hand's rest
+
+	bool operator==(const ExpectedGesture &) const = default;
 };
 
 /// All gestures that a scene asked for, side by side on one stream of frames: says which one is under way, in
-/// which state, and what motion it makes. Costs nothing for a gesture that was not asked for. After
-/// construction nothing is allocated.
+/// which state, and what motion it makes. Costs nothing for a gesture that was not asked for. Nothing is
+/// allocated but by construction and expect().
 class GestureRecogniser {
 public:
 	/// effort, latency_s: as PhaseEstimator's; decoding: as Synthesis'.
@@ -35,7 +37,13 @@ public:
 	/// shows more of what hands do otherwise, more shows gestures later.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
-	/// Time stamps must not decrease; a frame that is older than the last one, or not finite, is passed over.
+	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
+	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes.
+	/// Returns the index of each that was expected before; -1: it is no longer.
+	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
+
+	/// Time stamps must not decrease; a frame that is older than the last one, the same once more, or not
+	/// finite, is passed over.
 	void push(const HandFrame &frame);
 	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
 	void advance(double t_s);
@@ -57,6 +65,7 @@ public:
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
+	Synthesis synthesis_;
 	std::vector<ExpectedGesture> gestures_;
 	struct WatchedFeature {
 		const Feature *feature;
@@ -71,10 +80,12 @@ private:
 	double min_confidence_ = 0.0;
 	int leader_ = -1;
 	OutputBlend blend_; ///< of what would step when another one takes the lead, m
+	HandFrame last_frame_{ .t_s = -INFINITY };
 	double time_s_;
 	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
 	double last_absence_s_ = -INFINITY; ///< when one last was
 
+	void watch_features();
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
 		return watched_[watched_by_[follower]];
 	}

@@ -28,8 +28,11 @@ public:
 		}
 	}
 
-	/// Where the hand was at t_s; before all that is kept, the oldest place.
+	/// Where the hand was at t_s; before all that is kept, the oldest place, from the newest on that.
 	[[nodiscard]] FeaturePlace place_m(double t_s) const {
+		if (t_s >= newest_.t_s) {
+			return newest_.place_m;
+		}
 		const Place *after = &newest_;
 		for (std::size_t i = knots_.size(); i > 0; --i) {
 			const Place &before = knots_[i - 1];

@@ -51,6 +51,14 @@ struct HandFrame {
 		positions_m[static_cast<std::size_t>(joint)] = position_m;
 		tracked = static_cast<std::uint8_t>(tracked | (1U << static_cast<unsigned>(joint)));
 	}
+	/// The same moment, and the same hand in it to the last bit.
+	[[nodiscard]] bool repeats(const HandFrame &other) const {
+		bool is_same = t_s == other.t_s && tracked == other.tracked;
+		for (std::size_t i = 0; is_same && i < JOINT_COUNT; ++i) {
+			is_same = !has(static_cast<Joint>(i)) || positions_m[i] == other.positions_m[i];
+		}
+		return is_same;
+	}
 };
 
 } // namespace steadyhand

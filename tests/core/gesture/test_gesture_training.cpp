@@ -225,6 +225,18 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 		CHECK(error.starts_with("drag: " + drags[1].name + ": start_s "));
 		CHECK(error.find("is not within its reference, ") != std::string::npos);
 	}
+	// A clock of microseconds: a symbol in 10 ms of it is more than there is memory.
+	std::vector<TrainingRecording> of_another_unit = drags;
+	for (TrainingRecording &recording : of_another_unit) {
+		recording.start_s *= 1e6;
+		recording.end_s *= 1e6;
+		for (Track *const track : { &recording.measured, &recording.reference }) {
+			std::ranges::for_each(track->frames, [](HandFrame &frame) { frame.t_s *= 1e6; });
+		}
+	}
+	const std::string too_long = train("drag", "index_along_axis", of_another_unit, {}).error();
+	CHECK(too_long.starts_with("drag: " + drags[0].name + ": its gesture takes "));
+	CHECK(too_long.ends_with(" s, and 3600 are the most; start_s, end_s and t are seconds"));
 	options = {};
 	options.progress = [](double) { return false; };
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");

@@ -1,0 +1,102 @@
+// Which gestures a GestureRecogniser expects, from the start and later on.
+
+#include "recognition/gesture_recogniser.h"
+#include "recognition/open_follower.h"
+#include "recognition/task_follower.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace steadyhand {
+namespace {
+
+/// Of the smallest amplitude: what is shorter is no stroke of its own.
+constexpr double SMALLEST_STROKE = 0.06;
+
+std::vector<ExpectedGesture> at_one_place(
+		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
+	std::vector<ExpectedGesture> gestures;
+	gestures.reserve(models.size());
+	for (const std::shared_ptr<const GestureModel> &model : models) {
+		gestures.push_back({ model, task });
+	}
+	return gestures;
+}
+
+std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, const Synthesis &synthesis) {
+	if (gesture.task) {
+		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
+	}
+	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
+}
+
+} // namespace
+
+GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
+		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s,
+		const StateDecoding &decoding) :
+		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
+
+GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
+		const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
+		synthesis_{ mode, effort, latency_s, decoding },
+		time_s_(-std::numeric_limits<double>::infinity()) {
+	expect(std::move(gestures));
+}
+
+std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures) {
+	const GestureFollower *const shown_before = followers_.empty() ? nullptr : followers_[shown()].get();
+	// Followers that are dropped look at their models no more; those must last until then.
+	const std::vector<ExpectedGesture> gestures_before = std::exchange(gestures_, std::move(gestures));
+	std::vector<std::unique_ptr<GestureFollower>> followers_before = std::exchange(followers_, {});
+	const std::vector<FilteredMotion> filtered_before = std::exchange(filtered_, {});
+	std::vector<int> now(gestures_before.size(), -1);
+	followers_.reserve(gestures_.size());
+	filtered_.reserve(gestures_.size());
+	for (std::size_t i = 0; i < gestures_.size(); ++i) {
+		std::size_t old = 0;
+		while (old < now.size() && (now[old] >= 0 || !(gestures_before[old] == gestures_[i]))) {
+			++old;
+		}
+		if (old < now.size()) {
+			now[old] = static_cast<int>(i);
+			followers_.push_back(std::move(followers_before[old]));
+			filtered_.push_back(filtered_before[old]);
+		} else {
+			followers_.push_back(follower_of(gestures_[i], synthesis_));
+			filtered_.emplace_back();
+		}
+	}
+	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
+	watch_features();
+	if (followers_.empty() || followers_[shown()].get() != shown_before) {
+		blend_ = {};
+	}
+	return now;
+}
+
+void GestureRecogniser::watch_features() {
+	std::vector<WatchedFeature> before = std::exchange(watched_, {});
+	watched_by_.clear();
+	for (std::size_t i = 0; i < gestures_.size(); ++i) {
+		const Feature *const feature = find_feature(gestures_[i].model->feature);
+		const auto is_its = [feature](const WatchedFeature &watched) { return watched.feature == feature; };
+		const double smallest_m = SMALLEST_STROKE * followers_[i]->task().amplitude_m;
+		const auto known = std::find_if(watched_.begin(), watched_.end(), is_its);
+		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
+		if (known != watched_.end()) {
+			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
+		} else if (const auto old = std::find_if(before.begin(), before.end(), is_its); old != before.end()) {
+			watched_.push_back(std::move(*old));
+			watched_.back().strokes.set_smallest(smallest_m);
+		} else {
+			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
+			watched_.push_back({ feature, StrokeFinder(shares, smallest_m), {} });
+		}
+	}
+	expect_absence();
+}
+
+} // namespace steadyhand

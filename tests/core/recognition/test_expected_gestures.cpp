@@ -1,0 +1,100 @@
+// Gestures and tasks that come and go while the hand is under way, and frames that come twice.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+constexpr double CHANGED_S = 1.1; ///< half-way
+const Task HERE{ Eigen::Vector3d::Zero(), X, 0.2 }, THERE{ 0.4 * Y, X, 0.2 }, AHEAD{ 0.1 * X, X, 0.2 };
+
+ExpectedGesture drag_at(const std::optional<Task> &task) {
+	return { models()[0], task };
+}
+
+struct Run {
+	std::vector<double> values_m;
+	std::vector<std::string> said;
+	std::vector<int> now; ///< what expect() returned
+};
+
+/// A drag along x, before and after which the hand rests; from CHANGED_S on the others are expected.
+Run run(const std::vector<ExpectedGesture> &first, const std::vector<ExpectedGesture> &then,
+		double changed_s = CHANGED_S) {
+	GestureRecogniser recogniser(first);
+	Run run;
+	run.said = watch(
+			recogniser,
+			[&](double t_s) {
+				run.values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
+				if (run.now.empty() && t_s > changed_s) {
+					run.now = recogniser.expect(then);
+				}
+				return Eigen::Vector3d(DRAG.x_m(t_s) * X);
+			},
+			2.5)
+					   .said;
+	return run;
+}
+
+} // namespace
+
+TEST_CASE("what else is expected may change under way: the motion stays the same to the last bit") {
+	for (const std::optional<Task> &here : { std::optional(HERE), std::optional<Task>() }) {
+		const std::vector<double> alone = run({ drag_at(here) }, { drag_at(here) }).values_m;
+		const ExpectedGesture own = drag_at(here);
+		const ExpectedGesture other = here ? drag_at(THERE) : ExpectedGesture{ models()[2], std::nullopt };
+		for (const auto &[first, then, now] : {
+					 std::tuple{ std::vector{ own, other }, std::vector{ own }, std::vector{ 0, -1 } },
+					 std::tuple{ std::vector{ own }, std::vector{ own, other }, std::vector{ 0 } },
+					 std::tuple{ std::vector{ own, other }, std::vector{ other, own }, std::vector{ 1, 0 } },
+			 }) {
+			const Run changed = run(first, then);
+			CHECK(changed.values_m == alone);
+			CHECK(changed.now == now);
+			CHECK(changed.said == times(1, "sideways"));
+		}
+	}
+}
+
+TEST_CASE("a gesture that is expected no longer is none, and its motion begins anew") {
+	const Run gone = run({ drag_at(HERE) }, { drag_at(THERE) });
+	CHECK(gone.now == std::vector{ -1 });
+	CHECK(gone.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	const Run none = run({ drag_at(HERE) }, {});
+	CHECK(none.now == std::vector{ -1 });
+	CHECK(none.values_m.back() == 0.0);
+}
+
+TEST_CASE("a place that is expected later is followed from then on") {
+	// The hand is at its start, as if it had been expected all along: 0.1 m on.
+	const Run later = run({ drag_at(HERE) }, { drag_at(AHEAD) }, 0.3);
+	const Run always = run({ drag_at(AHEAD) }, { drag_at(AHEAD) });
+	CHECK(later.values_m.back() == doctest::Approx(0.1).epsilon(0.05));
+	CHECK(later.values_m.back() == doctest::Approx(always.values_m.back()).epsilon(0.01));
+}
+
+TEST_CASE("a frame that comes twice is passed over") {
+	for (const std::optional<Task> &task : { std::optional(HERE), std::optional<Task>() }) {
+		GestureRecogniser once({ drag_at(task) }), twice({ drag_at(task) });
+		for (int i = 0; i < 220; ++i) {
+			HandFrame frame;
+			frame.t_s = i / 90.0;
+			frame.set(Joint::INDEX, (DRAG.x_m(frame.t_s) + 1e-4 * std::sin(777.0 * i)) * X);
+			once.push(frame);
+			twice.push(frame);
+			twice.push(frame);
+			for (const MotionSource source : { MotionSource::SYNTHESISED, MotionSource::AVERAGE }) {
+				REQUIRE(once.motion(source).value_m == twice.motion(source).value_m);
+			}
+			REQUIRE(once.gesture() == twice.gesture());
+		}
+	}
+}

@@ -1,0 +1,288 @@
+extends "support/scene_test.gd"
+## What scripts change while a gesture is under way: what it does not concern goes on to the last bit,
+## what ends it is told, and a stream begun anew is followed from its first frame on.
+
+const Rig := preload("support/rig.gd")
+
+const FRAME_S := 0.01037
+const ONSET_S := 0.8
+const DURATION_S := 0.8
+const CHANGE_S := 1.25
+const END := Vector3(0.2, 0.0, 0.0)
+const ELSEWHERE := Vector3(0.3, 0.3, 0.0)
+
+var _said: Array[String] = []
+
+
+func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
+	var values := PackedFloat64Array()
+	var changes: Array[StringName] = [
+		&"nothing", &"move_other", &"free_other", &"set_same", &"add_task", &"reorder", &"add_model"
+	]
+	for change in changes:
+		var tasks: Array[GestureTask] = [_task(&"horizontal_drag"), _task(&"tap", ELSEWHERE)]
+		var hmm := _hmm(["horizontal_drag", "tap"], tasks)
+		var other := tasks[1]
+		var make_it := func() -> void:
+			match change:
+				&"move_other":
+					other.position.x += 0.1
+					other.force_update_transform()
+				&"free_other":
+					other.free()
+				&"set_same":
+					hmm.tasks = hmm.tasks
+					hmm.models = hmm.models
+				&"add_task":
+					hmm.tasks = hmm.tasks + [_task(&"tap", 2.0 * ELSEWHERE)]
+				&"reorder":
+					hmm.tasks = [other, tasks[0]] as Array[GestureTask]
+				&"add_model":
+					hmm.models = hmm.models + [_model("zoom")]
+		var seen := _drag(hmm, make_it)
+		check_equal(_said, ["started", "ended"] as Array[String], "%s: what is said" % change)
+		if values.is_empty():
+			values = seen
+		check(seen == values, "%s: the motion is as it was, to the last bit" % change)
+		check_near(values[-1], 0.2, 0.01, "%s: and the gesture's" % change)
+		_free(hmm)
+
+
+func test_what_ends_the_gesture_under_way_is_told() -> void:
+	var changes: Array[StringName] = [
+		&"move", &"free", &"no_models", &"quality", &"mode", &"sensor_latency", &"tracker", &"reset"
+	]
+	for change in changes:
+		var task := _task(&"horizontal_drag")
+		var hmm := _hmm(["horizontal_drag", "tap"], [task, _task(&"tap", ELSEWHERE)])
+		var tracker := hmm.tracker
+		var make_it := func() -> void:
+			match change:
+				&"move":
+					task.position = 2.0 * ELSEWHERE
+					task.force_update_transform()
+				&"free":
+					task.free()
+				&"no_models":
+					hmm.models = [_model("tap")] as Array[GestureModel]
+				&"quality":
+					hmm.quality = GestureHMM.QUALITY_FAST
+				&"mode":
+					hmm.mode = GestureHMM.MODE_PAPER
+				&"sensor_latency":
+					hmm.sensor_latency = 0.03
+				&"tracker":
+					hmm.tracker = null
+				&"reset":
+					hmm.reset()
+		# expects one warning: none of its models is of the gesture 'horizontal_drag'
+		_drag(hmm, make_it, CHANGE_S + 0.1)
+		check_equal(
+			_said.slice(0, 2), ["started", "aborted"] as Array[String], "%s: what is said" % change
+		)
+		tracker.free()
+		hmm.free()
+
+
+func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
+	for with_second: bool in [false, true]:
+		var hmm := _hmm(["horizontal_drag"], [_task(&"horizontal_drag")])
+		var tracker := hmm.tracker
+		var second := _hmm(["horizontal_drag"], [_task(&"horizontal_drag")])
+		second.tracker.free()
+		second.tracker = tracker if with_second else null
+		var runs: Array[int] = [1]
+		var start_anew := func(_gesture: StringName, _time_s: float) -> void:
+			runs[0] += 1
+			tracker.start()
+		hmm.gesture_ended.connect(start_anew)
+		_listen(second if with_second else hmm)
+		for run in 4:
+			if run == 0:
+				tracker.start()
+			var frame := 0
+			while runs[0] == run + 1 and frame < 300:
+				tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
+				frame += 1
+			check_equal(runs[0], run + 2, "run %d is told of" % (run + 1))
+		check_equal(_said.count("started"), 4, "with a second one: %s" % with_second)
+		second.free()
+		_free(hmm)
+
+
+func test_a_handler_may_go_over_to_another_hand() -> void:
+	var hmm := _hmm(["horizontal_drag"], [_task(&"horizontal_drag")])
+	var left := hmm.tracker
+	var right := _tracker()
+	for tracker: HandTracker in [left, right]:
+		tracker.start()
+	var ends: Array[float] = []
+	hmm.gesture_ended.connect(
+		func(_gesture: StringName, time_s: float) -> void:
+			ends.append(time_s)
+			hmm.tracker = right
+	)
+	# The right one's clock is five seconds behind.
+	for frame in 900:
+		var time_s := frame * FRAME_S
+		left.push_frame(time_s, _hand(time_s - 4.5))
+		right.push_frame(time_s - 5.0, _hand(time_s - 5.0 - 2.0))
+	check_equal(ends.size(), 2, "a drag of each hand")
+	check(ends[0] > 5.0 and ends[1] < 4.5, "by the clock of each")
+	left.free()
+	right.free()
+	hmm.free()
+
+
+func test_each_gesture_is_started_where_frames_come_twice() -> void:
+	var path := "res://addons/steadyhand/models/%s.gesture"
+	check(FileAccess.file_exists(path % "horizontal_drag"), "there is a model")
+	for seed_of_hand in 40:
+		var hmm := _hmm(["horizontal_drag"], [])
+		_listen(hmm)
+		hmm.tracker.start()
+		var random := RandomNumberGenerator.new()
+		random.seed = seed_of_hand
+		var at := Vector3.ZERO
+		var to := Vector3.ZERO
+		var from_s := 0.0
+		var take_s := 1.0
+		for frame in 700:
+			var time_s := frame / 90.0
+			if time_s > from_s + take_s:
+				at = to
+				from_s = time_s
+				take_s = random.randf_range(0.25, 1.0)
+				to = Vector3(random.randf_range(-0.3, 0.3), 0.0, 0.0)
+			var p := minf((time_s - from_s) / (0.7 * take_s), 1.0)
+			var tip := at.lerp(to, p * p * p * (10.0 + p * (6.0 * p - 15.0)))
+			for time in 2:
+				hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
+		var is_under_way := false
+		var are_in_order := true
+		for event in _said:
+			are_in_order = are_in_order and is_under_way != (event == "started")
+			is_under_way = event == "started"
+		check(are_in_order, "hand %d: each that ends or is given up was started" % seed_of_hand)
+		_free(hmm)
+
+
+func test_a_recording_goes_on_where_another_cannot_be_begun() -> void:
+	var folder := DirAccess.create_temp("steadyhand_changes")
+	var path := folder.get_current_dir().path_join("kept.csv")
+	var tracker := _tracker()
+	tracker.start()
+	check_equal(tracker.start_recording(path), OK, "one is begun")
+	tracker.push_frame(0.0, _hand(0.0))
+	# expects one error: this is a folder, not a file
+	check(tracker.start_recording(folder.get_current_dir()) != OK, "another cannot be")
+	tracker.push_frame(1.0, _hand(1.0))
+	tracker.stop_recording()
+	var rows := FileAccess.get_file_as_string(path).split("\n", false)
+	check(
+		rows[-1].begins_with("1.0") or rows[-1].begins_with("1,"),
+		"the first has the frame after it"
+	)
+	tracker.free()
+
+
+func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
+	var tracker := _tracker()
+	# expects one error: push_frame: start() the tracker first
+	# expects one error: push_frame: the time 1.0 s is before 2.0 s
+	# expects one error: push_frame: the time must be finite
+	# expects one error: push_frame: there is no joint 99
+	for time in 2:
+		check(tracker.push_frame(0.0, {}) != OK, "not started")
+	tracker.start()
+	tracker.push_frame(2.0, {})
+	for time in 2:
+		check(tracker.push_frame(1.0, {}) != OK, "late")
+		check(tracker.push_frame(NAN, {}) != OK, "at no time")
+		check(tracker.push_frame(3.0, {99: Vector3.ZERO}) != OK, "of no joint")
+	tracker.free()
+
+
+func test_who_hears_of_progress_may_let_go_of_the_trainer() -> void:
+	var folder := DirAccess.create_temp("steadyhand_changes")
+	var trials := Rig.write_trials(folder.get_current_dir())
+	var held: Array[GestureTrainer] = [GestureTrainer.new()]
+	held[0].progressed.connect(func(_done: float) -> void: held.clear())
+	var model: GestureModel = held[0].train(trials, &"horizontal_drag")
+	check(held.is_empty() and model != null, "trained all the same")
+
+
+## A drag from rest, at whose CHANGE_S the change is made. What is said is in _said; returns the value at
+## each instant.
+func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFloat64Array:
+	var values := PackedFloat64Array()
+	_listen(hmm)
+	hmm.motion_updated.connect(func(_time_s: float) -> void: values.append(hmm.value))
+	var tracker := hmm.tracker
+	tracker.start()
+	var is_changed := false
+	var frame := 0
+	while frame * FRAME_S < until_s:
+		if not is_changed and frame * FRAME_S > CHANGE_S:
+			is_changed = true
+			change.call()
+		tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
+		frame += 1
+	return values
+
+
+func _listen(hmm: GestureHMM) -> void:
+	_said.clear()
+	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
+	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
+	hmm.gesture_ended.connect(
+		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
+	)
+
+
+func _hand(time_s: float) -> Dictionary:
+	var p := clampf((time_s - ONSET_S) / DURATION_S, 0.0, 1.0)
+	var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
+	return {HandTracker.JOINT_INDEX: END * p * p * p * (10.0 + p * (6.0 * p - 15.0)) + tremor}
+
+
+func _task(gesture: StringName, start: Vector3 = Vector3.ZERO) -> GestureTask:
+	var task := GestureTask.new()
+	task.gesture = gesture
+	task.direction = Vector3.RIGHT if gesture == &"horizontal_drag" else Vector3.FORWARD
+	task.amplitude = 0.2
+	root.add_child(task)
+	task.global_position = start
+	return task
+
+
+func _tracker() -> HandTracker:
+	var tracker := HandTracker.new()
+	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.autostart = false
+	root.add_child(tracker)
+	return tracker
+
+
+func _model(gesture: String) -> GestureModel:
+	return load(Rig.MODEL % gesture) as GestureModel
+
+
+func _hmm(gestures: Array[String], tasks: Array[GestureTask]) -> GestureHMM:
+	var hmm := GestureHMM.new()
+	var models: Array[GestureModel] = []
+	for gesture in gestures:
+		models.append(_model(gesture))
+	hmm.models = models
+	hmm.tasks = tasks
+	hmm.tracker = _tracker()
+	root.add_child(hmm)
+	return hmm
+
+
+func _free(hmm: GestureHMM) -> void:
+	hmm.tracker.free()
+	for task in hmm.tasks:
+		if is_instance_valid(task):
+			task.free()
+	hmm.free()
