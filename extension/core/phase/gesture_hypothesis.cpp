@@ -133,6 +133,20 @@ GestureHypothesis GestureHypothesis::displaced_sliding_back(double deviation) co
 	return h.displaced(deviation);
 }
 
+GestureHypothesis GestureHypothesis::caught_up(double behind_s, double deviation) const {
+	GestureHypothesis h = displaced_sliding_back(deviation);
+	h.covariance_[entry(ONSET, ONSET)] += behind_s * behind_s;
+	return h;
+}
+
+GestureHypothesis GestureHypothesis::arrived() const {
+	GestureHypothesis h = in(regime_);
+	const Deviation &error = error_numbers(h.error_).at_start;
+	h.forget(ERROR_RATE);
+	h.begin_at(ERROR_RATE, 0.0, error.amplitudes * error.rate_per_s);
+	return h;
+}
+
 GestureHypothesis GestureHypothesis::found_elsewhere(double deviation) const {
 	GestureHypothesis h = *this;
 	const Deviation &hand = regime_numbers(Regime::FREE).hand;

@@ -66,8 +66,13 @@ public:
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
 	/// As displaced, but that the tracker slides back within a tenth of a second.
 	[[nodiscard]] GestureHypothesis displaced_sliding_back(double deviation) const;
+	/// Of one on its way: the tracker had fallen behind, by that much unknown, and slides to where the hand
+	/// is.
+	[[nodiscard]] GestureHypothesis caught_up(double behind_s, double deviation) const;
 	/// Of one that is free: the tracker had been astray, and shows the hand again, which is elsewhere.
 	[[nodiscard]] GestureHypothesis found_elsewhere(double deviation) const;
+	/// Of one whose tracker slides: it has arrived, and moves no more against the hand.
+	[[nodiscard]] GestureHypothesis arrived() const;
 	/// The tracker's error is as if nothing were known of it.
 	void forget_error();
 

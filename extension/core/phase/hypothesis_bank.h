@@ -15,9 +15,10 @@ namespace steadyhand {
 class HypothesisBank {
 public:
 	/// Between two calls of prune.
-	static constexpr std::size_t MOST_ADDED = 72;
-	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound.
-	static constexpr std::size_t MOST_SLIDING_BACK = 3;
+	static constexpr std::size_t MOST_ADDED = 80;
+	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound; or up to the
+	/// hand, of the latter two.
+	static constexpr std::size_t MOST_SLIDING_BACK = 5;
 	/// Whose hand stands half-way.
 	static constexpr std::size_t MOST_STANDING = 2;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +

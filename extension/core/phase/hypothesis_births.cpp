@@ -1,5 +1,7 @@
 #include "phase/hypothesis_births.h"
 
+#include "signal/minimum_jerk.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +18,7 @@ constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
 constexpr double STANDS_PER_S = 2.0;  ///< how soon a hand stands half-way
-constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be at the end,
+constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be about to come to the end,
 constexpr double STANDS_BEYOND = 1.1; ///< and one so much further is not, where any length may come
 constexpr double SLOW_PER_S = 0.85;   ///< slower than this, as a tracker that wanders shows it
 constexpr double AT_REST_PER_S = 2.0; ///< how soon one that did so is at rest where it started
@@ -57,6 +59,13 @@ template <class Predicate> std::size_t likeliest(const HypothesisBank &bank, Pre
 std::size_t likeliest_on_its_way(const HypothesisBank &bank) {
 	return likeliest(
 			bank, [&](std::size_t i) { return bank.on_its_way(i) && bank.regime(i) != Regime::FREE; });
+}
+
+/// Of the hand, near enough; of one on its way.
+double place(const HypothesisBank &bank, std::size_t i, double t_s) {
+	const HypothesisGroup::Course course = bank.course(i);
+	const double gone = minimum_jerk((t_s - course.onset_s) * course.rate_per_s).value;
+	return course.gain * gone + bank.hand_deviation(i);
 }
 
 /// A tracker that is displaced shows a hand at rest elsewhere: gestures begin from the likeliest.
@@ -162,12 +171,14 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 }
 
 void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const {
-	const bool may_be_at_end = x > STANDS_TO && (knows_end_ || x < STANDS_BEYOND);
-	if (x < NEAR_START || may_be_at_end || std::abs(per_s) > SLOW_PER_S) {
+	const bool is_half_way = x >= NEAR_START && x <= STANDS_TO;
+	const bool may_stand = is_half_way || (knows_end_ ? std::abs(x - 1.0) < AT_END : x >= STANDS_BEYOND);
+	if (!may_stand || std::abs(per_s) > SLOW_PER_S) {
 		return;
 	}
 	const std::size_t begun = likeliest(r_bank, [&](std::size_t i) { return r_bank.on_its_way(i); });
-	if (begun != HypothesisBank::AT_REST) {
+	const bool is_news = is_half_way || std::abs(place(r_bank, begun, t_s) - x) > AT_END;
+	if (begun != HypothesisBank::AT_REST && is_news) {
 		GestureHypothesis standing = GestureHypothesis::standing(x, t_s - ENDED_PHASE); // it took a second
 		standing.log_weight = r_bank.log_weight(begun);
 		r_bank.add(standing, std::log(STANDS_PER_S * period_s_));

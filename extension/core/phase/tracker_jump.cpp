@@ -12,10 +12,13 @@ constexpr double FOUND = 0.45;        ///< that it leads to where a free hand is
 constexpr double ELSEWHERE = 1.0;     ///< standard deviation
 constexpr double SLIDES_BACK = 0.04;  ///< that it leads away, and the tracker slides back
 constexpr double SLIDES_BY = 0.3;     ///< standard deviation
-constexpr double LIKELY = 0.001;      ///< weight, from which on all of these are looked at
+constexpr double CATCHES_UP = 0.2;   ///< that one that leads onward is the tracker's, which had fallen behind
+constexpr double CATCHES_UP_S = 0.2; ///< standard deviation of by how much
+constexpr double LIKELY = 0.001;     ///< weight, from which on all of these are looked at
 
-/// In a slide that looks like a hand's motion: the likeliest of each regime stands for all.
-void slide_back(HypothesisBank &r_bank) {
+/// In a slide that looks like a hand's motion, back to the hand or up to it: the likeliest of each regime
+/// stands for all.
+void slide(HypothesisBank &r_bank, bool leads_onward) {
 	const std::size_t count = r_bank.size();
 	for (const Regime regime : { Regime::REST, Regime::SOUND, Regime::UNSOUND }) {
 		std::size_t likeliest = count;
@@ -29,15 +32,19 @@ void slide_back(HypothesisBank &r_bank) {
 		if (likeliest < count) {
 			r_bank.add(r_bank.hypothesis(likeliest).displaced_sliding_back(SLIDES_BY),
 					std::log(SLIDES_BACK * sum / r_bank.weight(likeliest)));
+			if (leads_onward && regime != Regime::REST) {
+				r_bank.add(r_bank.hypothesis(likeliest).caught_up(CATCHES_UP_S, SLIDES_BY),
+						std::log(CATCHES_UP * sum / r_bank.weight(likeliest)));
+			}
 		}
 	}
 }
 
 } // namespace
 
-void branch_at_jump(HypothesisBank &r_bank) {
+void branch_at_jump(HypothesisBank &r_bank, bool leads_onward) {
 	const std::size_t count = r_bank.size();
-	slide_back(r_bank);
+	slide(r_bank, leads_onward);
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureHypothesis back = r_bank.hypothesis(i);
 		const bool is_likely = r_bank.weight(i) > LIKELY, is_free = r_bank.regime(i) == Regime::FREE;
@@ -63,8 +70,7 @@ void branch_at_jump(HypothesisBank &r_bank) {
 void arrive_from_jump(HypothesisBank &r_bank) {
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
 		if (r_bank.error(i) == TrackerError::SLIDING_BACK) {
-			const GestureHypothesis back = r_bank.hypothesis(i);
-			r_bank.set(i, back.in(back.regime()));
+			r_bank.set(i, r_bank.hypothesis(i).arrived());
 		}
 	}
 }

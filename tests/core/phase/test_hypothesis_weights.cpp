@@ -100,10 +100,12 @@ TEST_CASE("at a jump the tracker led away, or back, or the hand was elsewhere: n
 											 .begun(Regime::SOUND, -0.3, 0.01, std::log(0.8), 0.1)
 											 .in(Regime::FREE);
 	for (const GestureHypothesis &hypothesis : { free, standing, turned }) {
-		HypothesisBank bank = bank_of(hypothesis);
-		REQUIRE(probability(bank) == doctest::Approx(1.0));
-		branch_at_jump(bank);
-		CHECK(probability(bank) == doctest::Approx(1.0));
+		for (const bool leads_onward : { false, true }) {
+			HypothesisBank bank = bank_of(hypothesis);
+			REQUIRE(probability(bank) == doctest::Approx(1.0));
+			branch_at_jump(bank, leads_onward);
+			CHECK(probability(bank) == doctest::Approx(1.0));
+		}
 	}
 }
 
