@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, fields
 from pathlib import Path
 
-from study.logs import Trial, read_logs
+from study.logs import read_logs
+from study.rows import Trial
 from study.throughput import Cell, Group, cells, groups
 
 # Exit codes, as those of the tools of the demo project.
@@ -25,6 +26,8 @@ def main() -> int:
     logs = read_logs(given.logs)
     for fault in logs.faults:
         print(f"study: {fault}", file=sys.stderr)
+    for note in logs.notes:
+        print(f"study: {note}", file=sys.stderr)
     if not logs.trials:
         print("study: no trial was read", file=sys.stderr)
         return BAD_INPUT
@@ -43,7 +46,10 @@ def main() -> int:
     print(table(of_all))
     for note in notes(logs.trials, of_participants):
         print(f"study: {note}", file=sys.stderr)
-    print(f"wrote {given.out / 'throughput.csv'} (a row a participant) and {given.out / 'throughput_means.csv'}")
+    print(
+        f"wrote {given.out / 'throughput.csv'} (a row for each participant, gesture, position, condition, amplitude and"
+        f" width) and {given.out / 'throughput_means.csv'} (the table above)"
+    )
     return INCOMPLETE if logs.faults else 0
 
 

@@ -9,7 +9,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from study.logs import Trial
+from study.rows import Trial
 
 # Standard deviations of a normal distribution that hold 96 % of it (of the ends): (2 pi e)^(1/2).
 WIDTH_PER_DEVIATION = 4.133

@@ -1,13 +1,16 @@
 """./steadyhand study on logs whose throughput is known."""
 
 import csv
+import json
+import re
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from statistics import NormalDist
 
+from study.rows import CONDITIONS
 from suites.outcome import Outcome
-from suites.process import run
+from suites.process import ROOT, run
 
 HEADER = (
     "trial,gesture,position,condition,start_s,end_s,duration_s,"
@@ -28,9 +31,17 @@ SHARE_INSIDE = 0.96
 
 
 def outcomes() -> Iterator[Outcome]:
-    for test in (by_hand, known_deviation, bad_logs):
+    yield conditions()
+    for test in (by_hand, known_deviation, bad_logs, bad_cells, rows_again, no_study):
         with tempfile.TemporaryDirectory(prefix="steadyhand_study") as folder:
             yield from test(Path(folder))
+
+
+def conditions() -> Outcome:
+    """study/rows.py knows those of the scenes."""
+    text = (ROOT / "demo_project/scripts/conditions.gd").read_text()
+    names = re.search(r"^const NAMES.*= \[(.*)\]$", text, re.MULTILINE)[1]
+    return Outcome.of("command/study: the conditions of the scenes", json.loads(f"[{names}]") == CONDITIONS, names)
 
 
 def by_hand(folder: Path) -> Iterator[Outcome]:
@@ -107,7 +118,7 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
         f"{folder}/logs/broken/trials.csv:2: end_value_m: 'nan'",
         f"{folder}/logs/broken/trials.csv:3: gesture_end_s: 0.5 is not after start_s 1.0",
         f"{folder}/logs/broken/trials.csv:4: 3 cells",
-        f"{folder}/logs/binary/trials.csv: ",
+        f"{folder}/logs/binary/trials.csv:1: this is no UTF-8 text",
     ]
     missing = [text for text in told if text not in output]
     yield Outcome.of("command/study: bad logs are told", status == 1 and not missing, f"{status}, {missing}\n{output}")
@@ -117,6 +128,88 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
     status, output = run(["./steadyhand", "study", folder / "logs/binary", "--out", folder / "none"])
     good = status == 2 and "no trial was read" in output and not (folder / "none").exists()
     yield Outcome.of("command/study: nothing can be read", good, f"{status}\n{output}")
+
+
+def bad_cells(folder: Path) -> Iterator[Outcome]:
+    """Each is told with its line, and takes no other one with it."""
+    good = "tap,stable,measured,1.0,2.0,1.0,Bob,0.2,0.004,0.2,2.0"
+    rows: dict[str, str] = {
+        good.replace("Bob", '"Bob'): "a quote is opened in this line, and not closed",
+        good.replace("Bob", '"Bob" B.'): "text after a cell's closing quote",
+        good.replace("Bob", "B\udcf6b"): "this is no UTF-8 text",
+        good.replace(
+            "measured", "mesured"
+        ): "condition: 'mesured' is none of measured, average, one_euro, kalman, synth",
+        good.replace("stable", "steady"): "position: 'steady' is none of stable, unstable",
+        good.replace("tap", "none"): "gesture: 'none' is no gesture's name",
+        good.replace(",0.2,2.0", ",inf,2.0"): "end_value_m: 'inf' is no finite number",
+        good.replace(",0.2,2.0", ",0.2,2.1e6"): "gesture_end_s: '2.1e6' is not within +-1000000",
+        good.replace(",0.2,2.0", ",-1e300,2.0"): "end_value_m: '-1e300' is not within +-1000000",
+        good.replace("0.004", "0"): "width_m: '0' is no length",
+    }
+    (folder / "logs").mkdir()
+    lines = [
+        HEADER,
+        *(f"a{number},{row}\n" for number, row in enumerate(rows)),
+        f"swiped,{good}\n".replace("tap", "swpe"),
+    ]
+    lines += [f"ends,{good}\n"]
+    path = folder / "logs/trials.csv"
+    path.write_bytes("".join(lines).encode("utf-8", "surrogateescape"))
+    status, output = run(["./steadyhand", "study", folder / "logs", "--out", folder / "out"])
+    told = [f"study: {path}:{line}: {fault}" for line, fault in enumerate(rows.values(), start=2)]
+    missing = [text for text in told if text not in output]
+    good_lines = status == 1 and not missing and output.count(f"{path}:") == len(told) + 1
+    yield Outcome.of("command/study: bad cells are told by line", good_lines, f"{status}, {missing}\n{output}")
+    own = "study: 'swpe' is none of the demo's tasks, horizontal_drag, vertical_drag, tap, zoom; the first is in "
+    yield Outcome.of("command/study: a gesture of one's own is told", f"{own}{path}:12\n" in output, output)
+    read_rows = read(folder / "out/throughput.csv") if status == 1 else []
+    names = [row["gesture"] for row in read_rows]
+    yield Outcome.of("command/study: and rows after them are read", names == ["swpe", "tap"], f"{names}")
+
+
+def rows_again(folder: Path) -> Iterator[Outcome]:
+    """A trial counts once, however often its row is there; one that never began may be another session's."""
+    write_log(folder / "logs/first", "Ann", ANN)
+    write_log(folder / "logs/second", "Ann", [*ANN, (0.2, 0.22, 1.0)])
+    for session in ("first", "second"):
+        with (folder / f"logs/{session}/trials.csv").open("a") as file:
+            file.write("live_009,tap,stable,synthesised,,,,Ann,0.200000,0.004000,,\n")
+    with (folder / "logs/second/trials.csv").open("a") as file:
+        file.write("live_003,tap,stable,synthesised,3.0,3.5,0.5,Ann,0.2,0.004,0.22,4.0\n")
+    status, output = run(["./steadyhand", "study", folder / "logs", "--out", folder / "out"])
+    first, second = folder / "logs/first/trials.csv", folder / "logs/second/trials.csv"
+    told = [
+        f"study: {second}:2: the row of {first}:2 again, and 2 more rows of these files: counted once",
+        f"study: {second}:7: the row of {second}:5 again: counted once",
+    ]
+    missing = [text for text in told if text not in output]
+    yield Outcome.of("command/study: rows again are told", status == 1 and not missing, f"{missing}\n{output}")
+    rows = read(folder / "out/throughput.csv") if status == 1 else []
+    counts = [(row["n"], row["without_end"]) for row in rows]
+    yield Outcome.of("command/study: and count once", counts == [("4", "2")], f"{counts}")
+
+
+def no_study(folder: Path) -> Iterator[Outcome]:
+    """What the demo leaves beside its logs: replays, and the trial set that was played."""
+    write_log(folder / "logs/first", "Ann", ANN)
+    write_log(folder / "replays/second", "Bob", BOB)
+    (folder / "replays/no_study.txt").touch()
+    (folder / "synthetic").mkdir()
+    (folder / "synthetic/trials.csv").write_text(
+        "trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_z,axis_x,axis_y,axis_z,amplitude_m\n"
+    )
+    status, output = run(["./steadyhand", "study", folder, "--out", folder / "out"])
+    notes = [
+        f"study: {folder}/replays is left out: it has a no_study.txt",
+        f"study: {folder}/synthetic/trials.csv is left out: it is a trial set's, no log",
+    ]
+    missing = [text for text in notes if text not in output]
+    yield Outcome.of("command/study: of the demo's folder the logs alone", status == 0 and not missing, output)
+    people = {row["participant"] for row in read(folder / "out/throughput.csv")} if status == 0 else {}
+    yield Outcome.of("command/study: no replay counts", people == {"Ann"}, f"{people}")
+    status, output = run(["./steadyhand", "study", folder / "replays", "--out", folder / "out"])
+    yield Outcome.of("command/study: but where it is named", status == 0, f"{status}\n{output}")
 
 
 def write_log(folder: Path, participant: str, trials: list[tuple[float, float, float]]) -> None:
