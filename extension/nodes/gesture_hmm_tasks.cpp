@@ -109,6 +109,7 @@ void GestureHMM::update_expected() {
 	expects_others_ = false;
 	std::vector<Expected> expected = find_expected();
 	if (expected == expected_) {
+		warn_of_silence(); // nothing may have come of other settings than before
 		return;
 	}
 	++build_;
