@@ -47,6 +47,8 @@ func work(arguments: PackedStringArray) -> void:
 		return
 	var evaluation := Evaluation.new()
 	evaluation.run(trial_set, models, settings, out_folder, root)
+	if not evaluation.get_text().is_empty():
+		print(evaluation.get_text())
 	if not evaluation.error.is_empty():
 		fail(evaluation.error, EXIT_BAD_INPUT)
 	elif not evaluation.shortcoming().is_empty():

@@ -2,6 +2,7 @@ extends RefCounted
 ## Runs a trial set through the real nodes and reports it.
 
 const EvaluationReport := preload("evaluation_report.gd")
+const EvaluationTable := preload("evaluation_table.gd")
 const Progress := preload("progress.gd")
 const TrialRun := preload("trial_run.gd")
 
@@ -42,12 +43,14 @@ func run(
 		min_confidence = default_of(&"min_confidence"),
 	}
 	settings = settings.merged(defaults)
-	var report := EvaluationReport.new(out_folder)
-	var progress := Progress.new(_trials(trial_set.get_count()))
 	broken = trial_set.get_left_out_count()
 	_is_empty = trial_set.get_count() == 0
-	if _is_empty and broken == 0:
-		printerr("no row in %s" % trial_set.get_path().path_join("trials.csv"))
+	if _is_empty:
+		if broken == 0:
+			printerr("no row in %s" % trial_set.get_path().path_join("trials.csv"))
+		return
+	var report := EvaluationReport.new(out_folder)
+	var progress := Progress.new(_trials(trial_set.get_count()))
 	for index in trial_set.get_count():
 		if not report.error.is_empty():
 			break
@@ -101,9 +104,27 @@ func shortcoming() -> String:
 	return "" if parts.is_empty() else "%s, see above" % ", ".join(parts)
 
 
+## What it comes to, for the terminal; empty where nothing is written.
+func get_text() -> String:
+	if _is_empty or not error.is_empty():
+		return ""
+	var text := "\n%s\n" % EvaluationTable.text(groups)
+	if _report.none_s > 0.0:
+		var alarms := _report.false_alarms.size()
+		text += (
+			"trials of none: %s in %.2f minutes, %.2f a minute\n"
+			% [
+				"1 false alarm" if alarms == 1 else "%d false alarms" % alarms,
+				_report.none_s / 60.0,
+				MotionMetrics.false_alarms_per_minute(alarms, _report.none_s)
+			]
+		)
+	return text + _report.get_result()
+
+
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
 func typical_trial(gesture: String, position: String) -> String:
-	return _report.typical_trial(gesture, position)
+	return "" if _report == null else _report.typical_trial(gesture, position)
 
 
 ## Once for all its trials.

@@ -25,6 +25,9 @@ const STATISTICS: Dictionary[String, PackedStringArray] = {
 var error := ""
 ## One per gesture and position, in the order in which they came first; filled by finish().
 var groups: Array[Dictionary] = []
+## Of the trials in which no gesture is made: {trial, gesture, time_s}; and how long those are.
+var false_alarms: Array[Dictionary] = []
+var none_s := 0.0
 
 var _folder := ""
 var _results: FileAccess = null
@@ -33,9 +36,6 @@ var _rows: Dictionary[String, Array] = {}
 ## Of each trial, for the confusion table.
 var _done: PackedStringArray = []
 var _recognised: PackedStringArray = []
-## Of the trials in which no gesture is made: {trial, gesture, time_s}.
-var _false_alarms: Array[Dictionary] = []
-var _none_s := 0.0
 var _none_begun := 0
 var _none_under_way_s := 0.0
 
@@ -73,8 +73,8 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 	_recognised.append(run.recognised)
 	if trial["gesture"] == TrialRun.NO_GESTURE:
 		for end in run.ends:
-			_false_alarms.append({trial = trial["trial"]}.merged(end))
-		_none_s += run.count / TrialRun.RATE_HZ
+			false_alarms.append({trial = trial["trial"]}.merged(end))
+		none_s += run.count / TrialRun.RATE_HZ
 		_none_begun += run.begun
 		_none_under_way_s += run.under_way / TrialRun.RATE_HZ
 
@@ -101,12 +101,12 @@ func finish(settings: Dictionary) -> void:
 		var content := {
 			settings = settings,
 			confusion = MotionMetrics.confusion(_done, _recognised),
-			false_alarms = _false_alarms,
+			false_alarms = false_alarms,
 			false_alarms_per_minute =
-			MotionMetrics.false_alarms_per_minute(_false_alarms.size(), _none_s),
-			begun_per_minute = MotionMetrics.false_alarms_per_minute(_none_begun, _none_s),
-			under_way_share = _none_under_way_s / _none_s if _none_s > 0.0 else 0.0,
-			none_minutes = _none_s / 60.0,
+			MotionMetrics.false_alarms_per_minute(false_alarms.size(), none_s),
+			begun_per_minute = MotionMetrics.false_alarms_per_minute(_none_begun, none_s),
+			under_way_share = _none_under_way_s / none_s if none_s > 0.0 else 0.0,
+			none_minutes = none_s / 60.0,
 			groups = groups,
 		}
 		summary.store_line(JSON.stringify(content, "\t", false, true))
@@ -118,6 +118,12 @@ func finish(settings: Dictionary) -> void:
 	var renamed := DirAccess.rename_absolute(_folder.path_join(PART), _folder.path_join(RESULTS))
 	if renamed != OK:
 		error = "cannot write %s: %s" % [_folder.path_join(RESULTS), error_string(renamed)]
+
+
+## What was written, in one line.
+func get_result() -> String:
+	var curves := "1 curve" if _done.size() == 1 else "%d curves" % _done.size()
+	return "wrote %s, %s and %s" % [_folder.path_join(RESULTS), SUMMARY, curves]
 
 
 ## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.

@@ -13,6 +13,7 @@ const MODES: Array[String] = [PAPER, PHASE]
 const FIGURE_ROWS: Array[String] = ["mean R2", "mean R2, no lag", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
 const CELL := " %12s"
+const T_DIFF := "T_diff: end(reference) - end(curve); positive: the curve ends early."
 const MARKDOWN_CELL := " %.3f, %+.0f ms, %d |"
 
 var _lines: PackedStringArray = []
@@ -31,7 +32,7 @@ func add(set_name: String, phase: Array[Dictionary], paper: Array[Dictionary]) -
 		for row in FIGURE_ROWS:
 			var line := HEAD % (head + [row])
 			for column: String in columns:
-				line += CELL % _cell(columns[column], row)
+				line += CELL % cell(columns[column], row)
 			_lines.append(line)
 			head = ["", "", "", ""]
 
@@ -45,12 +46,7 @@ func show() -> void:
 		title += CELL % mode
 	print("\n%s\n%s" % [title, "-".repeat(title.length())])
 	print("\n".join(_lines))
-	print(
-		(
-			"paper, phase: synthesised, by the paper's rule and by ours. T_diff: end of the reference"
-			+ " minus end of\nthe curve; positive: the curve ends early.\n"
-		)
-	)
+	print("paper, phase: synthesised, by the paper's rule and by ours.\n%s\n" % T_DIFF)
 
 
 ## R2 at no lag, median T_diff and missed ends of each condition, for a page.
@@ -91,7 +87,8 @@ static func _markdown_line(set_name: String, group: Dictionary, columns: Diction
 	return line
 
 
-static func _cell(summary: Dictionary, row: String) -> String:
+## Of one of FIGURE_ROWS. `summary`: of a condition.
+static func cell(summary: Dictionary, row: String) -> String:
 	match row:
 		"mean R2":
 			return "%.4f" % summary["r2"]["mean"]

@@ -90,6 +90,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	var model := trainer.train(trial_set, gesture)
 	if model == null:
 		return false
+	_tell_of_oddities(trainer, trial_set, model)
 	if not _report_folder.is_empty() and not _report_recordings(trainer, gesture):
 		return false
 	var saved := ResourceSaver.save(model, out_file)
@@ -119,6 +120,23 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 			)
 		)
 	return true
+
+
+## What is learnt from all the same, and what nothing is learnt from.
+func _tell_of_oddities(trainer: GestureTrainer, trial_set: TrialSet, model: GestureModel) -> void:
+	var oddities: Dictionary[String, String] = {}
+	for recording in trainer.get_recordings():
+		oddities[recording["trial"]] = recording["oddity"]
+	var still := "its reference does not move by %s, nothing is learnt from it" % model.feature
+	for i in trial_set.get_count():
+		var trial := trial_set.get_trial(i)
+		if trial["gesture"] != model.gesture:
+			continue
+		var oddity: String = oddities.get(trial["trial"], still)
+		if not oddity.is_empty():
+			var is_of_reference := oddity.begins_with("its reference")
+			var paths := [trial_set.get_measured_path(i), trial_set.get_reference_path(i)]
+			printerr("trial %s: %s: %s" % [trial["trial"], oddity, paths[int(is_of_reference)]])
 
 
 ## Before the training, which takes longer than to tell.

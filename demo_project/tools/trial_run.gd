@@ -18,15 +18,6 @@ const AFTER_S := 1.5
 const LONGEST_RECORD_S := 6.0 * 3600.0
 ## Smoothness takes time with its square: here 4 s a curve. Stamps in milliseconds ask for hours.
 const LONGEST_GESTURE_S := 120.0
-## How far a hand may go, in units of the task's amplitude.
-const SHORTEST_WAY := 0.1
-const LONGEST_WAY := 5.0
-## And how far its tracker may err.
-const FARTHEST_SEEN := 50.0
-## A measured track may end so much before the gesture does.
-const SHORT_S := 0.1
-## Nor does it last so many times as long as its reference.
-const LONGEST_TRACK := 10.0
 
 ## What is wrong with the trial or its files; empty when all is well.
 var error := ""
@@ -98,8 +89,10 @@ func run(
 	hmm.sensor_latency = sensor_latency_s
 	hmm.min_confidence = min_confidence
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
+	hmm.name = (_trial["trial"] as String).validate_node_name()
+	var unseen := _unseen_feature(measured_path, hmm.models)
 	# It would warn, at each trial, that nothing is recognised.
-	hmm.tracker = null if hmm.models.is_empty() else tracker
+	hmm.tracker = null if hmm.models.is_empty() or not unseen.is_empty() else tracker
 	hmm.task = task
 	hmm.gesture_ended.connect(
 		func(ended: StringName, time_s: float) -> void:
@@ -113,54 +106,15 @@ func run(
 		recognised = hmm.recognised
 	if not own.is_empty():
 		_compare()
-		# What is followed with a task only has no motion where none is given.
-		var is_still := _is_blank(curves["measured"])
-		if is_still and _is_blank(_feature_curve(measured_path, own[0].feature)):
-			note = "the hand is never seen by %s: %s" % [own[0].feature, measured_path]
-		else:
-			note = _oddity(tracker, measured_path)
+		note = MotionMetrics.recording_oddity(measured_path, reference_path, own[0].feature, _trial)
+	elif not unseen.is_empty():
+		note = "the hand is never seen by %s" % unseen
+	if not note.is_empty():
+		note += ": %s" % (reference_path if note.begins_with("its reference") else measured_path)
 
 	for node: Node in [hmm, task, tracker]:
 		if node != null:
 			node.free()
-
-
-## Of a gesture whose figures may be of something else. A hand may come back before its end.
-func _oddity(tracker: HandTracker, measured_path: String) -> String:
-	var end_s: float = _trial["end_s"]
-	var at := clampi(roundi(end_s * RATE_HZ) - first_ms, 0, count - 1)
-	var way := curves[REFERENCE].slice(0, at + 1)
-	way.sort()
-	if way[-1] < SHORTEST_WAY or way[-1] > LONGEST_WAY:
-		return (
-			"its reference goes to %.3f of the way, not to 1: check metres, start, axis, amplitude"
-			% way[-1]
-		)
-	var seen := curves["measured"].duplicate()
-	seen.sort()
-	var farthest := maxf(seen[-1], -seen[0])
-	if farthest > FARTHEST_SEEN:
-		return (
-			"its measured track goes to %.0f of the way: check metres: %s"
-			% [farthest, measured_path]
-		)
-	if tracker.get_start_time() > end_s:
-		return (
-			"its measured track begins at %.3f s, after the gesture's end at %.3f s: %s"
-			% [tracker.get_start_time(), end_s, measured_path]
-		)
-	if tracker.get_duration() > LONGEST_TRACK * count / RATE_HZ:
-		return (
-			"its measured track lasts %.1f s, its reference %.1f s: check seconds: %s"
-			% [tracker.get_duration(), count / RATE_HZ, measured_path]
-		)
-	var seen_to_s := tracker.get_start_time() + tracker.get_duration()
-	if seen_to_s < end_s - SHORT_S:
-		return (
-			"its measured track ends at %.3f s, before the gesture does, at %.3f s: %s"
-			% [seen_to_s, end_s, measured_path]
-		)
-	return ""
 
 
 static func _models_of(gesture: String, models: Array[GestureModel]) -> Array[GestureModel]:
@@ -232,8 +186,18 @@ func _measure_reference(reference_path: String, feature: String) -> bool:
 	return true
 
 
-func _feature_curve(path: String, feature: String) -> PackedFloat64Array:
-	return MotionMetrics.feature_curve(path, feature, _trial, first_ms / RATE_HZ, RATE_HZ, count)
+func _feature_curve(
+	path: String, feature: String, trial: Dictionary = _trial
+) -> PackedFloat64Array:
+	return MotionMetrics.feature_curve(path, feature, trial, first_ms / RATE_HZ, RATE_HZ, count)
+
+
+## What the only gesture that is waited for is measured by, where the track holds nothing of it.
+func _unseen_feature(measured_path: String, waited_for: Array[GestureModel]) -> String:
+	if waited_for.size() != 1 or task_trial.is_empty():
+		return ""
+	var feature := waited_for[0].feature
+	return feature if _is_blank(_feature_curve(measured_path, feature, task_trial)) else ""
 
 
 ## As of a hand that is never there: no sensor says 0 all the way of one that is.

@@ -128,6 +128,7 @@ TypedArray<Dictionary> GestureTrainer::get_recordings() const {
 		row["curve"] = to_godot(recording.curve);
 		row["r2"] = recording.r2;
 		row["kept"] = recording.kept;
+		row["oddity"] = to_godot(recording.oddity);
 		rows.push_back(row);
 	}
 	return rows;

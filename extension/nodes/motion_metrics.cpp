@@ -5,6 +5,7 @@
 #include "trial_dictionary.h"
 
 #include "gesture/motion_element.h"
+#include "gesture/recording_oddity.h"
 #include "metrics/curve_comparison.h"
 #include "metrics/recognition.h"
 #include "metrics/summary.h"
@@ -76,6 +77,27 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 	return curve;
 }
 
+String MotionMetrics::recording_oddity(const String &p_measured_path, const String &p_reference_path,
+		const String &p_feature, const Dictionary &p_trial) {
+	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
+	ERR_FAIL_NULL_V_MSG(feature, String(), p_feature + String(": there is no such feature"));
+	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
+	if (!task) {
+		return String();
+	}
+	steadyhand::TrainingRecording recording;
+	recording.task = *task;
+	recording.start_s = p_trial.get("start_s", 0.0);
+	recording.end_s = p_trial.get("end_s", 0.0);
+	for (const auto &[path, track] : { std::pair(p_measured_path, &recording.measured),
+				 std::pair(p_reference_path, &recording.reference) }) {
+		steadyhand::Result<steadyhand::Track> read = read_track_file(path);
+		ERR_FAIL_COND_V_MSG(!read, String(), to_godot(read.error()));
+		*track = std::move(read).value();
+	}
+	return to_godot(steadyhand::oddity(*feature, recording));
+}
+
 Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised) {
 	ERR_FAIL_COND_V_MSG(p_done.size() != p_recognised.size(), Dictionary(),
 			"MotionMetrics.confusion: as many names must be recognised as were done");
@@ -123,6 +145,9 @@ void MotionMetrics::_bind_methods() {
 	ClassDB::bind_static_method("MotionMetrics",
 			D_METHOD("feature_curve", "track_path", "feature", "trial", "t0_s", "rate_hz", "count"),
 			&MotionMetrics::feature_curve);
+	ClassDB::bind_static_method("MotionMetrics",
+			D_METHOD("recording_oddity", "measured_path", "reference_path", "feature", "trial"),
+			&MotionMetrics::recording_oddity);
 	ClassDB::bind_static_method(
 			"MotionMetrics", D_METHOD("confusion", "done", "recognised"), &MotionMetrics::confusion);
 	ClassDB::bind_static_method("MotionMetrics", D_METHOD("false_alarms_per_minute", "alarms", "observed_s"),

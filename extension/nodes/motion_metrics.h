@@ -21,6 +21,9 @@ public:
 	/// Empty and one error in the log where the track cannot be read.
 	static PackedFloat64Array feature_curve(const String &p_track_path, const String &p_feature,
 			const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count);
+	/// Empty where nothing is odd; empty and one error in the log where a track cannot be read.
+	static String recording_oddity(const String &p_measured_path, const String &p_reference_path,
+			const String &p_feature, const Dictionary &p_trial);
 	static Dictionary confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised);
 	static double false_alarms_per_minute(int p_alarms, double p_observed_s);
 };

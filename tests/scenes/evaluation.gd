@@ -7,6 +7,7 @@ const Evaluation := preload("res://tools/evaluation.gd")
 const EvaluationReport := preload("res://tools/evaluation_report.gd")
 const ModelFolder := preload("res://tools/model_folder.gd")
 const ToolRun := preload("support/tool_run.gd")
+const TrackText := preload("support/track_text.gd")
 
 const CONDITIONS: Array[String] = ["measured", "average", "one_euro", "kalman", "synthesised"]
 const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
@@ -87,8 +88,8 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	for row in table.slice(1):
 		names.append(row.get_slice(",", 0))
 	_replace_cells(table, 1, {4: "100", 5: "101"})
-	_keep_frames(trials.get_reference_path(1), -INF, trials.get_trial(1)["end_s"] - 0.05)
-	_keep_frames(trials.get_reference_path(2), trials.get_trial(2)["start_s"] + 0.05, INF)
+	TrackText.keep_frames(trials.get_reference_path(1), -INF, trials.get_trial(1)["end_s"] - 0.05)
+	TrackText.keep_frames(trials.get_reference_path(2), trials.get_trial(2)["start_s"] + 0.05, INF)
 	_write_blind_reference(trials, 3)
 	_replace_cells(table, 5, {1: "swipe"})
 	_replace_cells(table, 6, {1: "ring", 6: "", 7: "", 8: "", 9: "", 10: "", 11: "", 12: ""})
@@ -163,15 +164,15 @@ func test_what_makes_figures_of_something_else_is_told() -> void:
 			"millimetres":
 				_replace_cells(table, 1, {12: "200"})
 			"millimetres_seen":
-				_scale(trials.get_measured_path(0), "index_x", 1000.0)
+				TrackText.scale(trials.get_measured_path(0), "index_x", 1000.0)
 			"short":
 				var half_way_s: float = trials.get_trial(0)["end_s"] - 0.3
-				_keep_frames(trials.get_measured_path(0), -INF, half_way_s)
+				TrackText.keep_frames(trials.get_measured_path(0), -INF, half_way_s)
 			"late":
 				var end_s: float = trials.get_trial(0)["end_s"]
-				_keep_frames(trials.get_measured_path(0), end_s + 0.1, INF)
+				TrackText.keep_frames(trials.get_measured_path(0), end_s + 0.1, INF)
 			"slow":
-				_scale(trials.get_measured_path(0), "t", 100.0)
+				TrackText.scale(trials.get_measured_path(0), "t", 100.0)
 		var text := "\n".join(table) + "\n"
 		FileAccess.open(_path(wrong + "/trials.csv"), FileAccess.WRITE).store_string(text)
 		var options := ["--trials", _path(wrong), "--out", _path(wrong + "_out")]
@@ -217,6 +218,41 @@ func test_a_set_without_trials() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("none"), "--out", _path("none_out")])
 	check_equal(run.exit_code, 1, "exit code")
 	check_equal(run.not_said(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
+	check_equal(
+		run.not_said(["evaluate: there was no trial to run"]), "", "and that nothing is done"
+	)
+	check(not DirAccess.dir_exists_absolute(_path("none_out")), "nor written")
+	var options := ["--trials", _path("none"), "--out", _path("out")]
+	var earlier := DirAccess.get_files_at(_path("out"))
+	check_equal(ToolRun.new("evaluate", options).exit_code, 1, "exit code over an earlier one")
+	check(earlier.size() > 2, "there is an earlier one")
+	check_equal(DirAccess.get_files_at(_path("out")), earlier, "of which nothing is lost")
+
+
+func test_the_result_is_printed() -> void:
+	var trials := Rig.write_trials(_path("printed"), 2)
+	var table := _lines("printed/trials.csv")
+	_replace_cells(table, 1, {1: "none", 6: "", 7: "", 8: "", 9: "", 10: "", 11: "", 12: ""})
+	FileAccess.open(_path("printed/trials.csv"), FileAccess.WRITE).store_string("\n".join(table))
+	var options := ["--trials", _path("printed"), "--out", _path("printed_out")]
+	var run := ToolRun.new("evaluate", options + ["--context", "open"])
+	check_equal(run.exit_code, 0, "exit code")
+	var summary: Dictionary = JSON.parse_string("\n".join(_lines("printed_out/summary.json")))
+	for group: Dictionary in summary["groups"]:
+		var head: Array[String] = [group["gesture"], group["position"], "%d" % group["trials"]]
+		check_equal(run.not_said(head), "", "a row of each gesture and position")
+		var own: Dictionary = group["conditions"]
+		if group["gesture"] == "none":
+			check_equal(run.not_said(["none", "no figures"]), "", "none has no figures")
+			continue
+		var means := PackedStringArray(["mean R2, no lag"])
+		for condition in CONDITIONS:
+			means.append("%.4f" % own[condition]["r2_zero"]["mean"])
+		check_equal(run.not_said(means), "", "the means of all conditions")
+	var rate: float = summary["false_alarms_per_minute"]
+	check_equal(run.not_said(["1 false alarm in", "%.2f a minute" % rate]), "", "false alarms")
+	var curves := "summary.json and %d curves" % trials.get_count()
+	check_equal(run.not_said([_path("printed_out/results.csv"), curves]), "", "what was written")
 
 
 func test_nothing_of_an_earlier_evaluation_stays() -> void:
@@ -333,30 +369,6 @@ static func _replace_cells(table: PackedStringArray, row: int, cells: Dictionary
 	for column: int in cells:
 		old[column] = cells[column]
 	table[row] = ",".join(old)
-
-
-## Cuts a track down to its frames from `from_s` to `to_s`.
-static func _keep_frames(path: String, from_s: float, to_s: float) -> void:
-	var kept := PackedStringArray()
-	for line in FileAccess.get_file_as_string(path).split("\n", false):
-		var t := line.get_slice(",", 0)
-		if not t.is_valid_float() or (t.to_float() >= from_s and t.to_float() <= to_s):
-			kept.append(line)
-	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(kept) + "\n")
-
-
-static func _scale(path: String, name: String, factor: float) -> void:
-	var lines := FileAccess.get_file_as_string(path).split("\n", false)
-	var header := 0
-	while not lines[header].begins_with("t,"):
-		header += 1
-	var column := lines[header].split(",").find(name)
-	for row in range(header + 1, lines.size()):
-		var cells := lines[row].split(",")
-		if cells[column].is_valid_float():
-			cells[column] = str(factor * cells[column].to_float())
-		lines[row] = ",".join(cells)
-	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
 
 
 ## The first trial's reference has its last frame at `time_s`.

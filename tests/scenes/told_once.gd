@@ -67,6 +67,27 @@ func test_a_gesture_that_no_model_is_of() -> void:
 		check_equal(run.not_said([number]), "", "and how many")
 
 
+func test_a_track_without_the_joint_is_told_in_one_line() -> void:
+	var trials := Rig.write_trials(_path("thumbs"), 2)
+	var table := FileAccess.get_file_as_string(_path("thumbs/trials.csv"))
+	var row := table.get_slice("\n", 1)
+	var none := row.replace(",horizontal_drag,", ",none,").split(",").slice(0, 6)
+	table = table.replace(row, ",".join(none) + ",,,,,,,")
+	FileAccess.open(_path("thumbs/trials.csv"), FileAccess.WRITE).store_string(table)
+	for index: int in [0, 1]:
+		var text := FileAccess.get_file_as_string(trials.get_measured_path(index))
+		text = text.replace("index_", "other_")
+		FileAccess.open(trials.get_measured_path(index), FileAccess.WRITE).store_string(text)
+	var run := ToolRun.new("evaluate", ["--trials", _path("thumbs"), "--out", _path("thumbs_out")])
+	check_equal(run.exit_code, 0, "exit code")
+	for index: int in [0, 1]:
+		var name: String = trials.get_trial(index)["trial"]
+		var path := trials.get_measured_path(index)
+		var line := "trial %s: the hand is never seen by index_along_axis: %s" % [name, path]
+		check_equal(run.not_said([line]), "", "trial and file are named")
+	check_equal(run.said.count("WARNING"), 0, "and nothing else is said")
+
+
 ## The name of the trial whose measured track is no track any more.
 static func _break_one(trials: TrialSet) -> String:
 	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(TRACK)

@@ -5,6 +5,7 @@ const Rig := preload("support/rig.gd")
 const OwnModels := preload("res://tools/own_models.gd")
 const Repository := preload("res://tools/repository.gd")
 const ToolRun := preload("support/tool_run.gd")
+const TrackText := preload("support/track_text.gd")
 
 const GESTURE := &"horizontal_drag"
 
@@ -31,8 +32,11 @@ func test_training_is_repeatable() -> void:
 func test_own_models_come_out_again() -> void:
 	var trials := OwnModels.write_trials(_path("train"))
 	for gesture in OwnModels.GESTURES:
-		var model := GestureTrainer.new().train(trials, gesture)
+		var trainer := GestureTrainer.new()
+		var model := trainer.train(trials, gesture)
 		var path := Repository.absolute(Repository.MODELS).path_join(gesture + ".gesture")
+		for recording in trainer.get_recordings():
+			check_equal(recording["oddity"], "", recording["trial"])
 		check(
 			model.to_text() == FileAccess.get_file_as_string(path),
 			"models/%s.gesture is what ./steadyhand train makes, bit for bit" % gesture
@@ -57,6 +61,36 @@ func test_a_feature_that_is_not_there_is_told_before_a_recording_is_read() -> vo
 	check_equal(run.exit_code == 0, false, "refused")
 	check_equal(run.not_said(["%s: there is no feature 'toe_angle'" % GESTURE]), "", "and why")
 	check(not run.said.contains("training %s" % GESTURE), "no progress before it")
+
+
+func test_what_is_odd_is_told_and_learnt_from() -> void:
+	var trials := Rig.write_trials(_path("odd"), 4)
+	var told: Array[String] = [
+		"its measured track goes to ",
+		"its measured track ends at ",
+		"the hand is never seen by index_along_axis",
+		"its measured track lasts ",
+	]
+	for index in told.size():
+		_spoil(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])
+	TrackText.scale(trials.get_reference_path(4), "index_x", 0.0)
+	var out := _path("odd/drag.gesture")
+	var options := ["--trials", _path("odd"), "--gesture", String(GESTURE), "--out", out]
+	var run := ToolRun.new("train", options)
+	check_equal(run.exit_code, 0, "a model is trained all the same")
+	check_equal(run.said.count("\ntrial "), told.size() + 1, "nothing is said of sound trials")
+	for index in told.size():
+		var name: String = trials.get_trial(index)["trial"]
+		var line: Array[String] = ["trial %s: %s" % [name, told[index]]]
+		line.append(trials.get_measured_path(index))
+		check_equal(run.not_said(line), "", told[index])
+	var still := "trial %s: its reference does not move by index_along_axis, nothing is learnt"
+	check_equal(run.not_said([still % trials.get_trial(4)["trial"]]), "", "of what is left out")
+	var trainer := GestureTrainer.new()
+	trainer.train(trials, GESTURE)
+	for recording in trainer.get_recordings():
+		var is_odd: bool = recording["trial"] in _names(trials, told.size())
+		check_equal(recording["oddity"].is_empty(), not is_odd, "%s: oddity" % recording["trial"])
 
 
 func test_provenance() -> void:
@@ -170,6 +204,28 @@ func test_a_model_that_cannot_be_saved_is_said() -> void:
 	var run := _train_to("folder.gesture")
 	check_equal(run.exit_code, 2, "exit code")
 	check_equal(run.not_said(["cannot write %s" % _path("folder.gesture")]), "", "it is said")
+
+
+## Of the first trials.
+static func _names(trials: TrialSet, count: int) -> Array[String]:
+	var names: Array[String] = []
+	for index in count:
+		names.append(trials.get_trial(index)["trial"])
+	return names
+
+
+## Spoils a track in the way of that number.
+static func _spoil(path: String, way: int, end_s: float) -> void:
+	match way:
+		0:
+			TrackText.scale(path, "index_x", 1000.0)
+		1:
+			TrackText.keep_frames(path, -INF, end_s - 0.3)
+		2:
+			var text := FileAccess.get_file_as_string(path).replace("index_", "other_")
+			FileAccess.open(path, FileAccess.WRITE).store_string(text)
+		3:
+			TrackText.scale(path, "t", 1000.0)
 
 
 func _train_to(name: String) -> ToolRun:

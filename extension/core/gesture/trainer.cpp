@@ -4,6 +4,7 @@
 #include "gesture/motion_elements.h"
 #include "gesture/observation.h"
 #include "gesture/recorded_movements.h"
+#include "gesture/recording_oddity.h"
 #include "gesture/reference_curve.h"
 
 #include <cmath>
@@ -104,12 +105,14 @@ std::vector<double> durations_of(const std::vector<Movement> &kept) {
 	return durations_s;
 }
 
-std::vector<NormalisedRecording> report(RecordedMovements recorded, const ReferenceCurve &reference) {
+std::vector<NormalisedRecording> report(
+		const Feature &feature, RecordedMovements recorded, const ReferenceCurve &reference) {
 	std::vector<NormalisedRecording> rows;
 	rows.reserve(recorded.movements.size());
 	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
-		rows.push_back({ recorded.movements[i].recording->name, std::move(recorded.curves[i]),
-				reference.r2[i], reference.kept[i] });
+		const TrainingRecording &recording = *recorded.movements[i].recording;
+		rows.push_back({ recording.name, std::move(recorded.curves[i]), reference.r2[i], reference.kept[i],
+				oddity(feature, recording) });
 	}
 	return rows;
 }
@@ -204,7 +207,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		return stopped;
 	}
 	if (r_recordings != nullptr) {
-		*r_recordings = report(std::move(recorded).value(), reference);
+		*r_recordings = report(*feature, std::move(recorded).value(), reference);
 	}
 
 	const Observations observed = observe(*feature, kept, model.duration_mean_s);

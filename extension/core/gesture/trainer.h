@@ -29,6 +29,7 @@ struct NormalisedRecording {
 	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1
 	double r2 = 0.0;       ///< R^2 against the mean of all
 	bool kept = true;      ///< r2 >= T_h, or the best there is
+	std::string oddity;    ///< what looks wrong with it (recording_oddity.h); it is learnt from all the same
 };
 
 struct TrainingOptions {

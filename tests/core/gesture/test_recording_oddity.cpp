@@ -1,0 +1,111 @@
+#include "gesture/feature.h"
+#include "gesture/recording_oddity.h"
+#include "gesture/trainer.h"
+#include "minimum_jerk_drag.h"
+
+#include <doctest/doctest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+/// A drag of 0.2 m from 0.5 s to 1.3 s.
+TrainingRecording sound_drag() {
+	return test::drag_recordings()[0];
+}
+
+std::string told_of(const std::function<void(TrainingRecording &)> &change) {
+	TrainingRecording recording = sound_drag();
+	change(recording);
+	return oddity(*find_feature("index_along_axis"), recording);
+}
+
+void scale(Track &track, double factor) {
+	for (HandFrame &frame : track.frames) {
+		frame.set(Joint::INDEX, factor * frame.position(Joint::INDEX));
+	}
+}
+
+void scale_time(Track &track, double factor) {
+	for (HandFrame &frame : track.frames) {
+		frame.t_s *= factor;
+	}
+}
+
+void keep_until(Track &track, double end_s) {
+	std::erase_if(track.frames, [&](const HandFrame &frame) { return frame.t_s > end_s; });
+}
+
+} // namespace
+
+TEST_CASE("nothing is odd about recordings of simulated drags") {
+	for (const TrainingRecording &recording : test::drag_recordings()) {
+		CHECK(oddity(*find_feature("index_along_axis"), recording).empty());
+	}
+	// As bad trackers do: far off for a frame, late, lost before the hand has settled.
+	CHECK(told_of([](TrainingRecording &r) {
+		r.measured.frames[9].set(Joint::INDEX, { 9.9, 0.0, 0.0 });
+	}).empty());
+	CHECK(told_of([](TrainingRecording &r) { keep_until(r.measured, r.end_s - 0.09); }).empty());
+}
+
+TEST_CASE("what makes a recording one of something else is told") {
+	const std::vector<std::pair<std::string, std::function<void(TrainingRecording &)>>> odd = {
+		{ "its reference goes to 1000.000 of the way, not to 1: check metres, start, axis, amplitude",
+				[](TrainingRecording &r) { scale(r.reference, 1000.0); } },
+		{ "its reference goes to 0.001 of the way, not to 1: check metres, start, axis, amplitude",
+				[](TrainingRecording &r) { r.task.amplitude_m *= 1000.0; } },
+		{ "its reference holds nothing of index_along_axis",
+				[](TrainingRecording &r) {
+					for (HandFrame &frame : r.reference.frames) {
+						frame = { .t_s = frame.t_s };
+					}
+				} },
+		{ "its reference has no frames", [](TrainingRecording &r) { r.reference.frames.clear(); } },
+		{ "its measured track has no frames", [](TrainingRecording &r) { r.measured.frames.clear(); } },
+		{ "its measured track goes to 1000 of the way: check metres",
+				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
+		{ "the hand is never seen by index_along_axis",
+				[](TrainingRecording &r) {
+					for (HandFrame &frame : r.measured.frames) {
+						const Eigen::Vector3d tip_m = frame.position(Joint::INDEX);
+						frame = { .t_s = frame.t_s };
+						frame.set(Joint::THUMB, tip_m);
+					}
+				} },
+		{ "the hand is never seen by index_along_axis",
+				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
+		{ "its measured track ends at 0.800 s, before the gesture does, at 1.300 s",
+				[](TrainingRecording &r) { keep_until(r.measured, 0.8); } },
+		{ "its measured track begins at 1.391 s, after the gesture's end at 1.300 s",
+				[](TrainingRecording &r) {
+					std::erase_if(r.measured.frames, [](const HandFrame &frame) { return frame.t_s < 1.39; });
+				} },
+		{ "its measured track lasts 1790.9 s, its reference 1.8 s: check seconds",
+				[](TrainingRecording &r) { scale_time(r.measured, 1000.0); } },
+	};
+	for (const auto &[told, change] : odd) {
+		CHECK(told_of(change) == told);
+	}
+	// Of numbers that no text is made for.
+	CHECK(told_of([](TrainingRecording &r) { scale(r.measured, 1e300); }).size() < 400);
+}
+
+TEST_CASE("an odd recording is told of, and learnt from all the same") {
+	std::vector<TrainingRecording> drags = test::drag_recordings();
+	keep_until(drags[3].measured, 0.8);
+	std::vector<NormalisedRecording> told;
+	const Result<GestureModel> model = train("drag", "index_along_axis", drags, {}, &told);
+	REQUIRE(model.ok());
+	CHECK(model.value().provenance.recordings == 12);
+	REQUIRE(told.size() == 12);
+	for (const NormalisedRecording &recording : told) {
+		CHECK(recording.oddity.empty() == (recording.name != drags[3].name));
+	}
+}
