@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace godot {
 
@@ -21,6 +22,8 @@ namespace {
 /// and the latency of device and output together.
 constexpr std::size_t AHEAD_KNOTS = 13;
 constexpr double AHEAD_PERIOD_S = 0.01;
+/// A scene's scripts have set it up by then.
+constexpr double SETTLING_S = 1.0;
 constexpr int MOST_BUFFER_FRAMES = 1 << 20;
 
 steadyhand::MotionSnapshot::Knot knot_of(const MotionInstant &p_motion) {
@@ -79,6 +82,7 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
 			{ knot.position, knot.velocity, knot.acceleration, 0.0, knot.correction, 0.0 }, knot.moving,
 			p_motion.amplitude_m, arrivals_.last());
+	is_wanted_ = is_wanted_ || strength_.amplitude > 0.0;
 	for_each_sink([&](HapticSink &sink) {
 		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last());
 	});
@@ -260,12 +264,31 @@ void HapticSynth::_notification(int p_what) {
 		// As GestureHMM does of its tracker.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
-		set_process_internal(false);
-		if (gesture_hmm_ == nullptr) {
-			WARN_PRINT(node_label(*this) + ": nothing is felt until its \"gesture_hmm\" is set");
-		}
+		warn_of_silence();
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);
+	}
+}
+
+double HapticSynth::get_amplitude() const {
+	is_read_ = true;
+	return strength_.amplitude;
+}
+
+/// Once of each: in the first frame where there is no motion; where there is no output not before something
+/// would have been felt, as a script may choose one later than it makes the node.
+void HapticSynth::warn_of_silence() {
+	if (ready_for_s_ == 0.0 && gesture_hmm_ == nullptr) {
+		WARN_PRINT(node_label(*this) + ": nothing is felt until its \"gesture_hmm\" is set");
+	}
+	ready_for_s_ += std::max(get_process_delta_time(), std::numeric_limits<double>::min());
+	if (has_output() || is_read_ || (is_wanted_ && ready_for_s_ > SETTLING_S)) {
+		set_process_internal(false);
+		if (!has_output() && !is_read_) {
+			WARN_PRINT(node_label(*this) +
+					": nothing is felt: it has no \"bus\", \"controller\", \"joypad\" or "
+					"\"wav_path\", and no script reads get_buffer()");
+		}
 	}
 }
 
@@ -307,6 +330,7 @@ void HapticSynth::set_buffer_sample_rate(int p_rate_hz) {
 PackedVector2Array HapticSynth::get_buffer(int p_frames) {
 	ERR_FAIL_COND_V_MSG(p_frames < 0 || p_frames > MOST_BUFFER_FRAMES, PackedVector2Array(),
 			String("HapticSynth: frames must be in 0..") + itos(MOST_BUFFER_FRAMES));
+	is_read_ = true;
 	if (!buffer_) {
 		buffer_ = std::make_unique<BufferSink>(buffer_sample_rate_hz_);
 		add_sink(*buffer_);

@@ -59,7 +59,7 @@ public:
 	void set_buffer_sample_rate(int p_rate_hz);
 	int get_buffer_sample_rate() const { return buffer_sample_rate_hz_; }
 
-	double get_amplitude() const { return strength_.amplitude; }
+	double get_amplitude() const;
 	void stop_wav();
 	PackedVector2Array get_buffer(int p_frames);
 
@@ -109,7 +109,10 @@ private:
 	std::shared_ptr<std::deque<TablesInUse>> tables_ = std::make_shared<std::deque<TablesInUse>>();
 	steadyhand::ArrivalDetector arrivals_;
 	steadyhand::Strength strength_;
-	double told_s_ = NOT_TOLD; ///< the motion's time when it was last told of live
+	double told_s_ = NOT_TOLD;     ///< the motion's time when it was last told of live
+	bool is_wanted_ = false;       ///< there has been something to feel
+	mutable bool is_read_ = false; ///< a script has asked for samples or their amplitude
+	double ready_for_s_ = 0.0;     ///< in frames of the game
 
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
 	std::unique_ptr<LiveSink> bus_sink_;
@@ -137,6 +140,8 @@ private:
 	void pause_pulses(bool p_paused);
 	void listen_to_joypads(bool p_listen);
 	void on_joypad_changed(int64_t p_joypad, bool p_is_connected);
+	bool has_output() const;
+	void warn_of_silence();
 	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();
 	void on_effects_changed();

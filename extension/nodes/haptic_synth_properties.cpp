@@ -11,13 +11,18 @@
 
 namespace godot {
 
+/// Be it one that is missing.
+bool HapticSynth::has_output() const {
+	return bus_ != StringName() || !wav_path_.is_empty() || get_controller() != nullptr ||
+			joypad_ != NO_JOYPAD;
+}
+
 PackedStringArray HapticSynth::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (gesture_hmm_ == nullptr) {
 		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
 	}
-	const bool has_motor = get_controller() != nullptr || joypad_ != NO_JOYPAD;
-	if (bus_ == StringName() && wav_path_.is_empty() && !has_motor) {
+	if (!has_output()) {
 		warnings.push_back(
 				"Set \"bus\" to an audio bus that leads to the actuator, \"controller\" or \"joypad\", or "
 				"\"wav_path\" to a file; otherwise the vibration goes nowhere, unless a script takes it by "
