@@ -5,14 +5,15 @@ extends "tool.gd"
 ## Runs trials of synthetic people, and those of real hands where they are there, through the real
 ## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET and
 ## evaluation_paper/SET (as of evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one
-## unstable trial vibration.wav and vibration.curves.csv. The scene's second run, for these, logs
-## to replays/, which is no study's.
+## unstable trial vibration.wav, vibration.curves.csv and what their picture says of them,
+## vibration.json. The scene's second run, for these, logs to replays/, which is no study's.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
 const Repository := preload("repository.gd")
 const ResultTable := preload("result_table.gd")
 const ScenePlayer := preload("scene_player.gd")
+const Stored := preload("res://scripts/stored.gd")
 const Tasks := preload("res://scripts/tasks.gd")
 
 ## The gesture and the position of the trial whose vibration is kept, as in the paper's Fig. 6.
@@ -120,8 +121,13 @@ func _play_scene(
 
 func _keep_vibration(trial_set: TrialSet, trial_name: String, evaluation_folder: String) -> void:
 	var player := ScenePlayer.new(Tasks.SCENES[SHOWN_GESTURE], _out.path_join("replays"), root)
-	player.play_to_wav(trial_set, trial_name, _out.path_join("vibration.wav"))
+	var played := player.play_to_wav(trial_set, trial_name, _out.path_join("vibration.wav"))
 	player.free_scene()
+	var file := FileAccess.open(_out.path_join("vibration.json"), FileAccess.WRITE)
+	if file != null:
+		file.store_line(JSON.stringify(played, "\t"))
+	if file == null or not Stored.is_written(file):
+		fail("cannot write %s" % _out.path_join("vibration.json"), EXIT_BAD_INPUT)
 	DirAccess.copy_absolute(
 		evaluation_folder.path_join("%s.curves.csv" % trial_name),
 		_out.path_join("vibration.curves.csv")

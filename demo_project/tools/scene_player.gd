@@ -4,6 +4,7 @@ extends RefCounted
 const TaskScene := preload("res://scripts/task_scene.gd")
 
 const STEP_S := 1e-3
+const SOON_S := 0.05
 
 ## Wall-clock time that was spent on playing, s.
 var taken_s := 0.0
@@ -37,12 +38,35 @@ func play_all(trial_set: TrialSet, gesture: String, left_out: Array[String] = []
 	return played_s
 
 
-func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> void:
+## Which trial it is, and on its clock, s: its gesture's start_s and end_s, the WAV's first sample,
+## and when the cue at the end began (null: never).
+func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> Dictionary:
+	var played := {}
 	for index in trial_set.get_count():
-		if trial_set.get_trial(index)["trial"] == trial_name:
-			_scene.haptic_synth.wav_path = wav_path
-			_play(trial_set, index)
-			_scene.haptic_synth.stop_wav()
+		var trial := trial_set.get_trial(index)
+		if trial["trial"] != trial_name:
+			continue
+		for key: String in ["trial", "gesture", "position", "start_s", "end_s"]:
+			played[key] = trial[key]
+		played["mode"] = "paper" if _scene.gesture_hmm.mode == GestureHMM.MODE_PAPER else "phase"
+		# The motion is told of to the WAV at the instants that it is told of to scripts.
+		_scene.gesture_hmm.motion_updated.connect(
+			func(time_s: float) -> void: played["wav_start_s"] = time_s, CONNECT_ONE_SHOT
+		)
+		_scene.haptic_synth.wav_path = wav_path
+		_play(trial_set, index)
+		_scene.haptic_synth.stop_wav()
+		played["cue_s"] = _cue_s()
+	return played
+
+
+## As HapticSynth has it: at 95 % of the way, or where the gesture ends and does not get there soon.
+func _cue_s() -> Variant:
+	var arrived_s := _scene.course.end_s
+	var ended_s := _scene.course.gesture_end_s
+	if is_nan(arrived_s) or arrived_s > ended_s + SOON_S:
+		arrived_s = ended_s
+	return null if is_nan(arrived_s) else arrived_s
 
 
 func _play(trial_set: TrialSet, index: int) -> float:

@@ -2,6 +2,8 @@ extends "support/scene_test.gd"
 ## The vibration as a WAV file: on the motion's own clock, however fast that runs.
 
 const Rig := preload("support/rig.gd")
+const ScenePlayer := preload("res://tools/scene_player.gd")
+const Tasks := preload("res://scripts/tasks.gd")
 const Waveform := preload("support/waveform.gd")
 
 const RATE_HZ := 48000
@@ -35,6 +37,36 @@ func test_vibration_follows_the_motion() -> void:
 	check(Waveform.greatest_step(samples) < 1.02 * greatest, "no step above the waveform's own")
 	_check_spectrum(samples.slice(samples.size() - int(WINDOW_STEPS * per_step)))
 	_check_envelope(samples, values, amplitude_m)
+
+
+func test_a_scene_tells_when_its_wav_begins_and_its_cue() -> void:
+	var logs := _folder.get_current_dir().path_join("logs")
+	var wav_path := _folder.get_current_dir().path_join("played.wav")
+	var player := ScenePlayer.new(Tasks.SCENES["horizontal_drag"], logs, root)
+	var trial := _trials.get_trial(0)
+	var played := player.play_to_wav(_trials, trial["trial"], wav_path)
+	player.free_scene()
+	for key: String in ["trial", "gesture", "position", "start_s", "end_s"]:
+		check_equal(played[key], trial[key], key)
+	check_equal(played["mode"], "phase", "mode")
+	var session := logs.path_join(DirAccess.get_directories_at(logs)[0])
+	var log_path := session.path_join("%s.log.csv" % trial["trial"])
+	var rows := FileAccess.get_file_as_string(log_path).split("\n", false)
+	var header := 0
+	while not rows[header].begins_with("t,"):
+		header += 1
+	check_near(played["wav_start_s"], rows[header + 1].to_float(), 1e-6, "the log's first row")
+	# Where the cue begins the amplitude leaps from one instant to the next.
+	var amplitudes: Array[float] = []
+	for row in rows.slice(header + 1):
+		amplitudes.append(row.get_slice(",", 10).to_float())
+	var leap := 1
+	for i in range(1, amplitudes.size()):
+		if absf(amplitudes[i] - amplitudes[i - 1]) > absf(amplitudes[leap] - amplitudes[leap - 1]):
+			leap = i
+	var leap_s := rows[header + 1 + leap].to_float()
+	var is_cue: bool = absf(leap_s - played["cue_s"]) < 0.062
+	check(is_cue, "cue at %.3f s, a leap at %.3f s" % [played["cue_s"], leap_s])
 
 
 func test_switching_the_condition_does_not_click() -> void:

@@ -3,14 +3,17 @@
 
 import argparse
 import csv
+import json
 import sys
 import wave
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from gesture_end import END_LEVEL
 from matplotlib.axes import Axes
+from matplotlib.lines import Line2D
 from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, plt, save
 
 MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
@@ -23,6 +26,14 @@ class Style:
     colour: str
     width: float
     dashes: str = "-"
+
+
+@dataclass
+class Mark:
+    t_s: float
+    label: str
+    colour: str
+    dashes: str
 
 
 # In the order in which they are drawn, the last on top.
@@ -68,7 +79,29 @@ def shown_span(curves: dict[str, np.ndarray]) -> tuple[float, float]:
     return max(leaves - MARGIN_S, t[0]), min(max(arrivals, default=t[-1]) + MARGIN_S, t[-1])
 
 
-def draw_curves(axes: Axes, curves: dict[str, np.ndarray]) -> None:
+def marks(curves: dict[str, np.ndarray], played: dict) -> list[Mark]:
+    """Of a trial that was played (vibration.json)."""
+    found = []
+    if "reference" in curves:
+        t, reference = curves["t"], curves["reference"]
+        level = END_LEVEL * np.interp(played["end_s"], t, reference)
+        there = np.flatnonzero((t >= played["start_s"]) & (reference >= level))
+        found += [Mark(t[there[0]], "the hand's end, by the reference", BLACK, ":")] if len(there) else []
+    if played["cue_s"] is not None:
+        found.append(Mark(played["cue_s"], "the end cue begins", BLUE, "-."))
+    return found
+
+
+def title_of(played: dict) -> str:
+    gesture = played["gesture"].replace("_", " ")
+    return f"{gesture}, {played['position']}, synthesised in {played['mode']} mode: {played['trial']}"
+
+
+def draw_marks(axes: Axes, of: list[Mark]) -> list[Line2D]:
+    return [axes.axvline(mark.t_s, color=mark.colour, lw=1.3, ls=mark.dashes, label=mark.label) for mark in of]
+
+
+def draw_curves(axes: Axes, curves: dict[str, np.ndarray], of: Iterable[Mark] = ()) -> None:
     lines = {}
     for name, style in STYLES.items():
         if name in curves:
@@ -76,7 +109,8 @@ def draw_curves(axes: Axes, curves: dict[str, np.ndarray]) -> None:
                 curves["t"], curves[name], color=style.colour, lw=style.width, ls=style.dashes, label=style.label
             )
     axes.set_ylabel("motion element\n(share of the amplitude)")
-    axes.legend(handles=[lines[name] for name in LEGEND_ORDER if name in lines], loc="upper left", framealpha=0.95)
+    handles = [lines[name] for name in LEGEND_ORDER if name in lines] + draw_marks(axes, of)
+    axes.legend(handles=handles, loc="upper left", framealpha=0.95)
 
 
 def draw_vibration(axes: Axes, t: np.ndarray, samples: np.ndarray) -> None:
@@ -89,12 +123,14 @@ def draw_vibration(axes: Axes, t: np.ndarray, samples: np.ndarray) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("curves", type=Path, metavar="CURVES.csv")
-    parser.add_argument("--wav", type=Path, help="the vibration of the same trial, from the same instant on")
+    parser.add_argument("--wav", type=Path, help="the vibration of the same trial")
+    parser.add_argument("--of", type=Path, metavar="FILE.json", help="what was played: vibration.json of the demo")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE.png")
-    parser.add_argument("--title", default="")
     given = parser.parse_args()
 
     curves = read_curves(given.curves)
+    played = json.loads(given.of.read_text()) if given.of else None
+    marked = marks(curves, played) if played else []
     rows = 2 if given.wav else 1
     figure, axes = plt.subplots(
         rows,
@@ -105,11 +141,12 @@ def main() -> None:
         layout="constrained",
         height_ratios=[3, 1][:rows],
     )
-    draw_curves(axes[0, 0], curves)
+    draw_curves(axes[0, 0], curves, marked)
     if given.wav:
         t, samples = read_wav(given.wav)
-        draw_vibration(axes[1, 0], curves["t"][0] + t, samples)
-    axes[0, 0].set_title(given.title)
+        draw_vibration(axes[1, 0], t + (played["wav_start_s"] if played else curves["t"][0]), samples)
+        draw_marks(axes[1, 0], marked)
+    axes[0, 0].set_title(title_of(played) if played else "", size=11)
     axes[0, 0].set_xlim(*shown_span(curves))
     axes[-1, 0].set_xlabel("time (s)")
     save(figure, given.out)

@@ -83,7 +83,7 @@ func _draw_waveform(area: Rect2) -> void:
 		var top := Vector2(x + 0.5, middle - scale_y * highest - 0.5)
 		draw_line(top, Vector2(top.x, middle - scale_y * lowest + 0.5), LINE)
 	_write(Vector2(0, area.end.y), "%.2f s" % (float(shown.x) / RATE_HZ))
-	_write(Vector2(area.get_center().x, area.end.y), "full height: %.2f" % peak)
+	_write(Vector2(area.get_center().x, area.end.y), "%.0f %% of full scale" % (100.0 * peak))
 	_write(Vector2(area.end.x, area.end.y), "%.2f s" % (float(shown.y) / RATE_HZ))
 
 
@@ -117,7 +117,7 @@ func _draw_spectrum(area: Rect2) -> void:
 	_write(Vector2(0, area.end.y), "0 Hz")
 	var setting_x := area.size.x * effect.frequency / (_frequencies[-1] + 0.5 * _frequencies[0])
 	_write(Vector2(setting_x, area.end.y), "%.0f Hz" % effect.frequency)
-	_write(area.end, "full height: %.4f" % _spectrum[highest])
+	_write(area.end, "%.2f %% of full scale" % (100.0 * _spectrum[highest]))
 
 
 ## Below `place`; not beyond the right edge.
