@@ -1,6 +1,6 @@
 extends "support/scene_test.gd"
-## What scripts change while a gesture is under way: what it does not concern goes on to the last bit,
-## what ends it is told, and a stream begun anew is followed from its first frame on.
+## What scripts change while a gesture is under way: what it does not concern goes on to the last
+## bit, what ends it is told, and a stream begun anew is followed from its first frame on.
 
 const Rig := preload("support/rig.gd")
 
@@ -212,8 +212,8 @@ func test_who_hears_of_progress_may_let_go_of_the_trainer() -> void:
 	check(held.is_empty() and model != null, "trained all the same")
 
 
-## A drag from rest, at whose CHANGE_S the change is made. What is said is in _said; returns the value at
-## each instant.
+## A drag from rest, at whose CHANGE_S the change is made. What is said is in _said; returns the
+## value at each instant.
 func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFloat64Array:
 	var values := PackedFloat64Array()
 	_listen(hmm)
