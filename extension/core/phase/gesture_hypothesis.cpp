@@ -70,6 +70,11 @@ GestureHypothesis GestureHypothesis::in(Regime regime) const {
 	GestureHypothesis h = *this;
 	h.regime_ = regime;
 	h.error_ = regime_numbers(regime).error;
+	if (error_ == TrackerError::SLIDING_BACK) {
+		const Deviation &error = error_numbers(h.error_).at_start;
+		h.forget(ERROR_RATE);
+		h.begin_at(ERROR_RATE, 0.0, error.amplitudes * error.rate_per_s);
+	}
 	return h;
 }
 
@@ -136,14 +141,6 @@ GestureHypothesis GestureHypothesis::displaced_sliding_back(double deviation) co
 GestureHypothesis GestureHypothesis::caught_up(double behind_s, double deviation) const {
 	GestureHypothesis h = displaced_sliding_back(deviation);
 	h.covariance_[entry(ONSET, ONSET)] += behind_s * behind_s;
-	return h;
-}
-
-GestureHypothesis GestureHypothesis::arrived() const {
-	GestureHypothesis h = in(regime_);
-	const Deviation &error = error_numbers(h.error_).at_start;
-	h.forget(ERROR_RATE);
-	h.begin_at(ERROR_RATE, 0.0, error.amplitudes * error.rate_per_s);
 	return h;
 }
 

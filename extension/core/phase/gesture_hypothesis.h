@@ -48,7 +48,8 @@ public:
 	/// of g is multiplied.
 	[[nodiscard]] GestureHypothesis begun(Regime regime, double onset_s, double onset_deviation_s,
 			double log_duration, double log_duration_deviation, double gain_spread = 1.0) const;
-	/// The same hand and tracker from now on in a regime; the tracker errs as it does there.
+	/// The same hand and tracker from now on in a regime; the tracker errs as it does there, and if it slid
+	/// it moves no more against the hand.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
@@ -71,8 +72,6 @@ public:
 	[[nodiscard]] GestureHypothesis caught_up(double behind_s, double deviation) const;
 	/// Of one that is free: the tracker had been astray, and shows the hand again, which is elsewhere.
 	[[nodiscard]] GestureHypothesis found_elsewhere(double deviation) const;
-	/// Of one whose tracker slides: it has arrived, and moves no more against the hand.
-	[[nodiscard]] GestureHypothesis arrived() const;
 	/// The tracker's error is as if nothing were known of it.
 	void forget_error();
 

@@ -70,7 +70,8 @@ void branch_at_jump(HypothesisBank &r_bank, bool leads_onward) {
 void arrive_from_jump(HypothesisBank &r_bank) {
 	for (std::size_t i = 0; i < r_bank.size(); ++i) {
 		if (r_bank.error(i) == TrackerError::SLIDING_BACK) {
-			r_bank.set(i, r_bank.hypothesis(i).arrived());
+			const GestureHypothesis back = r_bank.hypothesis(i);
+			r_bank.set(i, back.in(back.regime()));
 		}
 	}
 }
