@@ -113,11 +113,9 @@ void GestureHMM::update_expected() {
 		return;
 	}
 	++build_;
-	// The one whose motion is put out: while none is under way the first.
-	const auto put_out = [this] { return static_cast<std::size_t>(std::max(recogniser_->gesture(), 0)); };
-	const std::size_t before = put_out();
+	const std::size_t before = recogniser_->shown();
 	const std::vector<int> now = recogniser_->expect(core_of(expected));
-	const bool motion_goes_on = before < now.size() && now[before] == static_cast<int>(put_out());
+	const bool motion_goes_on = before < now.size() && now[before] == static_cast<int>(recogniser_->shown());
 	frames_with_hand_ = 0;
 	const StringName gesture = get_gesture();
 	expected_ = std::move(expected);

@@ -104,7 +104,7 @@ Error HandTracker::start() {
 	running_ = true;
 	update_processing();
 	const uint64_t this_run = run_;
-	listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_stream_started);
+	tell(&FrameListener::on_stream_started);
 	if (goes_on(watch, this_run)) {
 		emit_signal("source_ready");
 	}
@@ -174,7 +174,7 @@ void HandTracker::advance_to(double p_time_s) {
 		steadyhand::HandFrame frame;
 		while (playback.next(p_time_s, frame)) {
 			if (new_round) {
-				listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_stream_started);
+				tell(&FrameListener::on_stream_started);
 			}
 			if (goes_on(watch, this_run)) {
 				deliver(frame);
@@ -200,8 +200,7 @@ void HandTracker::advance_to(double p_time_s) {
 void HandTracker::tell_time(double p_time_s) {
 	if (p_time_s >= time_s_) {
 		time_s_ = p_time_s;
-		const uint64_t this_run = run_;
-		listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_time_advanced, p_time_s);
+		tell(&FrameListener::on_time_advanced, p_time_s);
 	}
 }
 
@@ -278,7 +277,7 @@ void HandTracker::deliver(const steadyhand::HandFrame &p_frame) {
 	}
 	set_hand_present(tracked_ != 0);
 	if (goes_on(watch, this_run)) {
-		listeners_.call_while([&] { return run_ == this_run; }, &FrameListener::on_frame, p_frame);
+		tell(&FrameListener::on_frame, p_frame);
 	}
 	if (goes_on(watch, this_run) && has_connections(names_.frame_received)) {
 		emit_signal(names_.frame_received, p_frame.t_s);

@@ -127,6 +127,12 @@ private:
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	void deliver(const steadyhand::HandFrame &p_frame);
+	/// The listeners; what is of this run is none's any more once one of them has begun another.
+	template <class... Arguments, class... Values>
+	void tell(void (FrameListener::*p_method)(Arguments...), const Values &...p_values) {
+		const uint64_t this_run = run_;
+		listeners_.call_while([&] { return run_ == this_run; }, p_method, p_values...);
+	}
 	void tell_time(double p_time_s);
 	void set_hand_present(bool p_present);
 	void update_processing();

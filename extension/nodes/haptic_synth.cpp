@@ -282,9 +282,10 @@ void HapticSynth::warn_of_silence() {
 		WARN_PRINT(node_label(*this) + ": nothing is felt until its \"gesture_hmm\" is set");
 	}
 	ready_for_s_ += std::max(get_process_delta_time(), std::numeric_limits<double>::min());
-	if (has_output() || is_read_ || (is_wanted_ && ready_for_s_ > SETTLING_S)) {
+	const bool is_heard = has_output() || is_read_;
+	if (is_heard || (is_wanted_ && ready_for_s_ > SETTLING_S)) {
 		set_process_internal(false);
-		if (!has_output() && !is_read_) {
+		if (!is_heard) {
 			WARN_PRINT(node_label(*this) +
 					": nothing is felt: it has no \"bus\", \"controller\", \"joypad\" or "
 					"\"wav_path\", and no script reads get_buffer()");

@@ -34,6 +34,9 @@ struct Provenance {
 	std::vector<double> objective;    ///< Baum-Welch, per iteration (nats)
 };
 
+/// No gesture takes longer, nor an element of one: stamps are of another unit.
+inline constexpr double LONGEST_GESTURE_S = 3600.0;
+
 /// One trained gesture: all that recognition and synthesis need, and nothing of a scene.
 struct GestureModel {
 	std::string gesture;

@@ -21,7 +21,6 @@ constexpr int FORMAT_VERSION = 1;
 constexpr std::size_t MAX_STATES = 256;
 /// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
 constexpr double SHORTEST_S = 1e-5;
-constexpr double LONGEST_S = 3600.0;
 constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
 constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
 constexpr double AXIS_TOLERANCE = 0.01;           // of its length: trial sets round it
@@ -69,7 +68,7 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 		throw Fault(json["phase_end"], "elements: phase_begin must be less than phase_end");
 	}
 	element.deviation = within(json, "deviation", 0.0, FARTHEST_OFF);
-	element.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_S);
+	element.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_GESTURE_S);
 	element.duration_deviation_s =
 			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * element.duration_mean_s);
 	const Eigen::VectorXd coefficients = vector(member(json, "polynomial"), "polynomial", false);
@@ -136,7 +135,7 @@ GestureModel model_from_json(const Json &json) {
 	}
 	model.typical_task.amplitude_m = within(json, "typical_amplitude_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
 	model.both_ways = optional_flag(json, "both_ways");
-	model.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_S);
+	model.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_GESTURE_S);
 	model.duration_deviation_s =
 			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * model.duration_mean_s);
 	model.reference_mean = reference(json, "reference_mean");

@@ -9,26 +9,9 @@
 namespace steadyhand {
 namespace {
 
-RecordedCurve reference_motion(const Feature &feature, const TrainingRecording &recording) {
-	RecordedCurve curve;
-	MotionElement element(feature);
-	for (const HandFrame &frame : recording.reference.frames) {
-		if (frame.t_s <= recording.start_s) {
-			element.restart();
-		}
-		const std::optional<double> x_m = element.measure(frame, recording.task);
-		if (x_m && (curve.t_s.empty() || frame.t_s > curve.t_s.back())) {
-			curve.t_s.push_back(frame.t_s);
-			curve.x_m.push_back(*x_m);
-		}
-	}
-	return curve;
-}
-
 /// Of a recording whose gesture has no length, or no end, or is not wholly where its reference can show it.
 std::optional<std::string> recording_error(const TrainingRecording &recording) {
-	constexpr double ROUNDING_S = 1e-6;          // stamps are decimal text
-	constexpr double LONGEST_GESTURE_S = 3600.0; // as a model may say
+	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
 	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
 		return recording.name + ": its amplitude_m is empty or not above 0";
 	}
@@ -54,6 +37,23 @@ std::optional<std::string> recording_error(const TrainingRecording &recording) {
 
 } // namespace
 
+RecordedCurve recorded_motion(
+		const Feature &feature, const TrainingRecording &recording, const Track &track) {
+	RecordedCurve curve;
+	MotionElement element(feature);
+	for (const HandFrame &frame : track.frames) {
+		if (frame.t_s <= recording.start_s) {
+			element.restart();
+		}
+		const std::optional<double> x_m = element.measure(frame, recording.task);
+		if (x_m && (curve.t_s.empty() || frame.t_s > curve.t_s.back())) {
+			curve.t_s.push_back(frame.t_s);
+			curve.x_m.push_back(*x_m);
+		}
+	}
+	return curve;
+}
+
 Result<RecordedMovements> recorded_movements(
 		const Feature &feature, std::span<const TrainingRecording> recordings) {
 	RecordedMovements recorded;
@@ -61,7 +61,7 @@ Result<RecordedMovements> recorded_movements(
 		if (std::optional<std::string> fault = recording_error(recording)) {
 			return Error{ std::move(*fault) };
 		}
-		const RecordedCurve curve = reference_motion(feature, recording);
+		const RecordedCurve curve = recorded_motion(feature, recording, recording.reference);
 		if (curve.t_s.size() < 2) {
 			continue;
 		}

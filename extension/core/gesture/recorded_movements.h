@@ -27,6 +27,10 @@ struct RecordedMovements {
 	std::vector<Eigen::VectorXd> curves; ///< of each, normalised
 };
 
+/// The motion element along one of its tracks, m, at the stamps in increasing order at which it was seen.
+[[nodiscard]] RecordedCurve recorded_motion(
+		const Feature &feature, const TrainingRecording &recording, const Track &track);
+
 /// The recordings must outlive what is returned. Errors: an amplitude that is not above 0, a span that is not
 /// within its reference or takes more than an hour, no recording in which the feature moves.
 Result<RecordedMovements> recorded_movements(

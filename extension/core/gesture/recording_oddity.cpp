@@ -1,12 +1,11 @@
 #include "gesture/recording_oddity.h"
 
-#include "gesture/motion_element.h"
+#include "gesture/recorded_movements.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 namespace steadyhand {
 namespace {
@@ -29,14 +28,10 @@ struct Way {
 Way way_of(const Feature &feature, const TrainingRecording &recording, const Track &track, double from_s,
 		double to_s) {
 	Way way;
-	MotionElement element(feature);
-	for (const HandFrame &frame : track.frames) {
-		if (frame.t_s <= recording.start_s) {
-			element.restart();
-		}
-		const std::optional<double> x_m = element.measure(frame, recording.task);
-		if (x_m && frame.t_s >= from_s && frame.t_s <= to_s) {
-			const double x = *x_m / recording.task.amplitude_m;
+	const RecordedCurve curve = recorded_motion(feature, recording, track);
+	for (std::size_t i = 0; i < curve.t_s.size(); ++i) {
+		if (curve.t_s[i] >= from_s && curve.t_s[i] <= to_s) {
+			const double x = curve.x_m[i] / recording.task.amplitude_m;
 			way.highest = std::max(way.highest, x);
 			way.farthest = std::max(way.farthest, std::abs(x));
 		}

@@ -26,7 +26,7 @@ constexpr double STAYS_LATE_S = 0.05; ///< so long ago: trackers that err are la
 
 /// Of the way, near enough.
 Polynomial::Point movement_at(const HypothesisGroup::Course &course, double t_s) {
-	return minimum_jerk((t_s - course.onset_s) * course.rate_per_s);
+	return minimum_jerk(course.phase(t_s));
 }
 
 /// Logarithm of how often trackers lose a hand that is on its way like that, against one that goes an

@@ -73,7 +73,7 @@ public:
 	[[nodiscard]] bool on_its_way(std::size_t place) const { return group(place).on_its_way(place % LANES); }
 	/// The gesture has come to its end a while ago.
 	[[nodiscard]] bool is_over(std::size_t place, double t_s) const {
-		return on_its_way(place) && (t_s - course(place).onset_s) * course(place).rate_per_s > SPENT_PHASE;
+		return on_its_way(place) && course(place).phase(t_s) > SPENT_PHASE;
 	}
 	/// GestureHypothesis::standing
 	[[nodiscard]] bool is_standing(std::size_t place) const {

@@ -64,7 +64,7 @@ std::size_t likeliest_on_its_way(const HypothesisBank &bank) {
 /// Of the hand, near enough; of one on its way.
 double place(const HypothesisBank &bank, std::size_t i, double t_s) {
 	const HypothesisGroup::Course course = bank.course(i);
-	const double gone = minimum_jerk((t_s - course.onset_s) * course.rate_per_s).value;
+	const double gone = minimum_jerk(course.phase(t_s)).value;
 	return course.gain * gone + bank.hand_deviation(i);
 }
 

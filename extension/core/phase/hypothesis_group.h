@@ -25,6 +25,8 @@ public:
 	/// Of a hand that makes the gesture: (1 + g) f((t - onset_s) * rate_per_s)
 	struct Course {
 		double onset_s, rate_per_s, gain, shape; ///< gain: 1 + g
+
+		[[nodiscard]] double phase(double t_s) const { return (t_s - onset_s) * rate_per_s; }
 	};
 
 	void set(std::size_t lane, const GestureHypothesis &hypothesis);

@@ -39,7 +39,7 @@ double hand_of(const HypothesisBank &bank, std::size_t place, const ElementCurve
 		return deviation;
 	}
 	const HypothesisGroup::Course course = bank.course(place);
-	const double phase = (t_s - course.onset_s) * course.rate_per_s;
+	const double phase = course.phase(t_s);
 	const double elements = curve.at(all(phase)).value[0];
 	return deviation + course.gain * (elements + course.shape * (minimum_jerk(phase).value - elements));
 }
@@ -140,7 +140,7 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 		hand_.v[index_of(regime)] += weight * v;
 		if (bank.on_its_way(i)) {
 			const HypothesisGroup::Course course = bank.course(i);
-			const double seen_phase = (seen_s - course.onset_s) * course.rate_per_s;
+			const double seen_phase = course.phase(seen_s);
 			const bool waits = seen_phase < VISIBLE_PHASE || regime == Regime::FREE;
 			const double way = weight * course.gain;
 			Courses &courses = courses_[count_ / LANES];

@@ -59,6 +59,8 @@ public:
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
+	/// Index of the one whose motion is shown: while none is under way, what is seen along the first.
+	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
 	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
 	/// none: 0..1; 0 while none is shown.
 	[[nodiscard]] double confidence() const;
@@ -105,8 +107,6 @@ private:
 	void let_return();
 	void choose_leader();
 	void lead(int follower);
-	/// While none leads, what is seen along the first one is what is shown.
-	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 
