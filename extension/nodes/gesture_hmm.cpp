@@ -45,7 +45,7 @@ void GestureHMM::reset() {
 
 void GestureHMM::give_up_shown(const StringName &p_gesture) {
 	const Watch watch(listeners_);
-	const Shown before = std::exchange(shown_, {});
+	const steadyhand::GestureShown before = std::exchange(shown_, {});
 	if (before.gesture >= 0 && !before.arrived) {
 		emit_signal(names_.gesture_aborted, p_gesture);
 	}
@@ -135,27 +135,16 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 }
 
 void GestureHMM::publish() {
-	const steadyhand::GestureFollower *follower = recogniser_->follower();
-	const bool under_way =
-			follower != nullptr && follower->stage() != steadyhand::GestureFollower::Stage::RESTING;
-	const Shown before = shown_;
-	shown_.gesture = under_way ? recogniser_->gesture() : -1;
-	shown_.state = under_way ? follower->state() : -1;
-	shown_.begun = under_way ? follower->gestures_begun() : 0;
-	shown_.arrived = under_way && follower->stage() == steadyhand::GestureFollower::Stage::ARRIVED;
-	const bool is_other = shown_.gesture != before.gesture || shown_.begun != before.begun;
-	const bool started = under_way && is_other;
-	gestures_begun_ += started ? 1 : 0;
-	const bool ended = shown_.arrived && (started || !before.arrived);
-	task_changes_ = ended ? 0 : task_changes_;
-	const bool aborted = before.gesture >= 0 && !before.arrived && is_other;
-	const bool state_changed = started || shown_.state != before.state;
+	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
+	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
+	gestures_begun_ += news.started ? 1 : 0;
+	task_changes_ = news.ended ? 0 : task_changes_;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
-	const StringName gesture = started || ended ? gesture_name(shown_.gesture) : StringName();
-	const StringName aborted_gesture = aborted ? gesture_name(before.gesture) : StringName();
-	if (ended) {
+	const StringName gesture = news.started || news.ended ? gesture_name(shown_.gesture) : StringName();
+	const StringName aborted_gesture = news.aborted ? gesture_name(before.gesture) : StringName();
+	if (news.ended) {
 		recognised_ = gesture;
 	}
 	if (!listeners_.empty()) {
@@ -168,16 +157,16 @@ void GestureHMM::publish() {
 		return !watch.is_gone() && build_ == this_build && !outdated_ && !expects_others_;
 	};
 	++telling_;
-	if (aborted) {
+	if (news.aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
-	if (started && is_valid()) {
+	if (news.started && is_valid()) {
 		emit_signal(names_.gesture_started, gesture);
 	}
-	if (state_changed && is_valid()) {
+	if (news.state_changed && is_valid()) {
 		emit_signal(names_.state_changed, state);
 	}
-	if (ended && is_valid()) {
+	if (news.ended && is_valid()) {
 		emit_signal(names_.gesture_ended, gesture, instant_s);
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {

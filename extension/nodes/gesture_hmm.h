@@ -7,6 +7,7 @@
 
 #include "gesture/task.h"
 #include "motion/motion.h"
+#include "recognition/gesture_news.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>
@@ -16,11 +17,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-namespace steadyhand {
-class GestureRecogniser;
-struct ExpectedGesture;
-} // namespace steadyhand
 
 namespace godot {
 
@@ -109,14 +105,6 @@ private:
 		StringName gesture_aborted = "gesture_aborted";
 		StringName motion_updated = "motion_updated";
 	};
-	/// What scripts see of the recognition, as of the last control instant.
-	struct Shown {
-		int gesture = -1;   ///< index into expected_
-		uint32_t begun = 0; ///< GestureFollower::gestures_begun
-		int state = -1;
-		bool arrived = false;
-	};
-
 	/// A model that is evaluated, and where.
 	struct Expected {
 		std::shared_ptr<const steadyhand::GestureModel> model;
@@ -150,7 +138,7 @@ private:
 	uint64_t stream_ = 0;
 	int64_t next_instant_ = 0; ///< in control periods on the frames' clock
 	double time_s_ = 0.0;
-	Shown shown_;
+	steadyhand::GestureShown shown_; ///< of expected_, as of the last control instant
 	StringName recognised_;
 	uint32_t gestures_begun_ = 0;
 	String warned_;

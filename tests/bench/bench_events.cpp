@@ -157,7 +157,7 @@ bool show(const Models &models, const std::array<std::string_view, 4> &names) {
 	if (!kind || !tracker || !context || !seed) {
 		return false;
 	}
-	constexpr std::array HAPPENINGS{ "started", "ended", "aborted", "moves again" };
+	constexpr std::array HAPPENINGS{ "started", "ended", "aborted" };
 	const Run one = run(models, *kind, tracker->kind, context->context, *seed);
 	const auto name_of = [&one](int gesture) {
 		return one.hand.gestures()[static_cast<std::size_t>(gesture)].model->gesture.c_str();

@@ -17,9 +17,7 @@ public:
 	Verdict(const std::vector<Expected> &expected, const std::vector<Said> &said, bool lags) :
 			expected_(expected), was_said_(expected.size(), false), lags_(lags) {
 		for (const Said &one : said) {
-			if (one.happening == Happening::MOVES_AGAIN) {
-				faults_.insert("moves again");
-			} else if (one.happening == Happening::ENDED) {
+			if (one.happening == Happening::ENDED) {
 				judge_end(one);
 			}
 		}

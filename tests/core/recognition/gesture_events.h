@@ -1,7 +1,7 @@
 #pragma once
 
 #include "overlapping_drags.h"
-#include "recognition/gesture_recogniser.h"
+#include "recognition/gesture_news.h"
 #include "trained_drag.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steadyhand::test {
@@ -87,8 +88,8 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 	Events events;
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> noise;
-	std::string shown;
-	bool had_arrived = false;
+	GestureShown shown;
+	std::string name;
 	double last_value_m = 0.0;
 	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
@@ -105,26 +106,26 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
-		const GestureFollower *const follower = recogniser.follower();
-		const bool is_shown = follower != nullptr && follower->stage() != GestureFollower::Stage::RESTING;
-		const bool has_arrived = is_shown && follower->stage() == GestureFollower::Stage::ARRIVED;
-		const std::string now = is_shown ? follower->model().gesture : "";
-		if (!shown.empty() && !had_arrived && now != shown) {
-			events.said.push_back("aborted " + shown);
+		const GestureShown now = shown_by(recogniser);
+		const std::string left =
+				std::exchange(name, now.gesture < 0 ? "" : recogniser.follower()->model().gesture);
+		// A way may call expect(), which changes indices.
+		shown.gesture = left == name ? now.gesture : shown.gesture;
+		const GestureNews happened = news(std::exchange(shown, now), now);
+		if (happened.aborted) {
+			events.said.push_back("aborted " + left);
 		}
-		if (is_shown) {
+		if (shown.gesture >= 0) {
 			events.first_shown_s = std::min(events.first_shown_s, t_s);
 		}
-		if (is_shown && now != shown) {
-			events.said.push_back("started " + now);
+		if (happened.started) {
+			events.said.push_back("started " + name);
 		}
-		if (has_arrived && (now != shown || !had_arrived)) {
-			events.said.push_back("ended " + now);
+		if (happened.ended) {
+			events.said.push_back("ended " + name);
 			events.last_confidence = recogniser.confidence();
 			events.last_ended_s = t_s;
 		}
-		shown = now;
-		had_arrived = has_arrived;
 		const double value_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
 		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
 		last_value_m = value_m;

@@ -1,0 +1,26 @@
+#include "recognition/gesture_news.h"
+
+namespace steadyhand {
+
+GestureShown shown_by(const GestureRecogniser &recogniser) {
+	using Stage = GestureFollower::Stage;
+	const GestureFollower *const follower = recogniser.follower();
+	if (follower == nullptr || follower->stage() == Stage::RESTING) {
+		return {};
+	}
+	return { recogniser.gesture(), follower->gestures_begun(), follower->state(),
+		follower->stage() == Stage::ARRIVED };
+}
+
+GestureNews news(const GestureShown &before, const GestureShown &now) {
+	const bool is_other = now.gesture != before.gesture || now.begun != before.begun;
+	const bool started = now.gesture >= 0 && is_other;
+	return {
+		.aborted = before.gesture >= 0 && !before.arrived && is_other,
+		.started = started,
+		.state_changed = started || now.state != before.state,
+		.ended = now.arrived && (started || !before.arrived),
+	};
+}
+
+} // namespace steadyhand
