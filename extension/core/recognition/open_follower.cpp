@@ -13,6 +13,8 @@ constexpr double CORRECTED_FOR_S = 0.3;
 /// Strokes that are shorter than so many times the tracker's noise do not say where they go, but for such as
 /// are well under way.
 constexpr double TREMBLES = 10.0;
+/// A hand that was faster when it came into view, in shares of its peak speed, had made more of its way.
+constexpr double ENTERS_AT = 0.65;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
 constexpr double STARTING_RATE_PER_S = 100.0;
@@ -103,7 +105,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
 		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
-		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || stroke.entry_share > ENTERS_AT) {
 			continue;
 		}
 		const FeaturePlace way = way_of(stroke);

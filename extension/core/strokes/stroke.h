@@ -22,7 +22,9 @@ struct Stroke {
 	/// For how long before the onset: no more than REST_S, less where it was not seen.
 	double watched_s = 0.0;
 	bool is_joined = false; ///< of several, between which the hand hesitated
-	bool is_lost = false;   ///< it was under way before a gap that the newest frame has ended
+	/// Of a hand that came into view on its way, at `from`: how fast, of its peak speed; 0 where it was slow.
+	double entry_share = 0.0;
+	bool is_lost = false; ///< it was under way before a gap that the newest frame has ended
 
 	static constexpr double REST_S = 0.5;
 };

@@ -58,6 +58,10 @@ constexpr double START = 0.12; ///< amplitudes: how far from a task's start a ha
 /// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
 /// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
 constexpr double LOG_STARTS = 6.25;
+/// Amplitudes that a hand which comes into view on its way may have gone unseen; with nothing said of how
+/// far, log((4/3) pi 1.5^3 / (2 pi 0.12^2 0.45)).
+constexpr double ENTERED_BY = 0.45;
+constexpr double LOG_ENTRIES = 5.85;
 constexpr double IMPOSSIBLE = -1e3;
 
 /// Of the density of a normal whose deviation differs below and above its mode, 0.
@@ -141,19 +145,28 @@ double best_off(double off, double length_m, double amplitude_m) {
 	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
 }
 
-/// Square of the distance from the start, m^2, by what the tracker showed or without its steps, whichever is
-/// less: it may show the hand beside its place for a while, and steps that it takes back slowly add up.
-double start_error(const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way) {
+/// Square of the distance, m^2, from where the gesture may begin: the task's start or, of a hand that comes
+/// into view, the first part of its way. By what the tracker showed or without its steps, whichever is less:
+/// it may show the hand beside its place for a while, and steps that it takes back slowly add up.
+double start_error(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
 	const auto error = [&](const FeaturePlace &from) {
+		const double along_m = (from - start).dot(way);
+		const double unseen_m = stroke.entry_share > 0.0 ? std::max(along_m, 0.0) : 0.0;
+		if (unseen_m > ENTERED_BY * amplitude_m) {
+			return double(INFINITY);
+		}
 		// A radius has no place.
-		return way(3) != 0.0 ? std::pow((from - start).dot(way), 2) : (from - start).squaredNorm();
+		return way(3) != 0.0 ? std::pow(along_m - unseen_m, 2)
+							 : (from - start - unseen_m * way).squaredNorm();
 	};
 	return std::min(error(stroke.from), error(stroke.seen_from));
 }
 
 double start_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
-	return LOG_STARTS - 0.5 * start_error(stroke, start, way) / (START * START * amplitude_m * amplitude_m);
+	return (stroke.entry_share > 0.0 ? LOG_ENTRIES - UNSEEN : LOG_STARTS) -
+			0.5 * start_error(stroke, start, way, amplitude_m) / (START * START * amplitude_m * amplitude_m);
 }
 
 bool leads_somewhere(double length_m) {

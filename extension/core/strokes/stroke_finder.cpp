@@ -13,6 +13,11 @@ constexpr double END_SHARE = 0.25;
 constexpr double SLOWEST_M_S = 1e-3;
 /// Slopes that trembling may make, smallest strokes a second.
 constexpr double STILL_PER_S = 6.5;
+/// A hand that comes into view is on its way once it has gone so many smallest strokes, and times the tracker's
+/// noise.
+constexpr double ENTERS = 3.0;
+constexpr double TREMBLES = 10.0;
+constexpr double ENTERED_S = 0.2; ///< that is known by then
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
@@ -44,6 +49,7 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m, bool is_news
 	speed_m_s_ = 0.0;
 	onset_.reset();
 	begin_anew(newest_);
+	entry_ = newest_;
 	earlier_count_ = 0;
 }
 
@@ -177,17 +183,12 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 		find_onset();
 	}
 	slow_moments_.push(now);
-	if (!onset_) {
-		stroke_count_ = 0;
-		if (now.speed_m_s < END_SHARE * peak_m_s_) {
-			begin_anew(now);
-		}
-		return;
+	const bool is_slow = now.speed_m_s < END_SHARE * peak_m_s_;
+	if (list_strokes(now)) {
+		ended_ = may_end && (is_slow || velocity_m_s.dot(now.place_m - strokes_[0].from) < 0.0);
+	} else if (is_slow) {
+		begin_anew(now);
 	}
-	const Sample onset = *onset_;
-	list_strokes(onset, now);
-	ended_ = may_end &&
-			(now.speed_m_s < END_SHARE * peak_m_s_ || velocity_m_s.dot(now.place_m - onset.place_m) < 0.0);
 }
 
 /// Since the last frame, going back to place_m: it may have passed the onset by now.
@@ -197,6 +198,30 @@ bool StrokeFinder::turned_unseen(const FeaturePlace &place_m) const {
 	}
 	const FeaturePlace seen_m = newest_.place_m - onset_->place_m, unseen_m = place_m - newest_.place_m;
 	return seen_m.norm() > smallest_m_ && unseen_m.norm() > smallest_m_ && seen_m.dot(unseen_m) < 0.0;
+}
+
+/// False where there is none.
+bool StrokeFinder::list_strokes(const Sample &now) {
+	if (onset_) {
+		entry_.reset();
+		list_strokes(*onset_, now);
+		return true;
+	}
+	stroke_count_ = 0;
+	if (!entry_) {
+		return false;
+	}
+	if (entry_->speed_m_s == 0.0 && now.t_s - entry_->t_s >= PIECE_S) {
+		entry_->speed_m_s = now.speed_m_s;
+	}
+	const double gone_m = (now.place_m - entry_->place_m).norm();
+	const bool is_seen = now.t_s - entry_->t_s >= ENTERED_S;
+	if (is_seen && gone_m > std::max(ENTERS * smallest_m_, TREMBLES * noise_m())) {
+		strokes_[0] = between(*entry_, now, peak_m_s_);
+		strokes_[0].entry_share = entry_->speed_m_s / peak_m_s_;
+		stroke_count_ = 1;
+	}
+	return stroke_count_ > 0;
 }
 
 void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
@@ -262,6 +287,7 @@ void StrokeFinder::begin_anew(const Sample &end) {
 	}
 	onset_.reset();
 	stroke_count_ = 0;
+	entry_.reset();
 	ended_ = false;
 	peak_m_s_ = 0.0;
 }

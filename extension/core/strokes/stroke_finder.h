@@ -36,7 +36,7 @@ public:
 
 	/// The one under way, or the one that has just ended, first; that one and those before it as one, where
 	/// the hand only hesitated between them, newest first; at last one that was lost. None while nothing is
-	/// known of the hand.
+	/// known of the hand; of one that came into view on its way what it has done since, until it is slow.
 	[[nodiscard]] std::span<const Stroke> strokes() const { return { strokes_.data(), stroke_count_ }; }
 	/// The last frame ended the first, and with it those that it is part of.
 	[[nodiscard]] bool ended() const { return ended_; }
@@ -117,6 +117,8 @@ private:
 	std::array<Stroke, 2 + EARLIER> strokes_{};
 	std::size_t stroke_count_ = 0;
 	std::optional<Stroke> lost_; ///< the last of them, where it is
+	/// Where the hand came into view, until it has been slow; its speed: 0 until that is known.
+	std::optional<Sample> entry_;
 
 	[[nodiscard]] bool rests() const;
 	void see(double t_s, const FeaturePlace &place_m);
@@ -129,6 +131,7 @@ private:
 	void begin_anew(const Sample &end);
 	void remember_stroke(const Sample &onset, const Sample &end);
 	[[nodiscard]] bool turned_unseen(const FeaturePlace &place_m) const;
+	[[nodiscard]] bool list_strokes(const Sample &now);
 	void list_strokes(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
 	void measure_rest(Sample &r_onset) const;

@@ -11,6 +11,15 @@ constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double LONG_ENOUGH = 0.5;
 
+/// f(stroke) for all that are known by their own frames.
+template <class Function> void each(const StrokeFinder &strokes, const Function &f) {
+	for (const Stroke &stroke : strokes.strokes()) {
+		if (!stroke.is_lost) {
+			f(stroke);
+		}
+	}
+}
+
 } // namespace
 
 TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m_(task.amplitude_m) {
@@ -25,16 +34,16 @@ TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m
 
 void TaskStrokes::look(const StrokeFinder &strokes) {
 	has_set_out_ = unseen_.has_set_out;
-	for (const Stroke &stroke : strokes.strokes()) {
+	each(strokes, [this](const Stroke &stroke) {
 		const double gone_m = (stroke.to - stroke.from).dot(way_);
-		has_set_out_ = has_set_out_ ||
-				(!stroke.is_lost && gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
-	}
+		has_set_out_ = has_set_out_ || (gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
+	});
 }
 
 bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
-	return std::ranges::any_of(strokes.strokes(),
-			[this](const Stroke &stroke) { return !stroke.is_lost && log_odds(stroke) > 0.0; });
+	bool is_likely = false;
+	each(strokes, [&](const Stroke &stroke) { is_likely = is_likely || log_odds(stroke) > 0.0; });
+	return is_likely;
 }
 
 void TaskStrokes::begin() {
@@ -66,16 +75,13 @@ double TaskStrokes::log_odds(const Stroke &stroke) const {
 double TaskStrokes::judge(const StrokeFinder &strokes) {
 	double best = unseen_.log_odds;
 	best_of_one_ = std::max(best_of_one_, best);
-	for (const Stroke &stroke : strokes.strokes()) {
-		if (stroke.is_lost) {
-			continue;
-		}
+	each(strokes, [&](const Stroke &stroke) {
 		const double of_this = log_odds(stroke);
 		best = std::max(best, of_this);
 		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * amplitude_m_) {
 			best_of_one_ = std::max(best_of_one_, of_this);
 		}
-	}
+	});
 	if (before_last_ && last_) {
 		of_all_ = log_odds(joined(*before_last_, *last_));
 		best = std::max(best, of_all_);
