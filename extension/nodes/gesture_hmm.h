@@ -158,6 +158,8 @@ private:
 	std::vector<Expected> find_usable() const;
 	/// By the models and tasks as they are now.
 	std::vector<Expected> find_expected() const;
+	/// The same, with those where they were that have hardly moved.
+	std::vector<Expected> find_expected_anew() const;
 	static std::vector<steadyhand::ExpectedGesture> core_of(const std::vector<Expected> &p_expected);
 	bool is_task_gone() const;
 	void build_recogniser();

@@ -12,6 +12,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace godot {
@@ -21,6 +22,16 @@ namespace {
 /// Without one that ends in between; a script may set some properties one by one, or slide a task into its
 /// place.
 constexpr int TASK_CHANGES_TOLD = 100;
+/// A task that is moved by less, a body that trembles where it stands, is where it was: below what a tracker
+/// can tell.
+constexpr double SAME_PLACE_M = 1e-3;
+constexpr double SAME_AXIS = 0.01; ///< rad
+
+bool is_same_place(const steadyhand::Task &p_task, const steadyhand::Task &p_other) {
+	return (p_task.start_m - p_other.start_m).norm() < SAME_PLACE_M &&
+			(p_task.axis - p_other.axis).norm() < SAME_AXIS &&
+			std::abs(p_task.amplitude_m - p_other.amplitude_m) < SAME_PLACE_M;
+}
 
 } // namespace
 
@@ -84,6 +95,21 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 	return is_told ? at_tasks : anywhere;
 }
 
+std::vector<GestureHMM::Expected> GestureHMM::find_expected_anew() const {
+	std::vector<Expected> expected = find_expected();
+	for (Expected &one : expected) {
+		const auto stays = [&one](const Expected &before) {
+			return before.model == one.model && before.gesture == one.gesture && before.task == one.task &&
+					before.place && one.place && is_same_place(*before.place, *one.place);
+		};
+		const auto before = std::find_if(expected_.begin(), expected_.end(), stays);
+		if (before != expected_.end()) {
+			one.place = before->place;
+		}
+	}
+	return expected;
+}
+
 std::vector<steadyhand::ExpectedGesture> GestureHMM::core_of(const std::vector<Expected> &p_expected) {
 	std::vector<steadyhand::ExpectedGesture> gestures;
 	gestures.reserve(p_expected.size());
@@ -107,7 +133,7 @@ void GestureHMM::build_recogniser() {
 /// What goes on at tasks and models that are as they were goes on.
 void GestureHMM::update_expected() {
 	expects_others_ = false;
-	std::vector<Expected> expected = find_expected();
+	std::vector<Expected> expected = find_expected_anew();
 	if (expected == expected_) {
 		warn_of_silence(); // nothing may have come of other settings than before
 		return;
@@ -159,7 +185,13 @@ void GestureHMM::set_task(GestureTask *p_task) {
 }
 
 TypedArray<GestureTask> GestureHMM::get_tasks() const {
-	return tasks_.duplicate();
+	TypedArray<GestureTask> tasks = tasks_.duplicate();
+	for (int64_t i = 0; i < tasks.size(); ++i) {
+		if (task_at(i) == nullptr) {
+			tasks[i] = Variant(); // Node.duplicate() and PackedScene.pack() follow pointers to freed nodes
+		}
+	}
+	return tasks;
 }
 
 void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
@@ -176,14 +208,14 @@ void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
 
 /// A node tells that it was moved once the frame is over: by then the place may be in use already.
 void GestureHMM::on_task_changed() {
-	if (!outdated_ && find_expected() == expected_) {
+	if (!outdated_ && find_expected_anew() == expected_) {
 		return;
 	}
 	// In the editor, and where nothing has been seen since, there is nothing that could start anew.
 	if (!outdated_ && ++task_changes_ == TASK_CHANGES_TOLD) {
 		WARN_PRINT(node_label(*this) +
-				": a GestureTask keeps moving, and its gesture starts anew each time; it must "
-				"not be a child of what the gesture moves");
+				": a GestureTask keeps moving, and its gesture starts anew with each millimetre; it must "
+				"not be a child of what the gesture moves, nor of what carries it along");
 	}
 	on_expected_changed();
 }

@@ -59,7 +59,7 @@ inline std::vector<Setting> paper_settings() {
 inline std::vector<Setting> phase_settings() {
 	std::vector<Setting> all;
 	constexpr std::array<std::array<std::size_t, 3>, 5> KEPT{ { { 20, 16, 4 }, { 10, 8, 2 }, { 5, 4, 1 },
-			{ 2, 2, 1 }, { 1, 1, 1 } } };
+			{ 2, 2, 1 }, { 2, 1, 1 } } };
 	for (const auto &[usual, erring, wandering] : KEPT) {
 		for (const std::size_t durations : { 7, 3 }) {
 			for (const double branch_period_s : { 0.03, 0.06 }) {

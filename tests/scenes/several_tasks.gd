@@ -182,6 +182,34 @@ func test_a_task_that_the_gesture_itself_moves_is_told_of_and_never_ends() -> vo
 	task.free()
 
 
+func test_a_task_that_trembles_where_it_stands_is_where_it_was() -> void:
+	for tremble_m: float in [1e-7, 1e-5, 3e-4]:
+		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+		var hmm := _hmm([task])
+		var tremble := func(time_s: float) -> void:
+			task.position.y = tremble_m * sin(777.0 * time_s)
+			task.force_update_transform()
+		hmm.motion_updated.connect(tremble)
+		check_equal(
+			_ends(_play(hmm, [Vector3.ZERO, Vector3(0.2, 0.0, 0.0)])),
+			["ended horizontal_drag at task 0"] as Array[String],
+			"by %s m" % tremble_m
+		)
+		_free(hmm)
+		task.free()
+
+
+func test_a_task_that_was_freed_is_null_in_the_list() -> void:
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var hmm := _hmm([task])
+	task.free()
+	check_equal(hmm.tasks, [null] as Array[GestureTask], "there, and nobody's pointer")
+	var copy := hmm.duplicate() as GestureHMM
+	check(copy.tasks.is_empty() or copy.tasks[0] == null, "the engine may copy the node")
+	copy.free()
+	_free(hmm)
+
+
 func _task(gesture: StringName, start: Vector3, direction: Vector3, way_m: float) -> GestureTask:
 	var task := GestureTask.new()
 	task.gesture = gesture

@@ -22,7 +22,7 @@ enum class Quality : std::uint8_t { FAST, BALANCED, ACCURATE };
 [[nodiscard]] constexpr PhaseEffort phase_effort(Quality quality) {
 	switch (quality) {
 		case Quality::FAST:
-			return { 1, 1, 1, 3, 0.06 };
+			return { 2, 1, 1, 3, 0.06 };
 		case Quality::BALANCED:
 			return { 5, 4, 1, 7, 0.03 };
 		case Quality::ACCURATE:

@@ -96,6 +96,7 @@ void GestureFollower::forget_hand(double t_s) {
 void GestureFollower::enter(Stage stage, double t_s) {
 	stage_ = stage;
 	stage_began_s_ = t_s;
+	end_told_ = false;
 }
 
 void GestureFollower::decode(double t_s) {

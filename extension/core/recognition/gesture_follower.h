@@ -54,6 +54,9 @@ public:
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
+	/// An end is news once: it has been shown.
+	void tell_end() { end_told_ = stage_ == Stage::ARRIVED; }
+	[[nodiscard]] bool end_told() const { return end_told_; }
 	/// How many have been under way so far, this one with them.
 	[[nodiscard]] std::uint32_t gestures_begun() const { return gestures_begun_; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
@@ -68,6 +71,8 @@ public:
 	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
 	/// up.
 	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	/// Of a new follower: strokes that began before t_s have been made for another gesture.
+	virtual void pass_over_before(double t_s) = 0;
 	/// What is under way, and what of it is still to come, was another gesture's.
 	virtual void give_way(double t_s) = 0;
 	/// Another gesture is shown in place of this one, which has arrived.
@@ -147,6 +152,7 @@ private:
 
 	Stage stage_ = Stage::RESTING;
 	double stage_began_s_ = -INFINITY;
+	bool end_told_ = false;
 	std::uint32_t gestures_begun_ = 0;
 	double log_odds_;
 	StateDecoder decoder_;

@@ -179,8 +179,26 @@ void GestureRecogniser::let_return() {
 	}
 }
 
+/// Tasks beside one another are begun by one stroke: where it ends at the one it was likelier made for, it is
+/// no end at the others. Later its odds say less: they fall on the way back.
+void GestureRecogniser::settle() {
+	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED || follower()->end_told()) {
+		return;
+	}
+	followers_[shown()]->tell_end();
+	ended_s_ = follower()->stage_began_s();
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		const bool is_under_way = followers_[i]->stage() != GestureFollower::Stage::RESTING;
+		if (i != shown() && gestures_[i].task && is_under_way &&
+				log_odds(i) < log_odds(shown()) - SWITCH_MARGIN) {
+			followers_[i]->give_way(time_s_);
+		}
+	}
+}
+
 void GestureRecogniser::choose_leader() {
 	using Stage = GestureFollower::Stage;
+	settle();
 	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
 	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
 		lead(likeliest([&](std::size_t i) { return is_moving(i) && is_likely(i); }));
@@ -193,7 +211,8 @@ void GestureRecogniser::choose_leader() {
 	const double odds = log_odds(shown()), since_s = follower()->stage_began_s();
 	const int best = likeliest([&](std::size_t i) {
 		const Stage stage = followers_[i]->stage();
-		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s;
+		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s &&
+				!followers_[i]->end_told();
 		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
 				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
 									  : is_news && log_odds(i) > odds - SWITCH_MARGIN;

@@ -38,7 +38,8 @@ public:
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
 	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
-	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes.
+	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes. Of a
+	/// stroke that began before a gesture last ended no other is made.
 	/// Returns the index of each that was expected before; -1: it is no longer.
 	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
 
@@ -86,6 +87,7 @@ private:
 	double time_s_;
 	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
 	double last_absence_s_ = -INFINITY; ///< when one last was
+	double ended_s_ = -INFINITY;        ///< when a gesture that was shown last arrived
 
 	void watch_features();
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
@@ -105,6 +107,7 @@ private:
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	void decide_claims();
 	void let_return();
+	void settle();
 	void choose_leader();
 	void lead(int follower);
 	[[nodiscard]] Motion synthesised(double t_s) const;

@@ -17,6 +17,7 @@ public:
 
 	[[nodiscard]] bool claims() const override { return claims_; }
 	void confirm(double t_s) override;
+	void pass_over_before(double t_s) override { not_before_s_ = t_s; }
 	void give_way(double t_s) override;
 	void leave_end(double t_s) override { give_way(t_s); }
 	void miss(double t_s, const StrokeFinder &strokes) override;

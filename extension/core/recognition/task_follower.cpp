@@ -81,7 +81,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			} else if (!is_rejected_ && has_begun(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
-				at_end_since_s_ = stays_since_s_ = likely_s_ = t_s;
+				at_end_since_s_ = stays_since_s_ = likely_s_ = off_start_s_ = t_s;
 				furthest_ = 0.0;
 				begin(t_s, value());
 				decode(t_s);
@@ -139,7 +139,9 @@ bool TaskFollower::was_nothing(double t_s) {
 	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
 	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
-	return now.value < BACK_VALUE && !is_under_way;
+	// A hand that is taken to stand there, wherever it came from, has given up as well.
+	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
+	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left.

@@ -15,6 +15,7 @@ class TaskFollower final : public GestureFollower {
 public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
+	void pass_over_before(double t_s) override { strokes_.pass_over_before(t_s); }
 	void give_way(double t_s) override;
 	[[nodiscard]] bool nears_end() const override;
 
@@ -26,6 +27,7 @@ private:
 	double likely_s_ = 0.0;    ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
 	double stays_since_s_ = 0.0; ///< short of the end
+	double off_start_s_ = 0.0;   ///< when it was last not at the start, once it had left that
 	double stays_at_ = 0.0;      ///< amplitudes
 	double furthest_ = 0.0;      ///< of a gesture under way, amplitudes
 	double seen_s_ = -INFINITY;  ///< of the newest frame that held what the feature needs

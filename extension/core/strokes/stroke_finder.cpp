@@ -13,8 +13,8 @@ constexpr double END_SHARE = 0.25;
 constexpr double SLOWEST_M_S = 1e-3;
 /// Slopes that trembling may make, smallest strokes a second.
 constexpr double STILL_PER_S = 6.5;
-/// A hand that comes into view is on its way once it has gone so many smallest strokes, and times the tracker's
-/// noise.
+/// A hand that comes into view is on its way once it has gone so many smallest strokes, and times the
+/// tracker's noise.
 constexpr double ENTERS = 3.0;
 constexpr double TREMBLES = 10.0;
 constexpr double ENTERED_S = 0.2; ///< that is known by then

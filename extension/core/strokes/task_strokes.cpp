@@ -11,15 +11,6 @@ constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double LONG_ENOUGH = 0.5;
 
-/// f(stroke) for all that are known by their own frames.
-template <class Function> void each(const StrokeFinder &strokes, const Function &f) {
-	for (const Stroke &stroke : strokes.strokes()) {
-		if (!stroke.is_lost) {
-			f(stroke);
-		}
-	}
-}
-
 } // namespace
 
 TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m_(task.amplitude_m) {
@@ -53,7 +44,7 @@ void TaskStrokes::begin() {
 }
 
 void TaskStrokes::add(const StrokeFinder &strokes) {
-	if (strokes.strokes().empty() || strokes.strokes().front().is_lost) {
+	if (strokes.strokes().empty() || !counts(strokes.strokes().front())) {
 		return;
 	}
 	const Stroke &now = strokes.strokes().front();

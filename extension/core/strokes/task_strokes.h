@@ -2,6 +2,7 @@
 
 #include "strokes/stroke_finder.h"
 
+#include <cmath>
 #include <optional>
 
 namespace steadyhand {
@@ -16,6 +17,8 @@ public:
 	/// set out, and the odds are even.
 	TaskStrokes(const Feature &feature, const Task &task);
 
+	/// Strokes that began before t_s are not looked at.
+	void pass_over_before(double t_s) { not_before_s_ = t_s; }
 	/// Whether the hand goes, or went, along the task's way, from no further off than its start may be.
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
@@ -43,6 +46,7 @@ private:
 	};
 	Unseen unseen_;
 	double amplitude_m_;
+	double not_before_s_ = -INFINITY;
 	FeaturePlace start_ = FeaturePlace::Zero();
 	FeaturePlace way_ = FeaturePlace::Zero(); ///< unit vector of the motion element's growth
 	bool has_set_out_ = false;
@@ -52,6 +56,17 @@ private:
 	std::optional<Stroke> last_;
 	bool has_ended_ = false; ///< the last one
 
+	[[nodiscard]] bool counts(const Stroke &stroke) const {
+		return !stroke.is_lost && stroke.onset_s >= not_before_s_;
+	}
+	/// f(stroke) for all that count.
+	template <class Function> void each(const StrokeFinder &strokes, const Function &f) const {
+		for (const Stroke &stroke : strokes.strokes()) {
+			if (counts(stroke)) {
+				f(stroke);
+			}
+		}
+	}
 	[[nodiscard]] bool may_begin(const Stroke &stroke) const;
 	[[nodiscard]] double log_odds(const Stroke &stroke) const;
 };

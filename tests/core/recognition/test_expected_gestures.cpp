@@ -81,6 +81,35 @@ TEST_CASE("a place that is expected later is followed from then on") {
 	CHECK(later.values_m.back() == doctest::Approx(always.values_m.back()).epsilon(0.01));
 }
 
+TEST_CASE("a stroke that has ended as a gesture is no other one's that is expected after it") {
+	const ExpectedGesture drag = drag_at(HERE), free_drag = drag_at(std::nullopt);
+	const std::vector<std::string> once = times(1, "sideways");
+	for (const double after_s : { 0.0, 0.05, 0.2, 0.5 }) {
+		CAPTURE(after_s);
+		const double changed_s = 0.6 + 1.0 + after_s; // the hand is at the end, and stays there
+		CHECK_MESSAGE(run({ drag }, { free_drag }, changed_s).said == once, "its task is gone");
+		CHECK_MESSAGE(run({ free_drag }, { drag }, changed_s).said == once, "its task has come");
+		CHECK_MESSAGE(run({ drag }, { drag_at(THERE) }, changed_s).said == once, "its task is elsewhere");
+	}
+	GestureRecogniser recogniser({ drag });
+	bool is_off = false, is_on_again = false;
+	const Events events = watch(
+			recogniser,
+			[&](double t_s) {
+				if (!is_off && t_s > 1.7) {
+					is_off = true;
+					recogniser.expect({});
+				} else if (!is_on_again && t_s > 2.0) {
+					is_on_again = true;
+					recogniser.expect({ drag });
+				}
+				// Back, and the drag once more.
+				return Eigen::Vector3d(x_m({ DRAG, { 2.5, 0.6, -0.2 }, { 4.0, 1.0, 0.2 } }, t_s) * X);
+			},
+			6.0);
+	CHECK_MESSAGE(events.said == times(2, "sideways"), "off and on: the next one counts again");
+}
+
 TEST_CASE("a frame that comes twice is passed over") {
 	for (const std::optional<Task> &task : { std::optional(HERE), std::optional<Task>() }) {
 		GestureRecogniser once({ drag_at(task) }), twice({ drag_at(task) });

@@ -79,3 +79,15 @@ TEST_CASE("a hand that was rejected and is gone for a second is forgotten, and w
 	CHECK(events.said.back() == "ended sideways");
 	CHECK(std::ranges::count(events.said, "ended sideways") == 1);
 }
+
+TEST_CASE("a hand that goes a third of the way, rests, and comes back however slowly has given up") {
+	for (const double part : { 0.25, 0.3, 0.35 }) {
+		for (const double back_s : { 1.0, 3.0, 4.0, 5.0 }) {
+			CAPTURE(part);
+			CAPTURE(back_s);
+			const Way way = along(X, { { 0.6, 1.0, 0.2 * part }, { 2.1, back_s, -0.2 * part } });
+			const std::vector<std::string> given_up{ "started sideways", "aborted sideways" };
+			CHECK(in_a_task(way, 2.1 + back_s + 2.0).said == given_up);
+		}
+	}
+}

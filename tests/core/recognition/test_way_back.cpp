@@ -192,3 +192,29 @@ TEST_CASE("a hand that comes back and rests before a tracker that repeats itself
 		}
 	}
 }
+
+TEST_CASE("a hand that goes back at once after a rest is shown back, at any quality") {
+	for (const Quality quality : { Quality::FAST, Quality::BALANCED, Quality::ACCURATE }) {
+		for (const double rest_s : { 0.7, 1.0, 1.4 }) {
+			for (const double back_s : { 0.25, 0.3, 0.4 }) {
+				CAPTURE(static_cast<int>(quality));
+				CAPTURE(rest_s);
+				CAPTURE(back_s);
+				const test::Drag there{ .onset_s = 1.0, .duration_s = 1.6, .amplitude_m = 0.28 };
+				const test::Drag back{ .onset_s = 2.6 + rest_s, .duration_s = back_s, .amplitude_m = 0.28 };
+				GestureRecogniser recogniser({ test::shared_drag_model() },
+						Task{ Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.28 }, MotionMode::PHASE,
+						phase_effort(quality));
+				for (int i = 0; i < static_cast<int>(60.0 * (back.onset_s + 1.5)); ++i) {
+					HandFrame frame;
+					frame.t_s = i / 60.0;
+					frame.set(Joint::INDEX, { there.x_m(frame.t_s) - back.x_m(frame.t_s), 0.0, 0.0 });
+					recogniser.push(frame);
+				}
+				CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m ==
+						doctest::Approx(0.0).epsilon(0.01));
+				CHECK(recogniser.gesture() == -1);
+			}
+		}
+	}
+}
