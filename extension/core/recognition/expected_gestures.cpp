@@ -67,7 +67,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		} else {
 			followers_.push_back(follower_of(gestures_[i], synthesis_));
 			filtered_.emplace_back();
-			followers_.back()->pass_over_before(ended_s_);
+			followers_.back()->pass_over_before(ended_begun_s_);
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;

@@ -74,6 +74,7 @@ void GestureFollower::begin(double t_s, double value) {
 		paper_.begin(t_s, phase_of_value(*model_, value));
 	}
 	gestures_begun_ += stage_ != Stage::MOVING ? 1 : 0;
+	begun_s_ = t_s;
 	enter(Stage::MOVING, t_s);
 }
 

@@ -57,6 +57,8 @@ public:
 	/// An end is news once: it has been shown.
 	void tell_end() { end_told_ = stage_ == Stage::ARRIVED; }
 	[[nodiscard]] bool end_told() const { return end_told_; }
+	/// When the one under way, or the last one, began; -infinity before the first.
+	[[nodiscard]] double begun_s() const { return begun_s_; }
 	/// How many have been under way so far, this one with them.
 	[[nodiscard]] std::uint32_t gestures_begun() const { return gestures_begun_; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
@@ -153,6 +155,7 @@ private:
 	Stage stage_ = Stage::RESTING;
 	double stage_began_s_ = -INFINITY;
 	bool end_told_ = false;
+	double begun_s_ = -INFINITY;
 	std::uint32_t gestures_begun_ = 0;
 	double log_odds_;
 	StateDecoder decoder_;

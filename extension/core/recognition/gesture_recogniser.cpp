@@ -186,7 +186,7 @@ void GestureRecogniser::settle() {
 		return;
 	}
 	followers_[shown()]->tell_end();
-	ended_s_ = follower()->stage_began_s();
+	ended_begun_s_ = follower()->begun_s();
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		const bool is_under_way = followers_[i]->stage() != GestureFollower::Stage::RESTING;
 		if (i != shown() && gestures_[i].task && is_under_way &&

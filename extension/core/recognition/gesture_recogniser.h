@@ -39,7 +39,7 @@ public:
 
 	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
 	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes. Of a
-	/// stroke that began before a gesture last ended no other is made.
+	/// stroke that has ended as a gesture no other is made.
 	/// Returns the index of each that was expected before; -1: it is no longer.
 	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
 
@@ -87,7 +87,7 @@ private:
 	double time_s_;
 	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
 	double last_absence_s_ = -INFINITY; ///< when one last was
-	double ended_s_ = -INFINITY;        ///< when a gesture that was shown last arrived
+	double ended_begun_s_ = -INFINITY;  ///< when the last of those shown that have arrived began
 
 	void watch_features();
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {

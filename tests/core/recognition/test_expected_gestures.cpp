@@ -110,6 +110,26 @@ TEST_CASE("a stroke that has ended as a gesture is no other one's that is expect
 	CHECK_MESSAGE(events.said == times(2, "sideways"), "off and on: the next one counts again");
 }
 
+TEST_CASE("the way back may have begun before the end was told that brings its task") {
+	const ExpectedGesture there = drag_at(HERE), back{ models()[0], Task{ 0.2 * X, -X, 0.2 } };
+	for (const double late_s : { 0.0, 0.1, 0.2 }) {
+		CAPTURE(late_s);
+		GestureRecogniser recogniser({ there });
+		bool is_flipped = false;
+		const Events events = watch(
+				recogniser,
+				[&](double t_s) {
+					if (!is_flipped && t_s > 1.6 + late_s) { // half of the way back takes 0.5 s
+						is_flipped = true;
+						recogniser.expect({ back });
+					}
+					return Eigen::Vector3d(x_m({ DRAG, { 1.6, 1.0, -0.2 } }, t_s) * X);
+				},
+				4.0);
+		CHECK(events.said == times(2, "sideways"));
+	}
+}
+
 TEST_CASE("a frame that comes twice is passed over") {
 	for (const std::optional<Task> &task : { std::optional(HERE), std::optional<Task>() }) {
 		GestureRecogniser once({ drag_at(task) }), twice({ drag_at(task) });
