@@ -98,13 +98,12 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 std::vector<GestureHMM::Expected> GestureHMM::find_expected_anew() const {
 	std::vector<Expected> expected = find_expected();
 	for (Expected &one : expected) {
-		const auto stays = [&one](const Expected &before) {
-			return before.model == one.model && before.gesture == one.gesture && before.task == one.task &&
-					before.place && one.place && is_same_place(*before.place, *one.place);
-		};
-		const auto before = std::find_if(expected_.begin(), expected_.end(), stays);
-		if (before != expected_.end()) {
-			one.place = before->place;
+		const auto place = one.place;
+		for (const Expected &before : expected_) {
+			const bool is_same = before.task == one.task && before.model == one.model;
+			if (is_same && place && before.place && is_same_place(*before.place, *place)) {
+				one.place = before.place;
+			}
 		}
 	}
 	return expected;

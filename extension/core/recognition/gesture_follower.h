@@ -54,8 +54,8 @@ public:
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
-	/// An end is news once: it has been shown.
-	void tell_end() { end_told_ = stage_ == Stage::ARRIVED; }
+	/// Of one that has arrived: its end, which is news once, has been shown.
+	void tell_end() { end_told_ = true; }
 	[[nodiscard]] bool end_told() const { return end_told_; }
 	/// When the one under way, or the last one, began; -infinity before the first.
 	[[nodiscard]] double begun_s() const { return begun_s_; }

@@ -138,6 +138,17 @@ template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candida
 	return best;
 }
 
+bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
+	const std::optional<Task> &way = gestures_[one].task, &beside = gestures_[other].task;
+	if (!way || !beside || watched(one).feature->is_radius || watched(other).feature->is_radius) {
+		return false;
+	}
+	const auto end_m = [](const Task &task) { return task.start_m + task.amplitude_m * task.axis; };
+	const Eigen::Vector3d apart_m = end_m(*beside) - end_m(*way);
+	const double along_m = apart_m.dot(way->axis);
+	return (apart_m - along_m * way->axis).norm() > std::abs(along_m);
+}
+
 void GestureRecogniser::decide_claims() {
 	const int best = likeliest([&](std::size_t i) { return followers_[i]->claims(); });
 	if (best < 0) {
@@ -179,8 +190,7 @@ void GestureRecogniser::let_return() {
 	}
 }
 
-/// Tasks beside one another are begun by one stroke: where it ends at the one it was likelier made for, it is
-/// no end at the others. Later its odds say less: they fall on the way back.
+/// Tasks beside one another are begun by one stroke, which ends at one of them.
 void GestureRecogniser::settle() {
 	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED || follower()->end_told()) {
 		return;
@@ -189,8 +199,7 @@ void GestureRecogniser::settle() {
 	ended_begun_s_ = follower()->begun_s();
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		const bool is_under_way = followers_[i]->stage() != GestureFollower::Stage::RESTING;
-		if (i != shown() && gestures_[i].task && is_under_way &&
-				log_odds(i) < log_odds(shown()) - SWITCH_MARGIN) {
+		if (is_under_way && ends_to_the_side(shown(), i)) {
 			followers_[i]->give_way(time_s_);
 		}
 	}
@@ -213,9 +222,10 @@ void GestureRecogniser::choose_leader() {
 		const Stage stage = followers_[i]->stage();
 		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s &&
 				!followers_[i]->end_told();
+		const double doubt = ends_to_the_side(shown(), i) ? 0.0 : SWITCH_MARGIN;
 		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
 				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
-									  : is_news && log_odds(i) > odds - SWITCH_MARGIN;
+									  : is_news && log_odds(i) > odds - doubt;
 		return wins && is_likely(i);
 	});
 	if (best >= 0) {

@@ -184,7 +184,8 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	}
 	slow_moments_.push(now);
 	const bool is_slow = now.speed_m_s < END_SHARE * peak_m_s_;
-	if (list_strokes(now)) {
+	list_strokes(now);
+	if (stroke_count_ > 0) {
 		ended_ = may_end && (is_slow || velocity_m_s.dot(now.place_m - strokes_[0].from) < 0.0);
 	} else if (is_slow) {
 		begin_anew(now);
@@ -200,31 +201,30 @@ bool StrokeFinder::turned_unseen(const FeaturePlace &place_m) const {
 	return seen_m.norm() > smallest_m_ && unseen_m.norm() > smallest_m_ && seen_m.dot(unseen_m) < 0.0;
 }
 
-/// False where there is none.
-bool StrokeFinder::list_strokes(const Sample &now) {
-	if (onset_) {
-		entry_.reset();
-		list_strokes(*onset_, now);
-		return true;
-	}
+void StrokeFinder::list_strokes(const Sample &now) {
 	stroke_count_ = 0;
-	if (!entry_) {
-		return false;
+	if (onset_) {
+		list_since(*onset_, now);
+	} else if (entry_) {
+		list_entering(*entry_, now);
 	}
-	if (entry_->speed_m_s == 0.0 && now.t_s - entry_->t_s >= PIECE_S) {
-		entry_->speed_m_s = now.speed_m_s;
-	}
-	const double gone_m = (now.place_m - entry_->place_m).norm();
-	const bool is_seen = now.t_s - entry_->t_s >= ENTERED_S;
-	if (is_seen && gone_m > std::max(ENTERS * smallest_m_, TREMBLES * noise_m())) {
-		strokes_[0] = between(*entry_, now, peak_m_s_);
-		strokes_[0].entry_share = entry_->speed_m_s / peak_m_s_;
-		stroke_count_ = 1;
-	}
-	return stroke_count_ > 0;
 }
 
-void StrokeFinder::list_strokes(const Sample &onset, const Sample &now) {
+/// The hand may not have been slow yet because it came into view on its way.
+void StrokeFinder::list_entering(Sample &r_entry, const Sample &now) {
+	if (r_entry.speed_m_s == 0.0 && now.t_s - r_entry.t_s >= PIECE_S) {
+		r_entry.speed_m_s = now.speed_m_s;
+	}
+	const double gone_m = (now.place_m - r_entry.place_m).norm();
+	const bool is_seen = now.t_s - r_entry.t_s >= ENTERED_S;
+	if (is_seen && gone_m > std::max(ENTERS * smallest_m_, TREMBLES * noise_m())) {
+		strokes_[0] = between(r_entry, now, peak_m_s_);
+		strokes_[0].entry_share = r_entry.speed_m_s / peak_m_s_;
+		stroke_count_ = 1;
+	}
+}
+
+void StrokeFinder::list_since(const Sample &onset, const Sample &now) {
 	strokes_[0] = between(onset, now, peak_m_s_);
 	stroke_count_ = 1;
 	const bool goes_on = (now.place_m - onset.place_m).norm() > smallest_m_;
@@ -275,6 +275,7 @@ void StrokeFinder::find_onset() {
 			remember_stroke(*onset_, onset);
 		}
 		onset_ = onset;
+		entry_.reset();
 	}
 }
 

@@ -131,8 +131,9 @@ private:
 	void begin_anew(const Sample &end);
 	void remember_stroke(const Sample &onset, const Sample &end);
 	[[nodiscard]] bool turned_unseen(const FeaturePlace &place_m) const;
-	[[nodiscard]] bool list_strokes(const Sample &now);
-	void list_strokes(const Sample &onset, const Sample &now);
+	void list_strokes(const Sample &now);
+	void list_entering(Sample &r_entry, const Sample &now);
+	void list_since(const Sample &onset, const Sample &now);
 	void measure_way(Sample &r_sample);
 	void measure_rest(Sample &r_onset) const;
 	[[nodiscard]] static Stroke between(const Sample &onset, const Sample &now, double peak_m_s);

@@ -25,16 +25,15 @@ TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m
 
 void TaskStrokes::look(const StrokeFinder &strokes) {
 	has_set_out_ = unseen_.has_set_out;
-	each(strokes, [this](const Stroke &stroke) {
+	for (const Stroke &stroke : counted(strokes)) {
 		const double gone_m = (stroke.to - stroke.from).dot(way_);
 		has_set_out_ = has_set_out_ || (gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
-	});
+	}
 }
 
 bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
-	bool is_likely = false;
-	each(strokes, [&](const Stroke &stroke) { is_likely = is_likely || log_odds(stroke) > 0.0; });
-	return is_likely;
+	return std::ranges::any_of(
+			counted(strokes), [this](const Stroke &stroke) { return log_odds(stroke) > 0.0; });
 }
 
 void TaskStrokes::begin() {
@@ -66,13 +65,13 @@ double TaskStrokes::log_odds(const Stroke &stroke) const {
 double TaskStrokes::judge(const StrokeFinder &strokes) {
 	double best = unseen_.log_odds;
 	best_of_one_ = std::max(best_of_one_, best);
-	each(strokes, [&](const Stroke &stroke) {
+	for (const Stroke &stroke : counted(strokes)) {
 		const double of_this = log_odds(stroke);
 		best = std::max(best, of_this);
 		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * amplitude_m_) {
 			best_of_one_ = std::max(best_of_one_, of_this);
 		}
-	});
+	}
 	if (before_last_ && last_) {
 		of_all_ = log_odds(joined(*before_last_, *last_));
 		best = std::max(best, of_all_);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <ranges>
 
 namespace steadyhand {
 
@@ -59,13 +60,9 @@ private:
 	[[nodiscard]] bool counts(const Stroke &stroke) const {
 		return !stroke.is_lost && stroke.onset_s >= not_before_s_;
 	}
-	/// f(stroke) for all that count.
-	template <class Function> void each(const StrokeFinder &strokes, const Function &f) const {
-		for (const Stroke &stroke : strokes.strokes()) {
-			if (counts(stroke)) {
-				f(stroke);
-			}
-		}
+	[[nodiscard]] auto counted(const StrokeFinder &strokes) const {
+		return strokes.strokes() |
+				std::views::filter([this](const Stroke &stroke) { return counts(stroke); });
 	}
 	[[nodiscard]] bool may_begin(const Stroke &stroke) const;
 	[[nodiscard]] double log_odds(const Stroke &stroke) const;

@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -90,6 +92,7 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 	std::normal_distribution<double> noise;
 	GestureShown shown;
 	std::string name;
+	const GestureFollower *follower = nullptr;
 	double last_value_m = 0.0;
 	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
@@ -110,7 +113,8 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 		const std::string left =
 				std::exchange(name, now.gesture < 0 ? "" : recogniser.follower()->model().gesture);
 		// A way may call expect(), which changes indices.
-		shown.gesture = left == name ? now.gesture : shown.gesture;
+		const bool is_same = std::exchange(follower, recogniser.follower()) == recogniser.follower();
+		shown.gesture = is_same ? now.gesture : shown.gesture;
 		const GestureNews happened = news(std::exchange(shown, now), now);
 		if (happened.aborted) {
 			events.said.push_back("aborted " + left);
@@ -157,9 +161,17 @@ inline std::vector<std::string> times(int n, const std::string &gesture) {
 	return said;
 }
 
+inline std::ptrdiff_t count(const Events &events, std::string_view said) {
+	return std::ranges::count_if(
+			events.said, [said](const std::string &one) { return one.starts_with(said); });
+}
+
+inline std::ptrdiff_t ends(const Events &events) {
+	return count(events, "ended");
+}
+
 inline bool none_ends(const Events &events) {
-	return std::ranges::none_of(
-			events.said, [](const std::string &said) { return said.starts_with("ended"); });
+	return ends(events) == 0;
 }
 
 } // namespace steadyhand::test

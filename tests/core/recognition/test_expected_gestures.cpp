@@ -112,21 +112,25 @@ TEST_CASE("a stroke that has ended as a gesture is no other one's that is expect
 
 TEST_CASE("the way back may have begun before the end was told that brings its task") {
 	const ExpectedGesture there = drag_at(HERE), back{ models()[0], Task{ 0.2 * X, -X, 0.2 } };
-	for (const double late_s : { 0.0, 0.1, 0.2 }) {
-		CAPTURE(late_s);
-		GestureRecogniser recogniser({ there });
-		bool is_flipped = false;
-		const Events events = watch(
-				recogniser,
-				[&](double t_s) {
-					if (!is_flipped && t_s > 1.6 + late_s) { // half of the way back takes 0.5 s
-						is_flipped = true;
-						recogniser.expect({ back });
-					}
-					return Eigen::Vector3d(x_m({ DRAG, { 1.6, 1.0, -0.2 } }, t_s) * X);
-				},
-				4.0);
-		CHECK(events.said == times(2, "sideways"));
+	for (const double back_s : { 0.85, 1.0 }) { // the end is told at 0.99 s
+		for (const double late_s : { 0.0, 0.1, 0.2 }) {
+			CAPTURE(back_s);
+			CAPTURE(late_s);
+			GestureRecogniser recogniser({ there });
+			double flip_s = 1e9;
+			const Way way = [&](double t_s) {
+				const GestureFollower *follower = recogniser.follower();
+				if (flip_s == 1e9 && follower && follower->stage() == GestureFollower::Stage::ARRIVED) {
+					flip_s = t_s + late_s;
+				}
+				if (t_s >= flip_s) {
+					flip_s = INFINITY;
+					recogniser.expect({ back });
+				}
+				return Eigen::Vector3d(x_m({ { 0.6, 0.4, 0.2 }, { back_s, 0.4, -0.2 } }, t_s) * X);
+			};
+			CHECK(watch(recogniser, way, 3.0).said == times(2, "sideways"));
+		}
 	}
 }
 
