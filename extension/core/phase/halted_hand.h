@@ -7,7 +7,7 @@
 
 namespace steadyhand {
 
-/// Whether the hand has halted half-way, as it was last seen.
+/// Whether the hand has halted half-way, or rests behind the start, as it was last seen.
 class HaltedHand {
 public:
 	/// A hand that is first seen, at x.
@@ -38,6 +38,7 @@ private:
 	static constexpr double STAYS = 0.08;
 	static constexpr double STAYS_S = 0.3;
 	static constexpr double HALTED_FROM = 0.1; ///< one that is no further may not have begun,
+	static constexpr double BEHIND = 0.08;     ///< one that rests further behind the start has not,
 	static constexpr double STAYS_FROM = 0.2;  ///< nor one that stays here before a tracker that errs
 	static constexpr double ERRED = 0.2;       ///< unsoundness from which on it has
 	static constexpr double SHAKES = 0.003;    ///< jitter from which on it does
@@ -53,7 +54,8 @@ private:
 	[[nodiscard]] bool has_halted(const TrackingSoundness &soundness, double t_s, double x) const {
 		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;
 		const bool is_slow = soundness.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S);
-		return is_on_way(x) && (is_slow || (t_s - stays_.since_s > STAYS_S && x > STAYS_FROM));
+		const bool stays = t_s - stays_.since_s > STAYS_S;
+		return is_on_way(x) ? is_slow || (stays && x > STAYS_FROM) : x < -BEHIND && stays && is_sure;
 	}
 };
 

@@ -128,6 +128,7 @@ protected:
 	/// At rest as before the first frame, and no longer shows where the hand was, nor at once where it then
 	/// is.
 	void forget_hand(double t_s);
+	[[nodiscard]] bool is_forgotten() const { return is_forgotten_; }
 	/// The estimator is to expect another gesture from where the hand is. shift: of what is measured from now
 	/// on, in amplitudes.
 	void restart_estimate(double t_s, double shift = 0.0) { phase_.restart(t_s, shift); }

@@ -69,7 +69,7 @@ std::optional<double> TaskFollower::see(
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
-	if ((stage() != Stage::RESTING || is_rejected_) && t_s - seen_s_ > ABSENCES_S.back()) {
+	if (!is_forgotten() && t_s - seen_s_ > ABSENCES_S.back()) {
 		is_rejected_ = false;
 		lose(t_s);
 	}

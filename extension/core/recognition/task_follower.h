@@ -30,7 +30,7 @@ private:
 	double off_start_s_ = 0.0;   ///< when it was last not at the start, once it had left that
 	double stays_at_ = 0.0;      ///< amplitudes
 	double furthest_ = 0.0;      ///< of a gesture under way, amplitudes
-	double seen_s_ = -INFINITY;  ///< of the newest frame that held what the feature needs
+	double seen_s_ = INFINITY;   ///< of the newest frame that held what the feature needs; before one, never
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;

@@ -181,3 +181,40 @@ TEST_CASE("with the task known the end of a hand that is gone half-way is not sa
 	// What is bridged ends in time.
 	CHECK(in_a_task(along(X, { drag }), 4.0, drag.onset_s + 0.56).said == times(1, "sideways"));
 }
+
+TEST_CASE("a hand that rests behind its task's start and leaves the view is not led on") {
+	for (const double behind_m : { 0.02, 0.03, 0.05, 0.08, 0.15 }) {
+		for (const double duration_s : { 0.4, 0.8, 1.2 }) {
+			for (const double rests_s : { 0.5, 1.5, 3.0 }) {
+				for (const double noise_m : { 0.0, 2e-4 }) {
+					CAPTURE(behind_m);
+					CAPTURE(duration_s);
+					CAPTURE(rests_s);
+					CAPTURE(noise_m);
+					const Drag away{ 1.0, duration_s, -behind_m };
+					const double lost_s = 1.0 + duration_s + rests_s;
+					GestureRecogniser recogniser({ { models()[0], Task{} } });
+					const Events events =
+							watch(recogniser, along(X, { away }), lost_s + 0.95, lost_s, 1e9, 100.0, noise_m);
+					CHECK(events.said.empty());
+					CHECK(std::abs(events.last_value_m + behind_m) < 0.02);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("with a task nobody's hand is where it starts, wherever one rested that has gone for a second") {
+	for (const double rests_m : { -0.15, -0.03, -0.01, 0.0, 0.01 }) {
+		CAPTURE(rests_m);
+		const Way way = along(X, { { 1.0, 0.8, rests_m } });
+		const Events gone = in_a_task(way, 6.0, 3.3);
+		CHECK(gone.said.empty());
+		CHECK(std::abs(gone.last_value_m) < 0.001);
+		CHECK(gone.largest_step < 1.01 * FASTEST_M_MS);
+		const Events back = in_a_task(way, 6.0, 3.3, 5.0);
+		CHECK(back.said.empty());
+		CHECK(std::abs(back.last_value_m - rests_m) < 0.005);
+		CHECK(back.largest_step < 1.01 * FASTEST_M_MS);
+	}
+}
