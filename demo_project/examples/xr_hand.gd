@@ -11,6 +11,9 @@ const JOINTS: Dictionary[int, int] = {
 
 ## The tracker's name in XRServer.
 @export var xr_hand: StringName = &"/user/hand_tracker/right"
+## In the space of the world, as the tasks are. Switched off: in that of the XROrigin3D, for
+## gestures without a task in games that move the player, with whom the hand moves in the world.
+@export var in_world := true
 
 
 func _init() -> void:
@@ -21,10 +24,12 @@ func _process(_delta: float) -> void:
 	push_frame(1e-6 * Time.get_ticks_usec(), _tracked_joints())
 
 
-## In the space of the world, as the tasks are; empty where the hand is lost.
+## Empty where the hand is lost.
 func _tracked_joints() -> Dictionary:
 	var hand := XRServer.get_tracker(xr_hand) as XRHandTracker
-	var to_world := XRServer.world_origin * XRServer.get_reference_frame()
+	var space := XRServer.get_reference_frame()
+	if in_world:
+		space = XRServer.world_origin * space
 	var joints := {}
 	if hand != null and hand.has_tracking_data:
 		for joint: int in JOINTS:
@@ -33,5 +38,5 @@ func _tracked_joints() -> Dictionary:
 				& XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED
 			):
 				var place := hand.get_hand_joint_transform(JOINTS[joint]).origin
-				joints[joint] = to_world * (XRServer.world_scale * place)
+				joints[joint] = space * (XRServer.world_scale * place)
 	return joints

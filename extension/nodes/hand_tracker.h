@@ -6,6 +6,7 @@
 #include "track_recorder.h"
 
 #include "base/result.h"
+#include "tracking/stream_doubts.h"
 
 #include <godot_cpp/classes/node3d.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
@@ -118,6 +119,8 @@ private:
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
 	uint8_t complained_ = 0; ///< bit i: of a pushed frame, by Refusal i, in this run
+	steadyhand::StreamDoubts doubts_;
+	uint8_t doubted_ = 0; ///< bit i: StreamDoubt i has been told in this run
 
 	/// What is told of a frame may free this node.
 	using Watch = ListenerList<FrameListener>::Watch;
@@ -126,6 +129,7 @@ private:
 
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
+	void doubt(const steadyhand::HandFrame &p_frame);
 	void deliver(const steadyhand::HandFrame &p_frame);
 	/// The listeners; what is of this run is none's any more once one of them has begun another.
 	template <class... Arguments, class... Values>

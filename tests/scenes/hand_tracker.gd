@@ -102,6 +102,20 @@ func test_script_source() -> void:
 	tracker.free()
 
 
+func test_frames_of_wrong_units_are_told_once() -> void:
+	# expects one warning: the hand moves and the time stands still
+	# expects one warning: times are in seconds
+	# expects one warning: positions are in metres
+	for scale: Vector2 in [Vector2(0.0, 1.0), Vector2(1000.0, 1.0), Vector2(1.0, 1000.0)]:
+		var tracker := _make_tracker(HandTracker.SOURCE_SCRIPT)
+		tracker.start()
+		for frame in 200:
+			var time := frame / 90.0
+			var tip := Vector3(0.1 * sin(2.0 * time), 1.0, -0.3)
+			tracker.push_frame(scale.x * time, {HandTracker.JOINT_INDEX: scale.y * tip})
+		tracker.free()
+
+
 func test_example_of_a_hand_of_the_xr_server() -> void:
 	const INDEX_TIP := XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP
 	var hand := XRHandTracker.new()
@@ -122,6 +136,15 @@ func test_example_of_a_hand_of_the_xr_server() -> void:
 		tracker.get_joint_position(HandTracker.JOINT_INDEX), Vector3(0.1, 1.2, -0.3), "in the world"
 	)
 	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "a joint that is not tracked")
+	tracker.set("in_world", false)
+	XRServer.world_origin.origin += Vector3(3.0, 0.0, -4.0)
+	await process_frame
+	await process_frame
+	check_equal(
+		tracker.get_joint_position(HandTracker.JOINT_INDEX),
+		Vector3(0.1, 0.2, -0.3),
+		"with the player, whom the game moves"
+	)
 	hand.has_tracking_data = false
 	await process_frame
 	await process_frame
