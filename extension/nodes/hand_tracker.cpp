@@ -6,14 +6,10 @@
 #include "trial_dictionary.h"
 #include "written_file.h"
 
-#include "simulation/gesture_motion.h"
 #include "simulation/synthetic_trial.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace godot {
 

@@ -16,7 +16,6 @@
 #include <deque>
 #include <limits>
 #include <memory>
-#include <vector>
 
 namespace godot {
 

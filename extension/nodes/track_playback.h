@@ -2,7 +2,7 @@
 
 #include "tracking/frame.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace godot {

@@ -12,7 +12,6 @@ from results.evaluation import ROOT, run_tool
 
 PROJECT = ROOT / "demo_project"
 SPRING_HZ = 180.0
-CUE_HZ = {"tap": 300.0}
 MARGIN_S = 0.1  # of a recording's ends, where a filter that runs both ways is not at its own yet
 
 

@@ -59,7 +59,7 @@ def minimum_jerk(s: np.ndarray) -> np.ndarray:
     return s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
 
 
-def corrected(way: np.ndarray, t: np.ndarray, start_s: float, end_s: float, rng: np.random.Generator) -> np.ndarray:
+def corrected(way: np.ndarray, t: np.ndarray, end_s: float, rng: np.random.Generator) -> np.ndarray:
     """The way (1: the amplitude) with submovements, perhaps a hesitation, and a start beside the start."""
     onset_s = t[np.argmax(way > 0.05)]
     duration_s = max(end_s - onset_s, 0.3)
@@ -148,7 +148,7 @@ def main() -> None:
         span = (float(trial["start_s"]), float(trial["end_s"]))
         way = (hand - start) @ direction / amplitude_m
         if given.corrections:
-            other = corrected(way, t, *span, rng)
+            other = corrected(way, t, span[1], rng)
             hand = hand + ((other - way) * amplitude_m)[:, None] * direction
             level = END_LEVEL * other[np.argmin(np.abs(t - span[1]))]
             reached_s = t[np.argmax((other >= level) & (t > span[0]))]

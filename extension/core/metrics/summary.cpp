@@ -3,7 +3,6 @@
 #include "signal/sample_clock.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <vector>

@@ -22,6 +22,10 @@ public:
 		rate_per_s_ = rate_per_s;
 	}
 
+	void start(double t_s, const Motion &before, const Motion &now, double rate_per_s) {
+		start(t_s, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, rate_per_s);
+	}
+
 	/// What is to be added at t_s.
 	[[nodiscard]] CriticallyDamped at(double t_s) const {
 		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));

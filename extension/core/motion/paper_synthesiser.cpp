@@ -37,8 +37,7 @@ void PaperSynthesiser::enter_state(int state, double entered_s, double t_s) {
 }
 
 void PaperSynthesiser::blend_from(const Motion &before, double t_s) {
-	const Motion now = played(t_s);
-	blend_.start(t_s, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, BLEND_RATE_PER_S);
+	blend_.start(t_s, before, played(t_s), BLEND_RATE_PER_S);
 }
 
 double PaperSynthesiser::phase(double t_s) const {

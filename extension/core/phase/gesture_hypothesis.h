@@ -65,7 +65,7 @@ public:
 
 	/// The same, but that the tracker has jumped: it shows the hand beside where it is from now on.
 	[[nodiscard]] GestureHypothesis displaced(double deviation) const;
-	/// As displaced, but that the tracker slides back within a tenth of a second.
+	/// As displaced, but that the tracker slides back within 0.2 s.
 	[[nodiscard]] GestureHypothesis displaced_sliding_back(double deviation) const;
 	/// Of one on its way: the tracker had fallen behind, by that much unknown, and slides to where the hand
 	/// is.

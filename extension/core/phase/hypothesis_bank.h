@@ -19,7 +19,7 @@ public:
 	/// Whose tracker slides back: of a hand at rest, and of one on its way, sound or unsound; or up to the
 	/// hand, of the latter two.
 	static constexpr std::size_t MOST_SLIDING_BACK = 5;
-	/// Whose hand stands half-way.
+	/// Whose hand stands.
 	static constexpr std::size_t MOST_STANDING = 2;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
 			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_STANDING;

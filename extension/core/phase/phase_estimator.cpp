@@ -10,7 +10,8 @@ namespace {
 
 // Values in amplitudes. Set on synthetic subjects of the tuning population and on other recordings than those
 // that are evaluated (docs/evidence.md).
-/// Share of the regime UNSOUND among all on their way, at any time: trackers start to err.
+/// Share of the regime UNSOUND beside those on their way whose tracker is right, at any time: trackers start
+/// to err.
 constexpr double UNSOUND_AT_LEAST = 0.03;
 /// The same of FREE: hands change their minds.
 constexpr double FREE_AT_LEAST = 0.005;

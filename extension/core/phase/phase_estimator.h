@@ -20,8 +20,8 @@ namespace steadyhand {
 /// Kalman filter of its own (gesture_hypothesis.h). What is put out is their weighted mean.
 ///
 /// - Hypotheses branch off the one at rest at a constant rate while the hand is seen, and are seeded from
-///   what is seen when the tracker comes back from a gap, a freeze or a jump: a gesture that begins unseen
-///   is caught.
+///   what is seen when the tracker comes back from a gap, a freeze or a jump, or between the frames of a slow
+///   camera: a gesture that begins unseen is caught.
 /// - A jump is the tracker's: it may lead away from the hand or back to it (tracker_jump.h).
 /// - Faults of the tracker (tracking_soundness.h) speak for the regime in which it errs.
 /// - The output never steps: what a frame changes is blended in, in value and in velocity.

@@ -132,8 +132,7 @@ void GestureFollower::recall(double t_s, double x_m, const FeaturePlace &place) 
 }
 
 void GestureFollower::blend_from(const Motion &before, double t_s, double rate_per_s) {
-	const Motion after = synthesised(t_s);
-	blend_.start(t_s, before.value_m - after.value_m, before.velocity_m_s - after.velocity_m_s, rate_per_s);
+	blend_.start(t_s, before, synthesised(t_s), rate_per_s);
 }
 
 Motion GestureFollower::synthesised(double t_s) const {

@@ -36,8 +36,8 @@ struct Synthesis {
 class GestureFollower {
 public:
 	enum class Stage { RESTING, MOVING, ARRIVED };
-	/// Without a task: unseen for so long a gesture has ended, if its end was near. In any case: unseen for
-	/// so long it, or its end, is over.
+	/// Without a task: unseen for so long a gesture has ended, if its end was near; with one, an end counts
+	/// until then. In any case: unseen for so long it, or its end, is over.
 	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
 
 	GestureFollower(const GestureFollower &) = delete;

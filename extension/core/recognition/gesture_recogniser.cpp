@@ -243,8 +243,7 @@ void GestureRecogniser::lead(int follower) {
 	}
 	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
 	leader_ = follower;
-	const Motion now = synthesised(time_s_);
-	blend_.start(time_s_, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, rate_per_s);
+	blend_.start(time_s_, before, synthesised(time_s_), rate_per_s);
 }
 
 /// A hand at a task is shown at rest too.

@@ -3,7 +3,6 @@
 #include "signal/minimum_jerk.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/hand_pose.h"
-#include "simulation/progress.h"
 
 #include <Eigen/Geometry>
 

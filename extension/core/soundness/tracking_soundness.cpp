@@ -9,7 +9,7 @@ constexpr double MEMORY_S = 1.0;
 constexpr double LASTING_MEMORY_S = 5.0;
 /// Trackers double or triple an interval every second or so while all is well (1-3 % of intervals).
 constexpr double SKIPPED_PERIODS = 1.5, GAP_PERIODS = 4.0;
-constexpr double FULL_GAP_S = 0.061; ///< a gap of this length is as bad as a jump
+constexpr double FULL_GAP_S = 0.061; ///< a gap of so much more than two periods is as bad as a jump
 /// Amplitudes: a 0.15 s drag, the fastest that is studied, peaks at 1.875 / 0.15.
 constexpr double FASTEST_PER_S = 12.5;
 constexpr double SMALLEST_JUMP = 0.03;

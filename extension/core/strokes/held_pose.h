@@ -4,7 +4,6 @@
 #include "soundness/tracker_steps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

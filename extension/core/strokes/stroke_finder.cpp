@@ -124,7 +124,8 @@ void StrokeFinder::see(double t_s, const FeaturePlace &place_m) {
 	}
 }
 
-/// A frame that is news; rest_shown_s: HeldPose::rest_shown_s of the place before.
+/// A frame that is news, or the moment until which the last pose held; rest_shown_s: HeldPose::rest_shown_s
+/// of the place before.
 void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double rest_shown_s, bool may_end) {
 	pose_.show(t_s, place_m);
 	follow(steps_.push(t_s, place_m, rest_shown_s), may_end);

@@ -1,7 +1,6 @@
 #include "tracking/stream_doubts.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace steadyhand {
 namespace {
