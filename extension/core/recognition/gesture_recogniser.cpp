@@ -140,7 +140,11 @@ template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candida
 
 bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
 	const std::optional<Task> &way = gestures_[one].task, &beside = gestures_[other].task;
-	if (!way || !beside || watched(one).feature->is_radius || watched(other).feature->is_radius) {
+	const auto ends_at_a_place = [this](std::size_t i) {
+		const Feature &feature = *watched(i).feature;
+		return feature.direction != nullptr && !feature.is_radius;
+	};
+	if (!way || !beside || !ends_at_a_place(one) || !ends_at_a_place(other)) {
 		return false;
 	}
 	const auto end_m = [](const Task &task) { return task.start_m + task.amplitude_m * task.axis; };

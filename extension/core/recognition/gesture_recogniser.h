@@ -105,7 +105,7 @@ private:
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
-	/// Of tasks at places: further from the end of `one` across its way than along it.
+	/// Of tasks with a straight way to a place: further from the end of `one` across its way than along it.
 	[[nodiscard]] bool ends_to_the_side(std::size_t one, std::size_t other) const;
 	void decide_claims();
 	void let_return();
