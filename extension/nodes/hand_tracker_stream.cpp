@@ -38,6 +38,14 @@ String fault_of(const Dictionary &p_joints) {
 	return "joints must map a Joint to a Vector3";
 }
 
+/// Of what is told once: whether bit `p_what` of those told was not set yet; it is then.
+bool is_first(uint8_t &r_told, unsigned p_what) {
+	const auto bit = static_cast<uint8_t>(1U << p_what);
+	const bool is_first = (r_told & bit) == 0;
+	r_told |= bit;
+	return is_first;
+}
+
 String explain(steadyhand::StreamDoubt p_doubt) {
 	switch (p_doubt) {
 		case steadyhand::StreamDoubt::TIME_STANDS:
@@ -155,9 +163,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 }
 
 Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
-	const auto bit = static_cast<uint8_t>(1U << static_cast<unsigned>(p_refusal));
-	if ((complained_ & bit) == 0) {
-		complained_ |= bit;
+	if (is_first(complained_, static_cast<unsigned>(p_refusal))) {
 		ERR_PRINT(node_label(*this) + String(": push_frame: ") + p_reason + String(" (said once a run)"));
 	}
 	return ERR_INVALID_PARAMETER;
@@ -166,12 +172,9 @@ Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
 /// Said once a run, as of such frames nothing is ever recognised.
 void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
 	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.look(p_frame);
-	const auto bit = static_cast<uint8_t>(doubt ? 1U << static_cast<unsigned>(*doubt) : 0U);
-	if (!doubt || (doubted_ & bit) != 0) {
-		return;
+	if (doubt && is_first(doubted_, static_cast<unsigned>(*doubt))) {
+		WARN_PRINT(node_label(*this) + String(": push_frame: ") + explain(*doubt));
 	}
-	doubted_ |= bit;
-	WARN_PRINT(node_label(*this) + String(": push_frame: ") + explain(*doubt));
 }
 
 void HandTracker::deliver(const steadyhand::HandFrame &p_frame) {

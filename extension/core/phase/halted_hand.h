@@ -53,9 +53,12 @@ private:
 
 	[[nodiscard]] bool has_halted(const TrackingSoundness &soundness, double t_s, double x) const {
 		const bool is_sure = soundness.unsoundness() < ERRED && soundness.jitter() < SHAKES;
-		const bool is_slow = soundness.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S);
 		const bool stays = t_s - stays_.since_s > STAYS_S;
-		return is_on_way(x) ? is_slow || (stays && x > STAYS_FROM) : x < -BEHIND && stays && is_sure;
+		if (!is_on_way(x)) {
+			return x < -BEHIND && stays && is_sure;
+		}
+		const bool is_slow = soundness.slow_for_s() > (is_sure ? HALTED_S : HALTED_UNSURE_S);
+		return is_slow || (stays && x > STAYS_FROM);
 	}
 };
 

@@ -21,12 +21,12 @@ std::optional<double> step_m(const HandFrame &from, const HandFrame &to) {
 std::optional<StreamDoubt> StreamDoubts::look(const HandFrame &frame) {
 	const std::optional<double> gone_m = last_ ? step_m(*last_, frame) : std::nullopt;
 	const double step_s = last_ ? frame.t_s - last_->t_s : 0.0;
-	last_ = frame;
 	if (!gone_m) {
-		standing_ = rare_ = fast_ = 0;
-		fast_for_s_ = 0.0;
+		*this = {};
+		last_ = frame;
 		return std::nullopt;
 	}
+	last_ = frame;
 	if (step_s == 0.0) {
 		standing_ += *gone_m > 0.0 ? 1 : 0;
 		return standing_ >= FRAMES ? std::optional(StreamDoubt::TIME_STANDS) : std::nullopt;

@@ -113,8 +113,8 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 		const std::string left =
 				std::exchange(name, now.gesture < 0 ? "" : recogniser.follower()->model().gesture);
 		// A way may call expect(), which changes indices.
-		const bool is_same = std::exchange(follower, recogniser.follower()) == recogniser.follower();
-		shown.gesture = is_same ? now.gesture : shown.gesture;
+		const GestureFollower *before = std::exchange(follower, recogniser.follower());
+		shown.gesture = before == follower ? now.gesture : shown.gesture;
 		const GestureNews happened = news(std::exchange(shown, now), now);
 		if (happened.aborted) {
 			events.said.push_back("aborted " + left);
