@@ -17,7 +17,7 @@ constexpr double TURNED = 0.35;
 constexpr double YET_TO_TURN = 0.35;
 constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
 /// About a task's axis: radians, each of two; aim and the tracker's error.
-constexpr double ANGLE = 0.14;
+constexpr double ANGLE = 0.11;
 /// Mean distance from the chord, in its lengths, within which a way is bowed.
 constexpr double BOW = 0.18;
 constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
@@ -145,28 +145,34 @@ double best_off(double off, double length_m, double amplitude_m) {
 	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
 }
 
-/// Square of the distance, m^2, from where the gesture may begin: the task's start or, of a hand that comes
-/// into view, the first part of its way. By what the tracker showed or without its steps, whichever is less:
-/// it may show the hand beside its place for a while, and steps that it takes back slowly add up.
-double start_error(
+/// m: from where the gesture may begin - the task's start or, of a hand that comes into view, the first part
+/// of its way, beyond which it is infinite - to where it began. By what the tracker showed or without its
+/// steps, whichever is less: it may show the hand beside its place for a while, and steps that it takes back
+/// slowly add up.
+FeaturePlace off_start(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
-	const auto error = [&](const FeaturePlace &from) {
+	const auto off = [&](const FeaturePlace &from) -> FeaturePlace {
 		const double along_m = (from - start).dot(way);
 		const double unseen_m = stroke.entry_share > 0.0 ? std::max(along_m, 0.0) : 0.0;
 		if (unseen_m > ENTERED_BY * amplitude_m) {
-			return double(INFINITY);
+			return FeaturePlace::Constant(INFINITY);
 		}
 		// A radius has no place.
-		return way(3) != 0.0 ? std::pow(along_m - unseen_m, 2)
-							 : (from - start - unseen_m * way).squaredNorm();
+		return way(3) != 0.0 ? FeaturePlace((along_m - unseen_m) * way)
+							 : FeaturePlace(from - start - unseen_m * way);
 	};
-	return std::min(error(stroke.from), error(stroke.seen_from));
+	const FeaturePlace steadied = off(stroke.from), seen = off(stroke.seen_from);
+	return steadied.squaredNorm() < seen.squaredNorm() ? steadied : seen;
+}
+double start_evidence(const Stroke &stroke, const FeaturePlace &off_start_m, double amplitude_m) {
+	return (stroke.entry_share > 0.0 ? LOG_ENTRIES - UNSEEN : LOG_STARTS) -
+			0.5 * off_start_m.squaredNorm() / (START * START * amplitude_m * amplitude_m);
 }
 
-double start_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
-	return (stroke.entry_share > 0.0 ? LOG_ENTRIES - UNSEEN : LOG_STARTS) -
-			0.5 * start_error(stroke, start, way, amplitude_m) / (START * START * amplitude_m * amplitude_m);
+/// The way to the task's end of a hand that began beside its start: hands aim at ends.
+FeaturePlace aim(const FeaturePlace &off_start_m, const FeaturePlace &way, double amplitude_m) {
+	const FeaturePlace beside_m = off_start_m - off_start_m.dot(way) * way;
+	return (amplitude_m * way - beside_m).normalized();
 }
 
 bool leads_somewhere(double length_m) {
@@ -223,18 +229,19 @@ double most_evidence(const Stroke &stroke, const FeaturePlace &way, double ampli
 
 double task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
-	const FeaturePlace chord = stroke.to - stroke.from;
+	const FeaturePlace chord = stroke.to - stroke.from, off_m = off_start(stroke, start, way, amplitude_m);
 	const double length_m = chord.norm();
-	if (!leads_somewhere(length_m)) {
+	if (!leads_somewhere(length_m) || !off_m.allFinite()) {
 		return IMPOSSIBLE;
 	}
-	return direction_in_task((chord / length_m - way).norm()) + straightness(stroke, length_m) +
-			start_evidence(stroke, start, way, amplitude_m);
+	return direction_in_task((chord / length_m - aim(off_m, way, amplitude_m)).norm()) +
+			straightness(stroke, length_m) + start_evidence(stroke, off_m, amplitude_m);
 }
 
 double most_task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
-	return direction_in_task(0.0) + bow_evidence(0.0) + start_evidence(stroke, start, way, amplitude_m);
+	return direction_in_task(0.0) + bow_evidence(0.0) +
+			start_evidence(stroke, off_start(stroke, start, way, amplitude_m), amplitude_m);
 }
 
 } // namespace steadyhand

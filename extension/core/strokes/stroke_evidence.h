@@ -33,8 +33,8 @@ struct StrokeEvidence {
 /// elsewhere.
 [[nodiscard]] double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m);
 
-/// The same for a task that says where the stroke should begin, and exactly which way it should go, instead
-/// of how long it should be: of direction, straightness and start, nats.
+/// The same for a task that says where the stroke should begin, and from there exactly which way it should
+/// go, to the task's end, instead of how long it should be: of direction, straightness and start, nats.
 [[nodiscard]] double task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
 

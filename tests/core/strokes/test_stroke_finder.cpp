@@ -4,6 +4,7 @@
 #include "strokes/stroke_evidence.h"
 #include "strokes/stroke_finder.h"
 
+#include <Eigen/Geometry>
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -238,7 +239,11 @@ TEST_CASE("with the task known too: of direction, bow and start") {
 		moved.from = start;
 		moved.from.head<3>() += off_m;
 		moved.seen_from = moved.from;
-		moved.to = moved.from + AMPLITUDE_M * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+		// Hands aim at the end, from wherever beside the start they began.
+		const Eigen::Vector3d aim = Eigen::Vector3d(AMPLITUDE_M, -off_m.y(), -off_m.z()).normalized();
+		const Eigen::AngleAxisd turn(angle, aim.unitOrthogonal());
+		moved.to = moved.from;
+		moved.to.head<3>() += AMPLITUDE_M * (turn * aim);
 		moved.middle = 0.5 * (moved.from + moved.to) + bow * AMPLITUDE_M * FeaturePlace::UnitZ();
 		return moved;
 	};
