@@ -2,6 +2,7 @@
 #include "gesture/feature.h"
 #include "gesture/feature_choice.h"
 #include "gesture/motion_element.h"
+#include "near.h"
 #include "simulation/synthetic_trial.h"
 
 #include <doctest/doctest.h>
@@ -113,10 +114,10 @@ TEST_CASE("a feature measures a frame that holds the joints it names, and none t
 }
 
 TEST_CASE("the circumradius of known triangles") {
-	CHECK(*circumradius({ 0, 0 }, { 3, 0 }, { 0, 4 }) == doctest::Approx(2.5).epsilon(1e-15));
+	CHECK(*circumradius({ 0, 0 }, { 3, 0 }, { 0, 4 }) == test::near(2.5).epsilon(1e-15));
 	CHECK(*circumradius({ 0, 0 }, { 1, 0 }, { 0.5, std::sqrt(0.75) }) ==
-			doctest::Approx(1.0 / std::sqrt(3.0)).epsilon(1e-15));
-	CHECK(*circumradius({ 0, 0 }, { 14, 0 }, { 5, 12 }) == doctest::Approx(65.0 / 8.0).epsilon(1e-15));
+			test::near(1.0 / std::sqrt(3.0)).epsilon(1e-15));
+	CHECK(*circumradius({ 0, 0 }, { 14, 0 }, { 5, 12 }) == test::near(65.0 / 8.0).epsilon(1e-15));
 }
 
 TEST_CASE("three points of a random circle give its radius, wherever it is and however it is turned") {
@@ -135,12 +136,12 @@ TEST_CASE("three points of a random circle give its radius, wherever it is and h
 		++given;
 		// Rounding of the coordinates (at most 11 radii, 2^-53 of that) comes out magnified by at most the
 		// gain.
-		REQUIRE(*found == doctest::Approx(radius).epsilon(1e-13));
+		REQUIRE(*found == test::near(radius).epsilon(1e-13));
 		const Eigen::Rotation2Dd turn(angle(random));
 		const Vector2d shift = radius * Vector2d(place(random), place(random));
 		const Triangle moved{ turn * t[2] + shift, turn * t[0] + shift, turn * t[1] + shift };
 		if (const std::optional<double> again = radius_of(moved)) {
-			REQUIRE(*again == doctest::Approx(*found).epsilon(1e-12));
+			REQUIRE(*again == test::near(*found).epsilon(1e-12));
 		}
 	}
 	CHECK(given > 15000);
@@ -164,7 +165,7 @@ TEST_CASE("a radius is put out where an error of the tips is magnified by less t
 		const std::optional<double> radius = radius_of(t);
 		REQUIRE(radius.has_value() == (gain < ERROR_GAIN_MAX));
 		if (radius) {
-			REQUIRE(*radius == doctest::Approx(solved_circle(t).z()).epsilon(1e-12));
+			REQUIRE(*radius == test::near(solved_circle(t).z()).epsilon(1e-12));
 		}
 		++(radius ? given : withheld);
 	}
@@ -207,7 +208,7 @@ TEST_CASE("tips in line, two or all in one point, at any size: no radius, and ne
 		CHECK_FALSE(circumradius(a, a + along, a + 2.0 * along));
 		CHECK_FALSE(circumradius(a, a + along, a - along));
 		CHECK(*circumradius(a, a + along, a + Vector2d(-along.y(), along.x())) ==
-				doctest::Approx(along.stableNorm() / std::sqrt(2.0)).epsilon(1e-9));
+				test::near(along.stableNorm() / std::sqrt(2.0)).epsilon(1e-9));
 	}
 	CHECK_FALSE(circumradius({ 0, 0 }, { 0, 0 }, { 0, 0 }));
 	const double largest = std::numeric_limits<double>::max();
@@ -218,7 +219,7 @@ TEST_CASE("tips in line, two or all in one point, at any size: no radius, and ne
 		const double height = std::ldexp(1.0, -halvings);
 		if (const std::optional<double> radius = circumradius({ -1, 0 }, { 1, 0 }, { 0, height })) {
 			CHECK(halvings == given++);
-			CHECK(*radius == doctest::Approx((1.0 + height * height) / (2.0 * height)));
+			CHECK(*radius == test::near((1.0 + height * height) / (2.0 * height)));
 		}
 	}
 	// w = ((1 + h^2) / 4 h^2, the same, (h^2 - 1) / 2 h^2): |w| passes 10 at a height of h = 0.245.
@@ -235,7 +236,7 @@ TEST_CASE("the tips' circle: z left out, 0 at the starting radius, three tips or
 				on_circle(centre, radius_m, 0.4) });
 	};
 	for (const double radius_m : { 0.015, 0.02, 0.045 }) {
-		CHECK(*feature->measure(open_to(radius_m), task) == doctest::Approx(radius_m - 0.015));
+		CHECK(*feature->measure(open_to(radius_m), task) == test::near(radius_m - 0.015));
 	}
 	for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {
 		HandFrame frame = open_to(0.02);
@@ -266,13 +267,12 @@ TEST_CASE("the way along a circle is its arc, round after round, forwards and ba
 			const std::optional<double> x_m =
 					element.measure(index_at(place(angle_rad, 1.0 + 0.3 * any(random))), task);
 			REQUIRE(x_m);
-			REQUIRE(*x_m == doctest::Approx(radius_m * angle_rad).epsilon(1e-9));
+			REQUIRE(*x_m == test::near(radius_m * angle_rad).epsilon(1e-9));
 		}
-		CHECK(*feature->measure(index_at(place(2.0, 1.0)), task) == doctest::Approx(2.0 * radius_m));
-		CHECK(*feature->measure(index_at(place(4.0, 1.0)), task) ==
-				doctest::Approx((4.0 - 2.0 * PI) * radius_m));
+		CHECK(*feature->measure(index_at(place(2.0, 1.0)), task) == test::near(2.0 * radius_m));
+		CHECK(*feature->measure(index_at(place(4.0, 1.0)), task) == test::near((4.0 - 2.0 * PI) * radius_m));
 		element.restart();
-		CHECK(*element.measure(index_at(place(0.5, 1.0)), task) == doctest::Approx(0.5 * radius_m));
+		CHECK(*element.measure(index_at(place(0.5, 1.0)), task) == test::near(0.5 * radius_m));
 		CHECK_FALSE(feature->measure(index_at(place(1.0, 0.05)), task));
 		CHECK_FALSE(feature->measure(index_at(centre), task));
 		CHECK_FALSE(feature->measure(HandFrame{}, task));
@@ -326,7 +326,7 @@ TEST_CASE("along its direction a feature's place grows as the motion element doe
 			REQUIRE(from.has_value() == from_m.has_value());
 			REQUIRE(to.has_value() == to_m.has_value());
 			if (from && to) {
-				REQUIRE((*to - *from).dot(feature.direction(task)) == doctest::Approx(*to_m - *from_m));
+				REQUIRE((*to - *from).dot(feature.direction(task)) == test::near(*to_m - *from_m));
 			}
 		}
 	}

@@ -1,6 +1,7 @@
 // Model files that are valid JSON and still no model.
 
 #include "gesture/model_file.h"
+#include "near.h"
 #include "trained_drag.h"
 
 #include <nlohmann/json.hpp>
@@ -155,6 +156,6 @@ TEST_CASE("the phase of a value is 0 below the reference, 1 beyond it, and where
 	CHECK(phase_of_value(model, 0.1) == 0.0);
 	CHECK(phase_of_value(model, 0.95) == 1.0);
 	for (const double phase : { 0.004, 0.25, 0.333, 0.999 }) {
-		CHECK(phase_of_value(model, 0.1 + 0.8 * phase) == doctest::Approx(phase).epsilon(1e-9));
+		CHECK(phase_of_value(model, 0.1 + 0.8 * phase) == test::near(phase).epsilon(1e-9));
 	}
 }

@@ -3,6 +3,7 @@
 #include "gesture/motion_elements.h"
 #include "gesture/reference_curve.h"
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "signal/minimum_jerk.h"
 
 #include <doctest/doctest.h>
@@ -64,7 +65,7 @@ TEST_CASE("where a movement begins does not depend on its direction, its size or
 				recorded([&](double t_s) { return offset_m + factor * drag.x_m(t_s); }, 0.0, 2.0), 0.3, 1.6);
 	};
 	const double onset_s = span(1.0, 0.0).onset_s;
-	CHECK(onset_s == doctest::Approx(0.6594).epsilon(0.01));
+	CHECK(onset_s == test::near(0.6594).epsilon(0.01));
 	for (const double factor : { -1.0, 0.01, -7.0 }) {
 		CHECK(span(factor, 0.0).onset_s == onset_s);
 		CHECK(span(factor, 5.0).onset_s == onset_s);
@@ -81,8 +82,8 @@ TEST_CASE("a movement begins before its half, where the hand was last still") {
 		const auto x_m = [&](double t_s) { return share * first.x_m(t_s) + (1.0 - share) * second.x_m(t_s); };
 		return movement_span(recorded(x_m, 0.0, 2.5), 0.2, 2.1).onset_s;
 	};
-	CHECK(onset_s(0.7) == doctest::Approx(0.5 + 0.6 * 0.0594).epsilon(0.02));
-	CHECK(onset_s(0.3) == doctest::Approx(1.5 + 0.6 * 0.0594).epsilon(0.02));
+	CHECK(onset_s(0.7) == test::near(0.5 + 0.6 * 0.0594).epsilon(0.02));
+	CHECK(onset_s(0.3) == test::near(1.5 + 0.6 * 0.0594).epsilon(0.02));
 }
 
 TEST_CASE("before its first sample and after its last a recording is held") {
@@ -90,7 +91,7 @@ TEST_CASE("before its first sample and after its last a recording is held") {
 	const Eigen::VectorXd curve = normalised_curve(ramp, { 0.5, 2.5 });
 	for (Eigen::Index i = 0; i < CURVE_POINTS; ++i) {
 		const double t_s = 0.5 + 2.0 * static_cast<double>(i) / (CURVE_POINTS - 1);
-		CHECK(curve(i) == doctest::Approx(std::clamp(t_s - 1.0, 0.0, 1.0)).epsilon(1e-9));
+		CHECK(curve(i) == test::near(std::clamp(t_s - 1.0, 0.0, 1.0)).epsilon(1e-9));
 	}
 }
 
@@ -112,8 +113,8 @@ TEST_CASE("the reference is the mean of the curves that are kept, and their samp
 	// A curve that does not vary has no R^2; the mean is 0.025 s.
 	CHECK(best.r2[2] == 0.0);
 	const double square = ramp.squaredNorm(), variance = (ramp.array() - 0.5).square().sum();
-	CHECK(best.r2[0] == doctest::Approx(1.0 - 0.975 * 0.975 * square / variance));
-	CHECK(best.r2[3] == doctest::Approx(1.0 - 0.075 * 0.075 * square / (0.01 * variance)));
+	CHECK(best.r2[0] == test::near(1.0 - 0.975 * 0.975 * square / variance));
+	CHECK(best.r2[3] == test::near(1.0 - 0.075 * 0.075 * square / (0.01 * variance)));
 }
 
 TEST_CASE("motion elements divide the curve as the states divide the recordings") {
@@ -130,12 +131,12 @@ TEST_CASE("motion elements divide the curve as the states divide the recordings"
 	for (std::size_t i = 0; i < ends.size(); ++i) {
 		CAPTURE(i);
 		const PrimitiveMotionElement &element = model.elements[i];
-		CHECK(element.phase_begin == doctest::Approx(i > 0 ? ends[i - 1] : 0.0));
-		CHECK(element.phase_end == doctest::Approx(ends[i]));
+		CHECK(element.phase_begin == test::near(i > 0 ? ends[i - 1] : 0.0));
+		CHECK(element.phase_end == test::near(ends[i]));
 		const double mean_s = 0.5 * (in_first_s[i] + in_second_s[i]);
-		CHECK(element.duration_mean_s == doctest::Approx(mean_s));
+		CHECK(element.duration_mean_s == test::near(mean_s));
 		CHECK(element.duration_deviation_s ==
-				doctest::Approx(std::sqrt(0.5) * std::abs(in_second_s[i] - in_first_s[i])));
+				test::near(std::sqrt(0.5) * std::abs(in_second_s[i] - in_first_s[i])));
 		CHECK(std::abs(element.deviation - points[i]) < 0.006); // a point at the end may round either way
 	}
 	// Of degree 5, as the reference: nothing is left to fit or to join.
@@ -155,10 +156,10 @@ TEST_CASE("a state that the recordings skip has an element all the same") {
 	REQUIRE(model.elements.size() == 4);
 	const double smallest = 2.0 / (CURVE_POINTS - 1), total = 1.0 + smallest;
 	const PrimitiveMotionElement &skipped = model.elements[1];
-	CHECK(skipped.phase_begin == doctest::Approx(0.25 / total));
-	CHECK(skipped.phase_end - skipped.phase_begin == doctest::Approx(smallest / total));
-	CHECK(skipped.duration_mean_s == doctest::Approx(smallest * 2.0));
-	CHECK(model.elements[3].phase_begin == doctest::Approx((0.5 + smallest) / total));
+	CHECK(skipped.phase_begin == test::near(0.25 / total));
+	CHECK(skipped.phase_end - skipped.phase_begin == test::near(smallest / total));
+	CHECK(skipped.duration_mean_s == test::near(smallest * 2.0));
+	CHECK(model.elements[3].phase_begin == test::near((0.5 + smallest) / total));
 	CHECK(model.elements[3].phase_end == 1.0);
 }
 
@@ -166,9 +167,9 @@ TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the mi
 	GestureModel model = model_of_states(3);
 	model.duration_mean_s = 1.0;
 	cut_into_elements(std::vector<SymbolSequence>{ runs({ 4, 3, 3 }) }, std::array{ 1.0 }, 1, model);
-	CHECK(evaluate(model, 0.0).value == doctest::Approx(0.0));
-	CHECK(evaluate(model, 0.0).slope == doctest::Approx(0.0));
-	CHECK(evaluate(model, 1.0).value == doctest::Approx(1.0));
+	CHECK(evaluate(model, 0.0).value == test::near(0.0));
+	CHECK(evaluate(model, 0.0).slope == test::near(0.0));
+	CHECK(evaluate(model, 1.0).value == test::near(1.0));
 	for (const std::size_t i : { 0U, 1U }) {
 		const double joint = model.elements[i].phase_end;
 		// Lines through the reference on either side, apart from each other.
@@ -196,8 +197,8 @@ TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the mi
 						 right = line(joint, model.elements[i + 1].phase_end);
 		for (const double at : { joint - 1e-9, joint + 1e-9 }) {
 			const CurvePoint met = evaluate(model, at);
-			CHECK(met.value == doctest::Approx(0.5 * (left.value + right.value)).epsilon(1e-6));
-			CHECK(met.slope == doctest::Approx(0.5 * (left.slope + right.slope)).epsilon(1e-6));
+			CHECK(met.value == test::near(0.5 * (left.value + right.value)).epsilon(1e-6));
+			CHECK(met.slope == test::near(0.5 * (left.slope + right.slope)).epsilon(1e-6));
 		}
 	}
 }

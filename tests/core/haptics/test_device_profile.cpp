@@ -1,4 +1,5 @@
 #include "haptics/device_profile.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -18,9 +19,9 @@ DeviceProfile peaked() {
 
 TEST_CASE("a response is straight over the logarithm of the frequency, and held beyond its ends") {
 	const DeviceProfile device = peaked();
-	CHECK(response_at(device.response, 100.0) == doctest::Approx(1.0));
-	CHECK(response_at(device.response, 200.0) == doctest::Approx(0.75));
-	CHECK(response_at(device.response, std::sqrt(5000.0)) == doctest::Approx(0.55));
+	CHECK(response_at(device.response, 100.0) == test::near(1.0));
+	CHECK(response_at(device.response, 200.0) == test::near(0.75));
+	CHECK(response_at(device.response, std::sqrt(5000.0)) == test::near(0.55));
 	CHECK(response_at(device.response, 1.0) == 0.1);
 	CHECK(response_at(device.response, 1e6) == 0.5);
 	CHECK(response_at({}, 100.0) == 1.0);
@@ -34,16 +35,16 @@ TEST_CASE("an effect is driven to feel alike, by at most 12 dB, and held to what
 	for (const double frequency_hz : { 100.0, 150.0, 200.0, 400.0 }) {
 		effect.frequency_hz = frequency_hz;
 		const Effect driven = adapted(effect, device);
-		CHECK(driven.gain * response_at(device.response, frequency_hz) == doctest::Approx(0.2));
+		CHECK(driven.gain * response_at(device.response, frequency_hz) == test::near(0.2));
 		CHECK(driven.most == 0.7);
 		CHECK(driven.frequency_hz == frequency_hz);
 	}
 	effect.frequency_hz = 50.0;
-	CHECK(adapted(effect, device).gain == doctest::Approx(0.8));
+	CHECK(adapted(effect, device).gain == test::near(0.8));
 	device.resonance_hz = 100.0;
 	const Effect moved = adapted(effect, device);
 	CHECK(moved.frequency_hz == 100.0);
-	CHECK(moved.gain == doctest::Approx(0.2));
+	CHECK(moved.gain == test::near(0.2));
 	device.response = { { 100.0, 0.0 } };
-	CHECK(adapted(effect, device).gain == doctest::Approx(0.2));
+	CHECK(adapted(effect, device).gain == test::near(0.2));
 }

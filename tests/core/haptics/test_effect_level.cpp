@@ -2,6 +2,7 @@
 
 #include "haptics/effect.h"
 #include "haptics/oscillator.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -68,19 +69,19 @@ TEST_CASE("the level is the drive by its full scale, over the table where it is 
 	const auto value = [&](Shape shape, Drive drive) {
 		return level_of(effect_of(shape, drive), motion, AMPLITUDE_M).value;
 	};
-	CHECK(value(Shape::SINE, Drive::CONSTANT) == doctest::Approx(0.8));
-	CHECK(value(Shape::SINE, Drive::POSITION) == doctest::Approx(0.8 * 0.5 / 1.3));
-	CHECK(value(Shape::SINE, Drive::VELOCITY) == doctest::Approx(0.8 * 0.24 / 0.4));
-	CHECK(value(Shape::SINE, Drive::ACCELERATION) == doctest::Approx(0.8 * 0.6 / 1.1));
+	CHECK(value(Shape::SINE, Drive::CONSTANT) == test::near(0.8));
+	CHECK(value(Shape::SINE, Drive::POSITION) == test::near(0.8 * 0.5 / 1.3));
+	CHECK(value(Shape::SINE, Drive::VELOCITY) == test::near(0.8 * 0.24 / 0.4));
+	CHECK(value(Shape::SINE, Drive::ACCELERATION) == test::near(0.8 * 0.6 / 1.1));
 	// 0.24 / 0.4 of four cells: 0.4 on from the third number.
-	CHECK(value(Shape::CURVE, Drive::VELOCITY) == doctest::Approx(0.8 * (0.4 + 0.4 * 0.6)));
-	CHECK(value(Shape::CURVE, Drive::CONSTANT) == doctest::Approx(0.8 * 0.2));
-	CHECK(value(Shape::INERTIAL_VISCOUS, Drive::ACCELERATION) == doctest::Approx(0.8 * (0.5 + 0.25 * 0.6)));
+	CHECK(value(Shape::CURVE, Drive::VELOCITY) == test::near(0.8 * (0.4 + 0.4 * 0.6)));
+	CHECK(value(Shape::CURVE, Drive::CONSTANT) == test::near(0.8 * 0.2));
+	CHECK(value(Shape::INERTIAL_VISCOUS, Drive::ACCELERATION) == test::near(0.8 * (0.5 + 0.25 * 0.6)));
 	// A drive beyond its full scale is at it; of slope 0, like one that is no number.
 	const double infinity = std::numeric_limits<double>::infinity();
 	for (const MotionPoint &fast : { MotionPoint{ 0.0, 9.0, 1.0 }, MotionPoint{ 0.0, -9.0, 1.0 } }) {
 		const LevelPoint held = level_of(effect_of(Shape::SINE, Drive::VELOCITY), fast, AMPLITUDE_M);
-		CHECK(held.value == doctest::Approx(0.8));
+		CHECK(held.value == test::near(0.8));
 		CHECK(held.slope == 0.0);
 	}
 	for (const MotionPoint &bad : { MotionPoint{ 0.5, infinity }, MotionPoint{ infinity, 0.0 },
@@ -120,9 +121,9 @@ TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as
 	const auto peak = [&](double speed_m_s) {
 		return peak_of(impulse, { 1, 2.0, speed_m_s }, {}, AMPLITUDE_M);
 	};
-	CHECK(peak(0.25) == doctest::Approx(0.3));
-	CHECK(peak(0.5) == doctest::Approx(0.6));
-	CHECK(peak(9.0) == doctest::Approx(0.6));
+	CHECK(peak(0.25) == test::near(0.3));
+	CHECK(peak(0.5) == test::near(0.6));
+	CHECK(peak(9.0) == test::near(0.6));
 
 	EffectSet effects;
 	effects.add(impulse);
@@ -130,10 +131,10 @@ TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as
 		return strength_of(effects, t_s, {}, true, AMPLITUDE_M, { number, 2.0, 0.25 }).amplitude;
 	};
 	const double length_s = impulse.length_s();
-	CHECK(std::exp(-impulse.decay_per_s * length_s) == doctest::Approx(std::exp(-8.0)));
+	CHECK(std::exp(-impulse.decay_per_s * length_s) == test::near(std::exp(-8.0)));
 	CHECK(amplitude(1.999, 1) == 0.0);
 	CHECK(amplitude(2.0, 0) == 0.0);
-	CHECK(amplitude(2.01, 1) == doctest::Approx(0.3 * std::exp(-impulse.decay_per_s * 0.01)));
+	CHECK(amplitude(2.01, 1) == test::near(0.3 * std::exp(-impulse.decay_per_s * 0.01)));
 	CHECK(amplitude(2.0 + 0.999 * length_s, 1) > 0.0);
 	CHECK(amplitude(2.0 + length_s, 1) == 0.0);
 
@@ -141,7 +142,7 @@ TEST_CASE("an arrival is felt by its speed, up to the full scale, for as long as
 	Effect curve = effect_of(Shape::CURVE, Drive::CONSTANT);
 	curve.trigger = Trigger::ARRIVAL;
 	effects.add(curve);
-	CHECK(amplitude(2.0 + 0.375 * curve.duration_s, 1) == doctest::Approx(0.8 * 0.55));
+	CHECK(amplitude(2.0 + 0.375 * curve.duration_s, 1) == test::near(0.8 * 0.55));
 }
 
 TEST_CASE("together effects are as strong as their sum, at most 1, and have the strongest one's frequency") {
@@ -159,7 +160,7 @@ TEST_CASE("together effects are as strong as their sum, at most 1, and have the 
 			sum += effect.gain;
 		}
 		const Strength strength = strength_of(effects, 0.0, {}, true, AMPLITUDE_M, {});
-		CHECK(strength.amplitude == doctest::Approx(std::min(sum, 1.0)));
+		CHECK(strength.amplitude == test::near(std::min(sum, 1.0)));
 		CHECK(strength.frequency_hz == 200.0);
 		CHECK(strength_of(effects, 0.0, {}, false, AMPLITUDE_M, {}).amplitude == 0.0);
 	}

@@ -1,4 +1,5 @@
 #include "haptics/effect_preview.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -46,8 +47,8 @@ TEST_CASE("a spectrum has each sine's amplitude at its frequency, and nothing fa
 	}
 	const std::vector<float> frequencies{ 60.0F, 180.0F, 240.0F, 300.0F, 4000.0F, -1.0F };
 	const std::vector<float> found = spectrum_of(samples, RATE_HZ, frequencies);
-	CHECK(found[1] == doctest::Approx(0.5).epsilon(1e-4));
-	CHECK(found[3] == doctest::Approx(0.25).epsilon(1e-4));
+	CHECK(found[1] == near(0.5).epsilon(1e-4));
+	CHECK(found[3] == near(0.25).epsilon(1e-4));
 	for (const std::size_t silent : { 0UL, 2UL, 4UL, 5UL }) {
 		CHECK(found[silent] < 1e-4F);
 	}

@@ -1,6 +1,7 @@
 // The amplitude of one voice.
 
 #include "haptics/level_follower.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -86,7 +87,7 @@ TEST_CASE("a line that it is on is followed as it is, over a run and over a stre
 		const Course course{ follower.follow(from, to, 1000.0, length_s, runs), runs };
 		for (const double share : { 0.0, 0.3, 0.7, 1.0 }) {
 			CHECK(std::abs(course.at(share).value - (0.2 + 20.0 * share * length_s)) < ROUNDING);
-			CHECK(course.at(share).slope == doctest::Approx(20.0).epsilon(1e-4));
+			CHECK(course.at(share).slope == test::near(20.0).epsilon(1e-4));
 		}
 	}
 }

@@ -2,6 +2,7 @@
 #include "haptics/latest_value.h"
 #include "haptics/motion_clock.h"
 #include "haptics/motion_snapshot.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -109,9 +110,9 @@ TEST_CASE("outside its knots a snapshot goes on as it began and coasts to a stop
 	const MotionSnapshot snapshot = Movement{ 0.35 }.snapshot(0.05);
 	for (const double t_s : { snapshot.time_s, snapshot.end_s() }) {
 		const MotionPoint before = snapshot.at(t_s - 1e-9), after = snapshot.at(t_s + 1e-9);
-		CHECK(after.position == doctest::Approx(before.position).epsilon(1e-6));
-		CHECK(after.velocity == doctest::Approx(before.velocity).epsilon(1e-6));
-		CHECK(after.acceleration == doctest::Approx(before.acceleration).epsilon(1e-5));
+		CHECK(after.position == test::near(before.position).epsilon(1e-6));
+		CHECK(after.velocity == test::near(before.velocity).epsilon(1e-6));
+		CHECK(after.acceleration == test::near(before.acceleration).epsilon(1e-5));
 	}
 	CHECK(snapshot.at(1e9).velocity == 0.0);
 	CHECK(std::abs(snapshot.at(-1e9).position) < 1.0);
@@ -127,7 +128,7 @@ TEST_CASE("motion that is not heard of any more is at rest a tenth of a second l
 	const auto later = [&](double dt_s) { return snapshot.at(snapshot.end_s() + dt_s); };
 	CHECK(later(0.01).velocity > 0.5 * last.velocity);
 	CHECK(later(0.1).velocity < 0.05 * last.velocity);
-	CHECK(later(1.0).position - last.position == doctest::Approx(0.02 * last.velocity).epsilon(0.3));
+	CHECK(later(1.0).position - last.position == test::near(0.02 * last.velocity).epsilon(0.3));
 }
 
 TEST_CASE("a snapshot that comes late tells the last frames before it, and nothing of what was long ago") {
@@ -159,7 +160,7 @@ TEST_CASE("an arrival is found between instants, once, and is foretold at the sa
 		if (t_s < end_s && t_s + 0.1 > end_s) {
 			REQUIRE(expected.number == 1);
 			REQUIRE(std::abs(expected.time_s - end_s) < 1e-9);
-			REQUIRE(expected.speed_m_s == doctest::Approx(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
+			REQUIRE(expected.speed_m_s == test::near(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
 		} else {
 			REQUIRE(expected.number == 0);
 		}
@@ -167,7 +168,7 @@ TEST_CASE("an arrival is found between instants, once, and is foretold at the sa
 		REQUIRE(detector.last().number == (t_s < end_s ? 0 : 1));
 	}
 	CHECK(std::abs(detector.last().time_s - end_s) < 1e-9);
-	CHECK(detector.last().speed_m_s == doctest::Approx(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
+	CHECK(detector.last().speed_m_s == test::near(0.2 * movement.at(end_s).velocity).epsilon(1e-6));
 }
 
 TEST_CASE("a condition that holds its frames arrives as fast as the hand that they show") {
@@ -181,7 +182,7 @@ TEST_CASE("a condition that holds its frames arrives as fast as the hand that th
 					0.001 * ms, { 0.001 * SPEED * std::max(frame_ms - 100, 0), 0.0, 0.0, true }, 1, 0.2);
 		}
 		CHECK(detector.last().number == 1);
-		CHECK(detector.last().speed_m_s == doctest::Approx(0.2 * SPEED).epsilon(1e-6));
+		CHECK(detector.last().speed_m_s == test::near(0.2 * SPEED).epsilon(1e-6));
 	}
 }
 
@@ -223,7 +224,7 @@ TEST_CASE("a gesture that ends short of the level arrives there and then, once")
 	detector.push(1.1, short_of_it, 1, 0.2, true);
 	CHECK(detector.last().number == 1);
 	CHECK(detector.last().time_s == 1.1);
-	CHECK(detector.last().speed_m_s == doctest::Approx(0.08));
+	CHECK(detector.last().speed_m_s == test::near(0.08));
 	CHECK_FALSE(detector.is_moving());
 	detector.push(1.2, { 0.96, 0.0, 0.0, true }, 1, 0.2, true);
 	// Back, while it is still held to have ended.
@@ -266,11 +267,11 @@ TEST_CASE("the motion's clock runs at most 2 % off, and steps where it is far of
 	CHECK(clock.now_s() == 100.0);
 	clock.follow(100.04);
 	clock.advance(0.1);
-	CHECK(clock.now_s() == doctest::Approx(100.102));
+	CHECK(clock.now_s() == test::near(100.102));
 	for (int i = 0; i < 3000; ++i) {
 		clock.advance(0.001);
 	}
-	CHECK(clock.now_s() == doctest::Approx(103.14).epsilon(1e-4));
+	CHECK(clock.now_s() == test::near(103.14).epsilon(1e-4));
 	clock.follow(104.0);
 	CHECK(clock.now_s() == 104.0);
 	clock.follow(103.92); // a frame or two are no pause, five are

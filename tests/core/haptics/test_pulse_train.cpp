@@ -1,4 +1,5 @@
 #include "haptics/pulse_train.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -43,7 +44,7 @@ TEST_CASE("a spring is told fifty times a second at most, as the greatest amplit
 	for (std::size_t i = 1; i + 1 < told.size(); ++i) {
 		CHECK(told[i].first - told[i - 1].first >= PulseTrain::PERIOD_S);
 		// The motion grows: the last instant has the greatest.
-		CHECK(told[i].second.amplitude == doctest::Approx(movement.at(told[i].first).position).epsilon(0.02));
+		CHECK(told[i].second.amplitude == near(movement.at(told[i].first).position).epsilon(0.02));
 		CHECK(told[i].second.frequency_hz == 180.0);
 		CHECK(told[i].second.duration_s == PulseTrain::DURATION_S);
 	}
@@ -59,7 +60,7 @@ TEST_CASE("an impulse is told in the frame after its contact with its full stren
 		const Told told = told_of(movement, effects_of_gesture("tap"), train, 1.5);
 		REQUIRE(told.size() >= 2);
 		CHECK(told.front().first - movement.end_s() <= FRAME_S);
-		CHECK(told.front().second.amplitude == doctest::Approx(0.7));
+		CHECK(told.front().second.amplitude == near(0.7));
 		CHECK(told.front().second.frequency_hz == 300.0);
 		CHECK(told.back().second.amplitude == 0.0);
 		CHECK(told.back().first - movement.end_s() < 0.08);
@@ -73,12 +74,12 @@ TEST_CASE("an arrival does not wait for its turn, and one long past is not told"
 	motion.snapshot = still(0.0, 1.0);
 	motion.heard_s = 0.1;
 	motion.snapshot.arrival = { 1, 0.1, 0.5 };
-	CHECK(train.next(effects, motion)->amplitude == doctest::Approx(0.5));
+	CHECK(train.next(effects, motion)->amplitude == near(0.5));
 	motion.heard_s = 0.105;
 	CHECK_FALSE(train.next(effects, motion).has_value());
 	motion.heard_s = 0.11;
 	motion.snapshot.arrival = { 2, 0.108, 0.9 };
-	CHECK(train.next(effects, motion)->amplitude == doctest::Approx(0.9));
+	CHECK(train.next(effects, motion)->amplitude == near(0.9));
 	CHECK(train.restart());
 	motion.heard_s = 0.3;
 	CHECK_FALSE(train.next(effects, motion).has_value());
@@ -93,7 +94,7 @@ TEST_CASE("an arrival that is expected is told at its time") {
 	motion.heard_s = 0.04;
 	CHECK_FALSE(train.next(effects, motion).has_value());
 	motion.heard_s = 0.051;
-	CHECK(train.next(effects, motion)->amplitude == doctest::Approx(0.5));
+	CHECK(train.next(effects, motion)->amplitude == near(0.5));
 	motion.snapshot.arrival = std::exchange(motion.snapshot.expected, {});
 	motion.heard_s = 0.2;
 	CHECK(train.next(effects, motion)->amplitude == 0.0);
@@ -154,7 +155,7 @@ TEST_CASE("an arrival is told though it was noticed late, and not any more once 
 		motion.snapshot.arrival = { 1, 0.5, 0.5 };
 		const double told = train.next(effects, motion).value_or(Pulse{}).amplitude;
 		if (late_s < 0.05) {
-			CHECK(told == doctest::Approx(0.5));
+			CHECK(told == near(0.5));
 		} else {
 			CHECK(told < 0.15); // what is left of it
 		}
@@ -174,9 +175,8 @@ TEST_CASE("what was strongest between two frames is told, unless the game stood 
 		for (const std::size_t knot : { 0U, 1U, 2U }) {
 			motion.snapshot.knots[knot] = { knot == 1 ? 0.8 : 0.2, 0.0, 0.0, true };
 		}
-		CHECK(train.next(effects, motion)->amplitude == doctest::Approx(0.2));
+		CHECK(train.next(effects, motion)->amplitude == near(0.2));
 		motion.heard_s = frame_s;
-		CHECK(train.next(effects, motion)->amplitude ==
-				doctest::Approx(frame_s < 0.1 ? 0.8 : 0.2).epsilon(0.02));
+		CHECK(train.next(effects, motion)->amplitude == near(frame_s < 0.1 ? 0.8 : 0.2).epsilon(0.02));
 	}
 }

@@ -1,4 +1,5 @@
 #include "haptics/run.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -68,13 +69,13 @@ TEST_CASE("a carrier is the sine of its 64-bit phase at every sample, over thous
 
 TEST_CASE("a level has the values and slopes of its ends, and is exact for cubics") {
 	const Level level = Level::hermite(0.25, 0.5, -0.5, 2.0);
-	CHECK(level.at(0.0F) == doctest::Approx(0.25));
-	CHECK(level.at(RUN) == doctest::Approx(-0.5));
+	CHECK(level.at(0.0F) == test::near(0.25));
+	CHECK(level.at(RUN) == test::near(-0.5));
 	const auto cubic = [](double s) { return 0.1 + s * (0.2 + s * (-0.7 + 0.9 * s)); };
 	const Level same = Level::hermite(cubic(0.0), 0.2, cubic(1.0), 0.2 - 1.4 + 2.7);
 	for (int i = 0; i < 64; ++i) {
 		REQUIRE(static_cast<double>(same.at(static_cast<float>(i))) ==
-				doctest::Approx(cubic(i / 64.0)).epsilon(1e-6));
+				test::near(cubic(i / 64.0)).epsilon(1e-6));
 	}
 }
 
@@ -139,7 +140,7 @@ TEST_CASE("a stretch is the samples that are made one at a time, to the last bit
 			}
 		}
 	}
-	CHECK(level.at(MOST_RUNS * RUN) == doctest::Approx(0.2).epsilon(1e-5));
+	CHECK(level.at(MOST_RUNS * RUN) == test::near(0.2).epsilon(1e-5));
 }
 
 TEST_CASE("a window is nothing outside, everything within, and has no corner at its ends") {

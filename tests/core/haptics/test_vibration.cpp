@@ -1,4 +1,5 @@
 #include "haptics/vibration.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -112,7 +113,7 @@ TEST_CASE("effects together are held to what the device bears") {
 	for (const float sample : render(vibration, 2400)) {
 		largest = std::max(largest, std::abs(sample));
 	}
-	CHECK(static_cast<double>(largest) == doctest::Approx(MOST).epsilon(1e-6));
+	CHECK(static_cast<double>(largest) == near(MOST).epsilon(1e-6));
 }
 
 TEST_CASE("effects go to their channels; one channel has them all") {
@@ -152,16 +153,16 @@ TEST_CASE("the strength without the carrier is the envelope of the samples") {
 	const EffectSet effects = effects_of_gesture("vertical_drag");
 	const Arrival arrival = at(1, movement.end_s());
 	CHECK(strength_of(effects, 0.2, movement.at(0.2), true, AMPLITUDE_M, {}).amplitude ==
-			doctest::Approx(movement.at(0.2).position));
+			near(movement.at(0.2).position));
 	CHECK(strength_of(effects, 0.2, movement.at(0.2), false, AMPLITUDE_M, {}).amplitude == 0.0);
 	const double t_s = arrival.time_s + 0.02;
 	CHECK(strength_of(effects, t_s, movement.at(t_s), false, AMPLITUDE_M, arrival).amplitude ==
-			doctest::Approx(0.5 + 0.25 * AMPLITUDE_M * std::abs(movement.at(t_s).acceleration)));
+			near(0.5 + 0.25 * AMPLITUDE_M * std::abs(movement.at(t_s).acceleration)));
 	const double late_s = arrival.time_s + 0.061;
 	CHECK(strength_of(effects, late_s, movement.at(late_s), false, AMPLITUDE_M, arrival).amplitude == 0.0);
 	const Strength impulse =
 			strength_of(effects_of_gesture("tap"), t_s, movement.at(t_s), false, AMPLITUDE_M, arrival);
-	CHECK(impulse.amplitude == doctest::Approx(0.6 * std::exp(-4.0)));
+	CHECK(impulse.amplitude == near(0.6 * std::exp(-4.0)));
 	CHECK(impulse.frequency_hz == 300.0);
 }
 
@@ -183,5 +184,5 @@ TEST_CASE(
 						  [&](double t_s) { return held * sine_at(180.0, t_s); }) < SAMPLE_ERROR);
 		}
 	}
-	CHECK(vibration.time_s() == doctest::Approx(3600.0).epsilon(1e-9));
+	CHECK(vibration.time_s() == near(3600.0).epsilon(1e-9));
 }

@@ -1,4 +1,5 @@
 #include "haptics/vibration.h"
+#include "near.h"
 #include "vibration_rig.h"
 
 #include <doctest/doctest.h>
@@ -152,7 +153,7 @@ TEST_CASE("a custom effect at an arrival is its curve over a carrier, or its sam
 		for (int i = 10; i < 180; ++i) {
 			const double truth = 0.5 * effect.table.value(i / 48.0);
 			REQUIRE(static_cast<double>(out[static_cast<std::size_t>(2400 + i)]) ==
-					doctest::Approx(truth).epsilon(1e-6));
+					near(truth).epsilon(1e-6));
 		}
 		CHECK(out[2400 + 192] == 0.0F);
 	}

@@ -2,6 +2,7 @@
 #include "hmm/forward.h"
 #include "hmm_all_paths.h"
 #include "hmm_random.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -138,7 +139,7 @@ TEST_CASE(
 		options.pseudo = pseudo;
 		const BaumWelchResult result = baum_welch(start, sequences, options);
 		REQUIRE(result.objective.size() == 1);
-		CHECK(result.objective[0] == doctest::Approx(objective).epsilon(1e-12));
+		CHECK(result.objective[0] == test::near(objective).epsilon(1e-12));
 		for (Eigen::Index i = 0; i < 3; ++i) {
 			const auto row = [i](const Eigen::MatrixXd &of) { return Eigen::ArrayXd(of.row(i)); };
 			const Eigen::ArrayXd a = row(transitions) / transitions.row(i).sum(),
@@ -218,7 +219,7 @@ TEST_CASE("the start for training is the counts of equal segments") {
 	// Left as often as there are sequences, although none had a frame for it.
 	const std::vector<SymbolSequence> tiny{ { 0 }, { 1 } };
 	const DiscreteHmm brief = left_right_from_equal_segments(tiny, 3, 4, pseudo);
-	CHECK(std::exp(brief.log_a(1, 1)) == doctest::Approx(0.5 / 3.0));
+	CHECK(std::exp(brief.log_a(1, 1)) == test::near(0.5 / 3.0));
 }
 
 TEST_CASE("what the start forbids stays forbidden, and every symbol stays possible") {

@@ -3,6 +3,7 @@
 #include "hmm/forward.h"
 #include "hmm_log_space.h"
 #include "hmm_random.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -18,8 +19,8 @@ double difference(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
 void check_against_log_space(const DiscreteHmm &hmm, const SymbolSequence &sequence, double tolerance) {
 	const ExpectedCounts expected = test::log_space_counts(hmm, sequence);
 	const ExpectedCounts counts = expected_counts(hmm, std::vector<SymbolSequence>{ sequence });
-	CHECK(counts.log_likelihood == doctest::Approx(expected.log_likelihood).epsilon(tolerance));
-	CHECK(log_likelihood(hmm, sequence) == doctest::Approx(expected.log_likelihood).epsilon(tolerance));
+	CHECK(counts.log_likelihood == test::near(expected.log_likelihood).epsilon(tolerance));
+	CHECK(log_likelihood(hmm, sequence) == test::near(expected.log_likelihood).epsilon(tolerance));
 	CHECK(difference(counts.symbols, expected.symbols) < tolerance);
 	if (sequence.size() > 1) {
 		CHECK(difference(counts.transitions, expected.transitions) < tolerance);
@@ -128,7 +129,7 @@ TEST_CASE("sequences of different lengths are counted as each alone") {
 		}
 	}
 	const ExpectedCounts counts = expected_counts(hmm, sequences);
-	CHECK(counts.log_likelihood == doctest::Approx(expected.log_likelihood).epsilon(1e-12));
+	CHECK(counts.log_likelihood == test::near(expected.log_likelihood).epsilon(1e-12));
 	CHECK(difference(counts.transitions, expected.transitions) < 1e-11);
 	CHECK(difference(counts.symbols, expected.symbols) < 1e-11);
 }
@@ -151,8 +152,8 @@ TEST_CASE("a million frames: all paths of a two-state model one by one" * doctes
 		const SymbolSequence sequence = runs({ { 1, 4 * tenth }, { 0, 5 * tenth }, { 1, tenth } });
 		const ExpectedCounts expected = count_all_paths(hmm, sequence);
 		const ExpectedCounts counts = expected_counts(hmm, std::vector<SymbolSequence>{ sequence });
-		CHECK(counts.log_likelihood == doctest::Approx(expected.log_likelihood).epsilon(1e-12));
-		CHECK(log_likelihood(hmm, sequence) == doctest::Approx(expected.log_likelihood).epsilon(1e-12));
+		CHECK(counts.log_likelihood == test::near(expected.log_likelihood).epsilon(1e-12));
+		CHECK(log_likelihood(hmm, sequence) == test::near(expected.log_likelihood).epsilon(1e-12));
 		CHECK(difference(counts.symbols, expected.symbols) < 1e-9);
 		CHECK(difference(counts.transitions, expected.transitions) < 1e-9);
 		CHECK(scaled_log_likelihood(hmm, sequence) < expected.log_likelihood - 1000.0);
@@ -197,5 +198,5 @@ TEST_CASE("Baum-Welch trains on one sequence of a million frames") {
 	REQUIRE(result.objective.size() == 2);
 	CHECK(result.objective[1] > result.objective[0]);
 	// Every symbol is as likely as any other.
-	CHECK(result.objective[0] / 1e6 == doctest::Approx(-std::log(16.0)).epsilon(1e-3));
+	CHECK(result.objective[0] / 1e6 == test::near(-std::log(16.0)).epsilon(1e-3));
 }

@@ -2,6 +2,7 @@
 #include "hmm/viterbi.h"
 #include "hmm_all_paths.h"
 #include "hmm_random.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -35,9 +36,9 @@ TEST_CASE("Viterbi and the forward variable agree with brute force over all path
 		}
 		const test::AllPaths all = test::enumerate(hmm, symbols);
 		const ViterbiPath best = viterbi(hmm, symbols);
-		CHECK(best.log_probability == doctest::Approx(all.best).epsilon(1e-12));
+		CHECK(best.log_probability == test::near(all.best).epsilon(1e-12));
 		CHECK(best.states == all.best_path);
-		CHECK(log_likelihood(hmm, symbols) == doctest::Approx(std::log(all.ending_in.sum())).epsilon(1e-12));
+		CHECK(log_likelihood(hmm, symbols) == test::near(std::log(all.ending_in.sum())).epsilon(1e-12));
 	}
 }
 
@@ -72,15 +73,15 @@ TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
 	const double ratio = 1.0 / (9.0 * 0.99);
 	const double expected = stay + std::log1p(0.01 * ratio / (1.0 - ratio));
 	const SymbolSequence zeros(static_cast<std::size_t>(n), 0);
-	CHECK(log_likelihood(hmm, zeros) == doctest::Approx(expected).epsilon(1e-12));
+	CHECK(log_likelihood(hmm, zeros) == test::near(expected).epsilon(1e-12));
 }
 
 TEST_CASE("nothing to observe weighs on no state") {
 	std::mt19937_64 random(4);
 	const DiscreteHmm hmm = test::random_hmm(random, 3, 4);
 	CHECK(log_likelihood(hmm, SymbolSequence{}) == 0.0);
-	CHECK(log_likelihood(hmm, SymbolSequence(50, UNSEEN)) == doctest::Approx(0.0).epsilon(1e-12));
+	CHECK(std::abs(log_likelihood(hmm, SymbolSequence(50, UNSEEN))) < 1e-12);
 	CHECK(log_likelihood(hmm, SymbolSequence{ 1, 4 }) ==
-			doctest::Approx(log_likelihood(hmm, SymbolSequence{ 1, UNSEEN })));
+			test::near(log_likelihood(hmm, SymbolSequence{ 1, UNSEEN })));
 	CHECK(viterbi(hmm, SymbolSequence{}).states.empty());
 }

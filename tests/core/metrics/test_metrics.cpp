@@ -2,6 +2,7 @@
 #include "metrics/recognition.h"
 #include "metrics/spectral_arc_length.h"
 #include "metrics/summary.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -50,16 +51,16 @@ TEST_CASE("a shifted curve fits at the shift, positive when late") {
 		CAPTURE(shift_ms);
 		const auto x = curve([&](double t_s) { return minimum_jerk(t_s - 0.001 * shift_ms); });
 		const CurveComparison result = compare_curves(reference, x, GRID, SPAN);
-		CHECK(result.r2 == doctest::Approx(1.0).epsilon(1e-12));
-		CHECK(result.lag_s == doctest::Approx(0.001 * shift_ms));
-		CHECK(result.t_diff_s == doctest::Approx(-0.001 * shift_ms).epsilon(1e-6));
+		CHECK(result.r2 == test::near(1.0).epsilon(1e-12));
+		CHECK(result.lag_s == test::near(0.001 * shift_ms));
+		CHECK(result.t_diff_s == test::near(-0.001 * shift_ms).epsilon(1e-6));
 		CHECK_FALSE(result.missed);
 		CHECK((shift_ms == 0 ? result.r2_zero == 1.0 : result.r2_zero < 1.0));
 	}
 	// Beyond half a second the best shift is no longer to be found.
 	const auto x = curve([](double t_s) { return minimum_jerk(t_s - 0.6); });
 	const CurveComparison result = compare_curves(reference, x, GRID, SPAN);
-	CHECK(result.lag_s == doctest::Approx(0.5));
+	CHECK(result.lag_s == test::near(0.5));
 	CHECK(result.r2 < 0.999);
 }
 
@@ -91,9 +92,9 @@ TEST_CASE("R2 is that of its definition, summed in the plain way over every lag"
 		}
 	}
 	const CurveComparison result = compare_curves(reference, x, GRID, SPAN);
-	CHECK(result.r2 == doctest::Approx(best).epsilon(1e-12));
-	CHECK(result.r2_zero == doctest::Approx(zero).epsilon(1e-12));
-	CHECK(result.lag_s == doctest::Approx(0.001 * best_lag));
+	CHECK(result.r2 == test::near(best).epsilon(1e-12));
+	CHECK(result.r2_zero == test::near(zero).epsilon(1e-12));
+	CHECK(result.lag_s == test::near(0.001 * best_lag));
 }
 
 TEST_CASE("a constant offset of a ramp costs what the sums say") {
@@ -105,31 +106,29 @@ TEST_CASE("a constant offset of a ramp costs what the sums say") {
 	const auto x = curve([&](double t_s) { return ramp(t_s) + offset; });
 	const CurveComparison result = compare_curves(reference, x, GRID, SPAN);
 	const double variance = (1.0 / 3.0 + 0.25) / 1.5 - 0.25;
-	CHECK(result.r2_zero == doctest::Approx(1.0 - offset * offset / variance).epsilon(1e-3));
+	CHECK(result.r2_zero == test::near(1.0 - offset * offset / variance).epsilon(1e-3));
 	const double excess = (1.0 - offset) - std::sqrt((1.0 - offset) * (1.0 - offset) - offset * offset);
 	CHECK(std::abs(result.lag_s + offset + excess) <= 0.0006);
-	CHECK(result.t_diff_s == doctest::Approx(offset).epsilon(1e-9));
+	CHECK(result.t_diff_s == test::near(offset).epsilon(1e-9));
 	CHECK(result.r2 > result.r2_zero);
 }
 
 TEST_CASE("ends are where both curves reach the same level, between samples") {
 	const auto reference = curve(ramp);                                                   // 0.95 at 0.95 s
 	const auto slow = curve([](double t_s) { return std::clamp(t_s / 1.3, 0.0, 0.97); }); // at 1.235 s
-	CHECK(compare_curves(reference, slow, GRID, SPAN).t_diff_s ==
-			doctest::Approx(0.95 - 1.235).epsilon(1e-9));
+	CHECK(compare_curves(reference, slow, GRID, SPAN).t_diff_s == test::near(0.95 - 1.235).epsilon(1e-9));
 	const auto fast = curve([](double t_s) { return std::clamp(t_s / 0.7001, 0.0, 2.0); }); // at 0.665095 s
-	CHECK(compare_curves(reference, fast, GRID, SPAN).t_diff_s ==
-			doctest::Approx(0.95 - 0.665095).epsilon(1e-9));
+	CHECK(compare_curves(reference, fast, GRID, SPAN).t_diff_s == test::near(0.95 - 0.665095).epsilon(1e-9));
 	// Twice as long a movement has its end at 1.9, for x as well.
 	const auto twice = curve([](double t_s) { return 2.0 * ramp(t_s); });
 	CHECK(compare_curves(twice, twice, GRID, SPAN).t_diff_s == 0.0);
 	CHECK(compare_curves(twice, reference, GRID, SPAN).missed);
 	// There already before the start: its end is the start.
 	const auto ahead = curve([](double) { return 1.0; });
-	CHECK(compare_curves(reference, ahead, GRID, SPAN).t_diff_s == doctest::Approx(0.95).epsilon(1e-9));
+	CHECK(compare_curves(reference, ahead, GRID, SPAN).t_diff_s == test::near(0.95).epsilon(1e-9));
 	// What happened before start_s does not count.
 	const auto restless = curve([](double t_s) { return t_s < -0.01 ? 1.0 : ramp(t_s); });
-	CHECK(compare_curves(reference, restless, GRID, SPAN).t_diff_s == doctest::Approx(0.0));
+	CHECK(compare_curves(reference, restless, GRID, SPAN).t_diff_s == test::near(0.0));
 }
 
 TEST_CASE("a curve that never arrives is missed, with the bound that the record gives") {
@@ -137,13 +136,13 @@ TEST_CASE("a curve that never arrives is missed, with the bound that the record 
 	const auto x = curve([](double t_s) { return 0.94 * ramp(t_s); });
 	const CurveComparison result = compare_curves(reference, x, GRID, SPAN);
 	CHECK(result.missed);
-	CHECK(result.t_diff_s == doctest::Approx(0.95 - 2.0).epsilon(1e-9));
+	CHECK(result.t_diff_s == test::near(0.95 - 2.0).epsilon(1e-9));
 	// A reference that has gone nowhere, or backwards, has no end to compare with.
 	for (const double slope : { 0.0, -1.0 }) {
 		const auto backwards = curve([&](double t_s) { return slope * ramp(t_s); });
 		const CurveComparison none = compare_curves(backwards, reference, GRID, SPAN);
 		CHECK(none.missed);
-		CHECK(none.t_diff_s == doctest::Approx(1.0 - 2.0).epsilon(1e-9));
+		CHECK(none.t_diff_s == test::near(1.0 - 2.0).epsilon(1e-9));
 	}
 }
 
@@ -270,12 +269,12 @@ TEST_CASE("a span that leaves the record is compared within it, the speed by wha
 	}
 	for (const GestureSpan &span : { GestureSpan{ 0.0, 1.0 }, GestureSpan{ -0.5, 1.5 } }) {
 		CHECK(compare_curves(x, x, grid, span).sparc ==
-				doctest::Approx(spectral_arc_length(speed, 100.0)).epsilon(1e-12));
+				test::near(spectral_arc_length(speed, 100.0)).epsilon(1e-12));
 	}
 	// Within the record the samples beside the span count.
 	const std::vector<double> inner(speed.begin() + 20, speed.begin() + 71);
 	CHECK(compare_curves(x, x, grid, { 0.2, 0.7 }).sparc ==
-			doctest::Approx(spectral_arc_length(inner, 100.0)).epsilon(1e-12));
+			test::near(spectral_arc_length(inner, 100.0)).epsilon(1e-12));
 	CHECK(compare_curves(x, x, grid, { 1.2, 1.5 }).missed);
 	CHECK(compare_curves(x, x, grid, { -0.5, -0.2 }).missed);
 	// What is there at the last instant or before the record has arrived.
@@ -298,14 +297,14 @@ TEST_CASE("percentiles are NumPy's") {
 	// numpy.percentile([...], [0, 2.5, 5, 50, 97.5, 100])
 	const std::vector<double> values{ 0.3, -1.0, 2.0, 5.5, 0.1, 9.0, 4.0 };
 	CHECK(percentile(values, 0.0) == -1.0);
-	CHECK(percentile(values, 2.5) == doctest::Approx(-0.835));
-	CHECK(percentile(values, 5.0) == doctest::Approx(-0.67));
+	CHECK(percentile(values, 2.5) == test::near(-0.835));
+	CHECK(percentile(values, 5.0) == test::near(-0.67));
 	CHECK(percentile(values, 50.0) == 2.0);
-	CHECK(percentile(values, 97.5) == doctest::Approx(8.475));
+	CHECK(percentile(values, 97.5) == test::near(8.475));
 	CHECK(percentile(values, 100.0) == 9.0);
 	CHECK(percentile(values, -10.0) == -1.0);
 	CHECK(percentile(values, 120.0) == 9.0);
-	CHECK(mean(values) == doctest::Approx(19.9 / 7.0));
+	CHECK(mean(values) == test::near(19.9 / 7.0));
 	CHECK(mean(std::vector{ 1.0, NOT_A_NUMBER, 3.0 }) == 2.0);
 	CHECK(mean({}) == 0.0);
 	CHECK(percentile({}, 50.0) == 0.0);
@@ -326,6 +325,6 @@ TEST_CASE("a confusion table counts every trial") {
 	CHECK(table.rate(0, 1) == 0.25);
 	CHECK(table.rate(1, 1) == 0.0);
 	CHECK(table.count(table.none(), table.none()) == 1);
-	CHECK(false_alarms_per_minute(3, 90.0) == doctest::Approx(2.0));
+	CHECK(false_alarms_per_minute(3, 90.0) == test::near(2.0));
 	CHECK(false_alarms_per_minute(3, 0.0) == 0.0);
 }

@@ -1,4 +1,5 @@
 #include "metrics/spectral_arc_length.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -67,7 +68,7 @@ TEST_CASE("SPARC is its definition, where the speed is fast beyond 10 Hz and whe
 				speed[i] *= 1.0 + 0.9 * std::sin(2.0 * std::numbers::pi * turns);
 			}
 			CHECK(spectral_arc_length(speed, rate_hz) ==
-					doctest::Approx(by_definition(speed, rate_hz)).epsilon(1e-9));
+					steadyhand::test::near(by_definition(speed, rate_hz)).epsilon(1e-9));
 		}
 	}
 }
@@ -117,7 +118,7 @@ TEST_CASE("SPARC does not depend on how far the movement goes") {
 	for (double &sample : speed) {
 		sample *= 1e-9;
 	}
-	CHECK(spectral_arc_length(speed, 1000.0) == doctest::Approx(unit).epsilon(1e-12));
+	CHECK(spectral_arc_length(speed, 1000.0) == steadyhand::test::near(unit).epsilon(1e-12));
 }
 
 TEST_CASE("SPARC of no movement, of one sample and of no numbers is finite") {

@@ -1,4 +1,5 @@
 #include "motion/output_blend.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -17,9 +18,9 @@ TEST_CASE(
 			blend.start(BEGAN_S, value, velocity, rate_per_s);
 			const CriticallyDamped begun = blend.at(BEGAN_S), earlier = blend.at(BEGAN_S - 1.0);
 			CHECK(begun.value == value);
-			CHECK(begun.velocity == doctest::Approx(velocity).epsilon(1e-12));
+			CHECK(begun.velocity == test::near(velocity).epsilon(1e-12));
 			CHECK(earlier.value == value);
-			CHECK(earlier.velocity == doctest::Approx(velocity).epsilon(1e-12));
+			CHECK(earlier.velocity == test::near(velocity).epsilon(1e-12));
 			for (const double share : { 0.1, 0.7, 2.0, 5.0 }) {
 				CAPTURE(share);
 				const double t_s = BEGAN_S + share / rate_per_s;
@@ -50,7 +51,7 @@ TEST_CASE("a step that fades by itself does so critically damped, at twice the b
 	blend.start(1.0, 0.3, -2.0, 100.0);
 	for (const double since_s : { 0.0, 0.001, 0.007, 0.05, 2.0 }) {
 		CHECK(blend.share_left(1.0 + since_s) ==
-				doctest::Approx(critically_damped(1.0, 0.0, 200.0, since_s).value));
+				test::near(critically_damped(1.0, 0.0, 200.0, since_s).value));
 	}
 	CHECK(blend.share_left(0.5) == 1.0);
 }

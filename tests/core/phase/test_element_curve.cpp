@@ -1,3 +1,4 @@
+#include "near.h"
 #include "phase/element_curve.h"
 
 #include <doctest/doctest.h>
@@ -31,9 +32,9 @@ TEST_CASE("an element curve is evaluate_onwards, for any number of elements of a
 				const LaneCurvePoint point = curve.at(load(phases));
 				for (std::size_t l = 0; l < LANES; ++l) {
 					const CurvePoint exact = evaluate_onwards(model, phases[l]);
-					REQUIRE(point.value[l] == doctest::Approx(exact.value).epsilon(1e-12));
-					REQUIRE(point.slope[l] == doctest::Approx(exact.slope).epsilon(1e-12));
-					REQUIRE(point.curvature[l] == doctest::Approx(exact.curvature).epsilon(1e-12));
+					REQUIRE(point.value[l] == test::near(exact.value).epsilon(1e-12));
+					REQUIRE(point.slope[l] == test::near(exact.slope).epsilon(1e-12));
+					REQUIRE(point.curvature[l] == test::near(exact.curvature).epsilon(1e-12));
 				}
 			}
 		}

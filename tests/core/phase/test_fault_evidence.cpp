@@ -1,5 +1,6 @@
 // What it says of hypotheses that the tracker loses the hand, or shows it where it was.
 
+#include "near.h"
 #include "phase/fault_evidence.h"
 
 #include <doctest/doctest.h>
@@ -39,9 +40,9 @@ TEST_CASE("a hand is lost in proportion to 0.3 amplitudes a second and its speed
 	}
 	const double quick = STILL_PER_S + speed_per_s(0.07, 0.4);
 	CHECK(bank.log_weight(2) - bank.log_weight(1) ==
-			doctest::Approx(std::log((STILL_PER_S + speed_per_s(0.07, 2.0)) / quick)));
+			test::near(std::log((STILL_PER_S + speed_per_s(0.07, 2.0)) / quick)));
 	CHECK(bank.log_weight(3) - bank.log_weight(1) ==
-			doctest::Approx(std::log((STILL_PER_S + speed_per_s(0.47, 1.0)) / quick)));
+			test::near(std::log((STILL_PER_S + speed_per_s(0.47, 1.0)) / quick)));
 }
 
 TEST_CASE("a hand at rest is lost half a nat less often than those on their way together") {
@@ -56,9 +57,9 @@ TEST_CASE("a hand at rest is lost half a nat less often than those on their way 
 	const double free = bank.log_weight(3) - std::log(on_their_way());
 	const double over = bank.log_weight(4) - std::log(on_their_way());
 	count_loss(bank, NOW_S, NOW_S, 1.0);
-	CHECK(bank.log_weight(0) - std::log(on_their_way()) == doctest::Approx(rest - 0.5));
-	CHECK(bank.log_weight(3) - std::log(on_their_way()) == doctest::Approx(free));
-	CHECK(bank.log_weight(4) - std::log(on_their_way()) == doctest::Approx(over));
+	CHECK(bank.log_weight(0) - std::log(on_their_way()) == test::near(rest - 0.5));
+	CHECK(bank.log_weight(3) - std::log(on_their_way()) == test::near(free));
+	CHECK(bank.log_weight(4) - std::log(on_their_way()) == test::near(over));
 }
 
 TEST_CASE("what speaks for a tracker that errs says nothing of whether the hand has begun, or has left the "
@@ -76,11 +77,11 @@ TEST_CASE("what speaks for a tracker that errs says nothing of whether the hand 
 	for (const double nats : { 1.3, -0.6 }) {
 		const double right = weight(1) / weight(2), free = weight(3) / weight(2);
 		count_erring(bank, NOW_S, nats);
-		CHECK(weight(1) / weight(2) == doctest::Approx(right * std::exp(-nats)));
-		CHECK(weight(3) / weight(2) == doctest::Approx(free * std::exp(-nats)));
-		CHECK(weight(0) / judged() == doctest::Approx(rest));
-		CHECK(weight(4) / judged() == doctest::Approx(left));
-		CHECK(weight(5) / judged() == doctest::Approx(over));
+		CHECK(weight(1) / weight(2) == test::near(right * std::exp(-nats)));
+		CHECK(weight(3) / weight(2) == test::near(free * std::exp(-nats)));
+		CHECK(weight(0) / judged() == test::near(rest));
+		CHECK(weight(4) / judged() == test::near(left));
+		CHECK(weight(5) / judged() == test::near(over));
 	}
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("a hand that is shown where it was speaks against a tracker that errs 
 	const auto at = [](double s) { return s * s * s * (10.0 + s * (6.0 * s - 15.0)); };
 	const double gone = at(0.35 / 0.8) - at(0.1 / 0.8);
 	REQUIRE(gone > 0.3);
-	CHECK(bank.log_weight(2) == doctest::Approx(-300.0 * DT_S * (gone - 0.1)));
+	CHECK(bank.log_weight(2) == test::near(-300.0 * DT_S * (gone - 0.1)));
 	for (const std::size_t other : { 0, 1, 3, 4 }) {
 		CHECK(bank.log_weight(other) == 0.0);
 	}
@@ -105,11 +106,11 @@ TEST_CASE("a hand that is shown where it was speaks against a tracker that errs 
 
 TEST_CASE("a gap or a freeze is one loss, in however many parts it is told, until the hand is seen again") {
 	LossCount count;
-	CHECK(count.new_of(0.4) == doctest::Approx(0.4));
+	CHECK(count.new_of(0.4) == test::near(0.4));
 	CHECK(count.new_of(-0.2) == 0.0);
-	CHECK(count.new_of(0.5) == doctest::Approx(0.5));
-	CHECK(count.new_of(0.5) == doctest::Approx(0.1));
+	CHECK(count.new_of(0.5) == test::near(0.5));
+	CHECK(count.new_of(0.5) == test::near(0.1));
 	CHECK(count.new_of(0.5) == 0.0);
 	count.end();
-	CHECK(count.new_of(3.0) == doctest::Approx(1.0));
+	CHECK(count.new_of(3.0) == test::near(1.0));
 }

@@ -1,4 +1,5 @@
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "phase/motion_outlook.h"
 #include "signal/minimum_jerk.h"
 #include "trained_drag.h"
@@ -95,12 +96,12 @@ TEST_CASE("at rest a hypothesis is Gaussian process regression on the frames so 
 	const Eigen::LLT<Eigen::MatrixXd> factor(seen);
 	const Eigen::Map<const Eigen::VectorXd> values(x.data(), n);
 	const double expected = shared.dot(factor.solve(values));
-	CHECK(hand(hypothesis, later_s, filtered_s).value == doctest::Approx(expected).epsilon(1e-8));
+	CHECK(hand(hypothesis, later_s, filtered_s).value == test::near(expected).epsilon(1e-8));
 
 	// The constant of the normal density is left out of the weight.
 	const double log_determinant = 2.0 * factor.matrixLLT().diagonal().array().log().sum();
 	const double evidence = -0.5 * values.dot(factor.solve(values)) - 0.5 * log_determinant;
-	CHECK(hypothesis.log_weight == doctest::Approx(evidence).epsilon(1e-8));
+	CHECK(hypothesis.log_weight == test::near(evidence).epsilon(1e-8));
 }
 
 TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, and says how the hand moves") {
@@ -116,15 +117,14 @@ TEST_CASE("a hypothesis that began nearby finds the drag's onset and duration, a
 	const GestureHypothesis hypothesis = alone.get();
 	for (const double ahead_s : { 0.0, 0.03, 0.06, 0.09, 0.12, 0.15 }) {
 		CHECK(hand(hypothesis, filtered_s + ahead_s, filtered_s).value ==
-				doctest::Approx(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
+				test::near(drag.x_m(filtered_s + ahead_s)).epsilon(0.02));
 	}
 	constexpr double STEP_S = 1e-5;
 	const double at_s = filtered_s + 0.05;
 	const auto before = hand(hypothesis, at_s - STEP_S, filtered_s), now = hand(hypothesis, at_s, filtered_s),
 			   after = hand(hypothesis, at_s + STEP_S, filtered_s);
-	CHECK(now.velocity == doctest::Approx((after.value - before.value) / (2.0 * STEP_S)).epsilon(1e-6));
-	CHECK(now.acceleration ==
-			doctest::Approx((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
+	CHECK(now.velocity == test::near((after.value - before.value) / (2.0 * STEP_S)).epsilon(1e-6));
+	CHECK(now.acceleration == test::near((after.velocity - before.velocity) / (2.0 * STEP_S)).epsilon(1e-5));
 }
 
 TEST_CASE(
@@ -185,7 +185,7 @@ TEST_CASE("an outlier moves little, and a frame that fits moves as without outli
 	};
 	CHECK(moved(0.5, 0.01) < 1e-6);
 	CHECK(moved(0.5, 0.0) > 0.45);
-	CHECK(moved(0.01, 0.01) == doctest::Approx(moved(0.01, 0.0)).epsilon(0.01));
+	CHECK(moved(0.01, 0.01) == test::near(moved(0.01, 0.0)).epsilon(0.01));
 }
 
 TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that may still turn out right") {
@@ -215,14 +215,14 @@ TEST_CASE("a bank keeps the likeliest of each kind, and a share for those that m
 		if (regime == Regime::SOUND) {
 			least_sound = std::min(least_sound, bank.log_weight(i));
 		}
-		CHECK(bank.weight(i) == doctest::Approx(weight));
+		CHECK(bank.weight(i) == test::near(weight));
 	}
 	CHECK(bank.size() == 1 + 20 + 1 + 1);
 	CHECK(bank.regime(HypothesisBank::AT_REST) == Regime::REST);
-	CHECK(greatest == doctest::Approx(1.0));
-	CHECK(least_sound == doctest::Approx(-1.9));
-	CHECK(unsound == doctest::Approx(0.02 * usual));
-	CHECK(free == doctest::Approx(0.002 * (usual + unsound)));
+	CHECK(greatest == test::near(1.0));
+	CHECK(least_sound == test::near(-1.9));
+	CHECK(unsound == test::near(0.02 * usual));
+	CHECK(free == test::near(0.002 * (usual + unsound)));
 }
 
 TEST_CASE("a bank keeps no more than its effort says") {
@@ -324,6 +324,6 @@ TEST_CASE(
 		CHECK(std::abs(after.slope - before.slope) < 1e-4);
 	}
 	CHECK(evaluate_onwards(test::drag_model(), -1.0).value == 0.0);
-	CHECK(evaluate_onwards(test::drag_model(), 1.0).value == doctest::Approx(1.0));
+	CHECK(evaluate_onwards(test::drag_model(), 1.0).value == test::near(1.0));
 	CHECK(evaluate_onwards(test::drag_model(), 3.0).slope < 1e-12);
 }

@@ -2,6 +2,7 @@
 // is held back for a tracker that may err.
 
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "phase/fault_evidence.h"
 #include "phase/hypothesis_births.h"
 #include "phase/tracker_jump.h"
@@ -88,7 +89,7 @@ TEST_CASE("a hand on its way turns to something else at 0.02 a second, however o
 		for (std::size_t i = 0; i < bank.size(); ++i) {
 			free += bank.regime(i) == Regime::FREE ? std::exp(bank.log_weight(i)) : 0.0;
 		}
-		CHECK(free / probability(bank) / (0.02 * period_s) == doctest::Approx(1.0).epsilon(0.05));
+		CHECK(free / probability(bank) / (0.02 * period_s) == test::near(1.0).epsilon(0.05));
 	}
 }
 
@@ -102,9 +103,9 @@ TEST_CASE("at a jump the tracker led away, or back, or the hand was elsewhere: n
 	for (const GestureHypothesis &hypothesis : { free, standing, turned }) {
 		for (const bool leads_onward : { false, true }) {
 			HypothesisBank bank = bank_of(hypothesis);
-			REQUIRE(probability(bank) == doctest::Approx(1.0));
+			REQUIRE(probability(bank) == test::near(1.0));
 			branch_at_jump(bank, leads_onward);
-			CHECK(probability(bank) == doctest::Approx(1.0));
+			CHECK(probability(bank) == test::near(1.0));
 		}
 	}
 }
@@ -138,7 +139,7 @@ TEST_CASE("a hand at rest takes no share for a tracker that errs, however often 
 	resting.add(rest.displaced(0.15));
 	resting.add(erring, UNLIKELY);
 	resting.prune(0.0, SHARE, FREE_SHARE);
-	CHECK(resting.weight(2) == doctest::Approx(std::exp(UNLIKELY)));
+	CHECK(resting.weight(2) == test::near(std::exp(UNLIKELY)));
 
 	HypothesisBank on_its_way;
 	on_its_way.start(rest);

@@ -1,5 +1,6 @@
 // What hypotheses together expect of the hand until the next frame, and while none comes.
 
+#include "near.h"
 #include "phase/motion_outlook.h"
 #include "trained_drag.h"
 
@@ -94,15 +95,15 @@ TEST_CASE("phase and movement are the weighted means of those on their way") {
 	MotionOutlook outlook;
 	outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S);
 	const PhaseEstimate now = outlook.at(test::drag_curve(), NOW_S);
-	CHECK(now.moving == doctest::Approx(moving / total).epsilon(1e-12));
-	CHECK(now.phase == doctest::Approx(phase / total).epsilon(1e-12));
+	CHECK(now.moving == test::near(moving / total).epsilon(1e-12));
+	CHECK(now.phase == test::near(phase / total).epsilon(1e-12));
 	// Over the quintic the phase is a parabola, which is where the mean is at its end.
 	const PhaseEstimate within = outlook.at(test::drag_curve(), NOW_S + 0.5 * PIECE_S),
 						beyond = outlook.at(test::drag_curve(), NOW_S + PIECE_S + 1e-9);
 	CHECK(std::abs(within.phase - 0.5 * (now.phase + beyond.phase)) < 1e-3);
 	CHECK(within.moving == now.moving);
 	// A time before that of the hypotheses is answered by theirs.
-	CHECK(outlook.at(test::drag_curve(), NOW_S - 1.0).value == doctest::Approx(now.value).epsilon(1e-12));
+	CHECK(outlook.at(test::drag_curve(), NOW_S - 1.0).value == test::near(now.value).epsilon(1e-12));
 }
 
 TEST_CASE("a look leaves nothing of the one before") {
@@ -137,10 +138,10 @@ TEST_CASE(
 	CHECK(alone(begun(Regime::SOUND, -1.0, 0.8, 0.0), NOW_S + 0.01).phase == 1.0);
 	// 6 % of its way, and no more than 5 % on.
 	CHECK(phase(begun(Regime::SOUND, NOW_S - 0.061, 1.0, 0.0)) == 1.0);
-	CHECK(phase(begun(Regime::SOUND, NOW_S - 0.059, 1.0, 0.0)) == doctest::Approx(0.109));
-	CHECK(phase(begun(Regime::SOUND, NOW_S, 1.0, 0.0)) == doctest::Approx(0.05));
-	CHECK(phase(begun(Regime::SOUND, NOW_S + 0.3, 1.0, 0.0)) == doctest::Approx(0.05));
-	CHECK(phase(begun(Regime::FREE, 0.5, 1.0, 0.0)) == doctest::Approx(0.55));
+	CHECK(phase(begun(Regime::SOUND, NOW_S - 0.059, 1.0, 0.0)) == test::near(0.109));
+	CHECK(phase(begun(Regime::SOUND, NOW_S, 1.0, 0.0)) == test::near(0.05));
+	CHECK(phase(begun(Regime::SOUND, NOW_S + 0.3, 1.0, 0.0)) == test::near(0.05));
+	CHECK(phase(begun(Regime::FREE, 0.5, 1.0, 0.0)) == test::near(0.55));
 	for (const Regime regime : { Regime::SOUND, Regime::UNSOUND, Regime::FREE }) {
 		const PhaseEstimate last = alone(begun(regime, 0.5, 1.0, 0.0), much_later_s);
 		CHECK(std::abs(last.velocity) < 1e-12);
@@ -148,16 +149,16 @@ TEST_CASE(
 	}
 	// A free hand that is on no way comes to rest where its velocity takes it.
 	const PhaseEstimate hand = alone(GestureHypothesis::leaving(0.4, 1.5), much_later_s);
-	CHECK(hand.value == doctest::Approx(0.4 + 1.5 / FREE_SLOWING_PER_S).epsilon(1e-12));
+	CHECK(hand.value == test::near(0.4 + 1.5 / FREE_SLOWING_PER_S).epsilon(1e-12));
 	CHECK(hand.moving == 0.0);
 	// By half an amplitude at most: three tips that come into line make any speed of their radius.
 	for (const double velocity : { 3.5, 20.0, -20.0 }) {
 		const PhaseEstimate fast = alone(GestureHypothesis::leaving(0.4, velocity), much_later_s);
-		CHECK(fast.value == doctest::Approx(0.4 + std::copysign(0.5, velocity)).epsilon(1e-12));
+		CHECK(fast.value == test::near(0.4 + std::copysign(0.5, velocity)).epsilon(1e-12));
 		const PhaseEstimate soon = alone(GestureHypothesis::leaving(0.4, velocity), NOW_S + 0.05);
 		const PhaseEstimate sooner = alone(GestureHypothesis::leaving(0.4, velocity), NOW_S + 0.05 - 1e-5);
-		CHECK((soon.value - sooner.value) / 1e-5 == doctest::Approx(soon.velocity).epsilon(1e-3));
-		CHECK((soon.velocity - sooner.velocity) / 1e-5 == doctest::Approx(soon.acceleration).epsilon(1e-3));
+		CHECK((soon.value - sooner.value) / 1e-5 == test::near(soon.velocity).epsilon(1e-3));
+		CHECK((soon.velocity - sooner.velocity) / 1e-5 == test::near(soon.acceleration).epsilon(1e-3));
 	}
 }
 
@@ -172,15 +173,15 @@ TEST_CASE("a free hand at the end, before a tracker that has erred, is there in 
 	};
 	for (const double hand : { 0.92, 1.3, 1.7 }) {
 		const PhaseEstimate shown = expected(GestureHypothesis::leaving(hand, 2.0), 0.5);
-		CHECK(shown.value == doctest::Approx(hand + 0.3 * (1.0 - hand)));
-		CHECK(shown.velocity == doctest::Approx(0.7 * 2.0));
+		CHECK(shown.value == test::near(hand + 0.3 * (1.0 - hand)));
+		CHECK(shown.velocity == test::near(0.7 * 2.0));
 		CHECK(expected(GestureHypothesis::leaving(hand, 2.0), 0.5, true).value == shown.value);
 	}
 	const GestureHypothesis beyond = begun(Regime::FREE, NOW_S - 0.79, 0.8, 0.0);
 	CHECK(expected(beyond, 1.0).value ==
-			doctest::Approx(1.0 + 0.4 * (expected(beyond, 0.0).value - 1.0)).epsilon(1e-6));
+			test::near(1.0 + 0.4 * (expected(beyond, 0.0).value - 1.0)).epsilon(1e-6));
 	for (const double hand : { -0.3, 0.4, 0.69 }) {
-		CHECK(expected(GestureHypothesis::leaving(hand, 2.0), 1.0).value == doctest::Approx(hand));
+		CHECK(expected(GestureHypothesis::leaving(hand, 2.0), 1.0).value == test::near(hand));
 	}
 	CHECK(expected(begun(Regime::SOUND, NOW_S - 0.7, 0.8, 0.0), 1.0).value ==
 			expected(begun(Regime::SOUND, NOW_S - 0.7, 0.8, 0.0), 0.0).value);

@@ -1,5 +1,6 @@
 #include "follow.h"
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -98,7 +99,7 @@ TEST_CASE("a tracker that is always late is made up for where its latency is kno
 		return largest;
 	};
 	const double late = 1.875 * LATENCY_S; // at the peak velocity of a minimum jerk
-	CHECK(largest_error(0.0) == doctest::Approx(late).epsilon(0.3));
+	CHECK(largest_error(0.0) == test::near(late).epsilon(0.3));
 	CHECK(largest_error(LATENCY_S) < 0.4 * late);
 }
 
@@ -268,7 +269,7 @@ TEST_CASE("a freeze does not move a hand that rests beside the end of its way") 
 			};
 			follow(estimator, FREEZES_S + 1.0, show, [&](double t_s, double value) {
 				if (t_s > FREEZES_S - 0.1) {
-					CHECK(value == doctest::Approx(amplitude).epsilon(0.02));
+					CHECK(std::abs(value - amplitude) < 0.03);
 				}
 			});
 		}
@@ -317,7 +318,7 @@ TEST_CASE("a gap speaks for a hand that has begun by half a nat, however long it
 			estimator.wait(last_s + 0.01 * i);
 		}
 		const double odds = begun / (1.0 - begun) * std::exp(0.5);
-		CHECK(estimator.at(last_s + 0.2).moving == doctest::Approx(odds / (1.0 + odds)).epsilon(0.02));
+		CHECK(estimator.at(last_s + 0.2).moving == test::near(odds / (1.0 + odds)).epsilon(0.02));
 	}
 	CHECK(undecided > 3);
 }
@@ -338,6 +339,7 @@ TEST_CASE("phase mode follows a hand through a freeze that trembles as through o
 	};
 	const double exact = largest_error(0.0);
 	CHECK(exact < 0.2 * (DRAG.x_m(FOUND_S) - DRAG.x_m(LOST_S)));
-	CHECK(largest_error(0.0001) == doctest::Approx(exact).epsilon(0.05));
-	CHECK(largest_error(0.001) == doctest::Approx(exact).epsilon(0.2));
+	for (const double tremble : { 0.0001, 0.001 }) {
+		CHECK(std::abs(largest_error(tremble) - exact) < 0.006);
+	}
 }

@@ -1,6 +1,7 @@
 // A hand that leaves, or that the tracker freezes, while its gesture is under way.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -40,7 +41,7 @@ TEST_CASE("with nothing given a hand that is gone near the end has made the gest
 	}
 	const Events events = frozen(NEAR_END_S, 4.0);
 	CHECK(events.said == times(1, "sideways"));
-	CHECK(events.last_value_m == doctest::Approx(0.0));
+	CHECK(events.last_value_m == near(0.0));
 	CHECK(events.last_ended_s <= NEAR_END_S + 0.301);
 }
 
@@ -119,7 +120,7 @@ TEST_CASE(
 	const double lost_s = 2.5;
 	const Events halted = in_a_task(along(X, { half_way }), 4.0, lost_s);
 	CHECK(halted.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
-	CHECK(halted.last_value_m == doctest::Approx(0.0));
+	CHECK(std::abs(halted.last_value_m) < 1e-9);
 	CHECK(halted.largest_step < 1.01 * FASTEST_M_MS);
 	for (const double length_s : { lost_s + 0.98, lost_s + 1.2 }) {
 		const Events halting = in_a_task(along(X, { half_way }), length_s, lost_s);
@@ -135,12 +136,12 @@ TEST_CASE("with a task a hand that was gone and is back is followed from there, 
 	// At the end, as it was left; at rest half-way; and at the start, for another drag.
 	const Events at_end = in_a_task(along(X, { DRAG }), 5.0, 2.5, 4.0);
 	CHECK(at_end.said == times(1, "sideways"));
-	CHECK(at_end.last_value_m == doctest::Approx(0.2).epsilon(0.01));
+	CHECK(at_end.last_value_m == near(0.2).epsilon(0.01));
 	CHECK(at_end.largest_step < 1.01 * FASTEST_M_MS);
 	const Drag away{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = -0.1 };
 	const Events half_way = in_a_task(along(X, { DRAG, away }), 5.0, 2.5, 4.0);
 	CHECK(half_way.said == times(1, "sideways"));
-	CHECK(half_way.last_value_m == doctest::Approx(0.1).epsilon(0.01));
+	CHECK(half_way.last_value_m == near(0.1).epsilon(0.01));
 	CHECK(half_way.largest_step < 1.01 * FASTEST_M_MS);
 	const Drag back{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = -0.2 };
 	const Drag again{ .onset_s = 4.6, .duration_s = 1.0, .amplitude_m = 0.2 };
@@ -163,7 +164,7 @@ TEST_CASE("with a task a hand before a tracker that repeats itself is not gone")
 	const Way way = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s) * X); };
 	const Events events = watch(recogniser, way, 6.0, 1e9, 1e9, 110.0, 0.0);
 	CHECK(events.said == times(1, "sideways"));
-	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.01));
+	CHECK(events.last_value_m == near(0.2).epsilon(0.01));
 }
 
 TEST_CASE("with the task known the end of a hand that is gone half-way is not said to have come") {

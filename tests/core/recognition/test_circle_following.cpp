@@ -1,5 +1,6 @@
 #include "gesture/trainer.h"
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "recognition/gesture_recogniser.h"
 
 #include <doctest/doctest.h>
@@ -52,7 +53,7 @@ std::shared_ptr<const GestureModel> circle_model() {
 
 TEST_CASE("a whole circle is followed from 0 to its length, where it ends") {
 	const std::shared_ptr<const GestureModel> model = circle_model();
-	CHECK(evaluate(*model, 1.0).value == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(evaluate(*model, 1.0).value == test::near(1.0).epsilon(0.01));
 	const test::Drag round{ .onset_s = 0.5, .duration_s = 1.3, .amplitude_m = ROUND_M };
 	for (const MotionMode mode : { MotionMode::PHASE, MotionMode::PAPER }) {
 		CAPTURE(static_cast<int>(mode));
@@ -62,13 +63,13 @@ TEST_CASE("a whole circle is followed from 0 to its length, where it ends") {
 			hmm.push(frame);
 			const double way_m = round.x_m(frame.t_s);
 			largest_m = std::max(largest_m, std::abs(hmm.motion(MotionSource::SYNTHESISED).value_m - way_m));
-			CHECK(hmm.motion(MotionSource::MEASURED).value_m == doctest::Approx(way_m));
+			CHECK(hmm.motion(MotionSource::MEASURED).value_m == test::near(way_m));
 		}
 		// Of 0.38 m; `paper`, which goes by the states' mean durations, is an eighth of the way off at most.
 		CHECK(largest_m < (mode == MotionMode::PAPER ? 0.125 * ROUND_M : 0.02 * ROUND_M));
 		REQUIRE(hmm.follower() != nullptr);
 		CHECK(hmm.follower()->stage() == GestureFollower::Stage::ARRIVED);
-		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == doctest::Approx(ROUND_M).epsilon(0.01));
+		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == test::near(ROUND_M).epsilon(0.01));
 	}
 }
 
@@ -110,6 +111,6 @@ TEST_CASE("each further round is a circle again") {
 			REQUIRE(motion.value_m < 1.3 * ROUND_M);
 		}
 		CHECK(arrivals == 3);
-		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == doctest::Approx(ROUND_M).epsilon(0.05));
+		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == test::near(ROUND_M).epsilon(0.05));
 	}
 }

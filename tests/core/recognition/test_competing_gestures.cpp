@@ -1,6 +1,7 @@
 // Gestures that one hand seems to make at once: which of them it is, in whatever order they are named.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -123,6 +124,6 @@ TEST_CASE("an end is held while another task's hand comes back to where that beg
 		return Eigen::Vector3d(aside.x_m(t_s) * X + (lift.x_m(t_s) + down.x_m(t_s)) * Y);
 	};
 	const Events events = watch(recogniser, way, 5.0);
-	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.05));
+	CHECK(events.last_value_m == near(0.2).epsilon(0.05));
 	CHECK(recogniser.gesture() == 1);
 }

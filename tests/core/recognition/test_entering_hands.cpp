@@ -1,6 +1,7 @@
 // Hands that come into view on their way: nobody saw them at rest.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -36,7 +37,7 @@ TEST_CASE("with the task known a hand that comes into view on the first part of 
 			}
 			const Events events = drag_from(share, duration_s, true);
 			CHECK(events.said == times(1, "sideways"));
-			CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
+			CHECK(events.last_value_m == near(0.2).epsilon(0.02));
 		}
 	}
 }

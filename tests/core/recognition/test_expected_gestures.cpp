@@ -1,6 +1,7 @@
 // Gestures and tasks that come and go while the hand is under way, and frames that come twice.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -77,8 +78,8 @@ TEST_CASE("a place that is expected later is followed from then on") {
 	// The hand is at its start, as if it had been expected all along: 0.1 m on.
 	const Run later = run({ drag_at(HERE) }, { drag_at(AHEAD) }, 0.3);
 	const Run always = run({ drag_at(AHEAD) }, { drag_at(AHEAD) });
-	CHECK(later.values_m.back() == doctest::Approx(0.1).epsilon(0.05));
-	CHECK(later.values_m.back() == doctest::Approx(always.values_m.back()).epsilon(0.01));
+	CHECK(later.values_m.back() == near(0.1).epsilon(0.05));
+	CHECK(later.values_m.back() == near(always.values_m.back()).epsilon(0.01));
 }
 
 TEST_CASE("a stroke that has ended as a gesture is no other one's that is expected after it") {

@@ -1,4 +1,5 @@
 #include "gesture/circumcircle.h"
+#include "near.h"
 #include "recognition/gesture_recogniser.h"
 #include "signal/minimum_jerk.h"
 #include "simulation/other_motion.h"
@@ -108,7 +109,7 @@ TEST_CASE("fingers that open are a zoom, also where the hand moves meanwhile") {
 TEST_CASE("fingers that come into one line are no zoom, though their circle grows twofold") {
 	// As the zoom does.
 	const auto radius = [](const Tips &tips) { return *circumradius(tips[0], tips[1], tips[2]); };
-	CHECK(radius(flattened(0.06)) == doctest::Approx(radius(opened(0.06))));
+	CHECK(radius(flattened(0.06)) == test::near(radius(opened(0.06))));
 	CHECK(watch({ .shape = flattened }).ended == 0);
 }
 

@@ -1,6 +1,7 @@
 // Start, end and abort of gestures, with the task known and with nothing known; motion that is none.
 
 #include "gesture_events.h"
+#include "near.h"
 #include "simulation/synthetic_trial.h"
 
 #include <doctest/doctest.h>
@@ -38,7 +39,7 @@ TEST_CASE("with nothing given the motion is the way along the hand's own directi
 			const Eigen::Vector3d axis(std::cos(angle), std::sin(angle), 0.0);
 			for (const double sense : { 1.0, -1.0 }) {
 				const Events events = in_the_open(along(sense * axis, { drag }), 2.2);
-				CHECK(events.last_value_m == doctest::Approx(amplitude_m).epsilon(0.02));
+				CHECK(events.last_value_m == near(amplitude_m).epsilon(0.02));
 				// A third of the way is gone at 0.4 s.
 				CHECK(events.first_shown_s < drag.onset_s + 0.4);
 			}
@@ -51,7 +52,7 @@ TEST_CASE("with nothing given the motion counts from where the hand set out, bef
 		CAPTURE(duration_s);
 		const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
 		const double until_s = drag.onset_s + duration_s + 0.6;
-		CHECK(in_the_open(along(X, { drag }), until_s).last_value_m == doctest::Approx(0.2).epsilon(0.004));
+		CHECK(in_the_open(along(X, { drag }), until_s).last_value_m == near(0.2).epsilon(0.004));
 	}
 }
 
@@ -60,8 +61,7 @@ TEST_CASE("with nothing given what a hand creeps forward right before it sets ou
 		CAPTURE(creeps_s);
 		const Drag creep{ .onset_s = 0.6, .duration_s = creeps_s, .amplitude_m = 0.006 };
 		const Drag drag{ .onset_s = 0.55 + creeps_s, .duration_s = 0.5, .amplitude_m = 0.194 };
-		CHECK(in_the_open(along(X, { creep, drag }), 2.0).last_value_m ==
-				doctest::Approx(0.2).epsilon(0.0025));
+		CHECK(in_the_open(along(X, { creep, drag }), 2.0).last_value_m == near(0.2).epsilon(0.0025));
 	}
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("what the tracker jumped by before a gesture is no part of it") {
 	};
 	const Events events = in_the_open(jumped, 2.2);
 	CHECK(events.said == times(1, "sideways"));
-	CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
+	CHECK(events.last_value_m == near(0.2).epsilon(0.02));
 }
 
 TEST_CASE("with nothing given a gesture that ends in full motion ends there, and not where the hand stops") {
@@ -177,10 +177,10 @@ TEST_CASE("a gesture that has arrived is shown until the hand does what is likel
 		const Events events = in_the_open(way, 2.6);
 		if (angle == 0.0) {
 			CHECK(events.said.back() == "started upright");
-			CHECK(events.last_value_m == doctest::Approx(0.1).epsilon(0.05));
+			CHECK(events.last_value_m == near(0.1).epsilon(0.05));
 		} else {
 			CHECK(events.said == times(1, "sideways"));
-			CHECK(events.last_value_m == doctest::Approx(0.2).epsilon(0.02));
+			CHECK(events.last_value_m == near(0.2).epsilon(0.02));
 		}
 	}
 }
@@ -197,7 +197,7 @@ TEST_CASE("a stroke that has ended as one gesture is not the beginning of anothe
 		const Events events = watch(recogniser, along(X, { drag }), 1.7);
 		CHECK(std::ranges::count(events.said, "ended short") == 1);
 		CHECK(events.said.back() == "ended short");
-		CHECK(events.last_value_m == doctest::Approx(0.025).epsilon(0.02));
+		CHECK(events.last_value_m == near(0.025).epsilon(0.02));
 	}
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("the motion of every gesture begins and ends without a step") {
 		const Events events = in_the_open(along(axis, { DRAG, back }), 4.0);
 		CHECK(events.said.size() == 2);
 		CHECK(events.largest_step < 1.5 * FASTEST_M_MS);
-		CHECK(events.last_value_m == doctest::Approx(0.0).epsilon(1e-6));
+		CHECK(events.last_value_m == near(0.0).epsilon(1e-6));
 	}
 }
 

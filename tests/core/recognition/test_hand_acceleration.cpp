@@ -1,5 +1,6 @@
 #include "haptics/effect.h"
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 #include "vibration_rig.h"
@@ -82,13 +83,13 @@ TEST_CASE("what corrects a curve drives no effect: its own acceleration is a lin
 			REQUIRE(std::abs(made.acceleration - truth.acceleration) < 1e-7);
 			REQUIRE(std::abs(made.own_acceleration() - own) < 1e-7);
 			const LevelPoint level = level_of(effect, made, test::AMPLITUDE_M);
-			REQUIRE(level.value == doctest::Approx(test::AMPLITUDE_M * std::abs(own) / 1000.0).epsilon(1e-6));
+			REQUIRE(level.value == test::near(test::AMPLITUDE_M * std::abs(own) / 1000.0).epsilon(1e-6));
 			const double sign = own < 0.0 ? -1.0 : 1.0;
-			REQUIRE(level.slope == doctest::Approx(sign * test::AMPLITUDE_M * slope / 1000.0).epsilon(1e-6));
+			REQUIRE(level.slope == test::near(sign * test::AMPLITUDE_M * slope / 1000.0).epsilon(1e-6));
 		}
 	}
 	for (const double t_s : { snapshot.time_s, snapshot.end_s() }) {
 		CHECK(snapshot.at(t_s + 1e-9).own_acceleration() ==
-				doctest::Approx(snapshot.at(t_s - 1e-9).own_acceleration()).epsilon(1e-5));
+				test::near(snapshot.at(t_s - 1e-9).own_acceleration()).epsilon(1e-5));
 	}
 }

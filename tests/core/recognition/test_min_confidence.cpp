@@ -1,6 +1,7 @@
 // With nothing given: how sure a gesture has to be before it is shown.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -63,7 +64,7 @@ TEST_CASE("drags, taps and lifts after a rest are shown about as soon, and end o
 		CHECK(sure.events.said == any.events.said);
 		CHECK(sure.events.first_shown_s < any.events.first_shown_s + 0.1);
 		CHECK(sure.events.last_ended_s == any.events.last_ended_s);
-		CHECK(sure.events.last_value_m == doctest::Approx(any.events.last_value_m).epsilon(1e-6));
+		CHECK(sure.events.last_value_m == near(any.events.last_value_m).epsilon(1e-6));
 	}
 }
 

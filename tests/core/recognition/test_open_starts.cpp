@@ -2,6 +2,7 @@
 // and what begins and is none.
 
 #include "gesture_events.h"
+#include "near.h"
 
 #include "simulation/oscillation.h"
 
@@ -35,7 +36,7 @@ TEST_CASE("with nothing given a single frame elsewhere right before a gesture do
 			CAPTURE(by_m);
 			const Events events = shown_elsewhere(DRAG.onset_s - before_s, by_m * X);
 			CHECK(events.said == times(1, "sideways"));
-			CHECK(events.last_value_m == doctest::Approx(DRAG.amplitude_m).epsilon(0.02));
+			CHECK(events.last_value_m == near(DRAG.amplitude_m).epsilon(0.02));
 		}
 	}
 }

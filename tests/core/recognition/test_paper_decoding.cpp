@@ -1,4 +1,5 @@
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
@@ -34,10 +35,10 @@ TEST_CASE("a state that is known late is dated back: its element is through when
 	const double value_before = late.motion(entered_s + LATE_S, 1.0).value_m;
 	late.enter_state(1, entered_s, entered_s + LATE_S);
 	CHECK(late.phase(entered_s + LATE_S) == phase_before);
-	CHECK(late.motion(entered_s + LATE_S, 1.0).value_m == doctest::Approx(value_before));
+	CHECK(late.motion(entered_s + LATE_S, 1.0).value_m == test::near(value_before));
 	for (const PaperSynthesiser *const synthesiser : { &in_time, &late }) {
 		CHECK(synthesiser->phase(through_s - 1e-3) < second.phase_end - 1e-4);
-		CHECK(synthesiser->phase(through_s + 1e-9) == doctest::Approx(second.phase_end).epsilon(1e-12));
+		CHECK(synthesiser->phase(through_s + 1e-9) == test::near(second.phase_end).epsilon(1e-12));
 	}
 }
 
@@ -48,25 +49,25 @@ TEST_CASE("a gesture that is seen late begins there: its first element is throug
 		PaperSynthesiser synthesiser(model);
 		synthesiser.begin(2.0, share * first.phase_end);
 		const double through_s = 2.0 + (1.0 - share) * first.duration_mean_s;
-		CHECK(synthesiser.phase(2.0) == doctest::Approx(share * first.phase_end));
+		CHECK(synthesiser.phase(2.0) == test::near(share * first.phase_end));
 		CHECK(synthesiser.phase(through_s - 1e-3) < first.phase_end);
-		CHECK(synthesiser.phase(through_s + 1e-9) == doctest::Approx(first.phase_end).epsilon(1e-12));
+		CHECK(synthesiser.phase(through_s + 1e-9) == test::near(first.phase_end).epsilon(1e-12));
 		CHECK(synthesiser.phase(through_s + 1.0) == first.phase_end);
 	}
 	// Before the first phase, and beyond the first element, it begins at their ends.
 	for (const double phase : { -0.5, 1.0 }) {
 		PaperSynthesiser synthesiser(model);
 		synthesiser.begin(2.0, phase);
-		CHECK(synthesiser.phase(2.0) == doctest::Approx(phase < 0.0 ? 0.0 : first.phase_end));
+		CHECK(synthesiser.phase(2.0) == test::near(phase < 0.0 ? 0.0 : first.phase_end));
 	}
 	// One that is known when it should be through is played at once, forwards.
 	PaperSynthesiser late(model);
 	late.begin(0.0, 0.0);
 	const double known_s = first.duration_mean_s + 3.0 * second.duration_mean_s;
 	late.enter_state(1, first.duration_mean_s, known_s);
-	CHECK(late.phase(known_s) == doctest::Approx(first.phase_end));
+	CHECK(late.phase(known_s) == test::near(first.phase_end));
 	CHECK(late.phase(known_s + 0.5e-3) > first.phase_end);
-	CHECK(late.phase(known_s + 1.1e-3) == doctest::Approx(second.phase_end));
+	CHECK(late.phase(known_s + 1.1e-3) == test::near(second.phase_end));
 }
 
 TEST_CASE("the decoder does not say which gesture it is, nor, without a task, when it ends") {
@@ -105,7 +106,7 @@ TEST_CASE("`paper` mode comes to the end of a drag by every decoder, and those t
 				first_s = first_s > 0.0 ? first_s : frame.t_s;
 			}
 		}
-		CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m == doctest::Approx(drag.amplitude_m));
+		CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m == test::near(drag.amplitude_m));
 		return seen_s;
 	};
 	const std::array<double, 4> as_shipped = first_seen_s({});

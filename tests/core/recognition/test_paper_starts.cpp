@@ -1,4 +1,5 @@
 #include "gesture_events.h"
+#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -81,14 +82,13 @@ TEST_CASE("`paper` mode comes to the task's end, or waits at a state's, wherever
 		const Drag drag{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = far * TASK_M };
 		const Events events = on_paper(along(X, { drag }), 4.0);
 		CHECK(events.said == times(1, "sideways"));
-		CHECK(events.last_value_m == doctest::Approx(TASK_M).epsilon(1e-9));
+		CHECK(events.last_value_m == near(TASK_M).epsilon(1e-9));
 	}
 	// Three tenths of the way, slowly, are its first state.
 	const Drag short_of_it{ .onset_s = ONSET_S, .duration_s = 0.8, .amplitude_m = 0.3 * TASK_M };
 	const Events waits = on_paper(along(X, { short_of_it }), 4.0);
 	CHECK(waits.said == std::vector<std::string>{ "started sideways" });
-	CHECK(waits.last_value_m ==
-			doctest::Approx(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
+	CHECK(waits.last_value_m == near(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
 }
 
 TEST_CASE("`paper` mode with a task rejects nothing that comes as far along its way") {
@@ -119,8 +119,8 @@ TEST_CASE("`paper` mode holds its end until the hand is back below 15 % of the w
 		};
 		return on_paper(along(X, { there, back }), BACK_S + later_s).last_value_m;
 	};
-	CHECK(shown_m(0.16, 1.0) == doctest::Approx(TASK_M).epsilon(1e-9));
-	CHECK(shown_m(0.14, -0.04) == doctest::Approx(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.16, 1.0) == near(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.14, -0.04) == near(TASK_M).epsilon(1e-9));
 	CHECK(shown_m(0.14, 0.1) < 0.05 * TASK_M);
 	CHECK(shown_m(0.14, 0.02) > 0.05 * TASK_M);
 }

@@ -1,4 +1,5 @@
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "phase/phase_estimator.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
@@ -99,7 +100,7 @@ TEST_CASE("a hand that comes back unseen is where the tracker finds it") {
 				}
 			}
 			const double hand = 1.0 - back.x_m(FOUND_S + KNOWN_S);
-			CHECK(estimator.at(FOUND_S + KNOWN_S).value == doctest::Approx(hand).epsilon(0.1));
+			CHECK(std::abs(estimator.at(FOUND_S + KNOWN_S).value - hand) < 0.03);
 		}
 	}
 }
@@ -211,8 +212,7 @@ TEST_CASE("a hand that goes back at once after a rest is shown back, at any qual
 					frame.set(Joint::INDEX, { there.x_m(frame.t_s) - back.x_m(frame.t_s), 0.0, 0.0 });
 					recogniser.push(frame);
 				}
-				CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m ==
-						doctest::Approx(0.0).epsilon(0.01));
+				CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m) < 0.5e-3);
 				CHECK(recogniser.gesture() == -1);
 			}
 		}

@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/constant_velocity_kalman.h"
 
 #include <doctest/doctest.h>
@@ -32,10 +33,11 @@ TEST_CASE("the Kalman filter settles at the gains of the tracking index") {
 		const double alpha = filter.push(20000 * period_s, 1.0);
 		const double beta = filter.velocity_m_s() * period_s;
 		CHECK(beta ==
-				doctest::Approx(3.0 * (2.0 - alpha) - std::sqrt(3.0 * (alpha * alpha - 12.0 * alpha + 12.0)))
+				steadyhand::test::near(
+						3.0 * (2.0 - alpha) - std::sqrt(3.0 * (alpha * alpha - 12.0 * alpha + 12.0)))
 						.epsilon(1e-9));
 		CHECK(beta * beta / (1.0 - alpha) ==
-				doctest::Approx(q * period_s * period_s * period_s / (0.002 * 0.002)).epsilon(1e-9));
+				steadyhand::test::near(q * period_s * period_s * period_s / (0.002 * 0.002)).epsilon(1e-9));
 	}
 }
 
@@ -64,10 +66,10 @@ TEST_CASE("the Kalman filter agrees with the textbook's matrices on irregular in
 		state += gain * (x_m - state[0]);
 		covariance = ((Eigen::Matrix2d::Identity() - gain * observe) * covariance).eval();
 
-		CHECK(filter.push(t_s, x_m) == doctest::Approx(state[0]).epsilon(1e-9));
-		CHECK(filter.velocity_m_s() == doctest::Approx(state[1]).epsilon(1e-8));
-		CHECK(filter.position_variance_m2() / covariance(0, 0) == doctest::Approx(1.0).epsilon(1e-9));
-		CHECK(filter.predict(t_s + 0.1) == doctest::Approx(state[0] + 0.1 * state[1]).epsilon(1e-8));
+		CHECK(filter.push(t_s, x_m) == steadyhand::test::near(state[0]).epsilon(1e-9));
+		CHECK(filter.velocity_m_s() == steadyhand::test::near(state[1]).epsilon(1e-8));
+		CHECK(filter.position_variance_m2() / covariance(0, 0) == steadyhand::test::near(1.0).epsilon(1e-9));
+		CHECK(filter.predict(t_s + 0.1) == steadyhand::test::near(state[0] + 0.1 * state[1]).epsilon(1e-8));
 	}
 }
 
@@ -76,8 +78,8 @@ TEST_CASE("the Kalman filter follows a ramp without lag") {
 	for (int frame = 0; frame < 1000; ++frame) {
 		filter.push(frame / 100.0, 0.4 * frame / 100.0);
 	}
-	CHECK(filter.output() == doctest::Approx(0.4 * 9.99).epsilon(1e-9));
-	CHECK(filter.predict(10.5) == doctest::Approx(0.4 * 10.5).epsilon(1e-9));
+	CHECK(filter.output() == steadyhand::test::near(0.4 * 9.99).epsilon(1e-9));
+	CHECK(filter.predict(10.5) == steadyhand::test::near(0.4 * 10.5).epsilon(1e-9));
 	CHECK(filter.predict(NOT_A_NUMBER) == filter.output());
 }
 

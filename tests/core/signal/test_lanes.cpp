@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/lanes.h"
 #include "signal/minimum_jerk.h"
 
@@ -46,10 +47,10 @@ TEST_CASE("exponentials and logarithms of lanes are those of the standard librar
 	const Lanes logs =
 			of({ std::numeric_limits<double>::min(), 1.0, 2.0, std::numeric_limits<double>::max() },
 					[](const LaneVector &v) STEADYHAND_INLINE_LAMBDA { return logarithm(v); });
-	CHECK(logs[0] == doctest::Approx(std::log(std::numeric_limits<double>::min())).epsilon(2.0 * ULP));
+	CHECK(logs[0] == test::near(std::log(std::numeric_limits<double>::min())).epsilon(2.0 * ULP));
 	CHECK(logs[1] == 0.0);
-	CHECK(logs[2] == doctest::Approx(std::log(2.0)).epsilon(2.0 * ULP));
-	CHECK(logs[3] == doctest::Approx(std::log(std::numeric_limits<double>::max())).epsilon(2.0 * ULP));
+	CHECK(logs[2] == test::near(std::log(2.0)).epsilon(2.0 * ULP));
+	CHECK(logs[3] == test::near(std::log(std::numeric_limits<double>::max())).epsilon(2.0 * ULP));
 }
 
 TEST_CASE("each lane picks the number at its index") {
@@ -63,9 +64,9 @@ TEST_CASE("the minimum jerk of lanes is that of one number") {
 		const double s = i / 100.0;
 		const LaneMinimumJerk jerk(all(s));
 		const Polynomial::Point point = minimum_jerk(s);
-		CHECK(jerk.value[1] == doctest::Approx(point.value));
-		CHECK(jerk.first[2] == doctest::Approx(point.first));
-		CHECK(jerk.second[3] == doctest::Approx(point.second));
+		CHECK(jerk.value[1] == test::near(point.value));
+		CHECK(jerk.first[2] == test::near(point.first));
+		CHECK(jerk.second[3] == test::near(point.second));
 	}
 }
 
@@ -73,7 +74,7 @@ TEST_CASE("the share of the duration after which a part of the way is covered gi
 	for (int hundredths = 0; hundredths <= 100; ++hundredths) {
 		const double share = 0.01 * hundredths;
 		CAPTURE(share);
-		CHECK(minimum_jerk_share(minimum_jerk(share).value) == doctest::Approx(share).epsilon(1e-7));
+		CHECK(minimum_jerk_share(minimum_jerk(share).value) == test::near(share).epsilon(1e-7));
 	}
 	CHECK(minimum_jerk_share(-1.0) == 0.0);
 	CHECK(minimum_jerk_share(2.0) == 1.0);

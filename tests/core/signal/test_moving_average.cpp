@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/moving_average.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +23,7 @@ TEST_CASE("a moving average of a ramp is 20 frames late") {
 		const double output = average.push(frame / 90.0, frame);
 		// While the window fills: the mean of 0..frame.
 		const double expected = frame < 40 ? frame / 2.0 : frame - 20.0;
-		CHECK(output == doctest::Approx(expected).epsilon(1e-15));
+		CHECK(output == steadyhand::test::near(expected).epsilon(1e-15));
 	}
 }
 
@@ -40,7 +41,7 @@ TEST_CASE("a moving average forgets: after 10^7 frames it is exact on the last 4
 	for (int frame = 10'000'000 - 41; frame < 10'000'000; ++frame) {
 		sum += 0.1 * (frame % 7);
 	}
-	CHECK(output == doctest::Approx(static_cast<double>(sum / 41.0L)).epsilon(1e-15));
+	CHECK(output == steadyhand::test::near(static_cast<double>(sum / 41.0L)).epsilon(1e-15));
 }
 
 TEST_CASE("a moving average leaves a constant exactly as it is, wherever it lies") {

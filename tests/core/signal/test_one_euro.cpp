@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/one_euro.h"
 
 #include <doctest/doctest.h>
@@ -28,7 +29,7 @@ TEST_CASE("One Euro without beta is a first-order low-pass") {
 		const double step_s = 0.001 * (1 + frame * 7 % 23);
 		t_s += step_s;
 		error *= tau_s / (tau_s + step_s);
-		CHECK(filter.push(t_s, 1.0) == doctest::Approx(1.0 - error).epsilon(1e-12));
+		CHECK(filter.push(t_s, 1.0) == steadyhand::test::near(1.0 - error).epsilon(1e-12));
 	}
 }
 
@@ -49,7 +50,7 @@ TEST_CASE("One Euro on a steady ramp settles where its own equations meet") {
 	const double b = tuning.min_cutoff_hz + tuning.beta_per_m * v;
 	const double c = -v / (2.0 * std::numbers::pi);
 	const double lag_m = (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
-	CHECK(v * 3999 * step_s - output == doctest::Approx(lag_m).epsilon(1e-9));
+	CHECK(v * 3999 * step_s - output == steadyhand::test::near(lag_m).epsilon(1e-9));
 	CHECK(std::abs(lag_m / v - 0.010) < 0.001); // what one_euro.h says of its tuning
 }
 

@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/polynomial.h"
 
 #include <doctest/doctest.h>
@@ -56,9 +57,9 @@ TEST_CASE("a line through noise is the textbook's regression") {
 	const std::vector<double> s{ 0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0 };
 	const std::vector<double> y{ 1.0, 3.0, 2.0, 5.0 };
 	const PolynomialFit fit = fit_polynomial(s, y, 1);
-	CHECK(fit.polynomial.coefficients[0] == doctest::Approx(1.1).epsilon(1e-13));
-	CHECK(fit.polynomial.coefficients[1] == doctest::Approx(3.3).epsilon(1e-13));
-	CHECK(fit.residual_std == doctest::Approx(std::sqrt(2.7 / 2.0)).epsilon(1e-13));
+	CHECK(fit.polynomial.coefficients[0] == steadyhand::test::near(1.1).epsilon(1e-13));
+	CHECK(fit.polynomial.coefficients[1] == steadyhand::test::near(3.3).epsilon(1e-13));
+	CHECK(fit.residual_std == steadyhand::test::near(std::sqrt(2.7 / 2.0)).epsilon(1e-13));
 }
 
 TEST_CASE("derivatives are those of central differences") {
@@ -70,8 +71,9 @@ TEST_CASE("derivatives are those of central differences") {
 		const double before = polynomial.value(s - h);
 		const double after = polynomial.value(s + h);
 		CHECK(point.value == polynomial.value(s));
-		CHECK(point.first == doctest::Approx((after - before) / (2.0 * h)).epsilon(1e-6));
-		CHECK(point.second == doctest::Approx((after - 2.0 * point.value + before) / (h * h)).epsilon(1e-5));
+		CHECK(point.first == steadyhand::test::near((after - before) / (2.0 * h)).epsilon(1e-6));
+		CHECK(point.second ==
+				steadyhand::test::near((after - 2.0 * point.value + before) / (h * h)).epsilon(1e-5));
 	}
 }
 
@@ -82,28 +84,28 @@ TEST_CASE("the degree is no higher than the samples allow") {
 
 	const PolynomialFit constant = fit_polynomial(std::vector{ 0.2 }, std::vector{ 7.0 }, 5);
 	CHECK(constant.degree == 0);
-	CHECK(constant.polynomial.value(0.9) == doctest::Approx(7.0));
+	CHECK(constant.polynomial.value(0.9) == steadyhand::test::near(7.0));
 	CHECK(constant.residual_std == 0.0);
 
 	const PolynomialFit line = fit_polynomial(std::vector{ 0.25, 0.75 }, std::vector{ 1.0, 2.0 }, 5);
 	CHECK(line.degree == 1);
-	CHECK(line.polynomial.value(0.0) == doctest::Approx(0.5));
-	CHECK(line.polynomial.value(1.0) == doctest::Approx(2.5));
+	CHECK(line.polynomial.value(0.0) == steadyhand::test::near(0.5));
+	CHECK(line.polynomial.value(1.0) == steadyhand::test::near(2.5));
 
 	// Many samples, but at two places only: still a line, through the mean at each.
 	const std::vector<double> s{ 0.0, 0.0, 1.0, 1.0, 1.0 };
 	const std::vector<double> y{ 1.0, 3.0, 5.0, 6.0, 7.0 };
 	const PolynomialFit clusters = fit_polynomial(s, y, 7);
 	CHECK(clusters.degree == 1);
-	CHECK(clusters.polynomial.value(0.0) == doctest::Approx(2.0));
-	CHECK(clusters.polynomial.value(1.0) == doctest::Approx(6.0));
+	CHECK(clusters.polynomial.value(0.0) == steadyhand::test::near(2.0));
+	CHECK(clusters.polynomial.value(1.0) == steadyhand::test::near(6.0));
 
 	// At one place: their mean, not a line of any slope.
 	const PolynomialFit place =
 			fit_polynomial(std::vector{ 0.5, 0.5, 0.5 + 1e-12 }, std::vector{ 1.0, 2.0, 6.0 }, 3);
 	CHECK(place.degree == 0);
-	CHECK(place.polynomial.value(0.0) == doctest::Approx(3.0));
-	CHECK(place.residual_std == doctest::Approx(std::sqrt(14.0 / 2.0)));
+	CHECK(place.polynomial.value(0.0) == steadyhand::test::near(3.0));
+	CHECK(place.residual_std == steadyhand::test::near(std::sqrt(14.0 / 2.0)));
 }
 
 TEST_CASE("samples that are no numbers or outside the range are left out") {
@@ -113,7 +115,7 @@ TEST_CASE("samples that are no numbers or outside the range are left out") {
 	const PolynomialFit fit = fit_polynomial(s, y, 3);
 	CHECK(fit.samples == 2);
 	CHECK(fit.degree == 1);
-	CHECK(fit.polynomial.value(0.5) == doctest::Approx(2.0));
+	CHECK(fit.polynomial.value(0.5) == steadyhand::test::near(2.0));
 }
 
 TEST_CASE("a fit works alike at any scale of the values") {

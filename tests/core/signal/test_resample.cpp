@@ -1,3 +1,4 @@
+#include "near.h"
 #include "signal/resample.h"
 
 #include <doctest/doctest.h>
@@ -48,7 +49,7 @@ TEST_CASE("linear interpolation gives a ramp back and holds its ends") {
 	resample_linear(times_s, values, QUARTERS, out);
 	const std::array expected{ 0.6, 0.6, 1.0, 1.5, 2.0, 2.2 };
 	for (std::size_t i = 0; i < out.size(); ++i) {
-		CHECK(out[i] == doctest::Approx(expected[i]).epsilon(1e-14));
+		CHECK(out[i] == steadyhand::test::near(expected[i]).epsilon(1e-14));
 	}
 }
 

@@ -1,4 +1,5 @@
 #include "base/random.h"
+#include "near.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/oscillation.h"
 #include "simulation/other_motion.h"
@@ -124,19 +125,19 @@ TEST_SUITE("simulated movement") {
 		const Progress progress(0.0, { { 0.0, duration_s, amplitude, 0.0 } }, {});
 		const auto at = [&progress](double t) { return progress.at(t); };
 		const auto velocity = [&at](double t) { return rate_of(at, t); };
-		CHECK(velocity(0.5 * duration_s) == doctest::Approx(1.875 * amplitude / duration_s).epsilon(1e-6));
-		CHECK(progress.at(0.5 * duration_s) == doctest::Approx(0.5 * amplitude).epsilon(1e-12));
+		CHECK(velocity(0.5 * duration_s) == test::near(1.875 * amplitude / duration_s).epsilon(1e-6));
+		CHECK(progress.at(0.5 * duration_s) == test::near(0.5 * amplitude).epsilon(1e-12));
 		const double steepest_s = (3.0 - std::sqrt(3.0)) / 6.0 * duration_s;
 		CHECK(rate_of(velocity, steepest_s) ==
-				doctest::Approx(10.0 / std::sqrt(3.0) * amplitude / (duration_s * duration_s)).epsilon(1e-4));
+				test::near(10.0 / std::sqrt(3.0) * amplitude / (duration_s * duration_s)).epsilon(1e-4));
 		CHECK(progress.at(-1.0) == 0.0);
-		CHECK(progress.at(9.0) == doctest::Approx(amplitude));
+		CHECK(progress.at(9.0) == test::near(amplitude));
 	}
 
 	TEST_CASE("the bend puts the peak velocity where it is asked for") {
-		CHECK(bend_for_peak(0.5) == doctest::Approx(0.0));
+		CHECK(bend_for_peak(0.5) == test::near(0.0));
 		for (const double peak : { 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7 }) {
-			CHECK(peak_fraction_of(bend_for_peak(peak)) == doctest::Approx(peak).epsilon(2e-3));
+			CHECK(peak_fraction_of(bend_for_peak(peak)) == test::near(peak).epsilon(2e-3));
 		}
 	}
 
@@ -144,7 +145,7 @@ TEST_SUITE("simulated movement") {
 		const Progress progress(0.01,
 				{ { 0.0, 1.0, 0.9, 0.4 }, { 0.9, 0.2, 0.08, 0.0 }, { 1.1, 0.15, -0.02, 0.0 } },
 				{ { 0.4, 0.1 } });
-		CHECK(progress.duration_s() == doctest::Approx(1.35));
+		CHECK(progress.duration_s() == test::near(1.35));
 		// The largest third derivative of these pieces is 60 A / D^3 = 600 /s^3 (0.08 in 0.2 s), the
 		// fall-back of the clock adds its share: acceleration moves by less than 2000 /s^3 times the step.
 		const double step_s = 1e-4;
@@ -162,7 +163,7 @@ TEST_SUITE("simulated movement") {
 		const Progress steady(0.0, { { 0.0, 1.0, 1.0, 0.0 } }, {});
 		const Progress hesitant(0.0, { { 0.0, 1.0, 1.0, 0.0 } }, { { 0.4, 0.2 } });
 		CHECK(hesitant.at(0.4) == steady.at(0.4));
-		CHECK(hesitant.at(1.0) == doctest::Approx(steady.at(0.8)));
+		CHECK(hesitant.at(1.0) == test::near(steady.at(0.8)));
 		double slowest = 1e9;
 		for (const double t_s : instants(0.41, 0.79, 1e-3)) {
 			slowest = std::min(slowest, rate_of([&hesitant](double t) { return hesitant.at(t); }, t_s));
@@ -177,15 +178,15 @@ TEST_SUITE("simulated movement") {
 		while (progress.at(crossed_s) < 0.8) {
 			crossed_s += 1e-5;
 		}
-		CHECK(progress.crossing_s(0.8) == doctest::Approx(crossed_s).epsilon(2e-5));
+		CHECK(progress.crossing_s(0.8) == test::near(crossed_s).epsilon(2e-5));
 		double settled_s = 2.0;
 		while (std::abs(progress.at(settled_s) - 1.0) <= 0.02) {
 			settled_s -= 1e-5;
 		}
-		CHECK(progress.settling_s(0.02) == doctest::Approx(settled_s).epsilon(2e-5));
+		CHECK(progress.settling_s(0.02) == test::near(settled_s).epsilon(2e-5));
 		CHECK(progress.crossing_s(2.0) == progress.duration_s());
-		CHECK(progress.stretched(3.0).at(2.1) == doctest::Approx(progress.at(0.7)));
-		CHECK(progress.stretched(3.0).settling_s(0.02) == doctest::Approx(3.0 * settled_s).epsilon(2e-5));
+		CHECK(progress.stretched(3.0).at(2.1) == test::near(progress.at(0.7)));
+		CHECK(progress.stretched(3.0).settling_s(0.02) == test::near(3.0 * settled_s).epsilon(2e-5));
 	}
 
 	TEST_CASE("tremor has its deviation and stays in its band") {
@@ -199,7 +200,7 @@ TEST_SUITE("simulated movement") {
 			square += x * x / count;
 			crossings += (x > 0.0) != (tremor.at((i + 1) * 1e-3).x() > 0.0) ? 1 : 0;
 		}
-		CHECK(std::sqrt(square) == doctest::Approx(1e-4).epsilon(0.05));
+		CHECK(std::sqrt(square) == test::near(1e-4).epsilon(0.05));
 		CHECK(crossings / 2 > 8 * 200);
 		CHECK(crossings / 2 < 12 * 200);
 	}
@@ -224,7 +225,7 @@ TEST_SUITE("simulated movement") {
 			}
 			const Moments moments = moments_of(durations_s);
 			CHECK(std::abs(moments.mean - mean_s) < 4.0 * deviation_s / std::sqrt(400.0));
-			CHECK(moments.deviation == doctest::Approx(deviation_s).epsilon(0.2));
+			CHECK(moments.deviation == test::near(deviation_s).epsilon(0.2));
 		}
 	}
 
@@ -236,7 +237,7 @@ TEST_SUITE("simulated movement") {
 				const Subject subject = draw_subject(Population::TUNE, 3);
 				const TrueMotion motion =
 						make_gesture_motion(gesture, task, HandPosition::UNSTABLE, subject, asked_s, random);
-				CHECK(motion.end_s - motion.start_s == doctest::Approx(std::clamp(asked_s, 0.15, 4.0)));
+				CHECK(motion.end_s - motion.start_s == test::near(std::clamp(asked_s, 0.15, 4.0)));
 				CHECK(motion.start_s >= 0.5);
 				CHECK(motion.span_s - motion.end_s >= 0.8);
 			}
@@ -255,7 +256,7 @@ TEST_SUITE("simulated movement") {
 					deepest = std::max(deepest, progress.at(t_s));
 				}
 				if (gesture.through_max_m > 0.0) {
-					CHECK(progress.at(0.8) == doctest::Approx(1.0));
+					CHECK(progress.at(0.8) == test::near(1.0));
 					CHECK(rate_of([&progress](double t) { return progress.at(t); }, 0.8) > 0.3);
 					CHECK((deepest - 1.0) * gesture.amplitude_m > 0.008);
 					CHECK((deepest - 1.0) * gesture.amplitude_m < 0.042);
@@ -286,7 +287,7 @@ TEST_SUITE("simulated movement") {
 					make_gesture_motion(*gesture, task, HandPosition::STABLE, subject, 0.0, random);
 			const Eigen::Vector3d way_m = motion.hand(motion.end_s).position(Joint::INDEX) -
 					motion.hand(motion.start_s).position(Joint::INDEX);
-			CHECK(way_m.dot(task.axis) == doctest::Approx(0.2).epsilon(0.25));
+			CHECK(way_m.dot(task.axis) == test::near(0.2).epsilon(0.25));
 			CHECK((motion.hand(0.0).position(Joint::INDEX) - task.start_m).norm() < 0.03);
 		}
 		CHECK(upward > 30);

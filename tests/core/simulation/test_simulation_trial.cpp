@@ -1,3 +1,4 @@
+#include "near.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/other_motion.h"
 #include "simulation/synthetic_trial.h"
@@ -78,7 +79,7 @@ TEST_SUITE("synthetic trial") {
 				CHECK(std::abs(reference_at(trial, 0.1)) < 0.06);
 				CHECK(std::abs(reference_at(trial, trial.trial.start_s)) < 0.06);
 				const double level = reference_at(trial, trial.trial.end_s);
-				CHECK(level == doctest::Approx(1.0).epsilon(gesture.through_max_m > 0.0 ? 0.04 : 0.2));
+				CHECK(level == test::near(1.0).epsilon(gesture.through_max_m > 0.0 ? 0.04 : 0.2));
 				if (gesture.through_max_m == 0.0) {
 					CHECK(std::abs(reference_at(trial, trial.trial.end_s + 0.7) - level) < 0.05);
 				}
@@ -99,7 +100,7 @@ TEST_SUITE("synthetic trial") {
 			SyntheticTrialRequest request = request_of("circle", seed);
 			request.position = seed % 2 == 0 ? HandPosition::STABLE : HandPosition::UNSTABLE;
 			const SyntheticTrial trial = made(request);
-			CHECK(trial.trial.amplitude_m == doctest::Approx(2.0 * std::numbers::pi * 0.06));
+			CHECK(trial.trial.amplitude_m == test::near(2.0 * std::numbers::pi * 0.06));
 			// It begins at the top, leftwards.
 			CHECK(trial.trial.axis == Eigen::Vector3d(-1.0, 0.0, 0.0));
 			const Eigen::Vector2d centre = trial.trial.start_m.head<2>() - Eigen::Vector2d(0.0, 0.06);
@@ -110,14 +111,14 @@ TEST_SUITE("synthetic trial") {
 					break;
 				}
 				const Eigen::Vector2d now = frame.position(Joint::INDEX).head<2>() - centre;
-				CHECK(now.norm() == doctest::Approx(0.06).epsilon(0.5));
+				CHECK(now.norm() == test::near(0.06).epsilon(0.5));
 				turned_rad += std::atan2(last.x() * now.y() - last.y() * now.x(), last.dot(now));
 				last = now;
 				if (frame.t_s < trial.trial.start_s) {
 					CHECK(std::abs(turned_rad) < 0.5);
 				}
 			}
-			CHECK(turned_rad == doctest::Approx(2.0 * std::numbers::pi).epsilon(0.2));
+			CHECK(turned_rad == test::near(2.0 * std::numbers::pi).epsilon(0.2));
 		}
 	}
 
@@ -178,7 +179,7 @@ TEST_SUITE("synthetic trial") {
 			return trial.end_s - trial.start_s;
 		};
 		CHECK(duration_s(paced[0]) == duration_s(natural[0]));
-		CHECK(duration_s(paced[1]) == doctest::Approx(0.5 * duration_s(natural[1])).epsilon(0.05));
+		CHECK(duration_s(paced[1]) == test::near(0.5 * duration_s(natural[1])).epsilon(0.05));
 	}
 
 	TEST_CASE("after earlier rounds the hand does the same, and has come back each time, without a step") {
@@ -190,11 +191,11 @@ TEST_SUITE("synthetic trial") {
 			request.earlier_rounds = ROUNDS;
 			const SyntheticTrial last = made(request);
 			const double earlier_s = last.trial.start_s - once.trial.start_s;
-			CHECK(last.trial.end_s - once.trial.end_s == doctest::Approx(earlier_s));
+			CHECK(last.trial.end_s - once.trial.end_s == test::near(earlier_s));
 			// A round: half a second at either end, there and back.
 			const double gesture_s = once.trial.end_s - once.trial.start_s;
 			CHECK(earlier_s ==
-					doctest::Approx(ROUNDS * (1.0 + gesture_s + std::max(gesture_s, 0.4))).epsilon(0.02));
+					test::near(ROUNDS * (1.0 + gesture_s + std::max(gesture_s, 0.4))).epsilon(0.02));
 			const auto at = [](const SyntheticTrial &trial, double t_s) {
 				const auto &frames = trial.reference.frames;
 				return std::min_element(frames.begin(), frames.end(), [t_s](const auto &a, const auto &b) {

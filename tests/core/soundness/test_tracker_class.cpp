@@ -1,5 +1,6 @@
 // What tells a tracker that errs before it shows a fault: frames left out, and the shape of the way.
 
+#include "near.h"
 #include "signal/minimum_jerk.h"
 #include "soundness/skipped_frames.h"
 #include "soundness/tracking_soundness.h"
@@ -91,14 +92,14 @@ TEST_CASE("each frame that is left out, or not, counts by the logarithm of how m
 	const double left_out = std::log(LEFT_OUT / LEFT_OUT_SOUND);
 	const double regular = std::log((1.0 - LEFT_OUT) / (1.0 - LEFT_OUT_SOUND));
 	skipped.push(true);
-	CHECK(skipped.log_ratio() == doctest::Approx(left_out));
+	CHECK(skipped.log_ratio() == test::near(left_out));
 	for (int i = 0; i < 10; ++i) {
 		const double before = skipped.log_ratio();
 		skipped.push(false);
-		CHECK(skipped.log_ratio() - before == doctest::Approx(regular));
+		CHECK(skipped.log_ratio() - before == test::near(regular));
 	}
 	skipped.push(true);
-	CHECK(skipped.log_ratio() == doctest::Approx(2.0 * left_out + 10.0 * regular));
+	CHECK(skipped.log_ratio() == test::near(2.0 * left_out + 10.0 * regular));
 	skipped.push(true);
 	CHECK(skipped.log_ratio() == 3.0);
 }
@@ -112,7 +113,7 @@ TEST_CASE("what a frame changes of that is told once, and a gap changes nothing"
 		soundness.push(t_s, 1e-4 * std::sin(1e3 * t_s));
 		told += soundness.log_ratio_news();
 		CHECK(soundness.log_ratio_news() == soundness.log_ratio() - before);
-		CHECK(told == doctest::Approx(soundness.log_ratio()));
+		CHECK(told == test::near(soundness.log_ratio()));
 	};
 	for (const double periods : { 0.0, 1.0, 1.0, 1.0, 2.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 2.0 }) {
 		come_after(periods);
@@ -141,7 +142,7 @@ TEST_CASE("a way's shape counts by its distance from the bow that fits it best")
 		shape.push(x, way.at(x, random), 0.0);
 		if (x > 0.15) {
 			const double nats = NATS * std::log(distance_from_bow(way, first, i) / (EVEN * x));
-			CHECK(shape.log_ratio() == doctest::Approx(std::clamp(nats, 0.0, MOST)).epsilon(1e-4));
+			CHECK(shape.log_ratio() == test::near(std::clamp(nats, 0.0, MOST)).epsilon(1e-4));
 			is_between = is_between || (shape.log_ratio() > 0.1 && shape.log_ratio() < MOST - 0.1);
 		}
 	}

@@ -1,6 +1,7 @@
 // What of a tracker's frames is news, and since when.
 
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "soundness/tracker_standstill.h"
 #include "soundness/tracking_soundness.h"
 
@@ -184,7 +185,7 @@ TEST_CASE("a single frame elsewhere leaves a fast hand as if it had not been, wh
 			CHECK(shown.news_s() == skipped.news_s());
 			CHECK(shown.told() == skipped.told());
 			CHECK((i == 41 || shown.fault() == 0.0));
-			CHECK(shown.lasting_unsoundness() == doctest::Approx(0.0).epsilon(0.01));
+			CHECK(shown.lasting_unsoundness() == test::near(0.0).epsilon(0.01));
 		}
 	}
 }

@@ -1,4 +1,5 @@
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "soundness/tracker_standstill.h"
 
 #include <doctest/doctest.h>
@@ -127,7 +128,7 @@ TEST_CASE("what stands for half a second is a hand that was stopped, and one fra
 	for (int i = 0; i < 200; ++i) {
 		stood += stopped.show(at) ? 1 : 0;
 	}
-	CHECK(stood * PERIOD_S == doctest::Approx(0.5).epsilon(0.03));
+	CHECK(stood * PERIOD_S == test::near(0.5).epsilon(0.03));
 
 	for (const double elsewhere : { -0.03, 0.015, 0.03, 0.3 }) {
 		CAPTURE(elsewhere);

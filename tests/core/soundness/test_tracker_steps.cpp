@@ -1,6 +1,7 @@
 // Steps that a tracker makes and no hand.
 
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "soundness/tracker_steps.h"
 
 #include <doctest/doctest.h>
@@ -142,7 +143,7 @@ TEST_CASE("a hand that sets out back along a step goes its own way") {
 TEST_CASE("a track that begins beside the hand loses no more than its first frames' place") {
 	const Way shown = [](double t_s) { return t_s < 0.08 ? 0.04 : USUAL.x_m(t_s); };
 	const std::vector<TrackerSteps::Passed> frames = passed(shown, 110.0, 2.0);
-	CHECK(frames.back().place_m.x() - frames.front().place_m.x() == doctest::Approx(0.2).epsilon(0.01));
+	CHECK(frames.back().place_m.x() - frames.front().place_m.x() == test::near(0.2).epsilon(0.01));
 }
 
 TEST_CASE("a frozen tracker that catches up shows where the hand has gone") {
@@ -257,7 +258,7 @@ TEST_CASE("a tracker that slid back in part only has stopped doing so when the h
 				[t_s](const TrackerSteps::Passed &frame) { return frame.t_s >= t_s; });
 	};
 	CHECK(std::abs(at(0.95)->place_m.x()) < 0.01);
-	CHECK(frames.back().place_m.x() - at(0.95)->place_m.x() == doctest::Approx(-0.2).epsilon(0.001));
+	CHECK(frames.back().place_m.x() - at(0.95)->place_m.x() == test::near(-0.2).epsilon(0.001));
 }
 
 TEST_CASE("a tracker that slides back takes back no more than its step, however far the hand has gone") {

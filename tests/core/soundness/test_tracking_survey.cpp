@@ -1,3 +1,4 @@
+#include "near.h"
 #include "simulation/sensor.h"
 #include "simulation/sensor_profile.h"
 #include "soundness/tracking_survey.h"
@@ -114,9 +115,9 @@ TEST_CASE("a practice run finds the same wherever the origin is") {
 		REQUIRE_MESSAGE(there.ok(), there.error());
 		CHECK((there.value().stable.position_m - origin_m - here.stable.position_m).norm() < 1e-6);
 		CHECK((there.value().unstable.position_m - origin_m - here.unstable.position_m).norm() < 1e-6);
-		CHECK(there.value().unstable.faults_per_s == doctest::Approx(here.unstable.faults_per_s));
+		CHECK(there.value().unstable.faults_per_s == test::near(here.unstable.faults_per_s));
 		// What is on the border of two cells may be counted to either.
-		CHECK(there.value().contrast == doctest::Approx(here.contrast).epsilon(0.01));
+		CHECK(there.value().contrast == test::near(here.contrast).epsilon(0.01));
 	}
 }
 
@@ -144,9 +145,9 @@ TEST_CASE("faults are counted at the place where they begin, jitter where it is"
 	CHECK((proposal.stable.position_m - left_m).norm() < 1e-3);
 	CHECK((proposal.unstable.position_m - right_m).norm() < 1e-3);
 	CHECK(proposal.stable.faults_per_s < 0.05); // the leap from the one to the other
-	CHECK(proposal.unstable.faults_per_s == doctest::Approx(30.0 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
+	CHECK(proposal.unstable.faults_per_s == test::near(30.0 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
 	CHECK(proposal.stable.jitter_m < 0.3e-3);
-	CHECK(proposal.unstable.jitter_m == doctest::Approx(1e-3).epsilon(0.3));
+	CHECK(proposal.unstable.jitter_m == test::near(1e-3).epsilon(0.3));
 }
 
 TEST_CASE("where the hand is lost for long is worse than where it is lost often for a moment") {
@@ -231,7 +232,7 @@ TEST_CASE("places that no hand reaches and stamps that stand still do no harm") 
 		const double far_m = i % 7 == 0 ? 1e9 : std::numeric_limits<double>::max();
 		survey.push(0.01 * (i - i % 2), { i % 3 == 0 ? far_m : 0.1, 0.0, -0.3 });
 	}
-	CHECK(survey.duration_s() == doctest::Approx(0.01 * 4998));
+	CHECK(survey.duration_s() == test::near(0.01 * 4998));
 	for (int i = 0; i < 5000; ++i) {
 		survey.push(50.0 + 0.01 * i, { i < 2500 ? -0.5 : 0.6, 1e-4 * (i % 3), -0.3 });
 	}
@@ -261,6 +262,6 @@ TEST_CASE("a tracker that shows the hand all over the world takes no place from 
 	const TrackingSurvey::Proposal proposal = survey.propose().value();
 	for (const TrackingSurvey::Place *place : { &proposal.stable, &proposal.unstable }) {
 		CHECK(std::abs(std::abs(place->position_m.x()) - 0.35) < 1e-3);
-		CHECK(place->seconds == doctest::Approx(15.0).epsilon(0.01));
+		CHECK(place->seconds == test::near(15.0).epsilon(0.01));
 	}
 }

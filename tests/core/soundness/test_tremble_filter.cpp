@@ -1,6 +1,7 @@
 // Trembling of a tracker: how much there is, and strokes without it.
 
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "soundness/tremble_filter.h"
 #include "strokes/stroke_finder.h"
 
@@ -61,10 +62,9 @@ TEST_CASE("the noise of a trembling tracker is found at any rate, whatever the h
 			CAPTURE(rate_hz);
 			CAPTURE(deviation_m);
 			const double noise_m = 1.42 * deviation_m;
-			CHECK(found_noise_m(rest, rate_hz, 6.0, deviation_m) == doctest::Approx(noise_m).epsilon(0.15));
+			CHECK(found_noise_m(rest, rate_hz, 6.0, deviation_m) == test::near(noise_m).epsilon(0.15));
 			if (deviation_m > 5e-4) {
-				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) ==
-						doctest::Approx(noise_m).epsilon(0.3));
+				CHECK(found_noise_m(drag, rate_hz, 2.5, deviation_m) == test::near(noise_m).epsilon(0.3));
 			}
 		}
 		CHECK(found_noise_m(drag, rate_hz, 2.5, 0.0) < 1e-4);
@@ -162,8 +162,8 @@ TEST_CASE("a stroke is one stroke however much the tracker trembles, and as long
 				}
 			}
 			CHECK(shown == 0);
-			CHECK((longest.to - longest.from).norm() == doctest::Approx(0.2).epsilon(0.1));
-			CHECK(longest.way_m == doctest::Approx(0.2).epsilon(0.15));
+			CHECK((longest.to - longest.from).norm() == test::near(0.2).epsilon(0.1));
+			CHECK(longest.way_m == test::near(0.2).epsilon(0.15));
 			// A quarter of the peak speed is passed at 0.146 of the duration, where the hand speeds up
 			// by 1.06 m/s^2: slopes that are 0.034 m/s off, four times over, and half of the window that they
 			// are from.

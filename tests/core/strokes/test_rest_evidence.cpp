@@ -1,5 +1,6 @@
 // What the rest before a stroke says of it.
 
+#include "near.h"
 #include "strokes/stroke_evidence.h"
 
 #include <doctest/doctest.h>
@@ -39,5 +40,5 @@ TEST_CASE("a hand that comes into view on its way speaks against a gesture, by n
 TEST_CASE("a hand that came from elsewhere makes one gesture in a thousand, however far it came") {
 	CHECK(rest(0.5, 1.0) < -std::log(700.0));
 	CHECK(rest(0.5, 1.0) > -std::log(1500.0));
-	CHECK(rest(0.5, 100.0) == doctest::Approx(rest(0.5, 1.0)).epsilon(1e-6));
+	CHECK(rest(0.5, 100.0) == test::near(rest(0.5, 1.0)).epsilon(1e-6));
 }

@@ -1,6 +1,7 @@
 // Strokes, and what they speak for.
 
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "strokes/stroke_evidence.h"
 #include "strokes/stroke_finder.h"
 
@@ -70,13 +71,13 @@ TEST_CASE("a stroke is as long as the hand's way, at any rate") {
 		CAPTURE(rate_hz);
 		const Stroke line =
 				longest([](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); }, rate_hz);
-		CHECK(line.way_m == doctest::Approx((line.to - line.from).norm()).epsilon(1e-9));
-		CHECK(line.way_m == doctest::Approx(0.2).epsilon(0.05));
+		CHECK(line.way_m == test::near((line.to - line.from).norm()).epsilon(1e-9));
+		CHECK(line.way_m == test::near(0.2).epsilon(0.05));
 		const auto half_circle = [](double t_s) {
 			const double angle = std::numbers::pi * DRAG.x_m(t_s) / DRAG.amplitude_m;
 			return Eigen::Vector3d(-0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.0);
 		};
-		CHECK(longest(half_circle, rate_hz).way_m == doctest::Approx(0.1 * std::numbers::pi).epsilon(0.05));
+		CHECK(longest(half_circle, rate_hz).way_m == test::near(0.1 * std::numbers::pi).epsilon(0.05));
 	}
 }
 
@@ -128,7 +129,7 @@ TEST_CASE("the middle of a stroke is its mean over the way, of two strokes that 
 	}
 	const Stroke both = joined(first, second);
 	CHECK((both.middle - (first.middle + 0.5 * second.middle) / 1.5).norm() < 1e-12);
-	CHECK(both.way_m == doctest::Approx(0.2 + 0.03 + 0.1));
+	CHECK(both.way_m == test::near(0.2 + 0.03 + 0.1));
 	CHECK(both.peak_m_s == 0.7);
 	CHECK(both.onset_s == first.onset_s);
 	CHECK(both.now_s == second.now_s);
@@ -148,7 +149,7 @@ TEST_CASE("a stroke knows how still the hand was before it, as long as it was se
 		const test::Drag down{ .onset_s = 0.5, .duration_s = 0.4, .amplitude_m = 0.1 };
 		return Eigen::Vector3d(from_rest(t_s).x(), 0.1 - down.x_m(t_s), 0.0);
 	};
-	CHECK(longest(from_above, 110.0).unrest_m == doctest::Approx(0.1).epsilon(0.1));
+	CHECK(longest(from_above, 110.0).unrest_m == test::near(0.1).epsilon(0.1));
 	const auto just_seen = [&](double t_s) { return from_rest(t_s + 0.9); };
 	// A quarter of the peak speed is reached after 0.145 of the time: 0.245 s after the first frame.
 	CHECK(longest(just_seen, 110.0).watched_s < 0.245);
@@ -162,22 +163,22 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 		Stroke turned = straight(0.2);
 		turned.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
 		turned.middle = 0.5 * turned.to;
-		CHECK(evidence(turned).size == doctest::Approx(evidence(straight(0.2)).size));
+		CHECK(evidence(turned).size == test::near(evidence(straight(0.2)).size));
 		return std::exp(evidence(turned).path - straightness) * 0.5 * std::sin(angle);
 	};
-	CHECK(integral(directions, std::numbers::pi) == doctest::Approx(1.0).epsilon(1e-3));
+	CHECK(integral(directions, std::numbers::pi) == test::near(1.0).epsilon(1e-3));
 	const auto bows = [&](double bow) {
 		Stroke bent = straight(0.2);
 		bent.middle.y() += 0.2 * bow;
 		return std::exp(evidence(bent).path - evidence(straight(0.2)).path + straightness) / LARGEST_BOW;
 	};
-	CHECK(integral(bows, 1.0) == doctest::Approx(1.0).epsilon(1e-3));
+	CHECK(integral(bows, 1.0) == test::near(1.0).epsilon(1e-3));
 	const auto detours = [](double detour) {
 		Stroke winding = straight(0.2);
 		winding.way_m = (1.0 + detour) * 0.2;
 		return std::exp(evidence(winding).detour) * other_detour(detour);
 	};
-	CHECK(integral(detours, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
+	CHECK(integral(detours, 10.0) == test::near(1.0).epsilon(1e-3));
 	const auto unrest = [](double amplitudes) {
 		Stroke stroke = straight(0.2);
 		stroke.unrest_m = 0.2 * amplitudes;
@@ -185,7 +186,7 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 		const double z = amplitudes / deviation;
 		return std::exp(evidence(stroke).rest - 0.5 * z * z) * std::sqrt(2.0 / std::numbers::pi) / deviation;
 	};
-	CHECK(integral(unrest, 10.0) == doctest::Approx(1.0).epsilon(1e-3));
+	CHECK(integral(unrest, 10.0) == test::near(1.0).epsilon(1e-3));
 }
 
 TEST_CASE(
@@ -201,7 +202,7 @@ TEST_CASE(
 		CAPTURE(times);
 		const double beyond = 1.0 - integral(density, times * MEAN);
 		const double expected = 0.9 * std::exp(-times) + 0.1 * std::exp(-times / 3.0);
-		CHECK(beyond / expected == doctest::Approx(1.0).epsilon(0.01));
+		CHECK(beyond / expected == test::near(1.0).epsilon(0.01));
 	}
 }
 
@@ -212,8 +213,8 @@ TEST_CASE("lengths are 0.15 below and 0.5 above the usual one, one pace in four 
 		stroke.middle = 0.5 * stroke.to;
 		return evidence(stroke).size;
 	};
-	CHECK(of_length(std::exp(-0.15)) == doctest::Approx(of_length(1.0) - 0.5).epsilon(1e-9));
-	CHECK(of_length(std::exp(0.5)) == doctest::Approx(of_length(1.0) - 0.5).epsilon(1e-9));
+	CHECK(of_length(std::exp(-0.15)) == test::near(of_length(1.0) - 0.5).epsilon(1e-9));
+	CHECK(of_length(std::exp(0.5)) == test::near(of_length(1.0) - 0.5).epsilon(1e-9));
 	const double lengths = integral(
 			[&](double log_times) { return std::exp(of_length(std::exp(log_times - 3.0))) / 3.7; }, 7.0);
 	const auto of_time = [](double time_s) {
@@ -225,7 +226,7 @@ TEST_CASE("lengths are 0.15 below and 0.5 above the usual one, one pace in four 
 			[&](double log_times) { return std::exp(of_time(0.1 * std::exp(log_times))) / 3.7 / 3.9; },
 			std::log(50.0));
 	// The integral over both densities is 1.
-	CHECK(lengths * both / std::exp(of_length(1.0)) * 3.7 == doctest::Approx(1.0).epsilon(0.01));
+	CHECK(lengths * both / std::exp(of_length(1.0)) * 3.7 == test::near(1.0).epsilon(0.01));
 }
 
 TEST_CASE("with the task known too: of direction, bow and start") {
@@ -268,28 +269,28 @@ TEST_CASE("with the task known too: of direction, bow and start") {
 						ball_m3;
 			},
 			1.5 * AMPLITUDE_M);
-	CHECK(best == doctest::Approx(-std::log(directions * bows * starts)).epsilon(1e-3));
+	CHECK(best == test::near(-std::log(directions * bows * starts)).epsilon(1e-3));
 
 	// Where on its way the hand was longest is no bow.
 	Stroke late = stroke({ 0.01, 0.0, 0.0 }, 0.1, 0.02);
 	const double path = evidence(late).path, of_task = evidence_at(late);
 	late.middle += 0.3 * (late.to - late.from);
-	CHECK(evidence(late).path == doctest::Approx(path).epsilon(1e-12));
-	CHECK(evidence_at(late) == doctest::Approx(of_task).epsilon(1e-12));
+	CHECK(evidence(late).path == test::near(path).epsilon(1e-12));
+	CHECK(evidence_at(late) == test::near(of_task).epsilon(1e-12));
 }
 
 TEST_CASE("a gesture of several strokes has 0.5 nats less, one without a time is none") {
 	Stroke stroke = straight(0.2);
 	const double alone = evidence(stroke).sum();
 	stroke.is_joined = true;
-	CHECK(evidence(stroke).sum() == doctest::Approx(alone - 0.5).epsilon(1e-12));
+	CHECK(evidence(stroke).sum() == test::near(alone - 0.5).epsilon(1e-12));
 	stroke = straight(0.2);
 	stroke.now_s = stroke.onset_s;
 	CHECK(evidence(stroke).sum() < -100.0);
 	// A way that rounding made shorter than its chord has no detour.
 	stroke = straight(0.2);
 	stroke.way_m = 0.2 * (1.0 - 1e-3);
-	CHECK(evidence(stroke).sum() == doctest::Approx(alone).epsilon(1e-12));
+	CHECK(evidence(stroke).sum() == test::near(alone).epsilon(1e-12));
 }
 
 TEST_CASE("a start counts as what the tracker showed or without its steps, whichever is nearer; of a radius, "
@@ -304,10 +305,10 @@ TEST_CASE("a start counts as what the tracker showed or without its steps, which
 		return task_evidence(stroke, start, way, 0.2);
 	};
 	const FeaturePlace along = FeaturePlace::UnitX(), larger = FeaturePlace::UnitW();
-	CHECK(at(0.03, 0.09, along) == doctest::Approx(at(0.03, 0.03, along)).epsilon(1e-12));
-	CHECK(at(0.09, 0.03, along) == doctest::Approx(at(0.03, 0.03, along)).epsilon(1e-12));
+	CHECK(at(0.03, 0.09, along) == test::near(at(0.03, 0.03, along)).epsilon(1e-12));
+	CHECK(at(0.09, 0.03, along) == test::near(at(0.03, 0.03, along)).epsilon(1e-12));
 	CHECK(at(0.09, 0.09, along) < at(0.03, 0.03, along) - 1.0);
-	CHECK(at(0.09, 0.09, larger) == doctest::Approx(at(0.0, 0.0, larger)).epsilon(1e-12));
+	CHECK(at(0.09, 0.09, larger) == test::near(at(0.0, 0.0, larger)).epsilon(1e-12));
 }
 
 TEST_CASE("no pace speaks against a gesture by more than the share of people who have their own") {

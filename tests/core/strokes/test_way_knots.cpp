@@ -1,5 +1,6 @@
 // Where a hand was, from places some time apart.
 
+#include "near.h"
 #include "strokes/way_knots.h"
 
 #include <doctest/doctest.h>
@@ -34,7 +35,7 @@ TEST_CASE("a way is straight between its places, and stays at the last one") {
 			CHECK((way.place_m(end_s + later_s) - at(0.2)).norm() == 0.0);
 			CHECK(way.stray_m(end_s, end_s + later_s + 0.5 * WayKnots::APART_S) == 0.0);
 		}
-		CHECK(way.stray_m(1.0, end_s + 1.0) == doctest::Approx(at(0.2).norm()));
+		CHECK(way.stray_m(1.0, end_s + 1.0) == test::near(at(0.2).norm()));
 		way.restart(1.0, at(0.0));
 	}
 }
