@@ -77,8 +77,6 @@ public:
 	virtual void pass_over_before(double t_s) = 0;
 	/// What is under way, and what of it is still to come, was another gesture's.
 	virtual void give_way(double t_s) = 0;
-	/// Another gesture is shown in place of this one, which has arrived.
-	virtual void leave_end(double /*t_s*/) {}
 	/// log of the posterior odds that the stroke under way leads back after the gesture, against anything
 	/// else, nats; -infinity while there is none, and where the task is known.
 	[[nodiscard]] virtual double log_odds_of_return() const { return -INFINITY; }

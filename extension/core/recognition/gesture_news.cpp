@@ -3,13 +3,12 @@
 namespace steadyhand {
 
 GestureShown shown_by(const GestureRecogniser &recogniser) {
-	using Stage = GestureFollower::Stage;
 	const GestureFollower *const follower = recogniser.follower();
-	if (follower == nullptr || follower->stage() == Stage::RESTING) {
+	if (follower == nullptr) {
 		return {};
 	}
 	return { recogniser.gesture(), follower->gestures_begun(), follower->state(),
-		follower->stage() == Stage::ARRIVED };
+		follower->stage() == GestureFollower::Stage::ARRIVED };
 }
 
 GestureNews news(const GestureShown &before, const GestureShown &now) {

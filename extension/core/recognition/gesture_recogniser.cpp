@@ -114,9 +114,7 @@ double GestureRecogniser::posterior(std::size_t follower) const {
 }
 
 double GestureRecogniser::confidence() const {
-	return follower() != nullptr && follower()->stage() != GestureFollower::Stage::RESTING
-			? posterior(shown())
-			: 0.0;
+	return leader_ >= 0 ? posterior(shown()) : 0.0;
 }
 
 bool GestureRecogniser::is_likely(std::size_t follower) const {
@@ -130,7 +128,7 @@ template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candida
 		if (!is_candidate(i)) {
 			continue;
 		}
-		if (const double odds = log_odds(i); best < 0 || odds > best_odds) {
+		if (const double odds = log_odds(i); odds > best_odds) {
 			best = static_cast<int>(i);
 			best_odds = odds;
 		}
@@ -202,8 +200,7 @@ void GestureRecogniser::settle() {
 	followers_[shown()]->tell_end();
 	ended_begun_s_ = follower()->begun_s();
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		const bool is_under_way = followers_[i]->stage() != GestureFollower::Stage::RESTING;
-		if (is_under_way && ends_to_the_side(shown(), i)) {
+		if (ends_to_the_side(shown(), i)) {
 			followers_[i]->give_way(time_s_);
 		}
 	}
@@ -242,9 +239,6 @@ void GestureRecogniser::lead(int follower) {
 		return;
 	}
 	const Motion before = motion(MotionSource::SYNTHESISED);
-	if (leader_ >= 0 && this->follower()->stage() == GestureFollower::Stage::ARRIVED) {
-		followers_[static_cast<std::size_t>(leader_)]->leave_end(time_s_);
-	}
 	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
 	leader_ = follower;
 	blend_.start(time_s_, before, synthesised(time_s_), rate_per_s);

@@ -16,8 +16,6 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 /// and is not believed for longer than that.
 constexpr double CREEPS = 0.03;
 constexpr double SETTLES_S = 3.0;
-/// Amplitudes: shorter strokes after the end are corrections, or the tracker's.
-constexpr double CORRECTION = 0.25;
 
 /// When the hand will stand, if it slows down now.
 double will_stand_s(double t_s, const Stroke &stroke) {
@@ -49,10 +47,9 @@ void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
 	moved_s_ = stood_s_ = will_stand_s(t_s, stroke);
 	furthest_m_ = gone_m;
 	may_set_out_s_ = INFINITY;
-	has_set_out_ = false;
 }
 
-void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
+void HeldEnd::follow(double t_s, const Stroke &stroke) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
 		stood_s_ = will_stand_s(t_s, stroke);
@@ -62,7 +59,6 @@ void HeldEnd::follow(double t_s, const Stroke &stroke, double amplitude_m) {
 	if (t_s - moved_s_ > HOLD_S) {
 		may_set_out_s_ = may_set_out_s();
 	}
-	has_set_out_ = has_set_out_ || (stroke.to - stroke.from).norm() > CORRECTION * amplitude_m;
 	moved_s_ = std::max(moved_s_, t_s);
 }
 
@@ -75,7 +71,7 @@ bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double am
 	if (t_s - moved_s_ <= HOLD_S) {
 		return false;
 	}
-	const bool may_settle = !has_set_out_ && t_s - stood_s_ <= SETTLES_S;
+	const bool may_settle = t_s - stood_s_ <= SETTLES_S;
 	return !may_settle || strokes.stray_m(t_s - HOLD_S, t_s) <= CREEPS * amplitude_m;
 }
 

@@ -22,7 +22,7 @@ public:
 	/// The gesture is over, by this stroke.
 	void end(double t_s, const Stroke &stroke, double gone_m);
 	/// Since the end: a hand that is still, or again, on its way.
-	void follow(double t_s, const Stroke &stroke, double amplitude_m);
+	void follow(double t_s, const Stroke &stroke);
 
 	/// Since the end.
 	[[nodiscard]] bool has_returned() const;
@@ -39,7 +39,6 @@ private:
 	double stood_s_ = 0.0;            ///< when the hand came to stand, or will
 	double moved_s_ = 0.0;            ///< when it was last on its way, or when it will stand
 	double may_set_out_s_ = INFINITY; ///< of what it has set out on since
-	bool has_set_out_ = false;        ///< on something else, since the end
 	double gone_m_ = 0.0, shown_m_ = 0.0;
 	double furthest_m_ = 0.0;       ///< since the end
 	double furthest_shown_m_ = 0.0; ///< since the beginning

@@ -19,7 +19,6 @@ public:
 	void confirm(double t_s) override;
 	void pass_over_before(double t_s) override { not_before_s_ = t_s; }
 	void give_way(double t_s) override;
-	void leave_end(double t_s) override { give_way(t_s); }
 	void miss(double t_s, const StrokeFinder &strokes) override;
 	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
 

@@ -109,7 +109,7 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
-		end_.follow(t_s, stroke, task().amplitude_m);
+		end_.follow(t_s, stroke);
 		log_odds_of_return_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
