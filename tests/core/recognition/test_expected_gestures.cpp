@@ -135,7 +135,36 @@ TEST_CASE("the way back may have begun before the end was told that brings its t
 	}
 }
 
-TEST_CASE("a frame that comes twice is passed over") {
+TEST_CASE("of a gesture that was expected three times two go on where it is expected twice") {
+	const ExpectedGesture drag = drag_at(HERE);
+	const std::vector<double> alone = run({ drag }, { drag }).values_m;
+	const Run fewer = run({ drag, drag, drag }, { drag, drag });
+	CHECK(fewer.now == std::vector{ 0, 1, -1 });
+	CHECK(fewer.values_m == alone);
+}
+
+TEST_CASE("a gesture that is expected from then on is shown as it is, with nothing of one that went") {
+	// The first one's motion is still being handed over to the second one's when both go.
+	const ExpectedGesture first{ model("first", X, false), std::nullopt };
+	const ExpectedGesture second{ model("second", Y, false), std::nullopt };
+	GestureRecogniser recogniser({ first, second });
+	const Drag up{ .onset_s = 2.0, .duration_s = 0.5, .amplitude_m = 0.2 };
+	double taken_over_s = INFINITY, left_m = INFINITY;
+	const Way way = [&](double t_s) {
+		taken_over_s = recogniser.gesture() == 1 ? std::min(taken_over_s, t_s) : taken_over_s;
+		if (left_m == INFINITY && t_s > taken_over_s + 0.02) {
+			recogniser.expect({ drag_at(THERE) });
+			const double with_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
+			const Motion own = recogniser.motion(MotionSource::SYNTHESISED, t_s + 1.0);
+			left_m = std::abs(with_m - own.value_m);
+		}
+		return Eigen::Vector3d(DRAG.x_m(t_s) * X + up.x_m(t_s) * Y);
+	};
+	watch(recogniser, way, 2.6);
+	CHECK(left_m < 1e-6);
+}
+
+TEST_CASE("a frame that comes twice, or late, is passed over") {
 	for (const std::optional<Task> &task : { std::optional(HERE), std::optional<Task>() }) {
 		GestureRecogniser once({ drag_at(task) }), twice({ drag_at(task) });
 		for (int i = 0; i < 220; ++i) {
@@ -145,6 +174,10 @@ TEST_CASE("a frame that comes twice is passed over") {
 			once.push(frame);
 			twice.push(frame);
 			twice.push(frame);
+			HandFrame late = frame;
+			late.t_s -= 0.005;
+			late.set(Joint::INDEX, 0.3 * Y);
+			twice.push(late);
 			for (const MotionSource source : { MotionSource::SYNTHESISED, MotionSource::AVERAGE }) {
 				REQUIRE(once.motion(source).value_m == twice.motion(source).value_m);
 			}

@@ -262,6 +262,15 @@ TEST_CASE("a hand that settles slowly at the end is followed there for longer th
 	}
 }
 
+TEST_CASE("an end is let go three seconds after the hand stood there, however the tracker wanders") {
+	const double stands_s = DRAG.onset_s + DRAG.duration_s;
+	const Way way = [](double t_s) {
+		return Eigen::Vector3d((DRAG.x_m(t_s) + 0.01 * std::sin(4.0 * t_s)) * X);
+	};
+	CHECK(in_the_open(way, stands_s + 2.5).last_value_m > 0.18);
+	CHECK(std::abs(in_the_open(way, stands_s + 3.5).last_value_m) < 1e-3);
+}
+
 TEST_CASE("a correction at the end leads nowhere else, and what settles after it is followed") {
 	const double stands_s = DRAG.onset_s + DRAG.duration_s, corrected_s = stands_s + 0.7;
 	for (const double corrects_m : { 0.03, 0.04 }) {

@@ -54,6 +54,22 @@ template <class Function> Shown shown(Function frame, double rate_hz, double len
 
 } // namespace
 
+TEST_CASE("a hand that drags with its fingers as they are after a zoom makes a drag") {
+	Tremor tremor(2e-4, 4);
+	const test::Drag drag{ .onset_s = 2.6, .duration_s = 0.6, .amplitude_m = 0.2 };
+	const auto frame = [&](double t_s) {
+		HandFrame seen =
+				fingers(t_s, CLOSED_M + GROWTH_M * minimum_jerk((t_s - OPENS_S) / 0.6).value, tremor);
+		for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {
+			seen.set(joint, seen.position(joint) + drag.x_m(t_s) * Y);
+		}
+		return seen;
+	};
+	const Shown both = shown(frame, 110.0, 4.0);
+	CHECK(both.ended == 1);
+	CHECK(both.drag_frames > 100);
+}
+
 TEST_CASE("a zoom's strokes are no drag of the index before a tracker that trembles by 1 mm") {
 	constexpr double OUT_S = 0.55, REST_S = 0.1, BACK_S = 1.0, PERIOD_S = 1.75;
 	constexpr int STROKES = 4;
