@@ -5,11 +5,36 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
+
+TEST_CASE(
+		"with the task known a hand counts that comes to its end from beside its start, or goes beside it") {
+	// Off the task's way by an angle; beside the start by shares of the way, to the end or as far beside
+	// that.
+	const auto ends_of = [](double angle_rad, double beside, double beside_end) {
+		int ended = 0;
+		for (const double duration_s : { 0.3, 0.6, 1.2 }) {
+			const Drag drag{ .onset_s = 1.2, .duration_s = duration_s, .amplitude_m = 1.0 };
+			const Way way = [&](double t_s) {
+				const double gone = drag.x_m(t_s), aside = beside + (beside_end - beside) * gone;
+				return Eigen::Vector3d(0.2 * (gone * X + (aside + gone * std::tan(angle_rad)) * Y));
+			};
+			ended += static_cast<int>(ends(in_a_task(way, 1.2 + duration_s + 1.5)));
+		}
+		return ended;
+	};
+	CHECK(ends_of(0.43, 0.0, 0.0) == 3);
+	CHECK(ends_of(0.61, 0.0, 0.0) == 0);
+	CHECK(ends_of(0.0, 0.35, 0.35) == 3);
+	CHECK(ends_of(0.0, 0.5, 0.5) == 0);
+	CHECK(ends_of(0.0, 0.6, 0.0) == 3);
+	CHECK(ends_of(0.0, 0.75, 0.0) == 0);
+}
 
 TEST_CASE("how sure a gesture is counts its own strokes only, from its first instant on") {
 	// There in two strokes, all the way back, and then off the task's way.
