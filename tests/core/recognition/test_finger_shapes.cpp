@@ -101,9 +101,13 @@ Outcome watch(const Opening &opening) {
 } // namespace
 
 TEST_CASE("fingers that open are a zoom, also where the hand moves meanwhile") {
-	CHECK(watch({}).ended == 1);
-	CHECK(watch({ .shift_m = { 0.03, 0.02, 0.0 } }).ended == 1);
-	CHECK(watch({ .shift_m = { 0.0, 0.0, -0.1 } }).ended == 1);
+	for (const Eigen::Vector3d &shift_m : { Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.03, 0.02, 0.0),
+				 Eigen::Vector3d(0.0, 0.0, -0.1) }) {
+		CAPTURE(shift_m.transpose());
+		const Outcome zoom = watch({ .shift_m = shift_m });
+		CHECK(zoom.ended == 1);
+		CHECK(zoom.off_m < 3e-4);
+	}
 }
 
 TEST_CASE("fingers that come into one line are no zoom, though their circle grows twofold") {
