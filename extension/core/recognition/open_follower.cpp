@@ -114,8 +114,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		}
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
 		const double yet = evidence.outlook + shortfall(stroke, strokes.speed_m_s(), task().amplitude_m);
-		const double rest = is_over(stroke, strokes) ? std::max(evidence.size, yet) : yet;
-		if (LOG_PRIOR_OPEN + evidence.so_far() + rest > 0.0) {
+		if (LOG_PRIOR_OPEN + evidence.so_far() + yet > 0.0) {
 			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
 			from_ = stroke.from;
 			way_ = axis_ = way;

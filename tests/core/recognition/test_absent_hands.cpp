@@ -59,6 +59,28 @@ TEST_CASE("a frame at the very instant at which a hand has been gone for long en
 	CHECK(at_once > 0);
 }
 
+TEST_CASE("with nothing given fingers that a zoom misses end no drag of the one that is seen") {
+	const Drag drag{ .onset_s = 0.6, .duration_s = 2.0, .amplitude_m = 0.2 };
+	const double lost_s = drag.onset_s + 1.0; // 0.3 s later the drag is at 0.76 of its way
+	GestureRecogniser recogniser({ zoom_model(0.016, 0.03), models()[0] }, std::nullopt, MotionMode::PHASE);
+	double ended_s = INFINITY;
+	for (int i = 0; i < 300; ++i) {
+		HandFrame frame;
+		frame.t_s = 0.01 * i;
+		frame.set(Joint::INDEX, (drag.x_m(frame.t_s) + 1e-4 * std::sin(3.0 * i)) * X);
+		if (frame.t_s < lost_s) {
+			frame.set(Joint::THUMB, frame.position(Joint::INDEX) - 0.03 * Y);
+			frame.set(Joint::MIDDLE, frame.position(Joint::INDEX) - 0.02 * Y + 0.02 * X);
+		}
+		recogniser.push(frame);
+		if (recogniser.gesture() == 1 && recogniser.follower()->stage() == GestureFollower::Stage::ARRIVED) {
+			ended_s = std::min(ended_s, frame.t_s);
+		}
+	}
+	CHECK(ended_s > drag.onset_s + 1.6); // 0.94
+	CHECK(ended_s < drag.onset_s + 2.0);
+}
+
 TEST_CASE("with nothing given a hand that is gone half-way has made none: that is said a second later") {
 	for (const Events &events :
 			{ in_the_open(along(X, { DRAG }), 4.0, HALF_WAY_S), frozen(HALF_WAY_S, 4.0) }) {

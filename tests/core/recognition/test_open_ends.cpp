@@ -29,6 +29,30 @@ TEST_CASE("a gesture that comes again soon after its way back needs no rest, a l
 	}
 }
 
+TEST_CASE("a row of taps needs one rest before it, a short one where the hand has been seen for long") {
+	const auto told = [](double first_s, const Drag &comes) {
+		std::vector<Drag> taps;
+		for (int i = 0; i < 4; ++i) {
+			const double down_s = first_s + 0.7 * i;
+			taps.push_back({ .onset_s = down_s, .duration_s = 0.3, .amplitude_m = 0.2 });
+			taps.push_back({ .onset_s = down_s + 0.32, .duration_s = 0.3, .amplitude_m = -0.2 });
+		}
+		const Way way = [&](double t_s) {
+			return Eigen::Vector3d(comes.x_m(t_s) * (X + Y).normalized() - x_m(taps, t_s) * Z);
+		};
+		return in_the_open(way, first_s + 4 * 0.7 + 0.5).said;
+	};
+	for (const double seen_s : { 0.3, 0.4, 1.0 }) {
+		CAPTURE(seen_s);
+		CHECK(told(seen_s, { .amplitude_m = 0.0 }) == times(4, "push"));
+	}
+	for (const double rests_s : { 0.1, 0.15, 0.2 }) {
+		CAPTURE(rests_s);
+		const Drag comes{ .onset_s = 1.5, .duration_s = 0.5, .amplitude_m = 0.06 };
+		CHECK(told(2.0 + rests_s, comes) == times(4, "push"));
+	}
+}
+
 TEST_CASE("what little follows a gesture's end is the tracker's error, a long way aside is the hand's own") {
 	struct Tail {
 		double angle, amplitudes;
