@@ -17,9 +17,6 @@ constexpr double SURE = 1.5;
 /// than this, amplitudes: what follows is the tracker's error.
 constexpr double SLOWED = 0.5;
 constexpr double TAIL = 0.25;
-/// A gesture that comes again competes with others as if a rest had been seen before it, nats: a small
-/// gesture's hand has not settled while a large one's has.
-constexpr double AGAIN = 2.0;
 /// At rest at the end a hand is shown to stray as far as trembling goes, and so many times as far as it did
 /// before the gesture, but no further than this, amplitudes.
 constexpr double STRAYS = 2.0;
@@ -68,8 +65,7 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 			likely_s_ = t_s;
 			furthest_ = std::max(furthest_, amplitudes(stroke));
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
-			const double again = comes_again(stroke) ? std::max(AGAIN - evidence.rest, 0.0) : 0.0;
-			under_way = std::max(under_way, path + again);
+			under_way = std::max(under_way, path);
 			set_log_odds(under_way);
 		} else if (best < HOPELESS && (furthest_ < BARELY_BEGUN || amplitudes(stroke) > WELL_UNDER_WAY)) {
 			is_hopeless = true;
