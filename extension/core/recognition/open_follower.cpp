@@ -97,14 +97,23 @@ double OpenFollower::gone_m(const StrokeFinder &strokes) const {
 	return (strokes.place_m() - from_).dot(way_);
 }
 
+/// What the hand did in the last second, as one, is long and led anywhere but along the gesture.
+bool OpenFollower::goes_elsewhere(const StrokeFinder &strokes) const {
+	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
+		const double best = LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
+		return best < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY;
+	});
+}
+
 void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const bool has_stroke = !strokes.strokes().empty();
 	start_ = has_stroke ? strokes.strokes().front().seen_from : last_place();
 	way_ = feature().direction(task());
 	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
+	const bool elsewhere = goes_elsewhere(strokes);
 	for (const Stroke &stroke : strokes.strokes()) {
-		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
+		const double least = elsewhere || stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || stroke.entry_share > ENTERS_AT) {
 			continue;
 		}

@@ -27,6 +27,8 @@ private:
 	/// Strokes, amplitudes: shorter ones do not say where they go, and from the other on they are well under
 	/// way.
 	static constexpr double SHORTEST = 0.12, WELL_UNDER_WAY = 0.3;
+	/// log odds, at the best that may come, below which a stroke is none.
+	static constexpr double HOPELESS = -8.0;
 
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
 	FeaturePlace start_ = FeaturePlace::Zero();        ///< of the motion element
@@ -56,6 +58,7 @@ private:
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool goes_elsewhere(const StrokeFinder &strokes) const;
 	void dismiss(double t_s);
 
 	/// How far a place is along the way, m.

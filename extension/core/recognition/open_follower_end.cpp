@@ -5,10 +5,8 @@
 namespace steadyhand {
 namespace {
 
-/// log odds, at the best that may come, below which for so long a stroke was none after all: one that is well
-/// under way, or any where the gesture has come no further than this, amplitudes. It begins again where it is
-/// well under way.
-constexpr double HOPELESS = -8.0;
+/// A stroke that is hopeless for so long was none after all: one that is well under way, or any where the
+/// gesture has come no further than this, amplitudes. It begins again where it is well under way.
 constexpr double HOPELESS_S = 0.1;
 constexpr double BARELY_BEGUN = 0.2;
 /// log odds from which on an end is taken before the hand has come to it.
