@@ -97,11 +97,11 @@ double OpenFollower::gone_m(const StrokeFinder &strokes) const {
 	return (strokes.place_m() - from_).dot(way_);
 }
 
-/// What the hand did in the last second, as one, is long and led anywhere but along the gesture.
+/// What the hand does, or did in several strokes, leads anywhere but along the gesture.
 bool OpenFollower::goes_elsewhere(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
-		const double best = LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
-		return best < HOPELESS && amplitudes(stroke) > WELL_UNDER_WAY;
+		return stroke.onset_s >= not_before_s_ &&
+				LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m) < HOPELESS;
 	});
 }
 
@@ -111,14 +111,14 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	way_ = feature().direction(task());
 	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
-	const bool elsewhere = goes_elsewhere(strokes);
 	for (const Stroke &stroke : strokes.strokes()) {
-		const double least = elsewhere || stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
+		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || stroke.entry_share > ENTERS_AT) {
 			continue;
 		}
 		const FeaturePlace way = way_of(stroke);
-		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task().amplitude_m) < 0.0) {
+		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task().amplitude_m) < 0.0 ||
+				(amplitudes(stroke) < WELL_UNDER_WAY && goes_elsewhere(strokes))) {
 			continue;
 		}
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);

@@ -83,6 +83,23 @@ TEST_CASE(
 	}
 }
 
+TEST_CASE("soon after a hand went elsewhere a gesture begins once it is well under way, and is told as any") {
+	const Drag elsewhere{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = 0.15 };
+	for (const double rests_s : { 0.3, 0.5, 0.8 }) {
+		for (const double far_m : { 0.05, 0.2 }) {
+			CAPTURE(rests_s);
+			CAPTURE(far_m);
+			const Drag drag{ .onset_s = 1.5 + rests_s, .duration_s = 0.7, .amplitude_m = far_m };
+			const Way way = [&](double t_s) {
+				return Eigen::Vector3d(elsewhere.x_m(t_s) * (Y - X).normalized() + drag.x_m(t_s) * X);
+			};
+			const Events events = in_the_open(way, drag.onset_s + 1.5);
+			CHECK(count(events, "started sideways") == (far_m < 0.1 ? 0 : 1));
+			CHECK(count(events, "ended sideways") == (far_m < 0.1 ? 0 : 1));
+		}
+	}
+}
+
 TEST_CASE("a hand that moves an eighth of a gesture's way along it and slows down begins none") {
 	for (const double duration_s : { 0.2, 0.5, 1.0 }) {
 		for (const double share : { 0.13, 0.14, 0.15 }) {
