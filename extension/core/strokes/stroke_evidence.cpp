@@ -16,7 +16,7 @@ namespace {
 constexpr double TURNED = 0.35;
 constexpr double YET_TO_TURN = 0.35;
 constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
-/// About a task's axis: radians, each of two; aim and the tracker's error.
+/// About the way to a task's end: radians, each of two; aim and the tracker's error.
 constexpr double ANGLE = 0.11;
 /// Mean distance from the chord, in its lengths, within which a way is bowed.
 constexpr double BOW = 0.18;
@@ -164,6 +164,7 @@ FeaturePlace off_start(
 	const FeaturePlace steadied = off(stroke.from), seen = off(stroke.seen_from);
 	return steadied.squaredNorm() < seen.squaredNorm() ? steadied : seen;
 }
+
 double start_evidence(const Stroke &stroke, const FeaturePlace &off_start_m, double amplitude_m) {
 	return (stroke.entry_share > 0.0 ? LOG_ENTRIES - UNSEEN : LOG_STARTS) -
 			0.5 * off_start_m.squaredNorm() / (START * START * amplitude_m * amplitude_m);
