@@ -97,11 +97,15 @@ double OpenFollower::gone_m(const StrokeFinder &strokes) const {
 	return (strokes.place_m() - from_).dot(way_);
 }
 
+/// A bound on the log odds that the stroke, or what is still to come of it, could come to; quickly told.
+double OpenFollower::most_odds(const Stroke &stroke) const {
+	return LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
+}
+
 /// What the hand does, or did in several strokes, leads anywhere but along the gesture.
 bool OpenFollower::goes_elsewhere(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
-		return stroke.onset_s >= not_before_s_ &&
-				LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m) < HOPELESS;
+		return stroke.onset_s >= not_before_s_ && most_odds(stroke) < HOPELESS;
 	});
 }
 
@@ -116,11 +120,10 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || stroke.entry_share > ENTERS_AT) {
 			continue;
 		}
-		const FeaturePlace way = way_of(stroke);
-		if (LOG_PRIOR_OPEN + most_evidence(stroke, way, task().amplitude_m) < 0.0 ||
-				(amplitudes(stroke) < WELL_UNDER_WAY && goes_elsewhere(strokes))) {
+		if (most_odds(stroke) < 0.0 || (amplitudes(stroke) < WELL_UNDER_WAY && goes_elsewhere(strokes))) {
 			continue;
 		}
+		const FeaturePlace way = way_of(stroke);
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
 		const double yet = evidence.outlook + shortfall(stroke, strokes.speed_m_s(), task().amplitude_m);
 		if (LOG_PRIOR_OPEN + evidence.so_far() + yet > 0.0) {

@@ -58,6 +58,7 @@ private:
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
+	[[nodiscard]] double most_odds(const Stroke &stroke) const;
 	[[nodiscard]] bool goes_elsewhere(const StrokeFinder &strokes) const;
 	void dismiss(double t_s);
 
