@@ -46,7 +46,8 @@ void GestureHMM::reset() {
 void GestureHMM::give_up_shown(const StringName &p_gesture) {
 	const Watch watch(listeners_);
 	const steadyhand::GestureShown before = std::exchange(shown_, {});
-	if (before.gesture >= 0 && !before.arrived) {
+	const bool is_told = !std::exchange(is_start_untold_, false);
+	if (before.gesture >= 0 && !before.arrived && is_told) {
 		emit_signal(names_.gesture_aborted, p_gesture);
 	}
 	if (before.state >= 0 && !watch.is_gone() && shown_.state < 0) {
@@ -153,14 +154,15 @@ void GestureHMM::publish() {
 	// What was recognised before a script changed settings is no news after that.
 	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
-	const auto is_valid = [&] {
-		return !watch.is_gone() && build_ == this_build && !outdated_ && !expects_others_;
-	};
+	// Other models or tasks are taken up after this instant.
+	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
 	++telling_;
+	is_start_untold_ = news.started;
 	if (news.aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
 	if (news.started && is_valid()) {
+		is_start_untold_ = false;
 		emit_signal(names_.gesture_started, gesture);
 	}
 	if (news.state_changed && is_valid()) {

@@ -140,6 +140,7 @@ private:
 	double time_s_ = 0.0;
 	steadyhand::GestureShown shown_; ///< of expected_, as of the last control instant
 	StringName recognised_;
+	bool is_start_untold_ = false; ///< of the gesture in shown_, while a signal of the same instant is told
 	uint32_t gestures_begun_ = 0;
 	String warned_;
 	int task_changes_ = 0;                        ///< since a gesture last ended

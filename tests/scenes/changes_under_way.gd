@@ -167,6 +167,43 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 		_free(hmm)
 
 
+func test_all_of_an_instant_is_told_whatever_its_handlers_set() -> void:
+	for told: StringName in [&"gesture_started", &"gesture_aborted", &"state_changed"]:
+		for sets: StringName in [&"models", &"reset"]:
+			var starts := 0
+			# Zooms before a bad tracker, of which some look like a drag of the index at first.
+			for subject: int in [0, 4, 8, 12, 16, 20]:
+				var hmm := _hmm(["zoom", "tap", "vertical_drag", "horizontal_drag"], [])
+				var tracker := hmm.tracker
+				tracker.source = HandTracker.SOURCE_SYNTHETIC
+				tracker.synthetic_gesture = "zoom"
+				tracker.synthetic_position = HandTracker.POSITION_UNSTABLE
+				tracker.synthetic_subject = subject
+				tracker.synthetic_seed = subject
+				tracker.start()
+				_listen(hmm)
+				var states: Array[int] = [-1]
+				hmm.state_changed.connect(func(state: int) -> void: states.append(state))
+				var set_again := func() -> void:
+					if sets == &"reset":
+						hmm.reset()
+					else:
+						hmm.models = hmm.models
+				hmm.connect(told, set_again.unbind(1))
+				var mistakes := 0
+				for frame in 400:
+					tracker.advance(0.01)
+					mistakes += int(states[-1] != hmm.state)
+				var is_under_way := false
+				for event in _said:
+					mistakes += int(is_under_way == (event == "started"))
+					is_under_way = event == "started"
+				starts += _said.count("started")
+				check_equal(mistakes, 0, "%s in %s, subject %d" % [sets, told, subject])
+				_free(hmm)
+			check(starts > 5, "there were gestures")
+
+
 func test_a_recording_goes_on_where_another_cannot_be_begun() -> void:
 	var folder := DirAccess.create_temp("steadyhand_changes")
 	var path := folder.get_current_dir().path_join("kept.csv")
