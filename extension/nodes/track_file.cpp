@@ -3,6 +3,8 @@
 #include "conversions.h"
 #include "text_file.h"
 
+#include <godot_cpp/core/error_macros.hpp>
+
 namespace godot {
 
 steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
@@ -10,7 +12,15 @@ steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
 	if (!text) {
 		return steadyhand::Error{ text.error() };
 	}
-	return steadyhand::parse_track_csv(text.value(), to_core(p_path));
+	steadyhand::TrackReading reading = steadyhand::read_track_csv(text.value(), to_core(p_path));
+	if (reading.error && !reading.is_cut_off) {
+		return *std::move(reading.error);
+	}
+	if (reading.error) {
+		WARN_PRINT(to_godot(reading.error->message) + String(": it was cut off; the ") +
+				itos(static_cast<int64_t>(reading.track.frames.size())) + String(" rows before it are read"));
+	}
+	return std::move(reading.track);
 }
 
 } // namespace godot

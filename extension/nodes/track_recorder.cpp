@@ -46,11 +46,26 @@ void TrackRecorder::flush() {
 	PackedByteArray bytes;
 	bytes.resize(static_cast<int64_t>(rows_.size()));
 	std::copy(rows_.begin(), rows_.end(), bytes.ptrw());
-	rows_.clear();
+	const std::uint64_t begin = file_->get_position();
 	file_->store_buffer(bytes);
-	if (!is_written(file_)) {
+	if (is_written(file_)) {
+		rows_.clear();
+	} else {
 		complain(": recording fails, rows are being lost; is the disk full?");
+		keep_whole_rows(begin);
 	}
+}
+
+/// Of rows_, which were to be written from there on: the file ends with a row that is whole, and what it
+/// does not hold is tried again, until there is too much of it.
+void TrackRecorder::keep_whole_rows(std::uint64_t p_begin) {
+	const std::uint64_t end = file_->get_length();
+	std::size_t held = end > p_begin ? static_cast<std::size_t>(end - p_begin) : 0;
+	held = held > 0 ? rows_.rfind('\n', held - 1) + 1 : 0; // npos + 1 is 0
+	rows_.erase(0, rows_.size() > CAPACITY_BYTES ? rows_.size() : held);
+	const auto whole = static_cast<int64_t>(p_begin + held);
+	file_->resize(whole);
+	file_->seek(static_cast<std::uint64_t>(whole));
 }
 
 void TrackRecorder::complain(const char *p_what) {

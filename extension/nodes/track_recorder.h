@@ -13,7 +13,8 @@
 namespace godot {
 
 /// Writes frames to a track CSV as they come. What has been written stays readable whatever happens: rows
-/// reach the disk at least once a second of the frames' own time, and when the recorder goes.
+/// reach the disk at least once a second of the frames' own time, and when the recorder goes; of a disk that
+/// is full the file has whole rows.
 class TrackRecorder {
 public:
 	/// Reports in the log why it cannot write there. p_owner outlives it.
@@ -39,6 +40,7 @@ private:
 	bool complained_ = false;
 
 	void flush();
+	void keep_whole_rows(std::uint64_t p_begin);
 	void complain(const char *p_what);
 };
 

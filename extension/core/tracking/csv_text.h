@@ -20,6 +20,7 @@ public:
 
 	/// False at the end of the text. A line comes without its line break.
 	bool next(std::string_view &r_line);
+	[[nodiscard]] bool are_over() const { return rest_.empty(); }
 	/// 1 for the first line; the one that next() gave last.
 	[[nodiscard]] std::size_t line_number() const { return line_number_; }
 

@@ -67,7 +67,8 @@ std::pair<std::string, std::string> parse_metadata(std::string_view line) {
 
 class TrackReader {
 public:
-	TrackReader(std::string_view text, std::string_view source_name) : lines_(text), source_(source_name) {}
+	TrackReader(std::string_view text, std::string_view source_name) :
+			lines_(text), source_(source_name), ends_in_line_(!text.ends_with('\n')) {}
 
 	TrackReading read() {
 		reading_.error = read_metadata_and_header();
@@ -78,6 +79,7 @@ public:
 				break;
 			}
 			reading_.error = read_row(line);
+			reading_.is_cut_off = reading_.error && ends_in_line_ && lines_.are_over();
 		}
 		return std::move(reading_);
 	}
@@ -202,6 +204,7 @@ private:
 
 	CsvLines lines_;
 	std::string_view source_;
+	bool ends_in_line_;
 	Header header_;
 	TrackReading reading_;
 	std::vector<std::string_view> cells_;

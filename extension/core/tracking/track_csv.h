@@ -26,9 +26,10 @@ struct TrackColumns {
 struct TrackReading {
 	Track track;
 	std::optional<Error> error;
+	bool is_cut_off = false; ///< that is the last line, and has no line break
 };
 
-/// For a recording that was cut off: keeps every frame before the cut. `source_name` stands in the error
+/// For a recording that may be cut off: keeps every frame before the cut. `source_name` stands in the error
 /// message.
 [[nodiscard]] TrackReading read_track_csv(std::string_view text, std::string_view source_name);
 

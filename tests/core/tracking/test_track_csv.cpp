@@ -194,6 +194,10 @@ TEST_SUITE("track CSV") {
 		CHECK(reading.track.unknown_columns[0].cells.size() == 2);
 		REQUIRE(reading.error);
 		CHECK(reading.error->message == "a.csv:4: index_z: the row ends after 3 cells of 5");
+		CHECK(reading.is_cut_off);
+		CHECK_FALSE(read_track_csv(whole, "a.csv").is_cut_off);
+		CHECK_FALSE(read_track_csv(whole.substr(0, whole.size() - 5) + "\n", "a.csv").is_cut_off);
+		CHECK_FALSE(read_track_csv("t,index_x", "a.csv").is_cut_off);
 	}
 
 	TEST_CASE("every cut of a recording gives either a track or one error, never more frames than it had") {
