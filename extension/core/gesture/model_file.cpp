@@ -4,7 +4,9 @@
 #include "gesture/json_fields.h"
 #include "gesture/reference_curve.h"
 #include "gesture/task.h"
+#include "tracking/csv_text.h"
 #include "tracking/frame.h"
+#include "tracking/trial_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +116,12 @@ Provenance provenance_from_json(const Json &json) {
 	return provenance;
 }
 
+/// Of the byte that is the `byte`th.
+std::ptrdiff_t line_at(std::string_view text, std::size_t byte) {
+	const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
+	return 1 + std::count(before.begin(), before.end(), '\n');
+}
+
 GestureModel model_from_json(const Json &json) {
 	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
 		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
@@ -123,6 +131,10 @@ GestureModel model_from_json(const Json &json) {
 	}
 	GestureModel model;
 	model.gesture = text(json, "gesture");
+	if (const std::string_view fault = file_name_fault(model.gesture); !fault.empty()) {
+		throw Fault(
+				json["gesture"], "gesture: " + steadyhand::quoted(model.gesture) + " " + std::string(fault));
+	}
 	model.feature = text(json, "feature");
 	if (find_feature(model.feature) == nullptr) {
 		throw Fault(json["feature"], "feature: there is no feature '" + model.feature + "'");
@@ -140,6 +152,9 @@ GestureModel model_from_json(const Json &json) {
 			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * model.duration_mean_s);
 	model.reference_mean = reference(json, "reference_mean");
 	model.reference_deviation = reference(json, "reference_deviation");
+	if (!(model.reference_deviation.minCoeff() >= 0.0)) {
+		throw Fault(json["reference_deviation"], "reference_deviation: less than 0");
+	}
 
 	const Json &quantiser = member(json, "quantiser");
 	const Eigen::MatrixXd codebook = matrix(quantiser, "codebook", false);
@@ -228,14 +243,16 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 		document = Json::parse(text);
 		return model_from_json(document);
 	} catch (const Json::parse_error &fault) {
-		const std::string_view before = text.substr(0, fault.byte > 0 ? fault.byte - 1 : 0);
-		const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-		return Error{ source + ":" + std::to_string(line) + ": not valid JSON" +
+		return Error{ source + ":" + std::to_string(line_at(text, fault.byte)) + ": not valid JSON" +
 			(fault.byte > text.size() ? ": the file ends here" : "") };
 	} catch (const Json::exception &fault) {
-		// The library's own label before it, as [json.exception.out_of_range.406], says nothing to a user.
+		// "[json.exception.out_of_range.406] number overflow parsing '1e999'": where that is it does not say.
 		const std::string_view what = fault.what();
-		return Error{ source + ": " + std::string(what.substr(what.find("] ") + 2)) };
+		const std::size_t begin = what.find('\''), end = what.rfind('\'');
+		const bool names_number = begin < end && end != std::string_view::npos;
+		const std::size_t at = names_number ? text.find(what.substr(begin + 1, end - begin - 1)) : 0;
+		return Error{ source + ":" + std::to_string(line_at(text, at + 1)) + ": " +
+			std::string(what.substr(what.find("] ") + 2)) };
 	} catch (const Fault &fault) {
 		return Error{ source + ":" + std::to_string(line_of(text, document, *fault.place)) + ": " +
 			fault.what() };

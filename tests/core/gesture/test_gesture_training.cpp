@@ -356,7 +356,7 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 	const auto last_line = 1 + std::count(cut.begin(), cut.end(), '\n');
 	CHECK(parse_model(cut, "a.gesture").error() ==
 			"a.gesture:" + std::to_string(last_line) + ": not valid JSON: the file ends here");
-	CHECK(replaced("\"version\": 1", "\"version\": 1e400") == "a.gesture: number overflow parsing '1e400'");
+	CHECK(replaced("\"version\": 1", "\"version\": 1e400") == "a.gesture:3: number overflow parsing '1e400'");
 	CHECK(parse_model("\n[1, 2]", "a.gesture").error() ==
 			"a.gesture:2: format: not a steadyhand-gesture file");
 	const auto at = [&](const std::string &key) {

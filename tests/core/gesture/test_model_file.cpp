@@ -111,6 +111,15 @@ TEST_CASE("a model file is refused where a number could not be one of a model") 
 	}
 }
 
+TEST_CASE("a model file is refused where its gesture has no name that a file may have") {
+	CHECK(error_of([](Json &r_file) { r_file["gesture"] = ""; }) == "a.gesture:1: gesture: '' is empty");
+	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a/b"; }) ==
+			"a.gesture:1: gesture: 'a/b' has a character that no file name may have");
+	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a circle"; }).empty());
+	CHECK(error_of([](Json &r_file) { r_file["reference_deviation"][4] = -3.0; }) ==
+			"a.gesture:1: reference_deviation: less than 0");
+}
+
 TEST_CASE("a model file is refused where a duration or deviation would make the motion no number") {
 	for (const double mean_s : { 1e-300, -1.0, 1e200 }) {
 		const std::string wanted = "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600";
