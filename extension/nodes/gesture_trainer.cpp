@@ -164,10 +164,13 @@ void GestureTrainer::_bind_methods() {
 	ClassDB::bind_static_method("GestureTrainer", D_METHOD("get_version"), &GestureTrainer::get_version);
 
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "feature"), "set_feature", "get_feature");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::INT, "states", PROPERTY_HINT_RANGE, "1,20"), "set_states", "get_states");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "symbols", PROPERTY_HINT_RANGE, "1,1024"), "set_symbols",
-			"get_symbols");
+	const auto up_to = [](int p_most) { return String("1,") + itos(p_most); };
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "states", PROPERTY_HINT_RANGE,
+						 up_to(steadyhand::TrainingOptions::MOST_STATES)),
+			"set_states", "get_states");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "symbols", PROPERTY_HINT_RANGE,
+						 up_to(steadyhand::TrainingOptions::MOST_SYMBOLS)),
+			"set_symbols", "get_symbols");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "r2_threshold", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_r2_threshold", "get_r2_threshold");
 

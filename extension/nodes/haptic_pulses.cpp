@@ -5,13 +5,6 @@
 
 namespace godot {
 
-namespace {
-
-/// Of a joypad's motors the light one turns faster than this, the heavy one more slowly.
-constexpr double HEAVY_BELOW_HZ = 100.0;
-
-} // namespace
-
 void ControllerPulses::send(const steadyhand::Pulse &p_pulse) {
 	XRNode3D *const controller = Object::cast_to<XRNode3D>(ObjectDB::get_instance(controller_id_));
 	if (controller != nullptr) {
@@ -22,13 +15,12 @@ void ControllerPulses::send(const steadyhand::Pulse &p_pulse) {
 
 void JoypadPulses::send(const steadyhand::Pulse &p_pulse) {
 	Input *const input = Input::get_singleton();
-	const auto amplitude = static_cast<float>(p_pulse.amplitude);
 	if (p_pulse.amplitude <= 0.0) {
 		input->stop_joy_vibration(joypad_);
-	} else if (p_pulse.frequency_hz < HEAVY_BELOW_HZ) {
-		input->start_joy_vibration(joypad_, 0.0F, amplitude, static_cast<float>(p_pulse.duration_s));
 	} else {
-		input->start_joy_vibration(joypad_, amplitude, 0.0F, static_cast<float>(p_pulse.duration_s));
+		const auto light = static_cast<float>(p_pulse.amplitude - p_pulse.low);
+		const auto heavy = static_cast<float>(p_pulse.low);
+		input->start_joy_vibration(joypad_, light, heavy, static_cast<float>(p_pulse.duration_s));
 	}
 }
 

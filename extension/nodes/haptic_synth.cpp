@@ -18,10 +18,12 @@ namespace godot {
 
 namespace {
 
-/// How far ahead the motion is told to those who make its samples: more than a frame of a slow game, a mix
-/// and the latency of device and output together.
+/// How far ahead of what is felt the motion is told to those who make its samples: more than a frame of a
+/// slow game and a mix together.
 constexpr std::size_t AHEAD_KNOTS = 13;
 constexpr double AHEAD_PERIOD_S = 0.01;
+/// A script that has not asked for samples for so long has done with them: nothing is kept for it.
+constexpr double BUFFER_KEPT_S = 10.0;
 /// A scene's scripts have set it up by then.
 constexpr double SETTLING_S = 1.0;
 constexpr int MOST_BUFFER_FRAMES = 1 << 20;
@@ -62,7 +64,7 @@ void HapticSynth::on_motion_started() {
 	arrivals_.restart();
 	strength_ = {};
 	effects_are_set_ = false;
-	told_s_ = NOT_TOLD;
+	told_s_ = buffer_kept_s_ = NOT_TOLD;
 	for_each_sink([](HapticSink &sink) { sink.start_anew(); });
 }
 
@@ -97,6 +99,11 @@ void HapticSynth::on_motion_known() {
 		return;
 	}
 	told_s_ = gesture_hmm_->get_time();
+	if (std::isnan(buffer_kept_s_)) {
+		buffer_kept_s_ = told_s_ + BUFFER_KEPT_S;
+	} else if (told_s_ > buffer_kept_s_) {
+		buffer_.reset();
+	}
 	bool any_live = false;
 	for_each_sink([&](const HapticSink &sink) { any_live = any_live || sink.is_live(); });
 	if (!any_live) {
@@ -112,8 +119,12 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 	const double now_s = gesture_hmm_->get_time();
 	snapshot.time_s = now_s;
 	snapshot.period_s = AHEAD_PERIOD_S;
-	snapshot.count = AHEAD_KNOTS;
-	for (std::size_t i = 0; i < AHEAD_KNOTS; ++i) {
+	const double output_s = bus_sink_ ? bus_sink_->output_latency_s : 0.0;
+	const double device_s = device_.is_valid() ? device_->get_latency() : 0.0;
+	constexpr auto MOST = steadyhand::MotionSnapshot::MOST_KNOTS;
+	const double late = std::ceil((output_s + device_s) / AHEAD_PERIOD_S);
+	snapshot.count = late < MOST ? std::min(AHEAD_KNOTS + static_cast<std::size_t>(late), MOST) : MOST;
+	for (std::size_t i = 0; i < snapshot.count; ++i) {
 		const MotionInstant instant =
 				gesture_hmm_->motion_at(now_s + AHEAD_PERIOD_S * static_cast<double>(i));
 		snapshot.amplitude_m = instant.amplitude_m;
@@ -121,7 +132,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 	}
 	snapshot.arrival = arrivals_.last();
 	snapshot.expected = arrivals_.expected(snapshot, now_s);
-	for (std::size_t i = 0; i < AHEAD_KNOTS; ++i) {
+	for (std::size_t i = 0; i < snapshot.count; ++i) {
 		const double time_s = now_s + AHEAD_PERIOD_S * static_cast<double>(i);
 		snapshot.knots[i].moving =
 				arrivals_.is_moving() && (snapshot.expected.number == 0 || time_s < snapshot.expected.time_s);
@@ -129,8 +140,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 	snapshot.fit();
 	// The motion is told of once a frame, and is half a frame old when it is heard of on average.
 	const double age_s = is_inside_tree() ? 0.5 * get_process_delta_time() : 0.0;
-	const double device_s = device_.is_valid() ? device_->get_latency() : 0.0;
-	motion.heard_s = now_s + age_s + output_latency_s_ + device_s;
+	motion.heard_s = std::min(now_s + age_s + device_s, snapshot.end_s());
 	return motion;
 }
 
@@ -332,6 +342,7 @@ PackedVector2Array HapticSynth::get_buffer(int p_frames) {
 	ERR_FAIL_COND_V_MSG(p_frames < 0 || p_frames > MOST_BUFFER_FRAMES, PackedVector2Array(),
 			String("HapticSynth: frames must be in 0..") + itos(MOST_BUFFER_FRAMES));
 	is_read_ = true;
+	buffer_kept_s_ = NOT_TOLD;
 	if (!buffer_) {
 		buffer_ = std::make_unique<BufferSink>(buffer_sample_rate_hz_);
 		add_sink(*buffer_);

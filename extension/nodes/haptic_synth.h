@@ -13,6 +13,7 @@
 #include <godot_cpp/variant/packed_vector2_array.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
+#include <algorithm>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -78,6 +79,15 @@ private:
 	static constexpr int NO_JOYPAD = -1;
 	static constexpr double NOT_TOLD = std::numeric_limits<double>::quiet_NaN();
 
+	struct BusSink : LiveSink {
+		double output_latency_s = 0.0;
+
+		void play(const steadyhand::LiveMotion &p_motion) override {
+			steadyhand::LiveMotion heard = p_motion;
+			heard.heard_s = std::min(heard.heard_s + output_latency_s, heard.snapshot.end_s());
+			LiveSink::play(heard);
+		}
+	};
 	/// For a script that takes samples as it needs them.
 	struct BufferSink : LiveSink {
 		explicit BufferSink(int p_rate_hz) : vibration(link(), p_rate_hz, 2) {}
@@ -114,13 +124,13 @@ private:
 	double ready_for_s_ = 0.0;     ///< in frames of the game
 
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
-	std::unique_ptr<LiveSink> bus_sink_;
+	std::unique_ptr<BusSink> bus_sink_;
 	double mix_rate_hz_ = 0.0; ///< of player_
-	double output_latency_s_ = 0.0;
 	std::unique_ptr<HapticPulses> controller_pulses_;
 	std::unique_ptr<HapticPulses> joypad_pulses_;
 	PackedStringArray told_; ///< what was missing when it was last looked at
 	std::unique_ptr<BufferSink> buffer_;
+	double buffer_kept_s_ = NOT_TOLD; ///< until then, if nobody asks for samples
 	std::unique_ptr<HapticWav> wav_;
 	bool wav_wanted_ = false; ///< opened with the first motion
 

@@ -75,11 +75,11 @@ void HapticSynth::update_player() {
 }
 
 void HapticSynth::make_player() {
-	bus_sink_ = std::make_unique<LiveSink>();
+	bus_sink_ = std::make_unique<BusSink>();
 	bus_sink_->link()->tables = tables_;
 	add_sink(*bus_sink_);
 	mix_rate_hz_ = AudioServer::get_singleton()->get_mix_rate();
-	output_latency_s_ = AudioServer::get_singleton()->get_output_latency();
+	bus_sink_->output_latency_s = AudioServer::get_singleton()->get_output_latency();
 	Ref<HapticStream> stream;
 	stream.instantiate();
 	stream->follow(bus_sink_->link());
@@ -100,7 +100,6 @@ void HapticSynth::drop_player() {
 	bus_sink_.reset();
 	// The audio thread may mix once more: what it reads then is left alone.
 	tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
-	output_latency_s_ = 0.0;
 }
 
 } // namespace godot

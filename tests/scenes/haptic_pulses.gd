@@ -158,6 +158,105 @@ func test_low_frequencies_are_the_heavy_motor_s() -> void:
 	check(heaviest[0] > 0.5, "a device that resonates at 60 Hz: %s" % heaviest[0])
 
 
+func test_each_motor_has_what_is_its_own() -> void:
+	var most := [0.0, 0.0, 0.0]
+	var each := func(synth: HapticSynth, _value: float) -> void:
+		var strength := Input.get_joy_vibration_strength(JOYPAD)
+		most[0] = maxf(most[0], strength.x)
+		most[1] = maxf(most[1], strength.y)
+		most[2] = maxf(most[2], synth.get_amplitude())
+	for maximum: float in [1.0, 0.5]:
+		most.fill(0.0)
+		var prepare := func(synth: HapticSynth) -> void:
+			synth.effects = [_constant(60.0, 0.3), _constant(200.0, 0.5)] as Array[HapticEffect]
+			synth.device = HapticDeviceProfile.new()
+			synth.device.maximum_amplitude = maximum
+			synth.joypad = JOYPAD
+		_play(prepare, each)
+		var share := minf(maximum / 0.8, 1.0)
+		check_near(most[0], 0.5 * share, 1e-6, "the light one's, of %s" % maximum)
+		check_near(most[1], 0.3 * share, 1e-6, "the heavy one's")
+		check_near(most[2], 0.8 * share, 1e-6, "together no more than the device bears")
+
+
+func test_a_cue_comes_as_much_earlier_as_the_device_is_late() -> void:
+	for latency: float in [0.0, 0.1, 0.2, 0.5]:
+		var seen := {joypad = 0.0, samples = 0.0, arrived_s = INF, told_s = INF}
+		var each := func(synth: HapticSynth, _value: float) -> void:
+			var time_s := synth.gesture_hmm.time
+			var strength := Input.get_joy_vibration_strength(JOYPAD).x
+			seen["joypad"] = maxf(seen["joypad"], strength)
+			if strength > 0.0:
+				seen["told_s"] = minf(seen["told_s"], time_s)
+			if synth.get_amplitude() > 0.0:
+				seen["arrived_s"] = minf(seen["arrived_s"], time_s)
+			for sample in synth.get_buffer(roundi(48000.0 * FRAME_S)):
+				seen["samples"] = maxf(seen["samples"], absf(sample.x))
+		var prepare := func(synth: HapticSynth) -> void:
+			synth.effects = [InertialViscousEffect.new()] as Array[HapticEffect]
+			synth.device = HapticDeviceProfile.new()
+			synth.device.latency = latency
+			synth.joypad = JOYPAD
+		_play(prepare, each)
+		var strength: float = seen["samples"]
+		check(strength > 0.4 and strength < 0.9, "%s s: %s in samples" % [latency, strength])
+		check_near(seen["joypad"], strength, 0.1, "%s s: as strong on a motor" % latency)
+		var early_s: float = seen["arrived_s"] - seen["told_s"]
+		check(
+			early_s > minf(latency, 0.25) - 0.03 and early_s < latency + 0.03,
+			"%s s: %s s early" % [latency, early_s]
+		)
+
+
+func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
+	for follows: StringName in [&"nothing", &"task", &"run"]:
+		var trials := Rig.write_trials(_folder.get_current_dir(), 1, "tap")
+		var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+		var next := GestureTask.new()
+		next.gesture = &"tap"
+		next.position = Vector3.ONE
+		root.add_child(next)
+		var hmm := rig.gesture_hmm
+		if follows == &"task":
+			var go_on := func(_gesture: StringName, _time_s: float) -> void: hmm.task = next
+			hmm.gesture_ended.connect(go_on)
+		var synth := HapticSynth.new()
+		synth.gesture_hmm = hmm
+		synth.joypad = JOYPAD
+		root.add_child(synth)
+		rig.tracker.start()
+		var begun_s := rig.tracker.get_start_time()
+		var beats := 0
+		var before := 0.0
+		for frame in 400:
+			rig.tracker.advance_to(begun_s + frame * FRAME_S)
+			var strength := Input.get_joy_vibration_strength(JOYPAD).x
+			beats += int(strength > before + 0.02)
+			before = strength
+		check_equal(beats, 1, "followed by %s: once" % follows)
+		if follows == &"run":
+			rig.tracker.source = HandTracker.SOURCE_SCRIPT
+			rig.tracker.start()
+			var rest := {HandTracker.JOINT_INDEX: rig.task.position}
+			for frame in 400:
+				rig.tracker.push_frame(begun_s + frame * FRAME_S, rest)
+				before = maxf(before, Input.get_joy_vibration_strength(JOYPAD).x)
+				before = maxf(before, synth.get_amplitude())
+			check_equal(before, 0.0, "nor at that time of another run")
+		synth.free()
+		next.free()
+		rig.free_nodes()
+
+
+func _constant(frequency_hz: float, gain: float) -> SpringEffect:
+	var spring := SpringEffect.new()
+	spring.drive = HapticEffect.DRIVE_CONSTANT
+	spring.trigger = HapticEffect.TRIGGER_ALWAYS
+	spring.frequency = frequency_hz
+	spring.gain = gain
+	return spring
+
+
 ## A drag at 90 frames a second. `each` is called after every frame with the motion's value, shares
 ## of the amplitude.
 func _play(prepare: Callable, each: Callable = Callable()) -> Dictionary:

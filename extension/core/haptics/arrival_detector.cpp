@@ -19,6 +19,9 @@ void ArrivalDetector::restart() {
 
 void ArrivalDetector::push(double t_s, const MotionSnapshot::Knot &motion, std::uint32_t gesture,
 		double amplitude_m, bool has_ended) {
+	if (last_.time_s > t_s) {
+		last_ = {}; // of a run whose time was another
+	}
 	const bool begins = gesture != 0 && gesture != gesture_;
 	const bool again = gesture != 0 && !awaits_ && motion.position < AGAIN_BELOW;
 	if (begins || again) {

@@ -8,6 +8,8 @@ namespace {
 
 /// Decaying sines end at exp(-this): with N = 200 /s after the paper's 40 ms.
 constexpr double DECAYS = 8.0;
+/// An instant's share of samples: the greatest within this time of it, a quarter of a period of 50 Hz.
+constexpr double ENVELOPE_S = 0.005;
 
 /// The drive in units of its full scale.
 LevelPoint drive_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
@@ -55,6 +57,28 @@ double Table::slope(double at) const {
 	}
 	const auto low = static_cast<std::uint32_t>(at);
 	return static_cast<double>(values[low + 1]) - static_cast<double>(values[low]);
+}
+
+double Table::greatest(double from, double to) const {
+	const double last = static_cast<double>(count) - 1.0;
+	if (!(to >= 0.0) || !(from <= last)) {
+		return 0.0;
+	}
+	const auto first = static_cast<std::uint32_t>(std::max(from, 0.0));
+	const auto end = static_cast<std::uint32_t>(std::min(to, last)) + 1;
+	float most = 0.0F;
+	for (std::uint32_t i = first; i < end; ++i) {
+		most = std::max(most, std::abs(values[i]));
+	}
+	return static_cast<double>(most);
+}
+
+double EffectSet::most() const {
+	double greatest = count > 0 ? 0.0 : 1.0;
+	for (std::size_t i = 0; i < count; ++i) {
+		greatest = std::max(greatest, effects[i].most);
+	}
+	return greatest;
 }
 
 double Effect::length_s() const {
@@ -167,17 +191,27 @@ Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &mo
 			} else if (effect.shape == Shape::CURVE) {
 				amplitude *= effect.table.value(
 						static_cast<double>(effect.table.count - 1) * since_s / effect.duration_s);
+			} else if (effect.shape == Shape::SAMPLES) {
+				amplitude *= effect.table.greatest((since_s - ENVELOPE_S) * effect.table_rate_hz,
+						(since_s + ENVELOPE_S) * effect.table_rate_hz);
 			}
 		} else if (effect.trigger == Trigger::ALWAYS || is_moving) {
 			amplitude = level_of(effect, motion, amplitude_m).value;
 		}
 		strength.amplitude += amplitude;
+		if (effect.frequency_hz < Strength::LOW_BELOW_HZ) {
+			strength.low += amplitude;
+		}
 		if (amplitude > strongest) {
 			strongest = amplitude;
 			strength.frequency_hz = effect.frequency_hz;
 		}
 	}
-	strength.amplitude = std::min(strength.amplitude, 1.0);
+	const double most = std::min(effects.most(), 1.0);
+	if (strength.amplitude > most) {
+		strength.low *= most / strength.amplitude;
+		strength.amplitude = most;
+	}
 	return strength;
 }
 

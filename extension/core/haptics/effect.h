@@ -33,6 +33,8 @@ struct Table {
 	[[nodiscard]] double value(double at) const;
 	/// d value / d at
 	[[nodiscard]] double slope(double at) const;
+	/// The greatest size of its numbers between two places, and 0 of none.
+	[[nodiscard]] double greatest(double from, double to) const;
 };
 
 /// One effect, in numbers. The defaults are the paper's spring, equation (2).
@@ -73,6 +75,8 @@ struct EffectSet {
 	std::size_t count = 0;
 	std::uint64_t generation = 0; ///< of the tables
 
+	/// What they are held to together: the greatest amplitude that one of them may have, 1 without any.
+	[[nodiscard]] double most() const;
 	void add(const Effect &effect) {
 		if (count < MOST) {
 			effects[count++] = effect;
@@ -109,7 +113,11 @@ struct LevelPoint {
 
 /// What is felt at an instant without its carrier, for outputs that take a strength only.
 struct Strength {
-	double amplitude = 0.0;    ///< 0..1
+	/// A gamepad's motors: the light one turns faster than this, the heavy one more slowly.
+	static constexpr double LOW_BELOW_HZ = 100.0;
+
+	double amplitude = 0.0;    ///< 0..EffectSet::most()
+	double low = 0.0;          ///< of that, what effects below LOW_BELOW_HZ make
 	double frequency_hz = 0.0; ///< of the strongest effect
 };
 

@@ -17,13 +17,13 @@ QuinticPiece quintic(const MotionSnapshot::Knot &from, const MotionSnapshot::Kno
 			{ to.position, to.velocity, to.acceleration }, period_s);
 }
 
+/// By the motion's own acceleration: what corrects it at the first knot may have begun there.
 MotionPoint before(const MotionPoint &first, double dt_s) {
 	dt_s = std::max(dt_s, -LONGEST_LEAD_IN_S);
-	const double acceleration = first.acceleration + dt_s * first.jerk;
-	const double velocity = first.velocity + dt_s * (first.acceleration + 0.5 * dt_s * first.jerk);
-	return { first.position +
-				dt_s * (first.velocity + dt_s * (0.5 * first.acceleration + dt_s * first.jerk / 6.0)),
-		velocity, acceleration, first.jerk, first.correction, 0.0 };
+	const double acceleration = first.own_acceleration(), jerk = first.own_jerk();
+	return { first.position + dt_s * (first.velocity + dt_s * (0.5 * acceleration + dt_s * jerk / 6.0)),
+		first.velocity + dt_s * (acceleration + 0.5 * dt_s * jerk), acceleration + dt_s * jerk, jerk, 0.0,
+		0.0 };
 }
 
 MotionPoint coasting(const MotionSnapshot::Knot &last, double dt_s) {

@@ -53,7 +53,7 @@ std::optional<Pulse> PulseTrain::next(const EffectSet &effects, const LiveMotion
 	if (!arrives && until_s < told_s_ + PERIOD_S) {
 		return std::nullopt;
 	}
-	const Pulse pulse{ greatest_.amplitude, greatest_.frequency_hz, DURATION_S };
+	const Pulse pulse{ greatest_.amplitude, greatest_.low, greatest_.frequency_hz, DURATION_S };
 	told_s_ = until_s;
 	greatest_ = {};
 	const bool sounded = sounds_;
@@ -63,7 +63,9 @@ std::optional<Pulse> PulseTrain::next(const EffectSet &effects, const LiveMotion
 
 bool PulseTrain::restart() {
 	const bool sounded = sounds_;
+	const std::uint32_t arrived = arrived_;
 	*this = {};
+	arrived_ = arrived;
 	return sounded;
 }
 

@@ -11,6 +11,7 @@ namespace steadyhand {
 /// What a motor is told: so strong, for so long, unless it is told otherwise before.
 struct Pulse {
 	double amplitude = 0.0;    ///< 0..1
+	double low = 0.0;          ///< of that, as Strength has it
 	double frequency_hz = 0.0; ///< of the strongest effect
 	double duration_s = 0.0;
 };

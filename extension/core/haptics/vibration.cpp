@@ -7,11 +7,7 @@ namespace steadyhand {
 namespace {
 
 float most_of(const EffectSet &effects) {
-	double most = effects.count > 0 ? 0.0 : 1.0;
-	for (std::size_t i = 0; i < effects.count; ++i) {
-		most = std::max(most, effects.effects[i].most);
-	}
-	return static_cast<float>(most);
+	return static_cast<float>(effects.most());
 }
 
 } // namespace

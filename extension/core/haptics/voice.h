@@ -84,7 +84,6 @@ public:
 	void add_run(const Stretch &stretch, std::size_t run, Mix &out);
 
 	[[nodiscard]] bool is_active() const { return is_active_; }
-	[[nodiscard]] bool follows_motion() const { return effect_.follows_motion(); }
 	[[nodiscard]] std::uint8_t channels() const { return effect_.channels; }
 	/// Of the tables that it may read.
 	[[nodiscard]] std::uint64_t generation() const { return generation_; }

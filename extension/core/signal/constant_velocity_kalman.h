@@ -39,12 +39,6 @@ public:
 		return state_.position;
 	}
 
-	/// Position (m) expected at t_s, on at constant velocity from the last sample; t_s not usable: at that
-	/// sample.
-	[[nodiscard]] double predict(double t_s) const {
-		return is_usable(t_s) ? state_.position + state_.velocity * (t_s - clock_.last_s()) : state_.position;
-	}
-
 	[[nodiscard]] double output() const { return state_.position; }
 	[[nodiscard]] double velocity_m_s() const { return state_.velocity; }
 	[[nodiscard]] double position_variance_m2() const { return state_.p00; }

@@ -44,7 +44,6 @@ public:
 	}
 
 	[[nodiscard]] double step_s() const { return step_s_; } ///< after ADVANCE
-	[[nodiscard]] double last_s() const { return last_s_; } ///< stamp of the last sample used; 0 before any
 
 private:
 	double last_s_ = 0.0;

@@ -162,8 +162,50 @@ TEST_CASE("together effects are as strong as their sum, at most 1, and have the 
 		const Strength strength = strength_of(effects, 0.0, {}, true, AMPLITUDE_M, {});
 		CHECK(strength.amplitude == test::near(std::min(sum, 1.0)));
 		CHECK(strength.frequency_hz == 200.0);
+		// 50 Hz are the heavy motor's, 200 Hz the light one's, in the proportion that they have to each
+		// other.
+		CHECK(strength.low == test::near(strength.amplitude * (sum - 0.5) / sum));
 		CHECK(strength_of(effects, 0.0, {}, false, AMPLITUDE_M, {}).amplitude == 0.0);
 	}
+}
+
+TEST_CASE("together effects are no stronger than the device bears") {
+	EffectSet effects;
+	for (int i = 0; i < 3; ++i) {
+		Effect effect = effect_of(Shape::SINE, Drive::CONSTANT);
+		effect.most = i == 1 ? 0.5 : 0.4;
+		effects.add(effect);
+	}
+	CHECK(strength_of(effects, 0.0, {}, true, AMPLITUDE_M, {}).amplitude == test::near(0.5));
+	CHECK(strength_of({}, 0.0, {}, true, AMPLITUDE_M, {}).amplitude == 0.0);
+}
+
+TEST_CASE("samples are as strong as they are around an instant") {
+	// 200 Hz for 10 ms, at 0.2, then as long at 0.4, then nothing.
+	constexpr double RATE_HZ = 48e3;
+	std::vector<float> samples(24000, 0.0F);
+	for (std::size_t i = 0; i < 960; ++i) {
+		const double phase = 2.0 * std::acos(-1.0) * 200.0 * static_cast<double>(i) / RATE_HZ;
+		samples[i] = static_cast<float>((i < 480 ? 0.2 : 0.4) * std::sin(phase));
+	}
+	Effect effect = effect_of(Shape::SAMPLES, Drive::CONSTANT);
+	effect.trigger = Trigger::ARRIVAL;
+	effect.table = { samples.data(), static_cast<std::uint32_t>(samples.size()) };
+	effect.table_rate_hz = RATE_HZ;
+	EffectSet effects;
+	effects.add(effect);
+	const auto amplitude = [&](double since_s) {
+		return strength_of(effects, 2.0 + since_s, {}, true, AMPLITUDE_M, { 1, 2.0, 0.25 }).amplitude;
+	};
+	CHECK(amplitude(0.0) == test::near(0.8 * 0.2).epsilon(1e-3));
+	CHECK(amplitude(0.004) == test::near(0.8 * 0.2).epsilon(1e-3));
+	CHECK(amplitude(0.014) == test::near(0.8 * 0.4).epsilon(1e-3));
+	CHECK(amplitude(0.0251) == 0.0);
+	CHECK(amplitude(0.4999) == 0.0);
+	CHECK(amplitude(0.51) == 0.0);
+	CHECK(effect.table.greatest(-9.0, -1.0) == 0.0);
+	CHECK(effect.table.greatest(30000.0, 40000.0) == 0.0);
+	CHECK(Table{}.greatest(-1.0, 1.0) == 0.0);
 }
 
 TEST_CASE("no sine is faster than half the sample rate, and none without a rate goes on") {

@@ -139,6 +139,28 @@ TEST_CASE("a snapshot that comes late tells the last frames before it, and nothi
 	CHECK(std::abs(snapshot.at(-10.0).position - movement.at(0.2).position) < 0.05);
 }
 
+TEST_CASE("before its first knot the motion is what it was without what corrects it there") {
+	// A hand at rest, which a frame that has just come puts elsewhere.
+	MotionSnapshot snapshot;
+	snapshot.time_s = 1.0;
+	snapshot.period_s = 0.01;
+	snapshot.count = 2;
+	snapshot.knots[0] = { .position = 0.5, .acceleration = 40.0, .correction = 40.0 };
+	snapshot.knots[1] = { .position = 0.502 };
+	for (const double dt_s : { 1e-9, 0.005, 0.011, 0.03, 1.0 }) {
+		const MotionPoint motion = snapshot.at(1.0 - dt_s);
+		CHECK(motion.own_acceleration() == 0.0);
+		CHECK(motion.velocity == 0.0);
+		CHECK(motion.position == 0.5);
+	}
+	// One that speeds up by itself meanwhile.
+	snapshot.knots[0].acceleration += 3.0;
+	snapshot.knots[1].acceleration = 3.0;
+	CHECK(snapshot.at(0.99).own_acceleration() == test::near(3.0));
+	CHECK(snapshot.at(0.99).velocity == test::near(-0.03));
+	CHECK(snapshot.at(1.005).own_acceleration() == test::near(3.0));
+}
+
 TEST_CASE("the instant at which a level is reached is found to the nanosecond") {
 	const Movement movement{ 0.14 };
 	const MotionSnapshot snapshot = movement.snapshot(0.02);
@@ -232,6 +254,23 @@ TEST_CASE("a gesture that ends short of the level arrives there and then, once")
 	CHECK(detector.last().number == 1);
 	detector.push(1.4, { 0.97, 0.0, 0.0, true }, 1, 0.2, true);
 	CHECK(detector.last().number == 2);
+}
+
+TEST_CASE("an arrival outlasts another task, and not a clock that begins anew") {
+	ArrivalDetector detector;
+	const MotionSnapshot::Knot there{ 0.97, 0.0, 0.0, true };
+	detector.push(2.0, { 0.5, 1.0, 0.0, true }, 1, 0.2);
+	detector.push(2.05, there, 1, 0.2);
+	REQUIRE(detector.last().number == 1);
+	detector.restart();
+	detector.push(2.06, {}, 0, 0.2);
+	CHECK(detector.last().number == 1);
+	detector.restart();
+	detector.push(0.0, {}, 0, 0.2);
+	CHECK(detector.last().number == 0);
+	detector.push(2.0, { 0.5, 1.0, 0.0, true }, 2, 0.2);
+	detector.push(2.05, there, 2, 0.2);
+	CHECK(detector.last().number == 2); // who has felt the first waits for a higher one
 }
 
 TEST_CASE("the motion's clock shifts by less than a millisecond under the jitter of frames") {

@@ -81,7 +81,11 @@ TEST_CASE("an arrival does not wait for its turn, and one long past is not told"
 	motion.snapshot.arrival = { 2, 0.108, 0.9 };
 	CHECK(train.next(effects, motion)->amplitude == near(0.9));
 	CHECK(train.restart());
+	motion.heard_s = 0.12;
+	CHECK(train.next(effects, motion)->amplitude < 0.1); // the rest of it, and not all of it again
 	motion.heard_s = 0.3;
+	CHECK(train.next(effects, motion)->amplitude == 0.0);
+	motion.heard_s = 0.32;
 	CHECK_FALSE(train.next(effects, motion).has_value());
 }
 
