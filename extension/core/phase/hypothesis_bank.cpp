@@ -155,8 +155,7 @@ std::size_t HypothesisBank::drop_spent(std::span<Place> r_places, const Marks &o
 
 /// Brings those that stay to the front; returns how many they are.
 std::size_t HypothesisBank::keep_likely(std::span<Place> r_places, Kind kind, const Marks &over) {
-	// Those that stand are held against all: in most motion there are none.
-	double greatest = kind == STANDING ? 0.0 : -std::numeric_limits<double>::infinity();
+	double greatest = -std::numeric_limits<double>::infinity();
 	for (const Place i : r_places) {
 		greatest = std::max(greatest, log_weight(i));
 	}

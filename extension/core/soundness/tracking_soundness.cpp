@@ -83,7 +83,7 @@ void TrackingSoundness::push(double t_s, double x, const FeaturePlace &place) {
 		place_ = place;
 	}
 	frames_ = std::min(frames_ + 1, 2);
-	if (told() && !jumped_ && is_on_way_in_space(place)) {
+	if (told() && !leapt() && is_on_way_in_space(place)) {
 		way_shape_.push(x, place, jitter_);
 	}
 	log_ratio_news_ = log_ratio() - log_ratio_before;

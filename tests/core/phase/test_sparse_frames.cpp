@@ -2,12 +2,14 @@
 
 #include "follow.h"
 #include "minimum_jerk_drag.h"
+#include "near.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 using namespace steadyhand;
@@ -16,6 +18,7 @@ using test::follow;
 namespace {
 
 constexpr int PHASES = 12;
+constexpr double TREMBLES = 4e-4; ///< a hand that is at rest shows no frame twice
 
 /// Sums of squares over the gesture and 0.25 s on either side, of the estimate's error and of that of the
 /// last frame held; of drags that begin anywhere between two frames.
@@ -23,7 +26,8 @@ struct Errors {
 	double estimate = 0.0, held = 0.0;
 };
 
-Errors errors(double duration_s, double rate_hz) {
+/// reads: of each frame.
+Errors errors(double duration_s, double rate_hz, int reads = 1) {
 	Errors sum;
 	for (int phase = 0; phase < PHASES; ++phase) {
 		PhaseEstimator estimator(test::drag_model());
@@ -31,15 +35,25 @@ Errors errors(double duration_s, double rate_hz) {
 			.onset_s = 1.0 + phase / (PHASES * rate_hz), .duration_s = duration_s, .amplitude_m = 1.0
 		};
 		const double begin_s = drag.onset_s - 0.25, end_s = drag.onset_s + duration_s + 0.25;
+		std::mt19937_64 random(static_cast<unsigned>(phase));
+		std::normal_distribution<double> trembling(0.0, TREMBLES);
 		double shown = 0.0;
-		const auto show = [&](double t_s) { return shown = drag.x_m(t_s); };
+		int left = 0;
+		const auto show = [&](double t_s) {
+			if (left == 0) {
+				shown = drag.x_m(t_s) + trembling(random);
+				left = reads;
+			}
+			--left;
+			return shown;
+		};
 		const auto look = [&](double t_s, double value) {
 			if (t_s >= begin_s) {
 				sum.estimate += (value - drag.x_m(t_s)) * (value - drag.x_m(t_s));
 				sum.held += (shown - drag.x_m(t_s)) * (shown - drag.x_m(t_s));
 			}
 		};
-		follow(estimator, end_s, show, look, 1.0 / rate_hz);
+		follow(estimator, end_s, show, look, 1.0 / rate_hz / reads);
 	}
 	return sum;
 }
@@ -57,6 +71,20 @@ TEST_CASE("what a quick hand does between the frames of a slow camera is caught 
 		// A quarter of what the model takes, or less: a frame or two are believed late.
 		CHECK(errors(0.2, rate_hz).estimate < 3.0 * errors(0.2, rate_hz).held);
 		CHECK(errors(0.15, rate_hz).estimate < 8.0 * errors(0.15, rate_hz).held);
+	}
+}
+
+TEST_CASE("a camera that is read more often than it looks is as good as one that is read once a frame") {
+	for (const double rate_hz : { 30.0, 60.0 }) {
+		CAPTURE(rate_hz);
+		for (const double duration_s : { 0.15, 0.2, 0.3 }) {
+			CAPTURE(duration_s);
+			const double once = errors(duration_s, rate_hz).estimate;
+			for (const int reads : { 2, 4, 8 }) {
+				CAPTURE(reads);
+				CHECK(errors(duration_s, rate_hz, reads).estimate == test::near(once).epsilon(0.05));
+			}
+		}
 	}
 }
 

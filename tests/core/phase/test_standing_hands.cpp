@@ -172,3 +172,32 @@ TEST_CASE("a hand that halts before a tracker that has erred is followed, though
 TEST_CASE("a hand that has halted before a tracker that wanders stays there while nothing is seen") {
 	CHECK(mean_off(WanderingHalt::FROZEN_FROM_AGAIN_S, WanderingHalt::FROZEN_TO_S) < 0.03);
 }
+
+TEST_CASE("a hand that goes back in part, and stands before a tracker that is right, is shown there") {
+	constexpr double BACK_FROM_S = 1.9, SEEN_FOR_S = 5.5;
+	for (const double far : { 0.7, 0.85, 1.0 }) {
+		for (const double near : { 0.4, 0.5, 0.6 }) {
+			for (const double back_s : { 0.2, 0.3, 0.4 }) {
+				CAPTURE(far);
+				CAPTURE(near);
+				CAPTURE(back_s);
+				const test::Drag out{ .onset_s = 0.6, .duration_s = 0.5, .amplitude_m = far };
+				const test::Drag back{
+					.onset_s = BACK_FROM_S, .duration_s = back_s, .amplitude_m = far - near
+				};
+				PhaseEstimator estimator(test::drag_model());
+				std::mt19937_64 random(1);
+				std::normal_distribution<double> trembling(0.0, 5e-4);
+				double off = 0.0;
+				follow(
+						estimator, SEEN_FOR_S,
+						[&](double t_s) { return out.x_m(t_s) - back.x_m(t_s) + trembling(random); },
+						[&](double t_s, double value) {
+							off = t_s > BACK_FROM_S + back_s + 0.5 ? std::max(off, std::abs(value - near))
+																   : off;
+						});
+				CHECK(off < 0.02);
+			}
+		}
+	}
+}

@@ -1,5 +1,6 @@
 // What tells a tracker that errs before it shows a fault: frames left out, and the shape of the way.
 
+#include "minimum_jerk_drag.h"
 #include "near.h"
 #include "signal/minimum_jerk.h"
 #include "soundness/skipped_frames.h"
@@ -102,6 +103,22 @@ TEST_CASE("each frame that is left out, or not, counts by the logarithm of how m
 	CHECK(skipped.log_ratio() == test::near(2.0 * left_out + 10.0 * regular));
 	skipped.push(true);
 	CHECK(skipped.log_ratio() == 3.0);
+}
+
+TEST_CASE("a single frame beside the way says nothing of the way's shape") {
+	const test::Drag drag{ .onset_s = 0.3, .duration_s = 0.8, .amplitude_m = 1.0 };
+	for (const double beside : { 0.0, 0.15 }) {
+		TrackingSoundness soundness;
+		bool strays = false;
+		for (int frame = 0; frame < 130; ++frame) {
+			const double t_s = 0.009 * frame, x = drag.x_m(t_s) + 1e-4 * std::sin(1e3 * t_s);
+			const bool is_there = frame == 59; // a fifth of the way
+			soundness.push(t_s, x, { x, is_there ? beside : 0.0, 1e-4, 0.0 });
+			strays = strays || soundness.leapt();
+		}
+		CHECK(strays == (beside > 0.0));
+		CHECK(soundness.log_ratio() == 0.0);
+	}
 }
 
 TEST_CASE("what a frame changes of that is told once, and a gap changes nothing") {
