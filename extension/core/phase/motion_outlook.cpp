@@ -133,8 +133,11 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			x += mistaken * (1.0 - hand);
 			v *= 1.0 - mistaken;
 		}
-		if (bank.regime(i) == Regime::FREE && !bank.on_its_way(i)) {
-			free_phase_ += weight * minimum_jerk_share(x);
+		if (bank.regime(i) == Regime::FREE) {
+			const double hand = hand_of(bank, i, curve, seen_s) + x - bank.hand_deviation(i);
+			const double counted =
+					bank.on_its_way(i) ? std::clamp(bank.course(i).phase(seen_s), 0.0, 1.0) : 0.0;
+			free_phase_ += weight * (minimum_jerk_share(hand) - counted);
 		}
 		hand_.x[index_of(regime)] += weight * x;
 		hand_.v[index_of(regime)] += weight * v;

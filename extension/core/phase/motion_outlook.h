@@ -16,7 +16,7 @@ struct PhaseEstimate {
 	double acceleration = 0.0;
 	double phase = 0.0;      ///< 0..1, expected of those on their way
 	double moving = 0.0;     ///< probability that the gesture has begun
-	double free_phase = 0.0; ///< of those that are not, by where they are
+	double free_phase = 0.0; ///< to be added where hands that do something else count by where they are
 	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
 };
 

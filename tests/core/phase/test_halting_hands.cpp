@@ -2,6 +2,7 @@
 
 #include "follow.h"
 #include "minimum_jerk_drag.h"
+#include "signal/minimum_jerk.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -271,6 +272,35 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 				off = t_s > halted_s + 0.6 ? std::max(off, std::abs(value - share)) : 0.0;
 			});
 			CHECK(off < 0.12);
+		}
+	}
+}
+
+TEST_CASE("a gesture has come as far as the hand that halts in it") {
+	for (const double rate_hz : { 30.0, 60.0, 110.0 }) {
+		for (const double first_s : { 0.2, 0.3, 0.5 }) {
+			for (const double share : { 0.3, 0.5 }) {
+				CAPTURE(rate_hz);
+				CAPTURE(first_s);
+				CAPTURE(share);
+				const test::Drag drag{ .onset_s = 0.8, .duration_s = first_s, .amplitude_m = share };
+				PhaseEstimator estimator(test::drag_model());
+				std::mt19937_64 random(1);
+				std::normal_distribution<double> trembling(0.0, 5e-4);
+				double off = 0.0;
+				const auto look = [&](double t_s, double value) {
+					const PhaseEstimate now = estimator.at(t_s);
+					if (t_s > drag.onset_s + first_s + 0.15) {
+						off = std::max(
+								off, std::abs(now.phase + now.free_phase - minimum_jerk_share(value)));
+					}
+				};
+				follow(
+						estimator, drag.onset_s + first_s + 1.0,
+						[&](double t_s) { return drag.x_m(t_s) + trembling(random); }, look,
+						1.0 / rate_hz);
+				CHECK(off < 0.1);
+			}
 		}
 	}
 }
