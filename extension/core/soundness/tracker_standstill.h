@@ -79,8 +79,9 @@ private:
 	static constexpr double LONGEST_S = 0.5;
 	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
 	static constexpr double RESTING_S = 0.1;      ///< and are at rest after so long
-	/// A tracker that stops so near to where a hand rested, or starts, has come back to it.
-	static constexpr double BACK_AT_REST = 0.03;
+	/// A tracker that stops so near to where a hand rested, or starts, shows one that has only twitched, or
+	/// has come back; or it has shifted as a whole.
+	static constexpr double BACK_AT_REST = 0.15;
 	static constexpr double AT_END = 0.05; ///< of the way, where hands stop
 	static constexpr double MOVING_DEVIATIONS = 2.0;
 	/// A hand that stops has slowed down before; a tracker has not. Share of its speed, and for how long that

@@ -276,6 +276,33 @@ TEST_CASE("a hand that halts on its way after a fault stands where it is shown")
 	}
 }
 
+TEST_CASE("a hand, or its tracker, that shifts a little at rest and stops at once is shown where it is") {
+	for (const double rate_hz : { 72.0, 110.0 }) {
+		for (const double shift : { 0.04, 0.08, 0.12, 0.14 }) {
+			for (const double shifts_s : { 0.04, 0.06, 0.08, 0.12, 0.2 }) {
+				for (const unsigned seed : { 1U, 2U, 3U }) {
+					CAPTURE(rate_hz);
+					CAPTURE(shift);
+					CAPTURE(shifts_s);
+					const test::Drag drag{ .onset_s = 0.8, .duration_s = shifts_s, .amplitude_m = shift };
+					PhaseEstimator estimator(test::drag_model());
+					std::mt19937_64 random(seed);
+					std::normal_distribution<double> trembling(0.0, 1e-3);
+					double off = 0.0;
+					follow(
+							estimator, drag.onset_s + shifts_s + 1.5,
+							[&](double t_s) { return drag.x_m(t_s) + trembling(random); },
+							[&](double t_s, double value) {
+								off = std::max(off, std::abs(value - drag.x_m(t_s)));
+							},
+							1.0 / rate_hz);
+					CHECK(off < 0.2);
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("a gesture has come as far as the hand that halts in it") {
 	for (const double rate_hz : { 30.0, 60.0, 110.0 }) {
 		for (const double first_s : { 0.2, 0.3, 0.5 }) {
@@ -291,14 +318,12 @@ TEST_CASE("a gesture has come as far as the hand that halts in it") {
 				const auto look = [&](double t_s, double value) {
 					const PhaseEstimate now = estimator.at(t_s);
 					if (t_s > drag.onset_s + first_s + 0.15) {
-						off = std::max(
-								off, std::abs(now.phase + now.free_phase - minimum_jerk_share(value)));
+						off = std::max(off, std::abs(now.phase + now.free_phase - minimum_jerk_share(value)));
 					}
 				};
 				follow(
 						estimator, drag.onset_s + first_s + 1.0,
-						[&](double t_s) { return drag.x_m(t_s) + trembling(random); }, look,
-						1.0 / rate_hz);
+						[&](double t_s) { return drag.x_m(t_s) + trembling(random); }, look, 1.0 / rate_hz);
 				CHECK(off < 0.1);
 			}
 		}
