@@ -160,7 +160,7 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 		births_.leave_unseen(now_.bank, soundness_, t_s);
 	}
 	if (jumps) {
-		branch_at_jump(now_.bank, x > now_.told_x);
+		branch_at_jump(now_.bank, x - now_.told_x);
 		now_.back_s = t_s + SLIDES_FOR_S;
 	}
 	now_.seen_s = soundness_.frozen() ? std::min(now_.seen_s, now_.told_s) : t_s;

@@ -1,5 +1,6 @@
 #include "phase/tracker_jump.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
@@ -8,10 +9,13 @@ namespace {
 // As in phase_estimator.cpp.
 constexpr double DISPLACED = 0.4;     ///< probability that it leads away
 constexpr double DISPLACED_BY = 0.15; ///< standard deviation
-constexpr double FOUND = 0.45;        ///< that it leads to where a free hand is, which had not been seen
-constexpr double ELSEWHERE = 1.0;     ///< standard deviation
-constexpr double SLIDES_BACK = 0.04;  ///< that it leads away, and the tracker slides back
-constexpr double SLIDES_BY = 0.3;     ///< standard deviation
+/// A tracker that takes something else for the hand, as another hand, shows that as far off as it is: what a
+/// leap from so far on adds, of each amplitude more.
+constexpr double FAR = 0.6, BY_FAR = 0.6;
+constexpr double FOUND = 0.45;       ///< that it leads to where a free hand is, which had not been seen
+constexpr double ELSEWHERE = 1.0;    ///< standard deviation
+constexpr double SLIDES_BACK = 0.04; ///< that it leads away, and the tracker slides back
+constexpr double SLIDES_BY = 0.3;    ///< standard deviation
 constexpr double CATCHES_UP = 0.2;   ///< that one that leads onward is the tracker's, which had fallen behind
 constexpr double CATCHES_UP_S = 0.2; ///< standard deviation of by how much
 constexpr double LIKELY = 0.001;     ///< weight, from which on all of these are looked at
@@ -42,9 +46,10 @@ void slide(HypothesisBank &r_bank, bool leads_onward) {
 
 } // namespace
 
-void branch_at_jump(HypothesisBank &r_bank, bool leads_onward) {
+void branch_at_jump(HypothesisBank &r_bank, double leap) {
 	const std::size_t count = r_bank.size();
-	slide(r_bank, leads_onward);
+	const double displaced_by = std::max(DISPLACED_BY, BY_FAR * (std::abs(leap) - FAR));
+	slide(r_bank, leap > 0.0);
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureHypothesis back = r_bank.hypothesis(i);
 		const bool is_likely = r_bank.weight(i) > LIKELY, is_free = r_bank.regime(i) == Regime::FREE;
@@ -53,7 +58,7 @@ void branch_at_jump(HypothesisBank &r_bank, bool leads_onward) {
 		// taken to be where it was shown.
 		const bool may_be_displaced = is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing;
 		if (may_be_displaced) {
-			r_bank.add(back.displaced(DISPLACED_BY), std::log(DISPLACED));
+			r_bank.add(back.displaced(displaced_by), std::log(DISPLACED));
 		}
 		// It went wherever the tracker showed it, and may have been elsewhere.
 		const bool may_be_elsewhere = is_likely && (is_free || is_standing);

@@ -104,7 +104,7 @@ TEST_CASE("at a jump the tracker led away, or back, or the hand was elsewhere: n
 		for (const bool leads_onward : { false, true }) {
 			HypothesisBank bank = bank_of(hypothesis);
 			REQUIRE(probability(bank) == test::near(1.0));
-			branch_at_jump(bank, leads_onward);
+			branch_at_jump(bank, leads_onward ? 0.3 : -0.3);
 			CHECK(probability(bank) == test::near(1.0));
 		}
 	}

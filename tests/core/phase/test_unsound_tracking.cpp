@@ -343,3 +343,34 @@ TEST_CASE("phase mode follows a hand through a freeze that trembles as through o
 		CHECK(std::abs(largest_error(tremble) - exact) < 0.006);
 	}
 }
+
+TEST_CASE("a tracker that takes another hand for this one, and is back, leads the motion by less than that") {
+	for (const double beside : { -1.5, -1.0, 1.3, 1.5 }) {
+		for (const double for_s : { 0.1, 0.15, 0.25 }) {
+			for (const double from_s : { 0.3, 1.0, 1.2 }) { // at rest, as it sets out, half-way
+				CAPTURE(beside);
+				CAPTURE(for_s);
+				CAPTURE(from_s);
+				const test::Drag drag{ .onset_s = 0.9, .duration_s = 0.7, .amplitude_m = 1.0 };
+				PhaseEstimator estimator(test::drag_model());
+				std::mt19937_64 random(1);
+				std::normal_distribution<double> trembling(0.0, 1e-3);
+				double squared = 0.0;
+				int count = 0;
+				follow(
+						estimator, 2.2,
+						[&](double t_s) {
+							const bool is_other = t_s > from_s && t_s < from_s + for_s;
+							return drag.x_m(t_s) + trembling(random) + (is_other ? beside : 0.0);
+						},
+						[&](double t_s, double value) {
+							if (t_s > from_s && t_s < from_s + for_s + 0.2) {
+								squared += std::pow(value - drag.x_m(t_s), 2);
+								++count;
+							}
+						});
+				CHECK(std::sqrt(squared / count) < 0.25 * std::abs(beside));
+			}
+		}
+	}
+}
