@@ -218,8 +218,24 @@ void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 		begin(t_s, x, 0.0);
 		look(t_s);
 	}
+	release(t_s);
+	const FrameBursts::Frame frame{ t_s, x, place };
+	if (!bursts_.holds(frame, absorbed_s_)) {
+		use(frame, t_s);
+	}
+}
+
+void PhaseEstimator::release(double t_s) {
+	if (bursts_.is_holding() && t_s >= bursts_.due_s()) {
+		const double due_s = bursts_.due_s();
+		use(bursts_.take(), due_s);
+	}
+}
+
+/// t_s: by when its news are put out.
+void PhaseEstimator::use(const FrameBursts::Frame &frame, double t_s) {
 	const PhaseEstimate before = at(t_s);
-	if (recall(t_s, x, place)) {
+	if (recall(frame.t_s, frame.x, frame.place)) {
 		look(now_.filtered_s);
 		blend_from(before, t_s);
 	}

@@ -4,6 +4,7 @@
 #include "motion/output_blend.h"
 #include "phase/element_curve.h"
 #include "phase/fault_evidence.h"
+#include "phase/frame_bursts.h"
 #include "phase/halted_hand.h"
 #include "phase/hypothesis_bank.h"
 #include "phase/hypothesis_births.h"
@@ -38,6 +39,8 @@ public:
 	/// A frame in which the motion element x was seen; t_s must not decrease. place: as TrackingSoundness
 	/// takes it. In amplitudes.
 	void push(double t_s, double x, const FeaturePlace &place = FeaturePlace::Zero());
+	/// Of frames that come in bursts the newest of each is used: the one that is due by t_s.
+	void release(double t_s);
 	/// The same of frames of the past, for half of the cost: until catch_up() at() does not know of them, and
 	/// changes without a transition then.
 	/// False where it is passed over: it comes too soon after the last one.
@@ -58,6 +61,7 @@ public:
 		falling_behind_s_ = now_.missing = 0.0;
 		blend_ = {};
 		acceleration_step_ = 0.0;
+		bursts_.forget();
 	}
 
 	/// At t_s, not before the last push.
@@ -108,12 +112,14 @@ private:
 	TrackingSoundness soundness_;
 	Belief now_;
 	BeforeLeap before_leap_;
-	MotionOutlook outlook_;          ///< of the bank
-	double absorbed_s_ = NEVER_S;    ///< when a frame was last used
+	MotionOutlook outlook_;       ///< of the bank
+	double absorbed_s_ = NEVER_S; ///< when a frame was last used
+	FrameBursts bursts_;
 	OutputBlend blend_;              ///< of what the last change of the estimate would step by
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d, double velocity);
+	void use(const FrameBursts::Frame &frame, double t_s);
 	void look(double t_s) {
 		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, mistaken(), now_.halted.is_halted());
 	}

@@ -47,6 +47,9 @@ bool GestureFollower::push(
 }
 
 void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
+	if (follows_phase()) {
+		phase_.release(t_s);
+	}
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
