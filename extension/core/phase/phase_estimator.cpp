@@ -1,6 +1,7 @@
 #include "phase/phase_estimator.h"
 
 #include "phase/tracker_jump.h"
+#include "soundness/hands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,7 @@ constexpr double OUTLIERS = 0.011;
 constexpr double ALIKE_S = 0.013;
 constexpr double LONGEST_STEP_S = 0.1; ///< a frame after a longer gap counts as one after this
 
-/// Without news of the hand for so long nothing branches off: what it begins is seeded.
-constexpr double BLIND_S = 0.05;
-constexpr double SPARSE_S = 0.015; ///< closer frames see every hand set out
-constexpr double MATTERS_S = 8.0;  ///< what branched off before that no longer matters
+constexpr double MATTERS_S = 8.0; ///< what branched off before that no longer matters
 
 /// A tracker that jumps away from the hand and, so soon, back to it: within this share of the jump back from
 /// where that was foretold to be.
@@ -100,6 +98,7 @@ void PhaseEstimator::wait(double t_s) {
 void PhaseEstimator::branch_until(double t_s) {
 	now_.next_branch_s = std::max(now_.next_branch_s, t_s - MATTERS_S);
 	for (; now_.next_branch_s <= t_s; now_.next_branch_s += branch_period_s_) {
+		// What a hand begins unseen is seeded.
 		if (now_.next_branch_s - now_.told_s <= BLIND_S) {
 			births_.branch(now_.bank, soundness_, now_.next_branch_s);
 			if (now_.told_s > now_.branched_s) {

@@ -27,7 +27,7 @@ public:
 		values_.push({ t_s, x });
 	}
 
-	/// Standard deviation of white noise that bends as much, of the median, in the second before the hand may
+	/// Standard deviation of white noise that bends as much, of the median, in the time before the hand may
 	/// have set out by t_s; UNKNOWN where it has not been seen for 0.4 s.
 	[[nodiscard]] double deviation(double t_s) const {
 		std::size_t count = values_.size();

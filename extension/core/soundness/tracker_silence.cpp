@@ -1,5 +1,7 @@
 #include "soundness/tracker_silence.h"
 
+#include "soundness/hands.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -11,7 +13,6 @@ constexpr double SILENT_INTERVALS = 3.5;
 /// this time, in which any looks again (20 Hz), and the least that it takes between changes is its interval.
 constexpr int UNKNOWN_CHANGES = 4;
 constexpr double UNKNOWN_S = 0.07;
-constexpr double RESTING_PER_S = 0.25;
 /// Of the last 64 steps, those against the one before in a coordinate.
 constexpr int TREMBLING_TURNS = 6;
 constexpr int EXACT_TURNS = 2;         ///< with fewer there is no noise

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "signal/constant_velocity_state.h"
+#include "soundness/hands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,19 +78,13 @@ private:
 	static constexpr int FIRST_FRAMES = 20; ///< the noise is not known before
 	/// A hand that stays for longer where it stopped has been stopped by something.
 	static constexpr double LONGEST_S = 0.5;
-	static constexpr double RESTING_PER_S = 0.25; ///< slower hands stop like this
-	static constexpr double RESTING_S = 0.1;      ///< and are at rest after so long
+	static constexpr double RESTING_S = 0.1; ///< a hand that has been slow for so long is at rest
 	/// A tracker that stops so near to where a hand rested, or starts, shows one that has only twitched, or
 	/// has come back; or it has shifted as a whole.
 	static constexpr double BACK_AT_REST = 0.15;
 	static constexpr double AT_END = 0.05; ///< of the way, where hands stop
 	static constexpr double MOVING_DEVIATIONS = 2.0;
-	/// A hand that stops has slowed down before; a tracker has not. Share of its speed, and for how long that
-	/// is remembered.
-	static constexpr double BRAKED = 0.6;
-	static constexpr double NOT_YET_BRAKED = 0.9; ///< a frame earlier
-	static constexpr double BRAKES_S = 0.15;
-	static constexpr double SPARSE_S = 0.015; ///< between frames
+	static constexpr double NOT_YET_BRAKED = 0.9; ///< share of the speed, a frame before it is BRAKED
 	static constexpr double OFF_WAY_DEVIATIONS = 4.0;
 	/// Power spectral density of a hand's acceleration, amplitudes^2 / s^3, and what it has more for the
 	/// square of its speed, 1 / s: a fast one slows down by a fifth from frame to frame.

@@ -1,5 +1,6 @@
 #include "soundness/tracker_steps.h"
 
+#include "soundness/hands.h"
 #include "soundness/tracker_silence.h"
 
 #include <algorithm>
@@ -24,9 +25,6 @@ constexpr double SLIDES_BACK_S = 0.15;
 constexpr double FASTEST_M_S = 3.0;
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
-/// A hand that stops is slower than so much of its greatest speed before, for so long.
-constexpr double BRAKED = 0.6;
-constexpr double BRAKES_S = 0.15;
 /// Longer than any camera takes to look again: 15 Hz.
 constexpr double STAYS_S = 0.07;
 

@@ -1,5 +1,7 @@
 #include "soundness/tracking_soundness.h"
 
+#include "soundness/hands.h"
+
 #include <algorithm>
 
 namespace steadyhand {
@@ -30,7 +32,6 @@ constexpr double STRAY_FAULT = 0.3;
 constexpr double LATE_BY_JUMP = 0.3;
 /// A frame off the way is an outlier where the next one is so much nearer to that way than to it.
 constexpr double NEARER = 0.5;
-constexpr double BLIND_S = 0.05;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
 /// A tracker that repeated itself no further from the start than STILL_AT_START, and then shows the hand
