@@ -47,7 +47,7 @@ func test_recorded_source_plays_frames_and_signals() -> void:
 func test_a_recording_that_was_cut_off_is_played_to_the_cut() -> void:
 	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
 	tracker.recording_path = _write("track.csv", TRACK.substr(0, TRACK.length() - 10))
-	# expects warning: index_z: the row ends after 3 cells of 5: it was cut off; the 4 rows before it are read
+	# expects warning: it was cut off; the 4 rows before it are read
 	check_equal(tracker.start(), OK, "it starts")
 	tracker.advance(5.0)
 	check_equal(_stamps, [1.0, 1.01, 1.02, 1.5] as Array[float], "its whole rows")

@@ -4,7 +4,6 @@
 #include "motion/motion.h"
 
 #include <limits>
-#include <optional>
 
 namespace steadyhand {
 
@@ -22,8 +21,8 @@ public:
 	/// Whether the frame is to wait. used_s: when one was last used, before it. What is due by then has been
 	/// taken.
 	[[nodiscard]] bool holds(const Frame &frame, double used_s) {
-		if (is_holding()) {
-			burst_s_ = held_->x != frame.x ? frame.t_s : burst_s_;
+		if (is_holding_) {
+			burst_s_ = held_.x != frame.x ? frame.t_s : burst_s_;
 			held_ = frame;
 			return true;
 		}
@@ -36,26 +35,27 @@ public:
 		used_x_ = frame.x;
 		if (is_first_ && frame.t_s - burst_s_ < REMEMBERED_S) {
 			held_ = frame;
+			is_holding_ = true;
 			due_s_ = frame.t_s + LEAST_FRAME_S;
 		}
-		return is_holding();
+		return is_holding_;
 	}
-	[[nodiscard]] bool is_holding() const { return held_.has_value(); }
+	[[nodiscard]] bool is_holding() const { return is_holding_; }
 	/// When what is held is to be used.
 	[[nodiscard]] double due_s() const { return due_s_; }
 	/// Holds none afterwards.
 	[[nodiscard]] Frame take() {
-		const Frame frame = *held_;
-		held_.reset();
-		return frame;
+		is_holding_ = false;
+		return held_;
 	}
-	void forget() { held_.reset(); }
+	void forget() { is_holding_ = false; }
 
 private:
 	static constexpr double PAUSE_S = 0.007;    ///< between frames: longer than between those of a burst
 	static constexpr double REMEMBERED_S = 1.0; ///< that a tracker has come in bursts
 
-	std::optional<Frame> held_;
+	Frame held_;
+	bool is_holding_ = false;
 	double due_s_ = 0.0;
 	bool is_first_ = false; ///< the last one used came after a pause
 	double used_x_ = 0.0;
