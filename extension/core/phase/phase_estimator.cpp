@@ -152,6 +152,8 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 	const double step_s = std::max(t_s - now_.filtered_s, 0.0), dt_s = std::min(step_s, LONGEST_STEP_S);
 	// Since it was last told of the hand: a camera may be read more often than it looks.
 	const double since_s = std::max(t_s - now_.told_s, 0.0), told_dt_s = std::min(since_s, LONGEST_STEP_S);
+	// A tracker that was frozen meanwhile did not show that the hand stayed.
+	const bool was_frozen = now_.filtered_s > now_.told_s && now_.seen_s <= now_.told_s;
 	now_.filtered_s = t_s;
 	now_.bank.predict(curve_, t_s, passages(step_s));
 	count_lost();
@@ -172,7 +174,7 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 		births_.seed(now_.bank, soundness_, t_s, x);
 	}
 	now_.told_x = soundness_.told() ? x : now_.told_x;
-	count_frame(t_s, dt_s, told_dt_s, x, fault, jumps);
+	count_frame(t_s, dt_s, was_frozen ? dt_s : told_dt_s, x, fault, jumps);
 	if (soundness_.told()) {
 		now_.bank.absorb(
 				curve_, t_s, x, { OUTLIERS, soundness_.jitter(), told_dt_s / (told_dt_s + ALIKE_S) });
@@ -198,7 +200,7 @@ bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
 
 /// What a frame says by being at fault, or not.
 void PhaseEstimator::count_frame(
-		double t_s, double dt_s, double told_dt_s, double x, double fault, bool jumps) {
+		double t_s, double dt_s, double shown_dt_s, double x, double fault, bool jumps) {
 	const bool is_jump_to_end = jumps && std::abs(x - 1.0) < AT_END;
 	// Where the hand has halted a fault says nothing of whether it has gone on, unless it shows it at the
 	// end.
@@ -208,7 +210,7 @@ void PhaseEstimator::count_frame(
 	count_erring(now_.bank, t_s, soundness_.log_ratio_news());
 	count_errorless(now_.bank, dt_s, x);
 	if (soundness_.told() && HaltedHand::is_on_way(x)) {
-		count_stay(now_.bank, t_s, told_dt_s, now_.halted.stays_since_s());
+		count_stay(now_.bank, t_s, shown_dt_s, now_.halted.stays_since_s());
 	}
 }
 

@@ -132,7 +132,7 @@ private:
 	void absorb(double t_s, double x, double fault, bool jumps);
 	void count_lost();
 	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
-	void count_frame(double t_s, double dt_s, double told_dt_s, double x, double fault, bool jumps);
+	void count_frame(double t_s, double dt_s, double shown_dt_s, double x, double fault, bool jumps);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }
 	/// Keeps the output where `before` had it.
