@@ -209,7 +209,7 @@ Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &mo
 	}
 	const double most = std::min(effects.most(), 1.0);
 	if (strength.amplitude > most) {
-		strength.low *= most / strength.amplitude;
+		strength.low = std::min(strength.low * (most / strength.amplitude), most); // rounding gains none
 		strength.amplitude = most;
 	}
 	return strength;

@@ -178,6 +178,19 @@ TEST_CASE("together effects are no stronger than the device bears") {
 	}
 	CHECK(strength_of(effects, 0.0, {}, true, AMPLITUDE_M, {}).amplitude == test::near(0.5));
 	CHECK(strength_of({}, 0.0, {}, true, AMPLITUDE_M, {}).amplitude == 0.0);
+	// Nothing is left for the light motor where all is the heavy one's, not even less than nothing.
+	for (int percent = 1; percent < 100; ++percent) {
+		EffectSet low;
+		for (int i = 0; i < 3; ++i) {
+			Effect effect = effect_of(Shape::SINE, Drive::CONSTANT);
+			effect.frequency_hz = 60.0;
+			effect.gain = 0.011 * percent;
+			effect.most = 0.7;
+			low.add(effect);
+		}
+		const Strength strength = strength_of(low, 0.0, {}, true, AMPLITUDE_M, {});
+		REQUIRE(strength.low == strength.amplitude);
+	}
 }
 
 TEST_CASE("samples are as strong as they are around an instant") {
