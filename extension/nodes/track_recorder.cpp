@@ -63,9 +63,8 @@ void TrackRecorder::keep_whole_rows(std::uint64_t p_begin) {
 	std::size_t held = end > p_begin ? static_cast<std::size_t>(end - p_begin) : 0;
 	held = held > 0 ? rows_.rfind('\n', held - 1) + 1 : 0; // npos + 1 is 0
 	rows_.erase(0, rows_.size() > CAPACITY_BYTES ? rows_.size() : held);
-	const auto whole = static_cast<int64_t>(p_begin + held);
-	file_->resize(whole);
-	file_->seek(static_cast<std::uint64_t>(whole));
+	file_->resize(static_cast<int64_t>(p_begin + held));
+	file_->seek(p_begin + held);
 }
 
 void TrackRecorder::complain(const char *p_what) {

@@ -209,8 +209,9 @@ func test_a_cue_comes_as_much_earlier_as_the_device_is_late() -> void:
 
 
 func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
+	var folder := DirAccess.create_temp("steadyhand_taps")
+	var trials := Rig.write_trials(folder.get_current_dir(), 1, "tap")
 	for follows: StringName in [&"nothing", &"task", &"run"]:
-		var trials := Rig.write_trials(_folder.get_current_dir(), 1, "tap")
 		var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 		var next := GestureTask.new()
 		next.gesture = &"tap"

@@ -51,11 +51,15 @@ std::size_t line_of_value(std::string_view text, std::size_t before) {
 			break;
 		}
 	}
-	const std::string_view passed = text.substr(0, i);
-	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+	return line_at(text, i);
 }
 
 } // namespace
+
+std::size_t line_at(std::string_view text, std::size_t place) {
+	const std::string_view passed = text.substr(0, place);
+	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+}
 
 std::size_t line_of(std::string_view text, const Json &document, const Json &value) {
 	return line_of_value(text, values_before(document, &value));

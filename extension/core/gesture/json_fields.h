@@ -19,7 +19,9 @@ struct Fault : std::runtime_error {
 	const Json *place; ///< of the document that is read
 };
 
-/// From 1, in the text that the document was parsed from.
+/// From 1: of the character at that place of the text.
+[[nodiscard]] std::size_t line_at(std::string_view text, std::size_t place);
+/// Of a value, in the text that the document was parsed from.
 [[nodiscard]] std::size_t line_of(std::string_view text, const Json &document, const Json &value);
 
 [[nodiscard]] const Json &member(const Json &object, const char *key);

@@ -116,12 +116,6 @@ Provenance provenance_from_json(const Json &json) {
 	return provenance;
 }
 
-/// Of the byte that is the `byte`th.
-std::ptrdiff_t line_at(std::string_view text, std::size_t byte) {
-	const std::string_view before = text.substr(0, byte > 0 ? byte - 1 : 0);
-	return 1 + std::count(before.begin(), before.end(), '\n');
-}
-
 GestureModel model_from_json(const Json &json) {
 	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
 		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
@@ -243,15 +237,15 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 		document = Json::parse(text);
 		return model_from_json(document);
 	} catch (const Json::parse_error &fault) {
-		return Error{ source + ":" + std::to_string(line_at(text, fault.byte)) + ": not valid JSON" +
-			(fault.byte > text.size() ? ": the file ends here" : "") };
+		return Error{ source + ":" + std::to_string(line_at(text, std::max<std::size_t>(fault.byte, 1) - 1)) +
+			": not valid JSON" + (fault.byte > text.size() ? ": the file ends here" : "") };
 	} catch (const Json::exception &fault) {
 		// "[json.exception.out_of_range.406] number overflow parsing '1e999'": where that is it does not say.
 		const std::string_view what = fault.what();
 		const std::size_t begin = what.find('\''), end = what.rfind('\'');
 		const bool names_number = begin < end && end != std::string_view::npos;
 		const std::size_t at = names_number ? text.find(what.substr(begin + 1, end - begin - 1)) : 0;
-		return Error{ source + ":" + std::to_string(line_at(text, at + 1)) + ": " +
+		return Error{ source + ":" + std::to_string(line_at(text, at)) + ": " +
 			std::string(what.substr(what.find("] ") + 2)) };
 	} catch (const Fault &fault) {
 		return Error{ source + ":" + std::to_string(line_of(text, document, *fault.place)) + ": " +
