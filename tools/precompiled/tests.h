@@ -1,4 +1,9 @@
+// What tests have in common, their helpers as well: these take longer to read than most tests.
 #include "core.h"
+
+#include "near.h"
+#include "phase/follow.h"
+#include "recognition/gesture_events.h"
 
 #include <doctest/doctest.h>
 

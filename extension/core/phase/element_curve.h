@@ -9,10 +9,6 @@
 
 namespace steadyhand {
 
-// As in lanes.h: what passes vectors is inlined.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 struct LaneCurvePoint {
 	LaneVector value, slope, curvature;
 };
@@ -82,7 +78,5 @@ private:
 		return pieces_[i];
 	}
 };
-
-#pragma GCC diagnostic pop
 
 } // namespace steadyhand

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-// As in lanes.h: what passes vectors is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace steadyhand {
 namespace {
 

@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-// As in lanes.h: what passes vectors is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace steadyhand {
 namespace {
 

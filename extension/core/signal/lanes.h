@@ -14,8 +14,6 @@ using Lanes = std::array<double, LANES>;
 
 // How vectors pass from function to function differs between processors: all of these are inlined, into
 // functions that may be compiled for one kind of processor.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpsabi"
 #define STEADYHAND_INLINE __attribute__((always_inline)) inline
 #define STEADYHAND_INLINE_LAMBDA __attribute__((always_inline))
 // Compiled for processors with wider registers too, and chosen when loaded: the same operations, the same
@@ -133,7 +131,5 @@ STEADYHAND_INLINE LaneVector logarithm(const LaneVector &x) {
 							s8 * (1.0 / 19.0 + s2 * (1.0 / 21.0)));
 	return k * LN2_HIGH + (2.0 * s + (2.0 * s * s2 * series + k * LN2_LOW));
 }
-
-#pragma GCC diagnostic pop
 
 } // namespace steadyhand

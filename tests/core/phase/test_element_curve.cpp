@@ -8,9 +8,6 @@
 
 using namespace steadyhand;
 
-// As in lanes.h: what passes vectors is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 TEST_CASE("an element curve is evaluate_onwards, for any number of elements of any degree") {
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> draw;

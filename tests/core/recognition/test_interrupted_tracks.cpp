@@ -107,7 +107,8 @@ TEST_CASE("an end that a frozen tracker hides counts as long as one in a gap doe
 	}
 }
 
-TEST_CASE("a gesture in two halves counts however long the hand trembled between them") {
+TEST_CASE("a gesture in two halves counts however long the hand trembled between them" *
+		doctest::test_suite("figures")) {
 	constexpr double RATE_HZ = 110.0;
 	for (const double rests_s : { 5.0, 20.0 }) {
 		for (unsigned seed = 0; seed < 40; ++seed) {

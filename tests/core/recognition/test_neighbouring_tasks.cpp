@@ -34,7 +34,8 @@ Events press(const std::vector<ExpectedGesture> &keys, double beside_m, double d
 
 } // namespace
 
-TEST_CASE("a press ends at the key that it is made at, though the next one's surface lies a little deeper") {
+TEST_CASE("a press ends at the key that it is made at, though the next one's surface lies a little deeper" *
+		doctest::test_suite("figures")) {
 	for (const double pitch_m : { 0.04, 0.05, 0.06, 0.07, 0.08, 0.1 }) {
 		for (const double deeper_m : { 0.002, 0.005, 0.01 }) {
 			for (const double duration_s : { 0.3, 0.5 }) {

@@ -10,9 +10,6 @@
 
 using namespace steadyhand;
 
-// As in lanes.h: what passes vectors is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace {
 
 constexpr double ULP = std::numeric_limits<double>::epsilon();
