@@ -28,6 +28,8 @@ constexpr double MATTERS_S = 8.0; ///< what branched off before that no longer m
 /// where that was foretold to be.
 constexpr double AWAY_S = 0.2;
 constexpr double NEARER = 0.25;
+/// One that was away for so long has erred as much as one that stays away; for less, in proportion.
+constexpr double ERRED_AWAY_S = 0.1;
 
 /// A tracker that has erred is late as a whole, beside what a hypothesis can see of it.
 constexpr double ERRING_LATENCY_S = 0.03;
@@ -128,11 +130,13 @@ bool PhaseEstimator::jumps_back(double t_s, double x) const {
 void PhaseEstimator::weigh(double t_s, double x) {
 	const bool was_elsewhere = before_leap_.leap_s > soundness_.forgotten_since_s();
 	if (was_elsewhere || jumps_back(t_s, x)) {
+		const double share = std::min((t_s - before_leap_.leap_s) / ERRED_AWAY_S, 1.0);
+		const double fault = was_elsewhere ? soundness_.fault() + soundness_.taken_back()
+										   : share * (soundness_.fault() + before_leap_.fault);
 		now_ = before_leap_.belief;
-		const double fault = was_elsewhere ? soundness_.taken_back() : before_leap_.fault;
 		before_leap_.leap_s = NEVER_S;
 		branch_until(t_s);
-		absorb(t_s, x, soundness_.fault() + fault, false);
+		absorb(t_s, x, fault, false);
 	} else {
 		const double leap = std::abs(x - now_.told_x);
 		const bool may_be_back = t_s - before_leap_.leap_s < AWAY_S && leap < before_leap_.leap;

@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -83,4 +84,34 @@ TEST_CASE("a tracker that shows a hand ahead for a tenth of a second leaves it w
 		}
 	}
 	CHECK(std::sqrt(squares / instants) < 0.06);
+}
+
+TEST_CASE("two frames elsewhere hardly lead a hand on that goes a sixth less far than asked") {
+	constexpr double LENGTH = 0.84;
+	double squares = 0.0, largest = 0.0;
+	int instants = 0;
+	for (const double duration_s : { 0.5, 0.8, 1.2 }) {
+		const Drag drag{ .onset_s = 1.0, .duration_s = duration_s, .amplitude_m = LENGTH };
+		for (const double share : { 0.2, 0.4, 0.6, 0.8 }) {
+			for (const double off : { -0.5, 0.5, 1.0 }) {
+				const double from_s = drag.onset_s + share * duration_s, to_s = from_s + 2.0 * test::PERIOD_S;
+				PhaseEstimator estimator(test::drag_model());
+				std::mt19937_64 random(3);
+				std::normal_distribution<double> trembling(0.0, 1e-3);
+				const auto show = [&](double t_s) {
+					return drag.x_m(t_s) + (t_s >= from_s && t_s < to_s ? off : 0.0) + trembling(random);
+				};
+				test::follow(estimator, drag.onset_s + duration_s + 0.5, show, [&](double t_s, double value) {
+					if (t_s > to_s + 0.1) {
+						const double error = value - drag.x_m(t_s);
+						squares += error * error;
+						largest = std::max(largest, std::abs(error));
+						++instants;
+					}
+				});
+			}
+		}
+	}
+	CHECK(std::sqrt(squares / instants) < 0.03);
+	CHECK(largest < 0.1);
 }
