@@ -1,8 +1,8 @@
 """clang-tidy, a folder at a time: most of what it does is to read headers, and the sources of a folder read the same.
 
 A folder's sources are included by one that is made here. Tests have a namespace each, within which their own #includes
-have nothing left to include; the others share the project's. Programs, and the sources of a folder that is not clean or
-in which two define the same name, are looked at one by one.
+have nothing left to include, but for one that has its own operator new; the others share the project's. The sources of
+a folder that is not clean, or in which two define the same name, are looked at one by one.
 """
 
 import hashlib
@@ -50,9 +50,8 @@ def outcomes(sources: list[Path], headers: list[Path], settings: list[Path]) -> 
         stamp = TOGETHER / f"{key.hexdigest()[:32]}.clean"
         if stamp.exists():
             return [Outcome.of(f"lint/clang-tidy {folder}", True)]
-        is_apart = any(re.search(r"^int main\(", source.read_text(), re.MULTILINE) for source in folders[folder])
-        found = [] if is_apart else [clang_tidy(folder, made[folder], TOGETHER)]
-        if is_apart or found[0].failed:
+        found = [clang_tidy(folder, made[folder], TOGETHER)]
+        if found[0].failed:
             found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in folders[folder]]
         if not any(outcome.failed for outcome in found):
             stamp.touch()
@@ -69,8 +68,10 @@ def together(sources: list[Path]) -> str:
     if not sources[0].is_relative_to(ROOT / "tests"):
         return "".join(f'#include "{source}"\n' for source in sources)
     included = dict.fromkeys(line for source in sources for line in includes(source))
-    parts = [f'namespace part_{i} {{\n#include "{source}"\n}}\n' for i, source in enumerate(sources)]
-    return "\n".join([*included, *parts])
+    last = [source for source in sources if re.search(r"^void \*operator new\(", source.read_text(), re.MULTILINE)]
+    inside = [source for source in sources if source not in last]
+    parts = [f'namespace part_{i} {{\n#include "{source}"\n}}\n' for i, source in enumerate(inside)]
+    return "\n".join([*included, *parts, *(f'#include "{source}"' for source in last)])
 
 
 def includes(source: Path) -> Iterator[str]:

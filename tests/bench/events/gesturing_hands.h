@@ -23,7 +23,7 @@ inline void move_quickly(Performance &hand, Draws & /*draws*/) {
 }
 
 inline void move_as_far_as_may_be(Performance &hand, Draws &draws) {
-	Movement movement = hand.movement();
+	PlannedMovement movement = hand.movement();
 	if (hand.is_open()) {
 		movement = hand.typical(movement);
 		movement.amplitude_m *= draws.between(0.75, 2.2);

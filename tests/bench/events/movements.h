@@ -17,7 +17,7 @@ namespace steadyhand::bench {
 enum class Context { TASK, OPEN };
 
 /// From its start to its end.
-struct Movement {
+struct PlannedMovement {
 	std::size_t gesture; ///< index into GESTURES
 	HandPose direction;  ///< of length 1
 	double amplitude_m, duration_s;
@@ -27,7 +27,7 @@ struct Movement {
 };
 
 /// Those of a hand of middling reach and pace.
-inline const std::array<Movement, 6> MOVEMENTS{ {
+inline const std::array<PlannedMovement, 6> MOVEMENTS{ {
 		{ 0, { 1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
 		{ 0, { -1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
 		{ 1, { 0.0, -1.0, 0.0, 0.0 }, 0.2, 0.8 },
@@ -46,15 +46,15 @@ struct MovementRange {
 inline constexpr MovementRange ALL{ 0, 6 }, BUT_ZOOMS{ 0, 5 }, DRAGS{ 0, 4 }, TAPS{ 4, 1 }, ZOOMS{ 5, 1 };
 
 /// Where nothing is given, a size is known by the gesture alone, and varies less.
-inline Movement draw_movement(std::size_t index, Context context, Draws &draws) {
-	Movement movement = MOVEMENTS[index];
+inline PlannedMovement draw_movement(std::size_t index, Context context, Draws &draws) {
+	PlannedMovement movement = MOVEMENTS[index];
 	movement.amplitude_m *= context == Context::OPEN ? draws.between(0.9, 1.3) : draws.between(0.7, 1.5);
 	movement.duration_s *= draws.between(0.75, 1.5);
 	return movement;
 }
 
 /// To any side.
-inline Movement tilted(Movement movement, double degrees, Draws &draws) {
+inline PlannedMovement tilted(PlannedMovement movement, double degrees, Draws &draws) {
 	const Eigen::Vector3d axis = movement.axis(), aside = axis.unitOrthogonal(), upright = axis.cross(aside);
 	const double side = draws.between(0.0, 2.0 * std::numbers::pi);
 	const double angle = radians(degrees);

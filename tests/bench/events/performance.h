@@ -47,7 +47,7 @@ public:
 	}
 
 	/// Anew, somewhere else.
-	Performance &begin(const Movement &movement) {
+	Performance &begin(const PlannedMovement &movement) {
 		const bool is_zoom = movement.grows_circle();
 		const double radius_m = is_zoom ? draws_.between(0.014, 0.02) : 0.03;
 		const double z_m = draws_.between(-0.4, -0.25), y_m = draws_.between(-0.2, 0.0),
@@ -66,7 +66,7 @@ public:
 		return *this;
 	}
 	/// What the parts are of from here on. Where tasks are given, this one is.
-	Performance &aim(const Movement &movement, const HandPose &start) {
+	Performance &aim(const PlannedMovement &movement, const HandPose &start) {
 		movement_ = movement;
 		start_ = start;
 		gesture_ = is_open() ? static_cast<int>(movement.gesture) : ask_for_task();
@@ -117,14 +117,16 @@ public:
 
 	[[nodiscard]] bool is_open() const { return context_ == Context::OPEN; }
 	[[nodiscard]] double now_s() const { return plan_.end_s(); }
-	[[nodiscard]] const Movement &movement() const { return movement_; }
+	[[nodiscard]] const PlannedMovement &movement() const { return movement_; }
 	[[nodiscard]] const HandPose &start() const { return start_; }
 	/// As long as its gesture's model takes it to be where nothing is given.
-	[[nodiscard]] Movement typical(Movement movement) const {
+	[[nodiscard]] PlannedMovement typical(PlannedMovement movement) const {
 		movement.amplitude_m = models_[movement.gesture]->typical_task.amplitude_m;
 		return movement;
 	}
-	[[nodiscard]] Movement draw(std::size_t movement) { return draw_movement(movement, context_, draws_); }
+	[[nodiscard]] PlannedMovement draw(std::size_t movement) {
+		return draw_movement(movement, context_, draws_);
+	}
 	[[nodiscard]] Draws &draws() { return draws_; }
 	[[nodiscard]] HandPlan &plan() { return plan_; }
 	[[nodiscard]] const HandPlan &plan() const { return plan_; }
@@ -136,7 +138,7 @@ private:
 	const Models &models_;
 	Context context_;
 	Draws draws_;
-	Movement movement_;
+	PlannedMovement movement_;
 	HandPose start_ = HandPose::Zero();
 	HandPlan plan_{ start_ };
 	int gesture_ = 0;

@@ -57,7 +57,7 @@ inline void drag_there_and_back(Performance &hand, Draws &draws) {
 }
 
 inline void drag_on(Performance &hand, Draws &draws) {
-	const Movement movement = hand.movement();
+	const PlannedMovement movement = hand.movement();
 	const HandPose way = movement.amplitude_m * movement.direction;
 	const double out_s = draws.between(0.5, 1.0);
 	for (int i = 0; i < 3; ++i) {
@@ -76,8 +76,8 @@ inline void make_five_different(Performance &hand, Draws &draws) {
 	home(3) = 0.016;
 	hand.begin_at(home).rest(1.3);
 	for (int i = 0; i < 5; ++i) {
-		const Movement drawn = draw_movement(ALL.draw(draws), Context::OPEN, draws);
-		const Movement movement = hand.is_open() ? drawn : hand.typical(drawn);
+		const PlannedMovement drawn = draw_movement(ALL.draw(draws), Context::OPEN, draws);
+		const PlannedMovement movement = hand.is_open() ? drawn : hand.typical(drawn);
 		hand.aim(movement, home).make_gesture(movement.duration_s).rest(draws.between(0.3, 0.6));
 		hand.go_to(0.0, 1.1 * movement.duration_s).rest(1.5);
 	}
