@@ -19,6 +19,21 @@ constexpr double SHOW_RATE_PER_S = 100.0;
 
 } // namespace
 
+/// Of a hand that another was shown for meanwhile nothing was seen.
+void GestureRecogniser::WatchedFeature::push(double t_s) {
+	switch (elsewhere.look(t_s, *place)) {
+		case ShownElsewhere::Sight::ON_ITS_WAY:
+			break;
+		case ShownElsewhere::Sight::LEAVES:
+			before_elsewhere = strokes;
+			break;
+		case ShownElsewhere::Sight::RETURNS:
+			strokes.forget_since(before_elsewhere);
+			break;
+	}
+	strokes.push(t_s, *place);
+}
+
 void GestureRecogniser::push(const HandFrame &frame) {
 	if (!(std::abs(frame.t_s) <= FARTHEST_S) || frame.t_s < time_s_ || frame.repeats(last_frame_)) {
 		return;
@@ -32,7 +47,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 			watched.place.reset();
 		}
 		if (watched.place) {
-			watched.strokes.push(frame.t_s, *watched.place);
+			watched.push(frame.t_s);
 		}
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
 #include "recognition/gesture_follower.h"
+#include "strokes/shown_elsewhere.h"
 #include "strokes/stroke_finder.h"
 
 #include <algorithm>
@@ -73,7 +74,11 @@ private:
 	struct WatchedFeature {
 		const Feature *feature;
 		StrokeFinder strokes;
+		StrokeFinder before_elsewhere;
+		ShownElsewhere elsewhere;
 		std::optional<FeaturePlace> place; ///< in the newest frame
+
+		void push(double t_s);
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it

@@ -90,6 +90,14 @@ void StrokeFinder::push(double t_s, const FeaturePlace &place_m) {
 	}
 }
 
+void StrokeFinder::forget_since(const StrokeFinder &before) {
+	const double smallest_m = smallest_m_;
+	const Ring<GivenFrame, PAST> past = past_;
+	*this = before;
+	smallest_m_ = smallest_m;
+	past_ = past;
+}
+
 void StrokeFinder::see(double t_s, const FeaturePlace &place_m) {
 	const bool is_news = places_.empty() || pose_.is_news(place_m);
 	const double since_s = past_.empty() ? INFINITY : t_s - past_.newest().t_s;

@@ -33,6 +33,8 @@ public:
 	/// t_s must not decrease; a place that is not finite, comes sooner than LEAST_FRAME_S after the last one,
 	/// or repeats it to the last bit (a tracker that is frozen), is no news of the hand.
 	void push(double t_s, const FeaturePlace &place_m);
+	/// What was shown since `before`, a copy, was not the hand: but for frames_since all is as it was then.
+	void forget_since(const StrokeFinder &before);
 
 	/// The one under way, or the one that has just ended, first; that one and those before it as one, where
 	/// the hand only hesitated between them, newest first; at last one that was lost. None while nothing is
