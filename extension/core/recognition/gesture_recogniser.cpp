@@ -20,8 +20,8 @@ constexpr double SHOW_RATE_PER_S = 100.0;
 } // namespace
 
 /// Of a hand that another was shown for meanwhile nothing was seen.
-void GestureRecogniser::WatchedFeature::push(double t_s) {
-	switch (elsewhere.look(t_s, *place)) {
+void GestureRecogniser::WatchedFeature::push(double t_s, const FeaturePlace &place_m) {
+	switch (elsewhere.look(t_s, place_m)) {
 		case ShownElsewhere::Sight::ON_ITS_WAY:
 			break;
 		case ShownElsewhere::Sight::LEAVES:
@@ -31,7 +31,7 @@ void GestureRecogniser::WatchedFeature::push(double t_s) {
 			strokes.forget_since(before_elsewhere);
 			break;
 	}
-	strokes.push(t_s, *place);
+	strokes.push(t_s, place_m);
 }
 
 void GestureRecogniser::push(const HandFrame &frame) {
@@ -47,7 +47,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 			watched.place.reset();
 		}
 		if (watched.place) {
-			watched.push(frame.t_s);
+			watched.push(frame.t_s, *watched.place);
 		}
 	}
 	for (std::size_t i = 0; i < followers_.size(); ++i) {

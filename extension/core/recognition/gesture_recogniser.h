@@ -78,7 +78,7 @@ private:
 		ShownElsewhere elsewhere;
 		std::optional<FeaturePlace> place; ///< in the newest frame
 
-		void push(double t_s);
+		void push(double t_s, const FeaturePlace &place_m);
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
