@@ -21,12 +21,8 @@ constexpr double LARGEST_TREMBLE_M = 0.002;
 constexpr double ACCELERATION_M_S2 = 20.0;
 /// A tracker that slides back as fast as this would be back within so long, and is given twice that.
 constexpr double SLIDES_BACK_S = 0.15;
-/// Those strokes peak at 1.8 m/s.
-constexpr double FASTEST_M_S = 3.0;
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
-/// Longer than any camera takes to look again: 15 Hz.
-constexpr double STAYS_S = 0.07;
 
 } // namespace
 
@@ -245,13 +241,13 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 
 std::span<const TrackerSteps::Passed> TrackerSteps::stay(double t_s, bool rests) {
 	passed_count_ = 0;
-	if (is_waiting_ && t_s - waiting_.t_s > STAYS_S) {
+	if (is_waiting_ && t_s - waiting_.t_s > LONGEST_FRAME_S) {
 		resolve({ t_s, waiting_.place_m });
 		shows_elsewhere_ = true;
 	}
 	if (!is_waiting_) {
 		held_ = { t_s, last_.place_m, step_m_ };
-		if (t_s - last_.t_s > STAYS_S) {
+		if (t_s - last_.t_s > LONGEST_FRAME_S) {
 			remember_bend(0.0);
 			stayed_until_s_ = rests && shows_elsewhere_ ? t_s : stayed_until_s_;
 		}

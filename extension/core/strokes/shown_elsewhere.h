@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gesture/feature.h"
+#include "soundness/hands.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -28,6 +29,7 @@ public:
 		const Frame before = last_;
 		const FeaturePlace step_m = place_m - before.place_m;
 		const double off_m = (step_m - before.velocity_m_s * dt_s).norm();
+		// What is shown for longer than a frame is held.
 		const bool leaps = off_m > SMALLEST_M + FASTEST_M_S * std::min(dt_s, LONGEST_FRAME_S);
 		last_ = { t_s, place_m, leaps ? FeaturePlace(FeaturePlace::Zero()) : FeaturePlace(step_m / dt_s) };
 		if (!leaps) {
@@ -49,11 +51,8 @@ public:
 
 private:
 	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
-	/// Between frames, off where the hand would go on to; the quickest strokes peak at 1.8 m/s.
-	static constexpr double SMALLEST_M = 0.03, FASTEST_M_S = 3.0;
-	/// Longer than any camera takes to look again (15 Hz): what is shown for longer is held.
-	static constexpr double LONGEST_FRAME_S = 0.07;
-	static constexpr double LONGEST_S = 0.4; ///< elsewhere
+	static constexpr double SMALLEST_M = 0.03; ///< off where the hand would go on to
+	static constexpr double LONGEST_S = 0.4;   ///< elsewhere
 	/// The way back ends so much nearer to where the hand would have gone than it begins.
 	static constexpr double NEARER = 0.5;
 

@@ -12,7 +12,7 @@ using Sight = ShownElsewhere::Sight;
 
 namespace {
 
-constexpr double RATE_HZ = 90.0;
+constexpr double RATE_HZ = 90.0, LENGTH_S = 2.0;
 
 /// Frames of a hand that goes 20 cm to the right within a second, beside which another place is shown.
 struct Seen {
@@ -21,10 +21,10 @@ struct Seen {
 	int left = 0, returned = 0;
 	double returned_s = 0.0;
 
-	Seen &watch(double until_s = 2.0) {
+	Seen &watch() {
 		const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.0, .amplitude_m = 0.2 };
 		ShownElsewhere elsewhere;
-		for (int i = 0; i < until_s * RATE_HZ; ++i) {
+		for (int i = 0; i < LENGTH_S * RATE_HZ; ++i) {
 			const double t_s = i / RATE_HZ;
 			const bool is_elsewhere = t_s >= from_s && t_s < to_s;
 			FeaturePlace place_m{ drag.x_m(is_elsewhere ? from_s : t_s), 0.0, 0.0, 0.0 };
