@@ -16,6 +16,8 @@ constexpr double FAULT_LOG_RATIO = 6.0;
 constexpr double STILL_PER_S = 0.3;
 /// and a hand at rest so much less often, in nats, than those that have begun.
 constexpr double AT_REST_LOG_RATIO = 0.5;
+/// Likelihood of a frame off the way where the tracker shakes, in nats, against a single one.
+constexpr double LEAP_LOG_RATIO = 1.0;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
 /// The same of one that shows a hand as staying which has gone on, for each amplitude that it has gone
@@ -101,6 +103,14 @@ void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump)
 
 void count_erring(HypothesisBank &r_bank, double t_s, double log_ratio) {
 	weigh_erring(r_bank, t_s, log_ratio, false);
+}
+
+void count_leap(HypothesisBank &r_bank) {
+	for (std::size_t i = 0; i < r_bank.size(); ++i) {
+		if (r_bank.error(i) == TrackerError::SHAKING) {
+			r_bank.weigh(i, LEAP_LOG_RATIO);
+		}
+	}
 }
 
 void count_errorless(HypothesisBank &r_bank, double dt_s, double x) {

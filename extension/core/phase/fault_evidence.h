@@ -17,6 +17,10 @@ void count_fault(HypothesisBank &r_bank, double t_s, double fault, bool is_jump)
 /// The same of what else a frame says of the tracker. log_ratio: TrackingSoundness' news, nats.
 void count_erring(HypothesisBank &r_bank, double t_s, double log_ratio);
 
+/// The frame is off the way of the ones before it (TrackingSoundness::leapt): as a tracker that shakes shows
+/// one after the other, and any other seldom.
+void count_leap(HypothesisBank &r_bank);
+
 /// Of a gap or a freeze, however long, that the hand was lost is said once.
 class LossCount {
 public:

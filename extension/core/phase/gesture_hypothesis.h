@@ -51,6 +51,12 @@ public:
 	/// The same hand and tracker from now on in a regime; the tracker errs as it does there, and if it slid
 	/// it moves no more against the hand.
 	[[nodiscard]] GestureHypothesis in(Regime regime) const;
+	/// Of one at rest: the same hand and regime before a tracker that errs like that.
+	[[nodiscard]] GestureHypothesis before(TrackerError error) const {
+		GestureHypothesis h = *this;
+		h.error_ = error;
+		return h;
+	}
 	/// Of one whose gesture is over: the same hand from now on free, and on no way.
 	[[nodiscard]] GestureHypothesis leaving_end() const;
 	/// Of one that is free and on no way: the same hand, which has made the gesture and is beside its end.

@@ -11,13 +11,17 @@ namespace {
 constexpr double NEGLIGIBLE = -10.0;
 constexpr double NEGLIGIBLE_TO_ALL = -40.0;
 /// Those that are over hold the same of what is to come.
-constexpr std::array<std::size_t, 5> MOST_SPENT{ 4, 3, 2, 3, HypothesisBank::MOST_STANDING };
+constexpr std::array<std::size_t, 6> MOST_SPENT{ 4, 3, 2, 3, HypothesisBank::MOST_STANDING,
+	HypothesisBank::MOST_SHAKING };
 
 } // namespace
 
 HypothesisBank::Kind HypothesisBank::kind(std::size_t place) const {
 	if (error(place) == TrackerError::SLIDING_BACK) {
 		return SLIDING_BACK;
+	}
+	if (error(place) == TrackerError::SHAKING) {
+		return SHAKING;
 	}
 	if (is_standing(place)) {
 		return STANDING;
@@ -109,11 +113,11 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 		const Kind k = kind(i);
 		places[k][counts[k]++] = static_cast<Place>(i);
 	}
-	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0, 0.0 };
+	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0, 0.0, 0.0 };
 	double others = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;
-	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING }) {
+	for (const Kind k : { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING, SHAKING }) {
 		const std::span of_kind(places[k].data(), counts[k]);
 		const auto likely = of_kind.first(keep_likely(of_kind, k, over));
 		const auto spent = std::partition(likely.begin(), likely.end(), [&](Place i) { return !over[i]; });

@@ -21,14 +21,17 @@ public:
 	static constexpr std::size_t MOST_SLIDING_BACK = 5;
 	/// Whose hand stands.
 	static constexpr std::size_t MOST_STANDING = 2;
+	/// Whose tracker shakes about a hand at rest.
+	static constexpr std::size_t MOST_SHAKING = 2;
 	static constexpr std::size_t MOST_AFTER_PRUNE = 1 + PhaseEffort::MOST_USUAL + PhaseEffort::MOST_ERRING +
-			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_STANDING;
+			PhaseEffort::MOST_WANDERING + MOST_SLIDING_BACK + MOST_STANDING + MOST_SHAKING;
 	static constexpr std::size_t AT_REST = 0; ///< its place
 	static constexpr std::size_t GROUPS = (MOST_AFTER_PRUNE + MOST_ADDED + LANES - 1) / LANES;
 	static constexpr std::size_t CAPACITY = GROUPS * LANES;
 
 	explicit HypothesisBank(const PhaseEffort &effort = {}) :
-			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK, MOST_STANDING } {}
+			most_kept_{ effort.usual, effort.erring, effort.wandering, MOST_SLIDING_BACK, MOST_STANDING,
+				MOST_SHAKING } {}
 
 	void clear() { count_ = 0; }
 	/// Only the one at rest.
@@ -90,7 +93,7 @@ public:
 	}
 
 private:
-	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING, KINDS };
+	enum Kind : std::size_t { USUAL, ERRING, WANDERING, SLIDING_BACK, STANDING, SHAKING, KINDS };
 	static constexpr double SPENT_PHASE = 1.3;
 	using Place = std::uint8_t;
 	using Marks = std::array<bool, CAPACITY>;

@@ -29,6 +29,9 @@ constexpr double UNSOUND_PRIOR = 0.2; ///< of the regime UNSOUND where nothing w
 constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
 constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
 constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
+/// Of a hand at rest its tracker shakes, and of one that shakes it is calm again, with at least such a
+/// probability.
+constexpr double SHAKES = 0.003, CALMS = 0.1;
 /// Logarithm of the probability that frames at rest before a jump tell nothing, because the tracker trembled
 /// about where it had lost the hand.
 constexpr double STALE_NEWS = -3.0;
@@ -78,6 +81,25 @@ void choose_rest(HypothesisBank &r_bank) {
 	}
 }
 
+/// The tracker of a hand at rest may begin to shake, or be calm again, at any time.
+void doubt_calm(HypothesisBank &r_bank) {
+	const GestureHypothesis at_rest = r_bank.hypothesis(HypothesisBank::AT_REST);
+	if (at_rest.log_weight == -INFINITY) {
+		return;
+	}
+	const bool shakes = r_bank.error(HypothesisBank::AT_REST) == TrackerError::SHAKING;
+	const TrackerError other = shakes ? TrackerError::SLIGHT : TrackerError::SHAKING;
+	GestureHypothesis doubted = at_rest.before(other);
+	doubted.log_weight += std::log(shakes ? CALMS : SHAKES);
+	const std::size_t held = likeliest(r_bank,
+			[&](std::size_t i) { return r_bank.regime(i) == Regime::REST && r_bank.error(i) == other; });
+	if (held == HypothesisBank::AT_REST) {
+		r_bank.add(doubted);
+	} else if (r_bank.log_weight(held) < doubted.log_weight) {
+		r_bank.set(held, doubted);
+	}
+}
+
 } // namespace
 
 HypothesisBirths::HypothesisBirths(
@@ -106,6 +128,7 @@ void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &s
 	come_to_rest(r_bank);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
+	doubt_calm(r_bank);
 	set_free(r_bank, t_s);
 	begin(r_bank, soundness, t_s);
 }

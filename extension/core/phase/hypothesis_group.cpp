@@ -19,8 +19,11 @@ const double LOG_LONGEST = std::log(8.0);
 constexpr Lanes HANDS{ REGIME_NUMBERS[0].hand.amplitudes, REGIME_NUMBERS[1].hand.amplitudes,
 	REGIME_NUMBERS[2].hand.amplitudes, REGIME_NUMBERS[3].hand.amplitudes };
 constexpr Lanes ERRORS_AT_START{ ERROR_NUMBERS[0].at_start.amplitudes, ERROR_NUMBERS[1].at_start.amplitudes,
-	ERROR_NUMBERS[2].at_start.amplitudes };
-constexpr Lanes ERRORS_ON_WAY{ ERROR_NUMBERS[0].on_way, ERROR_NUMBERS[1].on_way, ERROR_NUMBERS[2].on_way };
+	ERROR_NUMBERS[2].at_start.amplitudes, ERROR_NUMBERS[3].at_start.amplitudes };
+constexpr Lanes ERRORS_ON_WAY{ ERROR_NUMBERS[0].on_way, ERROR_NUMBERS[1].on_way, ERROR_NUMBERS[2].on_way,
+	ERROR_NUMBERS[3].on_way };
+constexpr Lanes NOISES{ ERROR_NUMBERS[0].noise, ERROR_NUMBERS[1].noise, ERROR_NUMBERS[2].noise,
+	ERROR_NUMBERS[3].noise };
 
 using Group = HypothesisGroup;
 using Hypothesis = GestureHypothesis;
@@ -168,7 +171,9 @@ struct HypothesisGroup::Filter {
 						load(covariance(std::max<std::size_t>(i, K), std::min<std::size_t>(i, K)));
 			});
 		});
-		sight.variance = sight.cross[H::HAND] + sight.cross[H::ERROR] + (NOISE * NOISE + jitter * jitter);
+		const LaneVector noise = pick(NOISES, group.error_);
+		sight.variance = sight.cross[H::HAND] + sight.cross[H::ERROR] + noise * noise +
+				(NOISE * NOISE + jitter * jitter);
 		for (std::size_t j = 0; j < STATES_OF_WAY; ++j) {
 			sight.variance += sight.slopes[j] * sight.cross[FIRST_OF_WAY + j];
 		}

@@ -26,8 +26,9 @@ enum class TrackerError : std::uint8_t {
 	SLIGHT,
 	GREAT,        ///< the more the further the hand is
 	SLIDING_BACK, ///< from where it has jumped to
+	SHAKING,      ///< from frame to frame, about a hand at rest
 };
-inline constexpr std::size_t TRACKER_ERRORS = 3;
+inline constexpr std::size_t TRACKER_ERRORS = 4;
 [[nodiscard]] constexpr std::size_t index_of(TrackerError error) {
 	return static_cast<std::size_t>(error);
 }
@@ -60,11 +61,13 @@ inline constexpr std::array<RegimeNumbers, REGIMES> REGIME_NUMBERS{
 struct ErrorNumbers {
 	Deviation at_start; ///< b, where the hand starts
 	double on_way;      ///< standard deviation added at the end of the way
+	double noise;       ///< white, beside what any tracker has
 };
 inline constexpr std::array<ErrorNumbers, TRACKER_ERRORS> ERROR_NUMBERS{
-	ErrorNumbers{ { 0.0056, 2.7 }, 0.0 },
-	ErrorNumbers{ { 0.012, 5.9 }, 0.046 },
-	ErrorNumbers{ { 0.012, 25.0 }, 0.046 },
+	ErrorNumbers{ { 0.0056, 2.7 }, 0.0, 0.0 },
+	ErrorNumbers{ { 0.012, 5.9 }, 0.046, 0.0 },
+	ErrorNumbers{ { 0.012, 25.0 }, 0.046, 0.0 },
+	ErrorNumbers{ { 0.0056, 2.7 }, 0.0, 0.05 },
 };
 [[nodiscard]] constexpr const ErrorNumbers &error_numbers(TrackerError error) {
 	return ERROR_NUMBERS[index_of(error)];

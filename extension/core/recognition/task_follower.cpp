@@ -112,7 +112,8 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const PhaseEstimate now = estimate(t_s);
-	if (now.value <= ONSET_VALUE) {
+	// It is rather about to have been elsewhere.
+	if (now.value <= ONSET_VALUE || (now.value < BACK_VALUE && now.phase > HALF_WAY)) {
 		return false;
 	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);

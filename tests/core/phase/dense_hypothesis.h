@@ -175,7 +175,8 @@ struct DenseHypothesis {
 	/// weight without sqrt(2 pi).
 	void absorb(double t_s, double x, const HypothesisGroup::Trust &trust) {
 		const Vector h = slopes(t_s), shared = covariance * h;
-		const double variance = h.dot(shared) + NOISE * NOISE + trust.jitter * trust.jitter;
+		const double shakes = error_numbers(error).noise;
+		const double variance = h.dot(shared) + NOISE * NOISE + trust.jitter * trust.jitter + shakes * shakes;
 		const double off = x - shown(mean, t_s);
 		const auto density = [off](double v) { return std::exp(-0.5 * off * off / v) / std::sqrt(v); };
 		const double good = (1.0 - trust.outlier) * density(variance),

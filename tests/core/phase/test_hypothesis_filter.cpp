@@ -133,6 +133,19 @@ TEST_CASE("a frame that may be an outlier leaves mean and covariance of both den
 	}
 }
 
+TEST_CASE("a tracker that shakes about a hand at rest has that much more white noise, and no more") {
+	const GestureHypothesis rest = GestureHypothesis::resting(0.01);
+	for (const TrackerError error : { TrackerError::SLIGHT, TrackerError::SHAKING }) {
+		CAPTURE(index_of(error));
+		Pair pair(rest.before(error), Dense::resting(test::drag_model(), 0.01));
+		pair.dense.error = error;
+		for (int i = 0; i < 30; ++i) {
+			pair.see(0.1 + i * STEP_S, 0.05 * std::sin(2.1 * i), { .outlier = 0.01, .jitter = 0.002 });
+		}
+		pair.check();
+	}
+}
+
 TEST_CASE("what a prune or a swap moves to another place is filtered as it was") {
 	constexpr double NOW_S = 0.3;
 	for (const bool is_swapped : { false, true }) {
