@@ -17,7 +17,7 @@ constexpr double STILL_PER_S = 0.3;
 /// and a hand at rest so much less often, in nats, than those that have begun.
 constexpr double AT_REST_LOG_RATIO = 0.5;
 /// Likelihood of a frame off the way where the tracker shakes, in nats, against a single one.
-constexpr double LEAP_LOG_RATIO = 1.0;
+constexpr double LEAP_LOG_RATIO = 2.0;
 /// Of a tracker that errs, at the end of the way: to see none speaks against it.
 constexpr double FAULTS_PER_S = 2.4;
 /// The same of one that shows a hand as staying which has gone on, for each amplitude that it has gone

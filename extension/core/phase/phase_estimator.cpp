@@ -174,14 +174,17 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 	if (is_back) {
 		HypothesisBirths::rest_anew(now_.bank, x);
 	}
-	if (is_back || sets_out_unseen(since_s, x)) {
+	if (is_back || has_set_out_unseen(since_s, x)) {
 		births_.seed(now_.bank, soundness_, t_s, x);
 	}
 	now_.told_x = soundness_.told() ? x : now_.told_x;
 	count_frame(t_s, dt_s, was_frozen ? dt_s : told_dt_s, x, fault, jumps);
 	if (soundness_.told()) {
+		const double before = now_.bank.greatest_log_weight();
 		now_.bank.absorb(
 				curve_, t_s, x, { OUTLIERS, soundness_.jitter(), told_dt_s / (told_dt_s + ALIKE_S) });
+		// What is expected is likelier than 1 an amplitude: what is not, none gains by.
+		now_.surprises = now_.bank.greatest_log_weight() < before ? now_.surprises + 1 : 0;
 	}
 }
 
@@ -196,10 +199,13 @@ void PhaseEstimator::count_lost() {
 	}
 }
 
-/// Between two frames of a slow camera a quick hand gets further than any that had just begun.
-bool PhaseEstimator::sets_out_unseen(double step_s, double x) const {
+/// Between two frames of a slow camera a quick hand gets further than any that had just begun; and errors
+/// right at the onset may leave it at rest, for all that is held, while each frame shows it elsewhere.
+bool PhaseEstimator::has_set_out_unseen(double step_s, double x) const {
 	constexpr double FROM = HypothesisBirths::SEEDED_FROM;
-	return soundness_.told() && step_s > SPARSE_S && now_.told_x < FROM && x - now_.told_x > FROM;
+	const bool is_sparse = step_s > SPARSE_S && now_.told_x < FROM && x - now_.told_x > FROM;
+	const bool was_missed = now_.surprises > 1 && now_.bank.weight(HypothesisBank::AT_REST) > 0.5;
+	return soundness_.told() && (is_sparse || was_missed);
 }
 
 /// What a frame says by being at fault, or not.

@@ -21,8 +21,8 @@ namespace steadyhand {
 /// Kalman filter of its own (gesture_hypothesis.h). What is put out is their weighted mean.
 ///
 /// - Hypotheses branch off the one at rest at a constant rate while the hand is seen, and are seeded from
-///   what is seen when the tracker comes back from a gap, a freeze or a jump, or between the frames of a slow
-///   camera: a gesture that begins unseen is caught.
+///   what is seen when the tracker comes back from a gap, a freeze or a jump, between the frames of a slow
+///   camera, or where a frame was where none had expected the hand: a gesture that begins unseen is caught.
 /// - A jump is the tracker's: it may lead away from the hand or back to it (tracker_jump.h).
 /// - Faults of the tracker (tracking_soundness.h) speak for the regime in which it errs.
 /// - The output never steps: what a frame changes is blended in, in value and in velocity.
@@ -92,6 +92,7 @@ private:
 		double branched_s = 0.0; ///< told_s at the last branching of one that stands
 		double branched_x = 0.0; ///< and told_x
 		double missing = 0.0;    ///< fault of the gap since the last frame that has been counted
+		int surprises = 0;       ///< the last frames that told something, which none of them expected
 	};
 
 	/// What was believed before a frame that leapt off the way: if the tracker is back on it soon, it is
@@ -131,7 +132,7 @@ private:
 	void weigh(double t_s, double x);
 	void absorb(double t_s, double x, double fault, bool jumps);
 	void count_lost();
-	[[nodiscard]] bool sets_out_unseen(double step_s, double x) const;
+	[[nodiscard]] bool has_set_out_unseen(double step_s, double x) const;
 	void count_frame(double t_s, double dt_s, double shown_dt_s, double x, double fault, bool jumps);
 	/// What a frame shows is so old.
 	[[nodiscard]] double ahead_s() const { return latency_s_ + falling_behind_s_; }

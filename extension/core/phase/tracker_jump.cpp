@@ -55,8 +55,10 @@ void branch_at_jump(HypothesisBank &r_bank, double leap) {
 		const bool is_likely = r_bank.weight(i) > LIKELY, is_free = r_bank.regime(i) == Regime::FREE;
 		const bool is_standing = r_bank.is_standing(i);
 		// A free hand that is on no way could be anywhere, and move against any error; one that stands was
-		// taken to be where it was shown.
-		const bool may_be_displaced = is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing;
+		// taken to be where it was shown; a tracker that shakes leaps without being displaced.
+		const bool shakes = r_bank.error(i) == TrackerError::SHAKING;
+		const bool may_be_displaced =
+				is_likely && (!is_free || r_bank.on_its_way(i)) && !is_standing && !shakes;
 		if (may_be_displaced) {
 			r_bank.add(back.displaced(displaced_by), std::log(DISPLACED));
 		}
