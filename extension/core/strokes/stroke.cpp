@@ -9,6 +9,7 @@ Stroke joined(const Stroke &first, const Stroke &second) {
 	both.now_s = second.now_s;
 	both.moved_s = second.moved_s;
 	both.to = second.to;
+	both.seen_to = second.seen_to;
 	if (first.way_m + second.way_m > 0.0) {
 		both.middle =
 				(first.way_m * first.middle + second.way_m * second.middle) / (first.way_m + second.way_m);

@@ -13,8 +13,10 @@ struct Stroke {
 	FeaturePlace to = FeaturePlace::Zero();
 	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its way
 	double peak_m_s = 0.0;
-	/// `from` as the tracker showed it: the other places are without the steps that no hand makes.
+	/// `from` and `to` as the tracker showed them: the other places are without the steps that no hand makes.
 	FeaturePlace seen_from = FeaturePlace::Zero();
+	FeaturePlace seen_to = FeaturePlace::Zero();
+	int leaps = 0;      ///< steps that no hand makes, meanwhile
 	double way_m = 0.0; ///< length of the way from `from` to `to`, >= their distance
 	/// How far from `from` the hand was before the onset, at most; before slow strokes there is more to it:
 	/// StrokeFinder::unrest_m.
@@ -27,6 +29,13 @@ struct Stroke {
 	bool is_lost = false; ///< it was under way before a gap that the newest frame has ended
 
 	static constexpr double REST_S = 0.5;
+
+	/// Which share of its way the tracker shows: not all where it leapt along it, next to nothing where the
+	/// way is what its leaps to and fro leave when they are taken out. NaN of one that goes nowhere.
+	[[nodiscard]] double seen_share() const {
+		const FeaturePlace chord = to - from;
+		return (seen_to - seen_from).dot(chord) / chord.squaredNorm();
+	}
 };
 
 /// Both as one, as far as a task's evidence asks: what the hand did between them adds its way only.

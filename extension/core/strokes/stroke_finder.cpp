@@ -21,6 +21,7 @@ constexpr double ENTERED_S = 0.2; ///< that is known by then
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
+constexpr double LEAST_LEAP_M = 0.005;
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
@@ -41,6 +42,7 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m, bool is_news
 		pose_.show(t_s, place_m);
 	}
 	steps_.restart();
+	leapt_m_ = FeaturePlace::Zero();
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
 		remember(passed);
 	}
@@ -62,6 +64,8 @@ Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak
 		.middle = now.place_m,
 		.peak_m_s = peak_m_s,
 		.seen_from = onset.seen_m,
+		.seen_to = now.seen_m,
+		.leaps = now.leaps - onset.leaps,
 		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
 		.unrest_m = onset.unrest_m,
 		.watched_s = onset.watched_s };
@@ -141,6 +145,9 @@ void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double rest_sho
 
 void StrokeFinder::follow(std::span<const TrackerSteps::Passed> passed, bool may_end) {
 	for (const TrackerSteps::Passed &frame : passed) {
+		const FeaturePlace step_m = frame.seen_m - frame.place_m;
+		leaps_ += (step_m - leapt_m_).norm() > LEAST_LEAP_M ? 1 : 0;
+		leapt_m_ = step_m;
 		remember(frame);
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
@@ -174,7 +181,7 @@ void StrokeFinder::follow(const TrembleFilter::Place &place, bool may_end) {
 	if (has_turned) {
 		begin_anew(newest_);
 	}
-	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m };
+	Sample now{ .t_s = place.t_s, .place_m = place.place_m, .seen_m = place.seen_m, .leaps = leaps_ };
 	// A slope is that of half a window ago.
 	now.speed_s = place.t_s - 0.5 * std::max(WINDOW_S, dt_s);
 	measure_way(now);

@@ -79,6 +79,7 @@ private:
 		FeaturePlace sum = FeaturePlace::Zero(); ///< of place over the way, m^2
 		double speed_m_s = 0.0;
 		FeaturePlace seen_m = FeaturePlace::Zero(); ///< as given
+		int leaps = 0;                              ///< so far
 		double way_m = 0.0;                         ///< gone so far
 		double speed_s = -INFINITY;                 ///< when the hand had the speed
 		double unrest_m = 0.0, watched_s = 0.0;     ///< as in Stroke; of onsets
@@ -107,8 +108,10 @@ private:
 	WayKnots knots_; ///< scaled
 	SlowMoments<Sample> slow_moments_;
 
-	double seen_since_s_ = 0.0; ///< frozen frames count as seen
-	HeldPose pose_;             ///< shown first when a place was last news
+	FeaturePlace leapt_m_ = FeaturePlace::Zero(); ///< by which the tracker shows the hand beside its place
+	int leaps_ = 0;                               ///< times that it changed at once
+	double seen_since_s_ = 0.0;                   ///< frozen frames count as seen
+	HeldPose pose_;                               ///< shown first when a place was last news
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
 	std::optional<Sample> onset_;
