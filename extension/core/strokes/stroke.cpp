@@ -10,6 +10,7 @@ Stroke joined(const Stroke &first, const Stroke &second) {
 	both.moved_s = second.moved_s;
 	both.to = second.to;
 	both.seen_to = second.seen_to;
+	both.leaps = first.leaps + second.leaps;
 	if (first.way_m + second.way_m > 0.0) {
 		both.middle =
 				(first.way_m * first.middle + second.way_m * second.middle) / (first.way_m + second.way_m);

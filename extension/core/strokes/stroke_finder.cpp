@@ -43,6 +43,7 @@ void StrokeFinder::restart(double t_s, const FeaturePlace &place_m, bool is_news
 	}
 	steps_.restart();
 	leapt_m_ = FeaturePlace::Zero();
+	leaps_ = 0;
 	for (const TrackerSteps::Passed &passed : steps_.push(t_s, place_m)) {
 		remember(passed);
 	}
