@@ -217,7 +217,7 @@ void PhaseEstimator::count_frame(
 	const bool says_nothing = now_.halted.is_halted() && !is_jump_to_end;
 	count_fault(now_.bank, t_s, says_nothing ? 0.0 : fault - now_.missing, jumps);
 	now_.missing = 0.0;
-	if (soundness_.leapt() && !soundness_.returned()) {
+	if (soundness_.leapt()) {
 		count_leap(now_.bank);
 	}
 	count_erring(now_.bank, t_s, soundness_.log_ratio_news());

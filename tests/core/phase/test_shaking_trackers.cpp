@@ -72,3 +72,23 @@ TEST_CASE("a gesture that begins while the tracker shakes is shown, a little lat
 		CHECK(off(noise, 0.3, [&](double t_s) { return drag.x_m(t_s); }).mean < mean);
 	}
 }
+
+TEST_CASE("once a tracker is calm that shook for long, a hand is followed as one before any that never did") {
+	const test::Drag drag{ .onset_s = 4.5, .duration_s = 1.5, .amplitude_m = 1.0 };
+	const auto hand = [&](double t_s) { return drag.x_m(t_s); };
+	const auto off_drag = [&](double shakes_for_s) {
+		PhaseEstimator estimator(test::drag_model());
+		std::mt19937_64 random(3);
+		std::normal_distribution<double> normal;
+		double furthest = 0.0;
+		const auto show = [&](double t_s) {
+			const bool shakes = t_s >= SHAKES_FROM_S && t_s < SHAKES_FROM_S + shakes_for_s;
+			return hand(t_s) + (shakes ? 0.06 : TREMBLES) * normal(random);
+		};
+		test::follow(estimator, 6.5, show, [&](double t_s, double value) {
+			furthest = std::max(furthest, t_s > drag.onset_s ? std::abs(value - hand(t_s)) : 0.0);
+		});
+		return furthest;
+	};
+	CHECK(off_drag(2.5) < 1.1 * off_drag(0.0));
+}

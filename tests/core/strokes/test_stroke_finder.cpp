@@ -66,6 +66,32 @@ double integral(const std::function<double(double)> &f, double to) {
 
 } // namespace
 
+TEST_CASE("a stroke has the leaps that the tracker made meanwhile, and shows the less of its way for them") {
+	constexpr double LEAP_M = 0.08, GAP_FROM_S = 0.5;
+	const test::Drag drag{ .onset_s = 2.3, .duration_s = 0.8, .amplitude_m = 0.2 };
+	for (const double gap_to_s : { 1.8, 2.45 }) { // at rest, and on its way
+		CAPTURE(gap_to_s);
+		StrokeFinder finder;
+		Stroke last;
+		for (int i = 0; i < 300; ++i) {
+			const double t_s = 0.01 * i;
+			if (t_s >= GAP_FROM_S && t_s < gap_to_s) {
+				continue;
+			}
+			// At rest it leaps to and fro; on the way once, back, and stays there.
+			const double leapt_m = t_s < GAP_FROM_S ? (i / 10 % 2) * LEAP_M : t_s > 2.75 ? -LEAP_M : 0.0;
+			finder.push(t_s, FeaturePlace(drag.x_m(t_s) + leapt_m, 0.0, 0.0, 0.0));
+			if (!finder.strokes().empty()) {
+				last = finder.strokes().front();
+			}
+		}
+		CHECK(last.leaps == 1);
+		const double length_m = (last.to - last.from).norm();
+		CHECK(length_m == test::near(0.2 - drag.x_m(gap_to_s)).epsilon(0.1));
+		CHECK(last.seen_share() == test::near(1.0 - LEAP_M / length_m).epsilon(0.02));
+	}
+}
+
 TEST_CASE("a stroke is as long as the hand's way, at any rate") {
 	for (const double rate_hz : { 30.0, 110.0, 1000.0 }) {
 		CAPTURE(rate_hz);
