@@ -31,8 +31,8 @@ struct Stroke {
 	static constexpr double REST_S = 0.5;
 
 	/// Which share of its way the tracker shows: not all where it leapt along it, next to nothing where the
-	/// way is what its leaps to and fro leave when they are taken out; more than 1 where strokes count a place
-	/// for less than is shown. NaN of one that goes nowhere.
+	/// way is what its leaps to and fro leave when they are taken out; more than 1 where strokes count a
+	/// place for less than is shown. NaN of one that goes nowhere.
 	[[nodiscard]] double seen_share() const {
 		const FeaturePlace chord = to - from;
 		return (seen_to - seen_from).dot(chord) / chord.squaredNorm();
