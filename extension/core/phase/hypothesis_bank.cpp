@@ -113,7 +113,9 @@ void HypothesisBank::prune(double t_s, double unsound_at_least, double free_at_l
 		const Kind k = kind(i);
 		places[k][counts[k]++] = static_cast<Place>(i);
 	}
-	const std::array<double, KINDS> share{ 0.0, unsound_at_least, free_at_least, 0.0, 0.0, 0.0 };
+	std::array<double, KINDS> share{};
+	share[ERRING] = unsound_at_least;
+	share[WANDERING] = free_at_least;
 	double others = 0.0;
 	std::array<Place, CAPACITY> kept;
 	std::size_t kept_count = 0;

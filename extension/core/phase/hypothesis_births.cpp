@@ -83,13 +83,12 @@ void choose_rest(HypothesisBank &r_bank) {
 
 /// The tracker of a hand at rest may begin to shake, or be calm again, at any time.
 void doubt_calm(HypothesisBank &r_bank) {
-	const GestureHypothesis at_rest = r_bank.hypothesis(HypothesisBank::AT_REST);
-	if (at_rest.log_weight == -INFINITY) {
+	if (r_bank.log_weight(HypothesisBank::AT_REST) == -INFINITY) {
 		return;
 	}
 	const bool shakes = r_bank.error(HypothesisBank::AT_REST) == TrackerError::SHAKING;
 	const TrackerError other = shakes ? TrackerError::SLIGHT : TrackerError::SHAKING;
-	GestureHypothesis doubted = at_rest.before(other);
+	GestureHypothesis doubted = r_bank.hypothesis(HypothesisBank::AT_REST).before(other);
 	doubted.log_weight += std::log(shakes ? CALMS : SHAKES);
 	const std::size_t held = likeliest(r_bank,
 			[&](std::size_t i) { return r_bank.regime(i) == Regime::REST && r_bank.error(i) == other; });

@@ -16,14 +16,19 @@ const double LOG_SHORTEST = std::log(0.12);
 const double LOG_LONGEST = std::log(8.0);
 
 // By index_of.
-constexpr Lanes HANDS{ REGIME_NUMBERS[0].hand.amplitudes, REGIME_NUMBERS[1].hand.amplitudes,
-	REGIME_NUMBERS[2].hand.amplitudes, REGIME_NUMBERS[3].hand.amplitudes };
-constexpr Lanes ERRORS_AT_START{ ERROR_NUMBERS[0].at_start.amplitudes, ERROR_NUMBERS[1].at_start.amplitudes,
-	ERROR_NUMBERS[2].at_start.amplitudes, ERROR_NUMBERS[3].at_start.amplitudes };
-constexpr Lanes ERRORS_ON_WAY{ ERROR_NUMBERS[0].on_way, ERROR_NUMBERS[1].on_way, ERROR_NUMBERS[2].on_way,
-	ERROR_NUMBERS[3].on_way };
-constexpr Lanes NOISES{ ERROR_NUMBERS[0].noise, ERROR_NUMBERS[1].noise, ERROR_NUMBERS[2].noise,
-	ERROR_NUMBERS[3].noise };
+template <class Numbers, class Number> constexpr Lanes of_each(const Numbers &numbers, Number number) {
+	Lanes lanes{};
+	for (std::size_t i = 0; i < numbers.size(); ++i) {
+		lanes[i] = number(numbers[i]);
+	}
+	return lanes;
+}
+constexpr Lanes HANDS = of_each(REGIME_NUMBERS, [](const auto &regime) { return regime.hand.amplitudes; });
+constexpr Lanes ERRORS_AT_START =
+		of_each(ERROR_NUMBERS, [](const auto &error) { return error.at_start.amplitudes; });
+constexpr Lanes ERRORS_ON_WAY = of_each(ERROR_NUMBERS, [](const auto &error) { return error.on_way; });
+constexpr Lanes WHITE_VARIANCES =
+		of_each(ERROR_NUMBERS, [](const auto &error) { return NOISE * NOISE + error.noise * error.noise; });
 
 using Group = HypothesisGroup;
 using Hypothesis = GestureHypothesis;
@@ -171,9 +176,8 @@ struct HypothesisGroup::Filter {
 						load(covariance(std::max<std::size_t>(i, K), std::min<std::size_t>(i, K)));
 			});
 		});
-		const LaneVector noise = pick(NOISES, group.error_);
-		sight.variance = sight.cross[H::HAND] + sight.cross[H::ERROR] + noise * noise +
-				(NOISE * NOISE + jitter * jitter);
+		sight.variance = sight.cross[H::HAND] + sight.cross[H::ERROR] +
+				(pick(WHITE_VARIANCES, group.error_) + jitter * jitter);
 		for (std::size_t j = 0; j < STATES_OF_WAY; ++j) {
 			sight.variance += sight.slopes[j] * sight.cross[FIRST_OF_WAY + j];
 		}

@@ -24,6 +24,9 @@ public:
 		double t_s = 0.0;
 		FeaturePlace place_m = FeaturePlace::Zero(); ///< without all steps so far
 		FeaturePlace seen_m = FeaturePlace::Zero();  ///< as given
+
+		/// By which the tracker shows the hand beside where it is.
+		[[nodiscard]] FeaturePlace step_m() const { return seen_m - place_m; }
 	};
 
 	/// Frames that are fit to use by now, in order: none, one, or two. t_s must increase. rest_shown_s: when

@@ -21,7 +21,7 @@ constexpr double ENTERED_S = 0.2; ///< that is known by then
 constexpr double LOSS_S = 0.15;
 constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
-constexpr double LEAST_LEAP_M = 0.005;
+constexpr double LEAST_LEAP_M = 0.005; ///< what a tracker takes back slowly is none
 /// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
 constexpr double WATCH_SHARE = 0.8;
 constexpr double LONGEST_WATCH_S = 1.5;
@@ -146,9 +146,6 @@ void StrokeFinder::take(double t_s, const FeaturePlace &place_m, double rest_sho
 
 void StrokeFinder::follow(std::span<const TrackerSteps::Passed> passed, bool may_end) {
 	for (const TrackerSteps::Passed &frame : passed) {
-		const FeaturePlace step_m = frame.seen_m - frame.place_m;
-		leaps_ += (step_m - leapt_m_).norm() > LEAST_LEAP_M ? 1 : 0;
-		leapt_m_ = step_m;
 		remember(frame);
 		follow(trembles_.push({ frame.t_s, scale_.cwiseProduct(frame.place_m), frame.seen_m }, WINDOW_S,
 					   STILL_PER_S * smallest_m_),
@@ -158,9 +155,11 @@ void StrokeFinder::follow(std::span<const TrackerSteps::Passed> passed, bool may
 
 void StrokeFinder::remember(const TrackerSteps::Passed &passed) {
 	pose_.follow(passed.t_s, passed.place_m);
+	leaps_ += (passed.step_m() - leapt_m_).norm() > LEAST_LEAP_M ? 1 : 0;
+	leapt_m_ = passed.step_m();
 	for (std::size_t i = past_.size(); i > 0 && past_[i - 1].t_s >= passed.t_s; --i) {
 		if (past_[i - 1].t_s == passed.t_s) {
-			past_[i - 1].step_m = passed.seen_m - passed.place_m;
+			past_[i - 1].step_m = passed.step_m();
 		}
 	}
 }

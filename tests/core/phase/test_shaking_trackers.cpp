@@ -19,8 +19,10 @@ constexpr int SEEDS = 40;
 constexpr double SHAKES_FROM_S = 1.0;
 constexpr double TREMBLES = 1e-3; ///< while it does not shake
 
-/// The most that the estimate is off a hand whose tracker shakes for a while from frame to frame, white.
-template <class Hand> double furthest_off(double noise, double for_s, unsigned seed, const Hand &hand) {
+/// The most that the estimate is off a hand, from a time on, whose tracker shakes for a while from frame to
+/// frame, white.
+template <class Hand>
+double furthest_off(double noise, double for_s, unsigned seed, const Hand &hand, double from_s, double to_s) {
 	PhaseEstimator estimator(test::drag_model());
 	std::mt19937_64 random(seed);
 	std::normal_distribution<double> normal;
@@ -29,8 +31,9 @@ template <class Hand> double furthest_off(double noise, double for_s, unsigned s
 		const bool shakes = t_s >= SHAKES_FROM_S && t_s < SHAKES_FROM_S + for_s;
 		return hand(t_s) + (shakes ? noise : TREMBLES) * normal(random);
 	};
-	test::follow(estimator, SHAKES_FROM_S + for_s + 1.0, show,
-			[&](double t_s, double value) { furthest = std::max(furthest, std::abs(value - hand(t_s))); });
+	test::follow(estimator, to_s, show, [&](double t_s, double value) {
+		furthest = std::max(furthest, t_s > from_s ? std::abs(value - hand(t_s)) : 0.0);
+	});
 	return furthest;
 }
 
@@ -40,7 +43,7 @@ struct Off {
 template <class Hand> Off off(double noise, double for_s, const Hand &hand) {
 	Off off;
 	for (unsigned seed = 1; seed <= SEEDS; ++seed) {
-		const double furthest = furthest_off(noise, for_s, seed, hand);
+		const double furthest = furthest_off(noise, for_s, seed, hand, -1.0, SHAKES_FROM_S + for_s + 1.0);
 		off.mean += furthest / SEEDS;
 		off.greatest = std::max(off.greatest, furthest);
 	}
@@ -77,18 +80,7 @@ TEST_CASE("once a tracker is calm that shook for long, a hand is followed as one
 	const test::Drag drag{ .onset_s = 4.5, .duration_s = 1.5, .amplitude_m = 1.0 };
 	const auto hand = [&](double t_s) { return drag.x_m(t_s); };
 	const auto off_drag = [&](double shakes_for_s) {
-		PhaseEstimator estimator(test::drag_model());
-		std::mt19937_64 random(3);
-		std::normal_distribution<double> normal;
-		double furthest = 0.0;
-		const auto show = [&](double t_s) {
-			const bool shakes = t_s >= SHAKES_FROM_S && t_s < SHAKES_FROM_S + shakes_for_s;
-			return hand(t_s) + (shakes ? 0.06 : TREMBLES) * normal(random);
-		};
-		test::follow(estimator, 6.5, show, [&](double t_s, double value) {
-			furthest = std::max(furthest, t_s > drag.onset_s ? std::abs(value - hand(t_s)) : 0.0);
-		});
-		return furthest;
+		return furthest_off(0.06, shakes_for_s, 3, hand, drag.onset_s, 6.5);
 	};
 	CHECK(off_drag(2.5) < 1.1 * off_drag(0.0));
 }
