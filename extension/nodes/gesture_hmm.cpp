@@ -200,16 +200,13 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 		shown_.gesture >= 0 ? gestures_begun_ : 0, shown_.arrived && motion_ == MOTION_SYNTHESISED };
 }
 
-/// While no gesture is under way, of the first one's motion, which is shown.
+/// Of the motion that is shown, which at rest is that of the nearest task.
 double GestureHMM::amplitude_m() const {
-	const steadyhand::GestureFollower *follower = recogniser_->follower();
-	if (follower != nullptr) {
-		return follower->task().amplitude_m;
-	}
 	if (expected_.empty()) {
 		return 1.0;
 	}
-	return expected_.front().place.value_or(expected_.front().model->typical_task).amplitude_m;
+	const Expected &shown = expected_[recogniser_->shown()];
+	return shown.place.value_or(shown.model->typical_task).amplitude_m;
 }
 
 StringName GestureHMM::gesture_name(int p_expected) const {

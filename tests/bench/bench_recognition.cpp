@@ -95,16 +95,18 @@ double ns_an_iteration(const std::vector<std::vector<SymbolSequence>> &gestures)
 	return ns / ITERATIONS;
 }
 
-/// The trials through the models, each from its start to its end; outputs: of each millisecond as many.
+Task task_of(const SyntheticTrial &trial) {
+	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
+}
+
+/// The trials, each from its start to its end; outputs: of each millisecond as many, -1: nor instants.
 /// Returns ns a frame.
-double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
-		MotionMode mode, int outputs = 0, Quality quality = Quality::ACCURATE) {
+double ns_a_frame(const std::vector<SyntheticTrial> &trials,
+		const std::function<GestureRecogniser(const Task &)> &recogniser_of, int outputs) {
 	double ns = 0.0;
 	std::size_t frames = 0;
 	for (const SyntheticTrial &trial : trials) {
-		const Task task{ trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
-		GestureRecogniser recogniser(
-				models, has_task ? std::optional(task) : std::nullopt, mode, phase_effort(quality));
+		GestureRecogniser recogniser = recogniser_of(task_of(trial));
 		ns += ns_of([&] {
 			int ms = 0;
 			for (const HandFrame &frame : trial.measured.frames) {
@@ -120,6 +122,37 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &model
 		frames += trial.measured.frames.size();
 	}
 	return ns / static_cast<double>(frames);
+}
+
+/// All models at the trial's place, or at none.
+double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
+		MotionMode mode, int outputs = 0, Quality quality = Quality::ACCURATE) {
+	return ns_a_frame(
+			trials,
+			[&](const Task &task) {
+				return GestureRecogniser(
+						models, has_task ? std::optional(task) : std::nullopt, mode, phase_effort(quality));
+			},
+			outputs);
+}
+
+/// A tap at one of 30 keys in five rows, the middle one or so.
+double ns_a_frame_of_keys(const SyntheticTrial &tap, const Models &models, double apart_m) {
+	return ns_a_frame(
+			{ tap },
+			[&](const Task &task) {
+				const Eigen::Vector3d across = task.axis.unitOrthogonal(), down = task.axis.cross(across);
+				std::vector<ExpectedGesture> keys;
+				for (int column = -3; column < 3; ++column) {
+					for (int row = -2; row <= 2; ++row) {
+						Task key = task;
+						key.start_m += apart_m * (column * across + row * down);
+						keys.push_back({ models[2], key });
+					}
+				}
+				return GestureRecogniser(std::move(keys));
+			},
+			-1);
 }
 
 /// Difference of a run with outputs and one without, by the milliseconds that the trials last.
@@ -175,6 +208,15 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 							},
 							1000.0 });
 				}
+			}
+		}
+		for (const double apart_m : { 0.04, 0.3 }) {
+			if (mode == MotionMode::PHASE) {
+				rows.push_back({ "frame, phase, scene, 30 taps " + std::string(apart_m < 0.1 ? "4" : "30") +
+								" cm apart",
+						[&trials, &models, apart_m] {
+							return ns_a_frame_of_keys(trials[2], models, apart_m);
+						} });
 			}
 		}
 		rows.push_back({ "motion(t) at 1 kHz, " + mode_name,

@@ -31,6 +31,25 @@ func test_each_gesture_is_told_with_the_task_that_it_was_made_at() -> void:
 		task.free()
 
 
+func test_a_gesture_is_felt_the_same_at_one_of_several_tasks() -> void:
+	var end := Vector3(0.2, 0.0, 0.0)
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var before := _task(&"horizontal_drag", Vector3(-0.6, 0.1, 0.0), Vector3.RIGHT, 0.2)
+	var beyond := _task(&"vertical_drag", Vector3(0.0, -0.7, 0.0), Vector3.UP, 0.4)
+	var alone := _felt([task], [Vector3.ZERO, end])
+	check(alone.max() as float > 0.9, "the spring is at its end")
+	for tasks: Array[GestureTask] in [
+		[before, task, beyond] as Array[GestureTask],
+		[beyond, before, task] as Array[GestureTask],
+	]:
+		var felt := _felt(tasks, [Vector3.ZERO, end])
+		var instants := range(mini(felt.size(), alone.size()))
+		var off := instants.map(func(i: int) -> float: return absf(felt[i] - alone[i]))
+		check_near(off.max() as float, 0.0, 0.0, "at task %d" % tasks.find(task))
+	for one: GestureTask in [task, before, beyond]:
+		one.free()
+
+
 func test_a_direction_is_of_any_length() -> void:
 	for length: float in [1e-20, 1e-3, 3.0, 1e20]:
 		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3(0.6, 0.0, -0.8) * length, 0.2)
@@ -239,6 +258,23 @@ func _hmm(tasks: Array[GestureTask]) -> GestureHMM:
 func _free(hmm: GestureHMM) -> void:
 	hmm.tracker.free()
 	hmm.free()
+
+
+## The amplitude of what is felt at each instant.
+func _felt(tasks: Array[GestureTask], places: Array[Vector3]) -> Array[float]:
+	var hmm := _hmm(tasks)
+	var synth := HapticSynth.new()
+	var spring := SpringEffect.new()
+	synth.effects = [spring]
+	synth.gesture_hmm = hmm
+	root.add_child(synth)
+	var felt: Array[float] = []
+	var note := func(_time_s: float) -> void: felt.append(synth.get_amplitude())
+	hmm.motion_updated.connect(note)
+	_play(hmm, places)
+	synth.free()
+	_free(hmm)
+	return felt
 
 
 func _ends(seen: Array[String]) -> Array[String]:

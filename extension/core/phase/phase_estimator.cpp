@@ -266,15 +266,39 @@ bool PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 	if (t_s - absorbed_s_ < LEAST_FRAME_S) {
 		return false;
 	}
-	const double frame_s = t_s - std::max(absorbed_s_, now_.filtered_s);
-	absorbed_s_ = t_s;
 	branch_until(t_s);
-	soundness_.push(t_s, x, place);
-	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
-			-std::expm1(-frame_s / ERRING_SETTLING_S);
+	judge(t_s, x, place);
 	weigh(t_s, x);
 	prune();
 	return true;
+}
+
+void PhaseEstimator::judge(double t_s, double x, const FeaturePlace &place) {
+	const double frame_s = t_s - std::max(absorbed_s_, now_.filtered_s);
+	absorbed_s_ = t_s;
+	soundness_.push(t_s, x, place);
+	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
+			-std::expm1(-frame_s / ERRING_SETTLING_S);
+}
+
+void PhaseEstimator::doze(double t_s, double x, const FeaturePlace &place) {
+	if (!now_.bank.empty()) {
+		forget_hand();
+	}
+	if (t_s - absorbed_s_ >= LEAST_FRAME_S) {
+		judge(t_s, x, place);
+	}
+}
+
+void PhaseEstimator::forget_hand() {
+	now_.bank.clear();
+	now_.halted = {};
+	now_.loss = {};
+	now_.missing = 0.0;
+	before_leap_.leap_s = NEVER_S;
+	blend_ = {};
+	acceleration_step_ = 0.0;
+	bursts_.forget();
 }
 
 PhaseEstimate PhaseEstimator::at(double t_s) const {

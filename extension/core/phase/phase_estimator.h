@@ -46,6 +46,9 @@ public:
 	/// False where it is passed over: it comes too soon after the last one.
 	bool recall(double t_s, double x, const FeaturePlace &place);
 	void catch_up() { look(now_.filtered_s); }
+	/// The same of a hand that is not followed: the tracker is judged, for a thirtieth of the cost, at() is
+	/// 0, and the next push() finds the hand as a first one does.
+	void doze(double t_s, double x, const FeaturePlace &place);
 	/// No frame came until t_s: one that should have is a fault already while it is missing.
 	void wait(double t_s);
 	/// The gesture is over at t_s, not before the last frame: what comes next may be another one. shift: what
@@ -53,15 +56,10 @@ public:
 	void restart(double t_s, double shift = 0.0);
 	/// As made: nothing of what was seen connects with what comes next.
 	void reset() {
-		now_.bank.clear();
+		forget_hand();
 		soundness_ = {};
-		now_.halted = {};
-		now_.loss = {};
-		absorbed_s_ = before_leap_.leap_s = NEVER_S;
-		falling_behind_s_ = now_.missing = 0.0;
-		blend_ = {};
-		acceleration_step_ = 0.0;
-		bursts_.forget();
+		absorbed_s_ = NEVER_S;
+		falling_behind_s_ = 0.0;
 	}
 
 	/// At t_s, not before the last push.
@@ -120,6 +118,8 @@ private:
 	double acceleration_step_ = 0.0; ///< the same of the acceleration
 
 	void begin(double t_s, double d, double velocity);
+	void forget_hand();
+	void judge(double t_s, double x, const FeaturePlace &place);
 	void use(const FrameBursts::Frame &frame, double t_s);
 	void look(double t_s) {
 		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, mistaken(), now_.halted.is_halted());

@@ -71,6 +71,8 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
+	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
+	shown_ = static_cast<std::size_t>(std::max(still_shown, 0));
 	watch_features();
 	if (followers_.empty() || followers_[shown()].get() != shown_before) {
 		blend_ = {};

@@ -35,7 +35,9 @@ bool GestureFollower::push(
 	}
 	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
-	if (follows_phase()) {
+	if (is_elsewhere_) {
+		phase_.doze(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
+	} else if (follows_phase()) {
 		phase_.push(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
 	}
 	if (is_forgotten_) {

@@ -73,6 +73,14 @@ public:
 	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
 	/// up.
 	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	/// It is to follow the hand, wherever that is, with frames from t_s on: what it shows at rest is put out.
+	virtual void attend(double /*t_s*/) {}
+	/// The hand is where the gesture does not begin: until it is nearer again, or attend(), it is not
+	/// followed, and shown at 0.
+	[[nodiscard]] bool is_elsewhere() const { return is_elsewhere_; }
+	/// How far from where its gesture begins the hand was last seen, amplitudes; infinite before it was,
+	/// since it was lost, and where that may be anywhere.
+	[[nodiscard]] virtual double off_start() const { return INFINITY; }
 	/// Of a new follower: strokes that began before t_s have been made for another gesture.
 	virtual void pass_over_before(double t_s) = 0;
 	/// What is under way, and what of it is still to come, was another gesture's.
@@ -137,6 +145,8 @@ protected:
 	void forget_frames();
 	void recall(double t_s, double x_m, const FeaturePlace &place);
 	void catch_up() { phase_.catch_up(); }
+	/// From this frame on.
+	void set_elsewhere(bool is_elsewhere) { is_elsewhere_ = is_elsewhere; }
 
 private:
 	const GestureModel *model_;
@@ -144,6 +154,7 @@ private:
 	Task task_;
 	MotionMode mode_;
 	bool follows_rest_;
+	bool is_elsewhere_ = false;
 
 	ObservationWindow window_;
 	SymbolClock clock_;

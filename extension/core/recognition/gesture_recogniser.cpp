@@ -16,6 +16,8 @@ constexpr double PART = 12.0;
 /// it.
 constexpr double LEAD_RATE_PER_S = 50.0;
 constexpr double SHOW_RATE_PER_S = 100.0;
+/// At rest another task is shown from so much nearer on, of the distance from the one that is.
+constexpr double NEARER = 0.8;
 
 } // namespace
 
@@ -39,6 +41,11 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
+	bool was_seen = false;
+	if (!followers_.empty()) {
+		was_seen = followers_[shown_]->off_start() < INFINITY;
+		followers_[shown_]->attend(frame.t_s);
+	}
 	// What is due before this frame must not see the stroke that it makes.
 	advance_followers(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
@@ -60,6 +67,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	decide_claims();
 	let_return();
 	choose_leader();
+	show_nearest(was_seen);
 }
 
 void GestureRecogniser::advance(double t_s) {
@@ -256,12 +264,40 @@ void GestureRecogniser::lead(int follower) {
 	const Motion before = motion(MotionSource::SYNTHESISED);
 	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
 	leader_ = follower;
+	if (leader_ >= 0) {
+		shown_ = static_cast<std::size_t>(leader_);
+	} else if (!gestures_[shown_].task) {
+		shown_ = 0;
+	}
 	blend_.start(time_s_, before, synthesised(time_s_), rate_per_s);
+}
+
+/// So that a gesture begins where the motion already is. was_seen: the hand, by the one shown, before the
+/// newest frame.
+void GestureRecogniser::show_nearest(bool was_seen) {
+	if (leader_ >= 0 || followers_.empty()) {
+		return;
+	}
+	const auto nearest = std::ranges::min_element(
+			followers_, {}, [](const std::unique_ptr<GestureFollower> &one) { return one->off_start(); });
+	if (!((*nearest)->off_start() < NEARER * followers_[shown_]->off_start())) {
+		return;
+	}
+	if ((*nearest)->is_elsewhere()) {
+		(*nearest)->attend(time_s_); // and is shown from the next frame on
+		return;
+	}
+	const Motion before = motion(MotionSource::SYNTHESISED);
+	shown_ = static_cast<std::size_t>(nearest - followers_.begin());
+	blend_ = {};
+	if (was_seen) {
+		blend_.start(time_s_, before, synthesised(time_s_), LEAD_RATE_PER_S);
+	}
 }
 
 /// A hand at a task is shown at rest too.
 Motion GestureRecogniser::synthesised(double t_s) const {
-	return leader_ >= 0 || gestures_.front().task ? followers_[shown()]->motion(t_s) : Motion{};
+	return leader_ >= 0 || gestures_[shown_].task ? followers_[shown_]->motion(t_s) : Motion{};
 }
 
 Motion GestureRecogniser::motion(MotionSource source, double t_s) const {

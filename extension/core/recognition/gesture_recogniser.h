@@ -61,8 +61,9 @@ public:
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
-	/// Index of the one whose motion is shown: while none is under way, what is seen along the first.
-	[[nodiscard]] std::size_t shown() const { return static_cast<std::size_t>(std::max(leader_, 0)); }
+	/// Index of the one whose motion is shown: while none is under way, that of the task where the hand is
+	/// nearest to its start, in amplitudes; without tasks the first.
+	[[nodiscard]] std::size_t shown() const { return shown_; }
 	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
 	/// none: 0..1; 0 while none is shown.
 	[[nodiscard]] double confidence() const;
@@ -87,7 +88,8 @@ private:
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	double min_confidence_ = 0.0;
 	int leader_ = -1;
-	OutputBlend blend_; ///< of what would step when another one takes the lead, m
+	std::size_t shown_ = 0; ///< the leader, while there is one
+	OutputBlend blend_;     ///< of what would step when another one takes the lead, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
 	double time_s_;
 	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
@@ -117,6 +119,7 @@ private:
 	void settle();
 	void choose_leader();
 	void lead(int follower);
+	void show_nearest(bool was_seen);
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 

@@ -38,6 +38,12 @@ constexpr double TURNED_FROM = 0.8;
 constexpr double TURNED_BY = 0.1;
 /// Either has to be the task's way beyond doubt, log odds: hands that go about something else stop anywhere.
 constexpr double BEYOND_DOUBT = 9.0;
+/// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
+/// that has been there for so long is left alone until it is nearer.
+constexpr double ELSEWHERE = 0.7;
+constexpr double ELSEWHERE_S = 1.0;
+/// Taken for that where the feature has no place.
+constexpr double ANYWHERE = 0.5;
 /// What was seen no longer ago says where the hand is.
 constexpr double SEEN_S = 0.1;
 
@@ -46,8 +52,7 @@ constexpr double SEEN_S = 0.1;
 TaskFollower::TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
 		GestureFollower(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
 
-std::optional<double> TaskFollower::see(
-		const HandFrame &frame, bool /*has_place*/, const StrokeFinder &strokes) {
+std::optional<double> TaskFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
 	if (stage() == Stage::RESTING) {
 		element_.restart();
 	}
@@ -56,6 +61,8 @@ std::optional<double> TaskFollower::see(
 		return std::nullopt;
 	}
 	seen_s_ = frame.t_s;
+	off_start_ = has_place ? strokes_.off_start(last_place()) : ANYWHERE;
+	follow_near(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
 	if (stage() == Stage::RESTING && std::abs(x) < BACK_VALUE) {
@@ -68,6 +75,14 @@ std::optional<double> TaskFollower::see(
 	return x_m;
 }
 
+/// The estimator costs most of what a task does, and of many in a scene the hand is near few.
+void TaskFollower::follow_near(double t_s) {
+	if (off_start_ < ELSEWHERE || stage() != Stage::RESTING) {
+		attend(t_s);
+	}
+	set_elsewhere(mode() == MotionMode::PHASE && t_s - attended_s_ > ELSEWHERE_S);
+}
+
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 	if (!is_forgotten() && t_s - seen_s_ > ABSENCES_S.back()) {
 		is_rejected_ = false;
@@ -75,6 +90,9 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 	}
 	switch (stage()) {
 		case Stage::RESTING:
+			if (is_elsewhere()) {
+				break;
+			}
 			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
@@ -197,6 +215,7 @@ bool TaskFollower::nears_end() const {
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
 void TaskFollower::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);
+	off_start_ = INFINITY;
 	forget_hand(t_s);
 }
 

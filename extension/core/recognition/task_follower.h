@@ -15,6 +15,8 @@ class TaskFollower final : public GestureFollower {
 public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
+	void attend(double t_s) override { attended_s_ = t_s; }
+	[[nodiscard]] double off_start() const override { return off_start_; }
 	void pass_over_before(double t_s) override { strokes_.pass_over_before(t_s); }
 	void give_way(double t_s) override;
 	[[nodiscard]] bool nears_end() const override;
@@ -22,9 +24,11 @@ public:
 private:
 	MotionElement element_;
 	TaskStrokes strokes_;
-	RestWander wander_;        ///< of what is measured before the gesture
-	bool is_rejected_ = false; ///< what was under way was none: nothing begins before the hand is back
-	double likely_s_ = 0.0;    ///< when what is under way was last likelier than none
+	RestWander wander_; ///< of what is measured before the gesture
+	double off_start_ = INFINITY;
+	double attended_s_ = -INFINITY; ///< when there was last a reason to follow the hand
+	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
+	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
 	double stays_since_s_ = 0.0; ///< short of the end
 	double off_start_s_ = 0.0;   ///< when it was last not at the start, once it had left that
@@ -34,6 +38,7 @@ private:
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
+	void follow_near(double t_s);
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;

@@ -31,6 +31,11 @@ void TaskStrokes::look(const StrokeFinder &strokes) {
 	}
 }
 
+double TaskStrokes::off_start(const FeaturePlace &place_m) const {
+	const FeaturePlace off_m = place_m - start_;
+	return (way_(3) != 0.0 ? std::abs(off_m.dot(way_)) : off_m.norm()) / amplitude_m_;
+}
+
 bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(
 			counted(strokes), [this](const Stroke &stroke) { return log_odds(stroke) > 0.0; });
