@@ -123,4 +123,19 @@ private:
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 
+template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
+	int best = -1;
+	double best_odds = -INFINITY;
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (!is_candidate(i)) {
+			continue;
+		}
+		if (const double odds = log_odds(i); odds > best_odds) {
+			best = static_cast<int>(i);
+			best_odds = odds;
+		}
+	}
+	return best;
+}
+
 } // namespace steadyhand

@@ -1,0 +1,119 @@
+// Which of the gestures of a GestureRecogniser is shown, and how its motion goes on from the last one's.
+
+#include "recognition/gesture_recogniser.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+/// The gesture shown changes for one that is likelier by this factor, in nats.
+constexpr double SWITCH_MARGIN = 2.0;
+/// 1/s: from one gesture's motion to another's within a tenth of a second, to a first one's within half of
+/// it.
+constexpr double LEAD_RATE_PER_S = 50.0;
+constexpr double SHOW_RATE_PER_S = 100.0;
+/// At rest another task is shown from so much nearer on, of the distance from the one that is.
+constexpr double NEARER = 0.8;
+
+} // namespace
+
+/// Tasks beside one another are begun by one stroke, which ends at one of them.
+void GestureRecogniser::settle() {
+	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED || follower()->end_told()) {
+		return;
+	}
+	followers_[shown()]->tell_end();
+	ended_begun_s_ = follower()->begun_s();
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (ends_to_the_side(shown(), i)) {
+			followers_[i]->give_way(time_s_);
+		}
+	}
+}
+
+void GestureRecogniser::choose_leader() {
+	using Stage = GestureFollower::Stage;
+	settle();
+	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
+	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
+		lead(likeliest([&](std::size_t i) { return is_moving(i) && is_likely(i); }));
+		return;
+	}
+	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
+	// on one way the one that the hand comes to first ends first, and the next one's end is told when the
+	// hand gets there.
+	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
+	const double odds = log_odds(shown()), since_s = follower()->stage_began_s();
+	const int best = likeliest([&](std::size_t i) {
+		const Stage stage = followers_[i]->stage();
+		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s &&
+				!followers_[i]->end_told();
+		const double doubt = ends_to_the_side(shown(), i) ? 0.0 : SWITCH_MARGIN;
+		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
+				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
+									  : is_news && log_odds(i) > odds - doubt;
+		return wins && is_likely(i);
+	});
+	if (best >= 0) {
+		lead(best);
+	}
+}
+
+void GestureRecogniser::lead(int follower) {
+	if (follower == leader_) {
+		return;
+	}
+	const Motion before = motion(MotionSource::SYNTHESISED);
+	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
+	leader_ = follower;
+	if (leader_ >= 0) {
+		shown_ = static_cast<std::size_t>(leader_);
+	} else if (!gestures_[shown_].task) {
+		shown_ = 0;
+	}
+	blend_.start(time_s_, before, synthesised(time_s_), rate_per_s);
+}
+
+/// So that a gesture begins where the motion already is. was_seen: the hand, by the one shown, before the
+/// newest frame.
+void GestureRecogniser::show_nearest(bool was_seen) {
+	if (leader_ >= 0 || followers_.empty()) {
+		return;
+	}
+	const auto nearest = std::ranges::min_element(
+			followers_, {}, [](const std::unique_ptr<GestureFollower> &one) { return one->off_start(); });
+	if (!((*nearest)->off_start() < NEARER * followers_[shown_]->off_start())) {
+		return;
+	}
+	if ((*nearest)->is_elsewhere()) {
+		(*nearest)->attend(time_s_); // and is shown from the next frame on
+		return;
+	}
+	const Motion before = motion(MotionSource::SYNTHESISED);
+	shown_ = static_cast<std::size_t>(nearest - followers_.begin());
+	blend_ = {};
+	if (was_seen) {
+		blend_.start(time_s_, before, synthesised(time_s_), LEAD_RATE_PER_S);
+	}
+}
+
+/// A hand at a task is shown at rest too.
+Motion GestureRecogniser::synthesised(double t_s) const {
+	return leader_ >= 0 || gestures_[shown_].task ? followers_[shown_]->motion(t_s) : Motion{};
+}
+
+Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
+	if (followers_.empty()) {
+		return {};
+	}
+	const GestureFollower &follower = *followers_[shown()];
+	if (source == MotionSource::SYNTHESISED) {
+		return blend_.completed(synthesised(t_s), t_s);
+	}
+	const double value_m = filtered_[shown()].value_m(source);
+	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };
+}
+
+} // namespace steadyhand
