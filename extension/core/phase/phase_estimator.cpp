@@ -274,7 +274,7 @@ bool PhaseEstimator::recall(double t_s, double x, const FeaturePlace &place) {
 }
 
 void PhaseEstimator::judge(double t_s, double x, const FeaturePlace &place) {
-	const double frame_s = t_s - std::max(absorbed_s_, now_.filtered_s);
+	const double frame_s = absorbed_s_ > NEVER_S ? t_s - absorbed_s_ : 0.0;
 	absorbed_s_ = t_s;
 	soundness_.push(t_s, x, place);
 	falling_behind_s_ += (ERRING_LATENCY_S * soundness_.lateness() - falling_behind_s_) *
