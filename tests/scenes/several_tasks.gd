@@ -50,6 +50,23 @@ func test_a_gesture_is_felt_the_same_at_one_of_several_tasks() -> void:
 		one.free()
 
 
+func test_a_gesture_is_felt_the_same_where_the_hand_goes_on_from_the_last_ones_end() -> void:
+	var end := Vector3(0.2, 0.0, 0.0)
+	var below := Vector3(0.2, -0.15, 0.0)
+	var places: Array[Vector3] = [Vector3.ZERO, end, below, below + Vector3(0.0, 0.0, -0.15)]
+	var drag := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var tap := _task(&"tap", below, Vector3.FORWARD, 0.15)
+	var alone := _felt([tap], places)
+	var both := _felt([drag, tap], places)
+	var set_out := roundi(1000.0 * (3.0 * REST_S + 2.0 * MOVE_S))
+	var instants := range(set_out, mini(both.size(), alone.size()))
+	var off := instants.map(func(i: int) -> float: return absf(both[i] - alone[i]))
+	check(instants.any(func(i: int) -> bool: return alone[i] > 0.2), "the tap is felt")
+	check_near(off.max() as float, 0.0, 0.02, "as much after a drag")
+	for one: GestureTask in [drag, tap]:
+		one.free()
+
+
 func test_a_direction_is_of_any_length() -> void:
 	for length: float in [1e-20, 1e-3, 3.0, 1e20]:
 		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3(0.6, 0.0, -0.8) * length, 0.2)
@@ -264,8 +281,7 @@ func _free(hmm: GestureHMM) -> void:
 func _felt(tasks: Array[GestureTask], places: Array[Vector3]) -> Array[float]:
 	var hmm := _hmm(tasks)
 	var synth := HapticSynth.new()
-	var spring := SpringEffect.new()
-	synth.effects = [spring]
+	synth.effects = [SpringEffect.new(), ImpulseEffect.new()]
 	synth.gesture_hmm = hmm
 	root.add_child(synth)
 	var felt: Array[float] = []

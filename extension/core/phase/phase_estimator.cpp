@@ -229,7 +229,8 @@ void PhaseEstimator::count_frame(
 
 void PhaseEstimator::push(double t_s, double x, const FeaturePlace &place) {
 	if (now_.bank.empty()) {
-		begin(t_s, x, 0.0);
+		const double step_s = t_s - now_.told_s;
+		begin(t_s, x, step_s > 0.0 && step_s < LONGEST_STEP_S ? (x - now_.told_x) / step_s : 0.0);
 		look(t_s);
 	}
 	release(t_s);
@@ -287,11 +288,14 @@ void PhaseEstimator::doze(double t_s, double x, const FeaturePlace &place) {
 	}
 	if (t_s - absorbed_s_ >= LEAST_FRAME_S) {
 		judge(t_s, x, place);
+		now_.told_s = t_s;
+		now_.told_x = x;
 	}
 }
 
 void PhaseEstimator::forget_hand() {
 	now_.bank.clear();
+	now_.told_s = NEVER_S;
 	now_.halted = {};
 	now_.loss = {};
 	now_.missing = 0.0;

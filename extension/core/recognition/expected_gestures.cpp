@@ -72,7 +72,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
 	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
-	shown_ = static_cast<std::size_t>(std::max(still_shown, 0));
+	shown_ = still_shown >= 0 ? static_cast<std::size_t>(still_shown) : nearest();
 	watch_features();
 	if (followers_.empty() || followers_[shown()].get() != shown_before) {
 		blend_ = {};

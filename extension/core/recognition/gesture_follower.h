@@ -73,14 +73,13 @@ public:
 	/// No frame has been news of the hand for one of ABSENCES_S by t_s: claims what is under way, or gives it
 	/// up.
 	virtual void miss(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	/// Where the hand is in the frame that comes next.
+	virtual void locate(const FeaturePlace & /*place_m*/) {}
+	/// From where its gesture begins to where the hand was last located, m; infinite before, and since it was
+	/// lost. What may begin anywhere begins a hand's breadth away.
+	[[nodiscard]] virtual double off_start_m() const { return INFINITY; }
 	/// It is to follow the hand, wherever that is, with frames from t_s on: what it shows at rest is put out.
 	virtual void attend(double /*t_s*/) {}
-	/// The hand is where the gesture does not begin: until it is nearer again, or attend(), it is not
-	/// followed, and shown at 0.
-	[[nodiscard]] bool is_elsewhere() const { return is_elsewhere_; }
-	/// How far from where its gesture begins the hand was last seen, amplitudes; infinite before it was,
-	/// since it was lost, and where that may be anywhere.
-	[[nodiscard]] virtual double off_start() const { return INFINITY; }
 	/// Of a new follower: strokes that began before t_s have been made for another gesture.
 	virtual void pass_over_before(double t_s) = 0;
 	/// What is under way, and what of it is still to come, was another gesture's.
@@ -145,8 +144,10 @@ protected:
 	void forget_frames();
 	void recall(double t_s, double x_m, const FeaturePlace &place);
 	void catch_up() { phase_.catch_up(); }
-	/// From this frame on.
+	/// From this frame on the hand is where the gesture does not begin: until it is nearer again, or
+	/// attend(), it is not followed, and shown at 0.
 	void set_elsewhere(bool is_elsewhere) { is_elsewhere_ = is_elsewhere; }
+	[[nodiscard]] bool is_elsewhere() const { return is_elsewhere_; }
 
 private:
 	const GestureModel *model_;

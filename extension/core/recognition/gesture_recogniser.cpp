@@ -33,11 +33,6 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
-	bool was_seen = false;
-	if (!followers_.empty()) {
-		was_seen = followers_[shown_]->off_start() < INFINITY;
-		followers_[shown_]->attend(frame.t_s);
-	}
 	// What is due before this frame must not see the stroke that it makes.
 	advance_followers(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
@@ -49,17 +44,20 @@ void GestureRecogniser::push(const HandFrame &frame) {
 			watched.push(frame.t_s, *watched.place);
 		}
 	}
+	const std::optional<Motion> before = show_nearest(frame.t_s);
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes)) {
 			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
 		}
 	}
 	time_s_ = frame.t_s;
+	if (before) {
+		go_on_from(*before, LEAD_RATE_PER_S);
+	}
 	expect_absence();
 	decide_claims();
 	let_return();
 	choose_leader();
-	show_nearest(was_seen);
 }
 
 void GestureRecogniser::advance(double t_s) {

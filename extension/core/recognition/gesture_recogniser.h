@@ -61,8 +61,8 @@ public:
 	[[nodiscard]] const GestureFollower *follower() const {
 		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
-	/// Index of the one whose motion is shown: while none is under way, that of the task where the hand is
-	/// nearest to its start, in amplitudes; without tasks the first.
+	/// Index of the one whose motion is shown: while none is under way, that of the task to whose start the
+	/// hand is nearest; without tasks the first.
 	[[nodiscard]] std::size_t shown() const { return shown_; }
 	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
 	/// none: 0..1; 0 while none is shown.
@@ -119,7 +119,11 @@ private:
 	void settle();
 	void choose_leader();
 	void lead(int follower);
-	void show_nearest(bool was_seen);
+	[[nodiscard]] std::size_t nearest() const;
+	/// 1/s: from one gesture's motion to another's within a tenth of a second.
+	static constexpr double LEAD_RATE_PER_S = 50.0;
+	std::optional<Motion> show_nearest(double t_s);
+	void go_on_from(const Motion &before, double rate_per_s);
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 

@@ -10,12 +10,12 @@ namespace {
 
 /// The gesture shown changes for one that is likelier by this factor, in nats.
 constexpr double SWITCH_MARGIN = 2.0;
-/// 1/s: from one gesture's motion to another's within a tenth of a second, to a first one's within half of
-/// it.
-constexpr double LEAD_RATE_PER_S = 50.0;
+/// 1/s: to a first gesture's motion within half of the time that another one's takes.
 constexpr double SHOW_RATE_PER_S = 100.0;
 /// At rest another task is shown from so much nearer on, of the distance from the one that is.
 constexpr double NEARER = 0.8;
+/// Motions that are so near, in amplitudes, are held to be of one way.
+constexpr double SAME_WAY = 0.1;
 
 } // namespace
 
@@ -73,30 +73,48 @@ void GestureRecogniser::lead(int follower) {
 	} else if (!gestures_[shown_].task) {
 		shown_ = 0;
 	}
-	blend_.start(time_s_, before, synthesised(time_s_), rate_per_s);
+	go_on_from(before, rate_per_s);
 }
 
-/// So that a gesture begins where the motion already is. was_seen: the hand, by the one shown, before the
-/// newest frame.
-void GestureRecogniser::show_nearest(bool was_seen) {
-	if (leader_ >= 0 || followers_.empty()) {
-		return;
-	}
-	const auto nearest = std::ranges::min_element(
-			followers_, {}, [](const std::unique_ptr<GestureFollower> &one) { return one->off_start(); });
-	if (!((*nearest)->off_start() < NEARER * followers_[shown_]->off_start())) {
-		return;
-	}
-	if ((*nearest)->is_elsewhere()) {
-		(*nearest)->attend(time_s_); // and is shown from the next frame on
-		return;
-	}
-	const Motion before = motion(MotionSource::SYNTHESISED);
-	shown_ = static_cast<std::size_t>(nearest - followers_.begin());
+/// What is shown was `before` until now. Along another task's way the same hand is at another value: that is
+/// no step of the motion.
+void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
+	const Motion now = synthesised(time_s_);
+	const double step_m = std::abs(before.value_m - now.value_m);
 	blend_ = {};
-	if (was_seen) {
-		blend_.start(time_s_, before, synthesised(time_s_), LEAD_RATE_PER_S);
+	if (!gestures_[shown_].task || step_m < SAME_WAY * followers_[shown_]->task().amplitude_m) {
+		blend_.start(time_s_, before, now, rate_per_s);
 	}
+}
+
+/// The first one of those to whose start the hand is nearest.
+std::size_t GestureRecogniser::nearest() const {
+	const auto nearest = std::ranges::min_element(
+			followers_, {}, [](const std::unique_ptr<GestureFollower> &one) { return one->off_start_m(); });
+	return static_cast<std::size_t>(nearest - followers_.begin());
+}
+
+/// So that a gesture begins where the motion already is: before the followers see the frame of t_s. Returns
+/// what was shown until now, where that was another one's.
+std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
+	if (followers_.empty()) {
+		return std::nullopt;
+	}
+	const bool was_seen = followers_[shown_]->off_start_m() < INFINITY;
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (watched(i).place) {
+			followers_[i]->locate(*watched(i).place);
+		}
+	}
+	std::optional<Motion> before;
+	const std::size_t other = nearest();
+	if (leader_ < 0 && followers_[other]->off_start_m() < NEARER * followers_[shown_]->off_start_m()) {
+		before = was_seen ? std::optional(motion(MotionSource::SYNTHESISED, t_s)) : std::nullopt;
+		shown_ = other;
+		blend_ = {};
+	}
+	followers_[shown_]->attend(t_s);
+	return before;
 }
 
 /// A hand at a task is shown at rest too.

@@ -41,9 +41,9 @@ constexpr double BEYOND_DOUBT = 9.0;
 /// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
 /// that has been there for so long is left alone until it is nearer.
 constexpr double ELSEWHERE = 0.7;
-constexpr double ELSEWHERE_S = 1.0;
-/// Taken for that where the feature has no place.
-constexpr double ANYWHERE = 0.5;
+constexpr double ELSEWHERE_S = 3.0;
+/// From where a gesture begins that may begin anywhere.
+constexpr double ANYWHERE_M = 0.1;
 /// What was seen no longer ago says where the hand is.
 constexpr double SEEN_S = 0.1;
 
@@ -52,7 +52,8 @@ constexpr double SEEN_S = 0.1;
 TaskFollower::TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
 		GestureFollower(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
 
-std::optional<double> TaskFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
+std::optional<double> TaskFollower::see(
+		const HandFrame &frame, bool /*has_place*/, const StrokeFinder &strokes) {
 	if (stage() == Stage::RESTING) {
 		element_.restart();
 	}
@@ -61,7 +62,7 @@ std::optional<double> TaskFollower::see(const HandFrame &frame, bool has_place, 
 		return std::nullopt;
 	}
 	seen_s_ = frame.t_s;
-	off_start_ = has_place ? strokes_.off_start(last_place()) : ANYWHERE;
+	off_start_m_ = feature().place == nullptr ? 0.0 : off_start_m_;
 	follow_near(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
@@ -77,10 +78,15 @@ std::optional<double> TaskFollower::see(const HandFrame &frame, bool has_place, 
 
 /// The estimator costs most of what a task does, and of many in a scene the hand is near few.
 void TaskFollower::follow_near(double t_s) {
-	if (off_start_ < ELSEWHERE || stage() != Stage::RESTING) {
+	if (off_start_m_ < ELSEWHERE * task().amplitude_m || stage() != Stage::RESTING) {
 		attend(t_s);
 	}
 	set_elsewhere(mode() == MotionMode::PHASE && t_s - attended_s_ > ELSEWHERE_S);
+}
+
+double TaskFollower::off_start_m() const {
+	const bool is_anywhere = feature().place == nullptr || feature().is_radius;
+	return is_anywhere ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
@@ -215,7 +221,7 @@ bool TaskFollower::nears_end() const {
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
 void TaskFollower::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);
-	off_start_ = INFINITY;
+	off_start_m_ = INFINITY;
 	forget_hand(t_s);
 }
 

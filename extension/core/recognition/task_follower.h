@@ -16,7 +16,8 @@ public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
 	void attend(double t_s) override { attended_s_ = t_s; }
-	[[nodiscard]] double off_start() const override { return off_start_; }
+	void locate(const FeaturePlace &place_m) override { off_start_m_ = strokes_.off_start_m(place_m); }
+	[[nodiscard]] double off_start_m() const override;
 	void pass_over_before(double t_s) override { strokes_.pass_over_before(t_s); }
 	void give_way(double t_s) override;
 	[[nodiscard]] bool nears_end() const override;
@@ -25,7 +26,7 @@ private:
 	MotionElement element_;
 	TaskStrokes strokes_;
 	RestWander wander_; ///< of what is measured before the gesture
-	double off_start_ = INFINITY;
+	double off_start_m_ = INFINITY;
 	double attended_s_ = -INFINITY; ///< when there was last a reason to follow the hand
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none

@@ -31,9 +31,9 @@ void TaskStrokes::look(const StrokeFinder &strokes) {
 	}
 }
 
-double TaskStrokes::off_start(const FeaturePlace &place_m) const {
+double TaskStrokes::off_start_m(const FeaturePlace &place_m) const {
 	const FeaturePlace off_m = place_m - start_;
-	return (way_(3) != 0.0 ? std::abs(off_m.dot(way_)) : off_m.norm()) / amplitude_m_;
+	return way_(3) != 0.0 ? std::abs(off_m.dot(way_)) : off_m.norm(); // a radius has no place
 }
 
 bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {

@@ -24,8 +24,8 @@ public:
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
 
-	/// How far a hand is from where the gesture begins, amplitudes; of a feature that has places.
-	[[nodiscard]] double off_start(const FeaturePlace &place_m) const;
+	/// How far a hand is from where the gesture begins, m; of a feature that has places.
+	[[nodiscard]] double off_start_m(const FeaturePlace &place_m) const;
 
 	/// One of them is likelier the gesture, so far, than none.
 	[[nodiscard]] bool go_the_way(const StrokeFinder &strokes) const;

@@ -1,7 +1,6 @@
 // Tasks at several places, of which the hand is at one: what the others cost, and show, is nothing.
 
 #include "gesture_events.h"
-#include "near.h"
 
 #include <doctest/doctest.h>
 
@@ -71,24 +70,77 @@ TEST_CASE("tasks elsewhere change nothing, to the last bit, in whatever order: t
 	}
 }
 
-TEST_CASE("at rest the task is shown that the hand is nearest to, and nothing jumps as it goes from one to "
-		  "the next") {
-	const std::vector<ExpectedGesture> two{ drag_at(0.5 * Y, X), drag_at(Eigen::Vector3d::Zero(), X) };
-	const Run there = run(two, comes_from(Y, 0.5), 6.0);
-	CHECK(there.shown[300] == 0); // of 110 a second
-	CHECK(there.shown[400] == 1);
-	CHECK(there.events.said == times(1, "sideways"));
-	CHECK(there.events.largest_step < FASTEST_M_MS);
-
-	// Along x the one that the hand comes from has it half a metre off as the other one's gesture begins.
-	const std::vector<ExpectedGesture> on_one_line{ drag_at(-0.5 * X, Y),
-		drag_at(Eigen::Vector3d::Zero(), X) };
-	const Run onward = run(on_one_line, comes_from(-X, 0.5), 6.0);
-	CHECK(onward.events.said == times(1, "sideways"));
-	CHECK(onward.events.largest_step < 2.5 * FASTEST_M_MS); // 0.5 m in place of 0.2
-	for (std::size_t i = 430; i < 450; ++i) {               // from 3.9 s on, before it drags
-		CHECK(std::abs(onward.values_m[i]) < 2e-3);
+TEST_CASE("at rest the task is shown that the hand is nearest to, and counted along its way") {
+	const Way way = comes_from(-X, 0.5);
+	const Run alone = run({ drag_at(HERE.start_m, X) }, way, 6.0);
+	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(HERE.start_m, X) }, way, 6.0);
+	CHECK(two.events.said == times(1, "sideways"));
+	for (std::size_t i = 1; i < two.values_m.size(); ++i) {
+		const bool is_here = two.shown[i] == 1;
+		// Else it is aside. A hand at 2 m/s goes on by 2 cm until the next frame.
+		CHECK(std::abs(two.values_m[i] - (is_here ? alone.values_m[i] : 0.0)) < 6e-3);
 	}
+	CHECK(two.shown[330] == 0); // of 110 a second, as the hand sets out
+	CHECK(two.shown[385] == 1);
+}
+
+TEST_CASE("a gesture that is made from another one's end, with no way back, is shown along its own way") {
+	// 15 cm down from the end of the first, and on from there: both are drags to the right.
+	const Drag first{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 },
+			down{ .onset_s = 1.9, .duration_s = 0.4, .amplitude_m = 0.15 },
+			second{ .onset_s = 2.7, .duration_s = 0.8, .amplitude_m = 0.2 };
+	const Way way = [&](double t_s) {
+		return Eigen::Vector3d((first.x_m(t_s) + second.x_m(t_s)) * X - down.x_m(t_s) * Y);
+	};
+	const ExpectedGesture there = drag_at(0.2 * X - 0.15 * Y, X);
+	const Run alone = run({ there }, way, 4.5);
+	const Run both = run({ drag_at(HERE.start_m, X), there }, way, 4.5);
+	CHECK(both.events.said == times(2, "sideways"));
+	for (std::size_t i = 0; i < both.values_m.size(); ++i) {
+		if (both.shown[i] == 1) {
+			CHECK(std::abs(both.values_m[i] - alone.values_m[i]) < 2e-3);
+		}
+	}
+	CHECK(both.shown.back() == 1);
+}
+
+TEST_CASE("a tracker that shows the hand at another task for a while does not make its own task lose it") {
+	for (const double away_s : { 0.5, 1.2, 2.0 }) {
+		for (const double until : { 0.3, 0.85 }) { // of the drag's time
+			CAPTURE(away_s);
+			CAPTURE(until);
+			const Drag drag{ .onset_s = 4.0, .duration_s = 0.8, .amplitude_m = 0.2 };
+			const double back_s = 4.0 + 0.8 * until;
+			const Way way = [&](double t_s) {
+				const bool is_away = t_s > back_s - away_s && t_s < back_s;
+				return Eigen::Vector3d(drag.x_m(t_s) * X + (is_away ? 0.3 : 0.0) * Y);
+			};
+			const Run two = run({ drag_at(HERE.start_m, X), drag_at(0.3 * Y, -X) }, way, 7.0);
+			CHECK(ends(two.events) == 1);
+		}
+	}
+}
+
+TEST_CASE("where others are expected from an end on, the motion of the hand that stands there stands") {
+	GestureRecogniser recogniser({ drag_at(HERE.start_m, X) });
+	bool is_changed = false;
+	double fastest_m_s = 0.0;
+	watch(
+			recogniser,
+			[&](double t_s) {
+				if (is_changed) {
+					const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
+					fastest_m_s = std::max(fastest_m_s, std::abs(motion.velocity_m_s));
+				} else if (t_s > 1.9) {
+					is_changed = true;
+					recogniser.expect({ drag_at(1.2 * Y, Y), drag_at(0.2 * X + 0.24 * Y, -Y) });
+				}
+				return Eigen::Vector3d(DRAG.x_m(t_s) * X);
+			},
+			3.0);
+	CHECK(recogniser.shown() == 1);
+	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m - 0.24) < 2e-3);
+	CHECK(fastest_m_s < 0.2); // as that of any hand that comes into view off the start, in its first frames
 }
 
 TEST_CASE("a hand about as near to either of two tasks does not change between them") {
