@@ -91,7 +91,8 @@ func _unhandled_key_input(event: InputEvent) -> void:
 		return
 	var condition := key.keycode - KEY_1
 	if condition >= 0 and condition < Conditions.MOTIONS.size():
-		_order.conditions = []
+		if not _order.conditions.is_empty():
+			compare_conditions(false)
 		gesture_hmm.motion = Conditions.MOTIONS[condition]
 	elif key.keycode == KEY_R:
 		compare_conditions(_order.conditions.is_empty())
@@ -173,7 +174,9 @@ func practise() -> void:
 ## The paper's conditions in a random order, block by block of a live hand's trials, or the mouse's
 ## where there is none; or the present one until another is chosen.
 func compare_conditions(on: bool) -> void:
-	_order.conditions = Conditions.COMPARED.duplicate() if on else [] as Array[GestureHMM.Motion]
+	_order.conditions = []
+	if on:
+		_order.conditions = Conditions.COMPARED.duplicate()
 	_readout.notice = "conditions in a random order" if on else "one condition"
 	if on and not _is_live:
 		_mouse.active = true

@@ -74,3 +74,26 @@ func test_a_live_hand_compares_conditions_block_by_block() -> void:
 	compared.sort()
 	check_equal(compared, ["average", "measured", "synthesised"] as Array[String], "the paper's")
 	check_equal(conditions[-1], "measured", "and a key chooses one")
+
+
+func test_the_key_that_begins_the_comparison_ends_it_and_so_does_a_condition_of_ones_own() -> void:
+	for ends: Key in [KEY_R, KEY_1]:
+		var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
+		var scene := player.scene
+		var readout := scene.find_child("Status", true, false) as Label
+		scene.follow_live()
+		player.press(KEY_R)
+		await process_frame
+		await process_frame
+		check_equal(readout.text, "conditions in a random order", "key %d: it is told" % ends)
+		player.press(ends)
+		await process_frame
+		await process_frame
+		check_equal(readout.text, "one condition", "and that it is over")
+		var chosen := scene.gesture_hmm.motion
+		var hand := LiveHand.new()
+		for drag in 2 * StudyOrder.TRIALS_PER_BLOCK:
+			hand.make_gesture(scene, scene.task.amplitude)
+			await process_frame
+			check_equal(scene.gesture_hmm.motion, chosen, "which stays")
+		scene.free()

@@ -29,7 +29,7 @@ def main() -> int:
     for note in logs.notes:
         print(f"study: {note}", file=sys.stderr)
     if not logs.trials:
-        print("study: no trial was read", file=sys.stderr)
+        print(f"study: no trial was read from {', '.join(map(str, given.logs))}", file=sys.stderr)
         return BAD_INPUT
     of_participants = cells(logs.trials)
     of_all = groups(of_participants)
@@ -54,11 +54,18 @@ def main() -> int:
 
 
 def write(path: Path, kind: type, rows: Iterable[Cell] | Iterable[Group]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        lines = csv.writer(file, lineterminator="\n")
-        lines.writerow(field.name for field in fields(kind))
-        for row in rows:
-            lines.writerow(plain(value) for value in asdict(row).values())
+    """In one step: the table of an earlier run stays where this one cannot be written."""
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("w", encoding="utf-8", newline="") as file:
+            lines = csv.writer(file, lineterminator="\n")
+            lines.writerow(field.name for field in fields(kind))
+            for row in rows:
+                lines.writerow(plain(value) for value in asdict(row).values())
+        part.replace(path)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise
 
 
 def plain(value: str | int | float | None) -> str:

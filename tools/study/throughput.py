@@ -45,8 +45,8 @@ class Group:
     position: str
     condition: str
     participants: int
-    n: int  # trials of theirs that have an end
-    without_end: int  # of all participants
+    n: int  # trials that have an end, of all participants
+    without_end: int
     movement_time_s: float | None
     effective_amplitude_m: float | None
     effective_width_m: float | None
@@ -112,7 +112,7 @@ def group(gesture: str, position: str, condition: str, of: list[Cell]) -> Group:
             "throughput_bits_s",
         )
     ]
-    n = sum(one.n for own in by_participant.values() for one in own)
+    n = sum(one.n for one in of)
     deviation = statistics.stdev(means("throughput_bits_s")) if len(by_participant) > 1 else None
     without_end = sum(one.without_end for one in of)
     return Group(gesture, position, condition, len(by_participant), n, without_end, *figures, deviation)

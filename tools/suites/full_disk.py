@@ -75,6 +75,7 @@ def outcomes() -> Iterator[Outcome]:
         yield from files(Path(folder))
         yield from picture(Path(folder))
         yield from evaluation(Path(folder))
+        yield from study(Path(folder))
 
 
 def godot(script: Path | str, *arguments: Path | str) -> list:
@@ -123,3 +124,19 @@ def evaluation(folder: Path) -> Iterator[Outcome]:
         left = sorted(path.name for path in out.iterdir())
     good = status == 2 and ".curves.csv: is the disk full?" in output and not {"results.csv", "summary.json"} & {*left}
     yield Outcome.of("command/full disk: an evaluation fails, and leaves no table", good, f"{status}, {left}\n{output}")
+
+
+def study(folder: Path) -> Iterator[Outcome]:
+    """Of so many participants that their table is too long."""
+    logs, out = folder / "logs", folder / "means"
+    for place in (logs, out):
+        place.mkdir()
+    header = "trial,gesture,position,condition,start_s,end_s,participant,amplitude_m,width_m,end_value_m,gesture_end_s"
+    rows = [f"tap_{i},tap,stable,measured,{i},{i + 1},somebody {i},0.15,,0.15,{i + 1}" for i in range(300)]
+    (logs / "trials.csv").write_text("\n".join([header, *rows, ""]))
+    table = out / "throughput.csv"
+    table.write_text("as it was")
+    status, output = run([*LIMITED, "./steadyhand", "study", logs, "--out", out])
+    good = status == 2 and f"cannot write to {out}: File too large" in output and table.read_text() == "as it was"
+    yield Outcome.of("command/full disk: a study's table stays as it was", good, f"{status}\n{output}")
+    yield Outcome.of("command/full disk: no half of it", not (out / "throughput.csv.part").exists(), output)

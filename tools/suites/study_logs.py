@@ -76,6 +76,9 @@ def by_hand(folder: Path) -> Iterator[Outcome]:
         and (means[0]["participants"], means[0]["n"], means[0]["without_end"]) == ("2", "7", "1")
     )
     yield Outcome.of("command/study: a participant counts once", good, f"{means} instead of {MEAN_BY_HAND}")
+    [alone] = [row for row in read(folder / "out/throughput_means.csv") if row["condition"] == "measured"]
+    good = (alone["participants"], alone["n"], alone["throughput_bits_s"]) == ("0", "1", "")
+    yield Outcome.of("command/study: a trial without a throughput was made all the same", good, f"{alone}")
     lines = [line for line in output.splitlines() if line.startswith(("gesture ", "tap "))]
     ends = {len(line) for line in lines if not line.endswith("-")}
     shown = [line.split()[-2] for line in lines if " synthesised " in line]
