@@ -81,6 +81,7 @@ void Carrier::advance(std::uint64_t runs) {
 STEADYHAND_VECTOR void clear(Mix &mix) {
 	mix.samples.fill(0.0F);
 	mix.is_silent = true;
+	mix.level = 0.0F;
 }
 
 // A loop for each number of channels: one template for both is not made vector code in the copies of a
@@ -168,25 +169,31 @@ STEADYHAND_VECTOR void add_windowed(Mix &out, const Run &values, const Window &w
 
 STEADYHAND_VECTOR void add(Mix &out, const Mix &other) {
 	out.is_silent = out.is_silent && other.is_silent;
+	out.level += other.level;
 	float *__restrict const samples = out.samples.data();
 	for (std::size_t i = 0; i < RUN; ++i) {
 		samples[i] += other.samples[i];
 	}
 }
 
-STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &mono, float most) {
+STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &mono, const Ramp &gain, float most) {
 	const float *const samples = mono.samples.data();
+	const float each = (gain.to - gain.from) / static_cast<float>(RUN), from = gain.from;
 	for (std::size_t i = 0; i < RUN; ++i) {
-		frames[i] = held(samples[i], most);
+		frames[i] = held(samples[i] * (from + each * NUMBERS[i]), most);
 	}
 }
 
-STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &left, const Mix &right, float most) {
+STEADYHAND_VECTOR void write_held(float *__restrict frames, const Mix &left, const Ramp &left_gain,
+		const Mix &right, const Ramp &right_gain, float most) {
 	const float *const lefts = left.samples.data();
 	const float *const rights = right.samples.data();
+	const float each_left = (left_gain.to - left_gain.from) / static_cast<float>(RUN);
+	const float each_right = (right_gain.to - right_gain.from) / static_cast<float>(RUN);
+	const float from_left = left_gain.from, from_right = right_gain.from;
 	for (std::size_t i = 0; i < RUN; ++i) {
-		frames[2 * i] = held(lefts[i], most);
-		frames[2 * i + 1] = held(rights[i], most);
+		frames[2 * i] = held(lefts[i] * (from_left + each_left * NUMBERS[i]), most);
+		frames[2 * i + 1] = held(rights[i] * (from_right + each_right * NUMBERS[i]), most);
 	}
 }
 

@@ -18,6 +18,12 @@ using Run = std::array<float, RUN>;
 struct Mix {
 	alignas(64) Run samples{};
 	bool is_silent = true; ///< nothing has been added
+	float level = 0.0F;    ///< amplitudes at the end of the run of all that was added, their sum
+};
+
+/// A factor from the first sample of a run to the one after its last, linear in between.
+struct Ramp {
+	float from = 1.0F, to = 1.0F;
 };
 
 /// Of a stretch of so many runs.
@@ -45,6 +51,8 @@ struct Level {
 	[[nodiscard]] float at(float sample) const {
 		return ((cubic * sample + quadratic) * sample + linear) * sample + constant;
 	}
+	/// Where the stretch's run number `run` ends.
+	[[nodiscard]] float after_run(std::size_t run) const { return at(static_cast<float>((run + 1) * RUN)); }
 	[[nodiscard]] bool is_zero() const {
 		return constant == 0.0F && linear == 0.0F && quadratic == 0.0F && cubic == 0.0F;
 	}
@@ -135,9 +143,10 @@ void add_windowed(Mix &out, const Run &values, const Window &window, std::int32_
 void clear(Mix &mix);
 void add(Mix &out, const Mix &other);
 
-/// Writes the run, held to -most..most: of one channel, or of two in turn. A NaN may become any number or
-/// stay one.
-void write_held(float *frames, const Mix &mono, float most);
-void write_held(float *frames, const Mix &left, const Mix &right, float most);
+/// Writes the run, each channel with its gain, held to -most..most: of one channel, or of two in turn. A NaN
+/// may become any number or stay one.
+void write_held(float *frames, const Mix &mono, const Ramp &gain, float most);
+void write_held(float *frames, const Mix &left, const Ramp &left_gain, const Mix &right,
+		const Ramp &right_gain, float most);
 
 } // namespace steadyhand

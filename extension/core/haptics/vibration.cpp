@@ -309,11 +309,21 @@ void Vibration::make_run(float *frames) {
 		add(left_, both_);
 		add(right_, both_);
 	}
+	const Mix &left = has_sides ? left_ : both_, &right = has_sides ? right_ : both_;
+	const Ramp left_gain = next_gain(left_gain_, left.level);
 	if (channels_ == 1) {
-		write_held(frames, both_, most_);
+		write_held(frames, both_, left_gain, most_);
 	} else {
-		write_held(frames, has_sides ? left_ : both_, has_sides ? right_ : both_, most_);
+		write_held(frames, left, left_gain, right, next_gain(right_gain_, right.level), most_);
 	}
+}
+
+/// Sounds that together would exceed full scale are turned down to it, and not cut flat: as an effect fades
+/// and the next one swells.
+Ramp Vibration::next_gain(float &r_gain, float level) const {
+	const float from = r_gain;
+	r_gain = level > most_ ? most_ / level : 1.0F;
+	return { from, r_gain };
 }
 
 } // namespace steadyhand

@@ -98,6 +98,7 @@ private:
 	/// also of those before them, which may still fade.
 	float most_ = 1.0F;
 
+	float left_gain_ = 1.0F, right_gain_ = 1.0F; ///< at the end of the last run; of a single channel the left
 	/// The sides with all that is heard there, where one has sounds of its own; otherwise both_ alone.
 	Mix both_, left_, right_;
 	std::array<float, 2 * RUN> rest_{}; ///< a run that is handed out in parts
@@ -115,6 +116,7 @@ private:
 	void arrive(const Arrival &arrival, double from_s, double length_s);
 	void make(float *frames, std::size_t runs);
 	void make_run(float *frames);
+	[[nodiscard]] Ramp next_gain(float &r_gain, float level) const;
 	Mix &mix_of(std::uint8_t channels);
 };
 

@@ -16,6 +16,14 @@ double rad_per_s(double frequency_hz, double sample_rate_hz) {
 	return TWO_PI * std::min(frequency_hz, 0.5 * sample_rate_hz);
 }
 
+float largest(const Run &values) {
+	float largest = 0.0F;
+	for (const float value : values) {
+		largest = std::max(largest, std::abs(value));
+	}
+	return largest;
+}
+
 /// The amplitude that the motion asks for, its slope by the samples' clock.
 LevelPoint wanted_of(const Effect &effect, const MotionPoint &motion, const Stretch &stretch) {
 	LevelPoint level = level_of(effect, motion, stretch.amplitude_m);
@@ -118,6 +126,7 @@ void ArrivalVoice::add_level(Mix &out, std::size_t run) const {
 	} else {
 		add_windowed_sine(out, carrier_, course_, window_, static_cast<std::int32_t>(next_), run);
 	}
+	out.level += std::abs(course_.after_run(run)) * window_after_run();
 }
 
 bool ArrivalVoice::look_at(const Stretch &stretch) {
@@ -151,6 +160,7 @@ void ArrivalVoice::add_run(const Stretch &stretch, std::size_t run, Mix &out) {
 		case Shape::DECAYING_SINE:
 			add_decaying_sine(out, carrier_, decayed_, decay_, std::max(-at, 0), run);
 			decayed_ *= decay_over_run_;
+			out.level += static_cast<float>(decayed_);
 			break;
 		case Shape::SINE:
 		case Shape::INERTIAL_VISCOUS:
@@ -161,6 +171,7 @@ void ArrivalVoice::add_run(const Stretch &stretch, std::size_t run, Mix &out) {
 			Run values;
 			fill_from_table(stretch, run, values);
 			add_windowed(out, values, window_, at);
+			out.level += largest(values) * window_after_run();
 			break;
 		}
 	}

@@ -3,6 +3,9 @@
 #include "haptics/level_follower.h"
 #include "haptics/run.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace steadyhand {
 
 /// What a voice needs to know of a stretch.
@@ -32,7 +35,10 @@ public:
 	void rest() { is_on_ = false; }
 
 	/// Adds the run `run` of the stretch to `out` of the voice's channels.
-	void add_run(std::size_t run, Mix &out) const { add_sine(out, carrier_, course_, run); }
+	void add_run(std::size_t run, Mix &out) const {
+		add_sine(out, carrier_, course_, run);
+		out.level += std::abs(course_.after_run(run));
+	}
 	/// The same where nothing else is heard, of any number of runs.
 	void write(float *frames, std::size_t channels, std::size_t run, std::size_t runs) const {
 		write_sine(frames, channels, carrier_, course_, run, runs);
@@ -107,6 +113,11 @@ private:
 	double decay_over_run_ = 1.0;
 
 	void add_level(Mix &out, std::size_t run) const;
+	/// The most that it is at the end of the run and of the next one: what is to come is made room for.
+	[[nodiscard]] float window_after_run() const {
+		const auto end = static_cast<float>(next_ + static_cast<std::int64_t>(RUN));
+		return std::max(window_.at(end), window_.at(end + static_cast<float>(RUN)));
+	}
 	void fill_from_table(const Stretch &stretch, std::size_t run, Run &values) const;
 };
 

@@ -103,8 +103,8 @@ TEST_CASE("vector code makes the samples that are made one at a time, to the las
 		const auto from = static_cast<std::size_t>(round % 64);
 		Run held{};
 		std::array<float, 2 * RUN> pairs{};
-		write_held(held.data(), twice, 0.75F);
-		write_held(pairs.data(), twice, plain, 0.75F);
+		write_held(held.data(), twice, {}, 0.75F);
+		write_held(pairs.data(), twice, {}, plain, {}, 0.75F);
 		for (std::size_t n = 0; n < RUN; ++n) {
 			const float one = one_sample(level, carrier, n);
 			REQUIRE(plain.samples[n] == one);
