@@ -102,8 +102,8 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	}
 	const bool was_seen = followers_[shown_]->off_start_m() < INFINITY;
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (watched(i).place) {
-			followers_[i]->locate(*watched(i).place);
+		if (const std::optional<FeaturePlace> &place = watched(i).place) {
+			followers_[i]->locate(*place);
 		}
 	}
 	std::optional<Motion> before;
