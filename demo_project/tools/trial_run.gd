@@ -108,7 +108,7 @@ func run(
 		_compare()
 		note = MotionMetrics.recording_oddity(measured_path, reference_path, own[0].feature, _trial)
 	elif not unseen.is_empty():
-		note = "the hand is never seen by %s" % unseen
+		note = "the hand is never seen to move by %s" % unseen
 	if not note.is_empty():
 		note += ": %s" % (reference_path if note.begins_with("its reference") else measured_path)
 
@@ -180,7 +180,7 @@ func _overlaps(tracker: HandTracker, measured_path: String) -> bool:
 func _measure_reference(reference_path: String, feature: String) -> bool:
 	var reference := _feature_curve(reference_path, feature)
 	if _is_blank(reference):
-		error = "the reference holds nothing of %s: %s" % [feature, reference_path]
+		error = "the reference holds no motion of %s: %s" % [feature, reference_path]
 		return false
 	curves[REFERENCE] = reference
 	return true

@@ -104,7 +104,7 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	for place: int in [0, 1, 2]:
 		var reference := trials.get_reference_path(place)
 		_check_left_out(run, names[place], ["is not within the reference", reference])
-	_check_left_out(run, names[3], ["the reference holds nothing of index_along_axis"])
+	_check_left_out(run, names[3], ["the reference holds no motion of index_along_axis"])
 	_check_left_out(run, names[5], ["no amplitude_m"])
 	var folder := ProjectSettings.globalize_path(ModelFolder.INSTALLED)
 	var without := "trials of 'swipe' have no figures: no model of it in %s" % folder

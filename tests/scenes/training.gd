@@ -68,7 +68,7 @@ func test_what_is_odd_is_told_and_learnt_from() -> void:
 	var told: Array[String] = [
 		"its measured track goes to ",
 		"its measured track ends at ",
-		"the hand is never seen by index_along_axis",
+		"the hand is never seen to move by index_along_axis",
 		"its measured track lasts ",
 	]
 	for index in told.size():

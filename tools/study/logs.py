@@ -71,8 +71,10 @@ def read_file(path: Path, is_named: bool, logs: Logs) -> None:
         return
     header, fault = (lines[0].cells, lines[0].fault) if lines else ([], "")
     missing = [name for name in COLUMNS if name not in header]
-    if len(header) == 1 and ";" in header[0]:  # as spreadsheets write it where numbers have a decimal comma
-        fault = "cells are separated by ';': they must be by ',', and numbers have a '.'"
+    # As spreadsheets write it where numbers have a decimal comma, and as they copy it.
+    separators = [name for mark, name in ((";", "';'"), ("\t", "tabs")) if len(header) == 1 and mark in header[0]]
+    if separators:
+        fault = f"cells are separated by {separators[0]}: they must be by ',', and numbers have a '.'"
     elif missing and not is_named and set(header) >= SET_COLUMNS:
         logs.notes.append(f"{path} is left out: it is a trial set's, no log")
         return

@@ -103,8 +103,9 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
     write_log(folder / "logs/good", "Ann", ANN)
     (folder / "logs/old").mkdir()
     (folder / "logs/old/trials.csv").write_text(HEADER.replace(",end_value_m,gesture_end_s", ""))
-    (folder / "logs/spreadsheet").mkdir()
-    (folder / "logs/spreadsheet/trials.csv").write_text(HEADER.replace(",", ";"))
+    for name, separator in (("spreadsheet", ";"), ("copied", "\t")):
+        (folder / f"logs/{name}").mkdir()
+        (folder / f"logs/{name}/trials.csv").write_text(HEADER.replace(",", separator))
     write_log(folder / "logs/broken", "Bob", [])
     with (folder / "logs/broken/trials.csv").open("a") as file:
         file.write("a,tap,stable,measured,1.0,2.0,1.0,Bob,0.2,0.004,nan,2.0\n")
@@ -118,6 +119,7 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
         f"{folder}/nowhere: not there",
         f"{folder}/logs/old/trials.csv:1: no column gesture_end_s, end_value_m",
         f"{folder}/logs/spreadsheet/trials.csv:1: cells are separated by ';'",
+        f"{folder}/logs/copied/trials.csv:1: cells are separated by tabs",
         f"{folder}/logs/broken/trials.csv:2: end_value_m: 'nan'",
         f"{folder}/logs/broken/trials.csv:3: gesture_end_s: 0.5 is not after start_s 1.0",
         f"{folder}/logs/broken/trials.csv:4: 3 cells",

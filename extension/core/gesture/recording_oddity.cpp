@@ -79,7 +79,7 @@ std::string oddity(const Feature &feature, const TrainingRecording &recording) {
 			way_of(feature, recording, recording.measured, true_frames.front().t_s, true_frames.back().t_s)
 					.farthest;
 	if (farthest == 0.0) { // no sensor says 0 all the way of a hand that is there
-		return "the hand is never seen by " + std::string(feature.name);
+		return "the hand is never seen to move by " + std::string(feature.name);
 	}
 	if (farthest > FARTHEST_SEEN) {
 		return text("its measured track goes to %.0f of the way: check metres", farthest);

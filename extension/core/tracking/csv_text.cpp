@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace steadyhand {
 
@@ -179,10 +180,13 @@ std::optional<Error> check_header(
 			return error_at(source, line, names[i], "the column comes twice");
 		}
 	}
-	// As spreadsheets write it where numbers have a decimal comma.
-	if (names.size() == 1 && names.front().find(';') != std::string_view::npos) {
-		return error_at(
-				source, line, "cells are separated by ';': they must be by ',', and numbers have a '.'");
+	// As spreadsheets write it where numbers have a decimal comma, and as they copy it.
+	for (const auto &[separator, name] : { std::pair(';', "';'"), std::pair('\t', "tabs") }) {
+		if (names.size() == 1 && names.front().find(separator) != std::string_view::npos) {
+			return error_at(source, line,
+					"cells are separated by " + std::string(name) +
+							": they must be by ',', and numbers have a '.'");
+		}
 	}
 	return std::nullopt;
 }

@@ -71,7 +71,7 @@ TEST_CASE("what makes a recording one of something else is told") {
 		{ "its measured track has no frames", [](TrainingRecording &r) { r.measured.frames.clear(); } },
 		{ "its measured track goes to 1000 of the way: check metres",
 				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
-		{ "the hand is never seen by index_along_axis",
+		{ "the hand is never seen to move by index_along_axis",
 				[](TrainingRecording &r) {
 					for (HandFrame &frame : r.measured.frames) {
 						const Eigen::Vector3d tip_m = frame.position(Joint::INDEX);
@@ -79,7 +79,7 @@ TEST_CASE("what makes a recording one of something else is told") {
 						frame.set(Joint::THUMB, tip_m);
 					}
 				} },
-		{ "the hand is never seen by index_along_axis",
+		{ "the hand is never seen to move by index_along_axis",
 				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
 		{ "its measured track ends at 0.800 s, before the gesture does, at 1.300 s",
 				[](TrainingRecording &r) { keep_until(r.measured, 0.8); } },

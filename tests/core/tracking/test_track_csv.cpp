@@ -223,6 +223,8 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of("# a: b\nt,t\n") == "a.csv:2: t: the column comes twice");
 		CHECK(error_of("# a: b\nt;index_x;index_y;index_z\n0,1;0,2;0,3;0,4\n") ==
 				"a.csv:2: cells are separated by ';': they must be by ',', and numbers have a '.'");
+		CHECK(error_of("t\tindex_x\tindex_y\tindex_z\n0.1\t0.2\t0.3\t0.4\n") ==
+				"a.csv:1: cells are separated by tabs: they must be by ',', and numbers have a '.'");
 		CHECK(error_of("t,a;b\n1,2;3\n") == "no error");
 		CHECK(error_of("t,note,note\n") == "a.csv:1: note: the column comes twice");
 		CHECK(error_of("t,index_x\n") ==
