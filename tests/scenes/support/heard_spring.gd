@@ -58,6 +58,18 @@ func hear(level: float, duration_s: float) -> PackedFloat32Array:
 	var wanted := int(duration_s * AudioServer.get_mix_rate())
 	while capture.get_frames_available() < wanted and _now_s() - began_s < PATIENCE_S:
 		await _hold(level)
+	return _heard()
+
+
+## Left channel from one frame to the next, with the hand held on.
+func hear_news(level: float) -> PackedFloat32Array:
+	_tell(level)
+	capture.clear_buffer()
+	await _tree.process_frame
+	return _heard()
+
+
+func _heard() -> PackedFloat32Array:
 	var samples := PackedFloat32Array()
 	for frame in capture.get_buffer(capture.get_frames_available()):
 		samples.append(frame.x)
@@ -65,9 +77,13 @@ func hear(level: float, duration_s: float) -> PackedFloat32Array:
 
 
 func _hold(level: float) -> void:
+	_tell(level)
+	await _tree.process_frame
+
+
+func _tell(level: float) -> void:
 	var tip := Vector3(level * task.amplitude, 0, 0)
 	_tracker.push_frame(_now_s(), {HandTracker.JOINT_INDEX: tip})
-	await _tree.process_frame
 
 
 static func _now_s() -> float:
