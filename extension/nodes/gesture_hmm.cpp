@@ -47,7 +47,8 @@ void GestureHMM::give_up_shown(const StringName &p_gesture) {
 	const Watch watch(listeners_);
 	const steadyhand::GestureShown before = std::exchange(shown_, {});
 	const bool is_told = !std::exchange(is_start_untold_, false);
-	if (before.gesture >= 0 && !before.arrived && is_told) {
+	const bool has_ended = before.arrived && !std::exchange(is_end_untold_, false);
+	if (before.gesture >= 0 && !has_ended && is_told) {
 		emit_signal(names_.gesture_aborted, p_gesture);
 	}
 	if (before.state >= 0 && !watch.is_gone() && shown_.state < 0) {
@@ -158,6 +159,7 @@ void GestureHMM::publish() {
 	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
 	++telling_;
 	is_start_untold_ = news.started;
+	is_end_untold_ = news.ended;
 	if (news.aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture);
 	}
@@ -169,6 +171,7 @@ void GestureHMM::publish() {
 		emit_signal(names_.state_changed, state);
 	}
 	if (news.ended && is_valid()) {
+		is_end_untold_ = false;
 		emit_signal(names_.gesture_ended, gesture, instant_s);
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {

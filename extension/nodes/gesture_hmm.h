@@ -140,7 +140,8 @@ private:
 	double time_s_ = 0.0;
 	steadyhand::GestureShown shown_; ///< of expected_, as of the last control instant
 	StringName recognised_;
-	bool is_start_untold_ = false; ///< of the gesture in shown_, while a signal of the same instant is told
+	/// Of the gesture in shown_, while a signal of the same instant is told.
+	bool is_start_untold_ = false, is_end_untold_ = false;
 	uint32_t gestures_begun_ = 0;
 	String warned_;
 	int task_changes_ = 0;                        ///< since a gesture last ended

@@ -99,6 +99,27 @@ func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void
 		task.free()
 
 
+func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
+	var far := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.4)
+	var near := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	var hmm := _hmm([far, near])
+	var told: Array[String] = []
+	var reset := func(_gesture: StringName) -> void:
+		told.append("started at %d" % hmm.tasks.find(hmm.current_task))
+		if hmm.current_task == near:
+			hmm.reset()
+	hmm.gesture_started.connect(reset)
+	hmm.gesture_ended.connect(func(_gesture: StringName, _time_s: float) -> void: told.append("ended"))
+	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: told.append("aborted"))
+	_play(hmm, [Vector3.ZERO, Vector3(0.4, 0.0, 0.0)])
+	check(told.has("started at 1"), "the near one's start comes with its end: %s" % [told])
+	var over := told.count("ended") + told.count("aborted")
+	check_equal(over, told.size() - over, "each that started is over: %s" % [told])
+	_free(hmm)
+	for one: GestureTask in [far, near]:
+		one.free()
+
+
 func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var other := _task(&"tap", Vector3.ZERO, Vector3.FORWARD, 0.15)
