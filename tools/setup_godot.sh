@@ -23,7 +23,10 @@ new_enough() {
 find_own() {
 	local candidate path
 	for candidate in "${GODOT:-}" godot godot4; do
-		path=$(command -v "$candidate") || continue
+		if ! path=$(command -v "$candidate"); then
+			[[ -n ${GODOT:-} && $candidate == "$GODOT" ]] && say "\$GODOT, $GODOT, is no program: left alone"
+			continue
+		fi
 		[[ $path -ef $WRAPPER ]] && continue
 		if new_enough "$path"; then
 			printf '%s\n' "$path"

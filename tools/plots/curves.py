@@ -110,7 +110,8 @@ def draw_curves(axes: Axes, curves: dict[str, np.ndarray], of: Iterable[Mark] = 
             )
     axes.set_ylabel("motion element\n(share of the amplitude)")
     handles = [lines[name] for name in LEGEND_ORDER if name in lines] + draw_marks(axes, of)
-    axes.legend(handles=handles, loc="upper left", framealpha=0.95)
+    # Beside the curves, which may be anywhere.
+    axes.figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=9)
 
 
 def draw_vibration(axes: Axes, t: np.ndarray, samples: np.ndarray) -> None:
@@ -135,7 +136,7 @@ def main() -> None:
     figure, axes = plt.subplots(
         rows,
         1,
-        figsize=(9, 3.9 + 1.6 * (rows - 1)),
+        figsize=(9, 4.3 + 1.6 * (rows - 1)),
         sharex=True,
         squeeze=False,
         layout="constrained",

@@ -84,7 +84,7 @@ private:
 		double filtered_s = 0.0;  ///< the filters are at this time
 		double back_s = INFINITY; ///< by then a tracker that slides back from a jump is back
 		double seen_s = 0.0;      ///< the hand was last, by a tracker that is not frozen
-		double told_s = 0.0;      ///< a frame last told where the hand is
+		double told_s = NEVER_S;  ///< a frame last told where the hand is
 		double told_x = 0.0;      ///< where that was
 		double next_branch_s = 0.0;
 		double branched_s = 0.0; ///< told_s at the last branching of one that stands
