@@ -109,7 +109,9 @@ func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
 		if hmm.current_task == near:
 			hmm.reset()
 	hmm.gesture_started.connect(reset)
-	hmm.gesture_ended.connect(func(_gesture: StringName, _time_s: float) -> void: told.append("ended"))
+	hmm.gesture_ended.connect(
+		func(_gesture: StringName, _time_s: float) -> void: told.append("ended")
+	)
 	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: told.append("aborted"))
 	_play(hmm, [Vector3.ZERO, Vector3(0.4, 0.0, 0.0)])
 	check(told.has("started at 1"), "the near one's start comes with its end: %s" % [told])
