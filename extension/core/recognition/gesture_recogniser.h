@@ -70,6 +70,9 @@ public:
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
+	/// 1/s: from one gesture's motion to another's within a tenth of a second.
+	static constexpr double LEAD_RATE_PER_S = 50.0;
+
 	Synthesis synthesis_;
 	std::vector<ExpectedGesture> gestures_;
 	struct WatchedFeature {
@@ -120,8 +123,6 @@ private:
 	void choose_leader();
 	void lead(int follower);
 	[[nodiscard]] std::size_t nearest() const;
-	/// 1/s: from one gesture's motion to another's within a tenth of a second.
-	static constexpr double LEAD_RATE_PER_S = 50.0;
 	std::optional<Motion> show_nearest(double t_s);
 	void go_on_from(const Motion &before, double rate_per_s);
 	[[nodiscard]] Motion synthesised(double t_s) const;
