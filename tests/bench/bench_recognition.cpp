@@ -10,6 +10,7 @@
 #include "recognition/gesture_recogniser.h"
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
+#include "trained_models.h"
 
 #include <cstdio>
 #include <functional>
@@ -93,10 +94,6 @@ double ns_an_iteration(const std::vector<std::vector<SymbolSequence>> &gestures)
 		ns += ns_of([&] { keep(baum_welch(start, sequences, options)); });
 	}
 	return ns / ITERATIONS;
-}
-
-Task task_of(const SyntheticTrial &trial) {
-	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
 }
 
 /// The trials, each from its start to its end; outputs: of each millisecond as many, -1: nor instants.

@@ -1,6 +1,5 @@
 """What all pictures have in common."""
 
-import os
 import sys
 from pathlib import Path
 
@@ -9,6 +8,7 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
+from whole_file import whole
 
 __all__ = ["BLACK", "BLUE", "GREEN", "GREY", "ORANGE", "PURPLE", "SKY", "VERMILION", "plt", "save"]
 
@@ -26,11 +26,9 @@ def save(figure: Figure, path: Path) -> None:
 
     Ends the program with one line where it cannot be written.
     """
-    part = path.with_name(path.name + ".part")
     try:
-        figure.savefig(part, dpi=150, format="png")
-        os.replace(part, path)
+        with whole(path) as part:
+            figure.savefig(part, dpi=150, format="png")
     except OSError as fault:
-        part.unlink(missing_ok=True)
         sys.exit(f"{path}: the picture cannot be written: {fault.strerror or fault}")
     plt.close(figure)

@@ -11,6 +11,7 @@ from pathlib import Path
 from study.logs import read_logs
 from study.rows import Trial
 from study.throughput import Cell, Group, cells, groups
+from whole_file import whole
 
 # Exit codes, as those of the tools of the demo project.
 INCOMPLETE = 1
@@ -55,17 +56,11 @@ def main() -> int:
 
 def write(path: Path, kind: type, rows: Iterable[Cell] | Iterable[Group]) -> None:
     """In one step: the table of an earlier run stays where this one cannot be written."""
-    part = path.with_name(path.name + ".part")
-    try:
-        with part.open("w", encoding="utf-8", newline="") as file:
-            lines = csv.writer(file, lineterminator="\n")
-            lines.writerow(field.name for field in fields(kind))
-            for row in rows:
-                lines.writerow(plain(value) for value in asdict(row).values())
-        part.replace(path)
-    except OSError:
-        part.unlink(missing_ok=True)
-        raise
+    with whole(path) as part, part.open("w", encoding="utf-8", newline="") as file:
+        lines = csv.writer(file, lineterminator="\n")
+        lines.writerow(field.name for field in fields(kind))
+        for row in rows:
+            lines.writerow(plain(value) for value in asdict(row).values())
 
 
 def plain(value: str | int | float | None) -> str:

@@ -35,10 +35,10 @@ bool GestureFollower::push(
 	}
 	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
-	if (is_elsewhere_) {
-		phase_.doze(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
-	} else if (follows_phase()) {
-		phase_.push(frame.t_s, *x_m / task_.amplitude_m, place_ / task_.amplitude_m);
+	if (follows_phase()) {
+		const double x = *x_m / task_.amplitude_m;
+		const FeaturePlace place_now = place_ / task_.amplitude_m;
+		is_elsewhere_ ? phase_.doze(frame.t_s, x, place_now) : phase_.push(frame.t_s, x, place_now);
 	}
 	if (is_forgotten_) {
 		is_forgotten_ = false;

@@ -107,8 +107,8 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 		}
 	}
 	std::optional<Motion> before;
-	const std::size_t other = nearest();
-	if (leader_ < 0 && followers_[other]->off_start_m() < NEARER * followers_[shown_]->off_start_m()) {
+	const std::size_t other = leader_ < 0 ? nearest() : shown_;
+	if (followers_[other]->off_start_m() < NEARER * followers_[shown_]->off_start_m()) {
 		before = was_seen ? std::optional(motion(MotionSource::SYNTHESISED, t_s)) : std::nullopt;
 		shown_ = other;
 		blend_ = {};
