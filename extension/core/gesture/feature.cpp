@@ -68,22 +68,37 @@ FeaturePlace along_size(const Task & /*task*/) {
 	return FeaturePlace::UnitW();
 }
 
-/// Way of the index tip along a circle in the xy plane that begins along the task's axis, turns
-/// counterclockwise as the user sees it, and is as long as the task's amplitude. Its own radius and z do not
-/// matter. Near the centre, where errors of the tip come out magnified, there is no value.
+/// In the xy plane: begins along the task's axis, turns counterclockwise as the user sees it, and is as long
+/// as the task's amplitude.
+struct Circle {
+	double radius_m;
+	Eigen::Vector2d ahead, inward; ///< at the start
+	Eigen::Vector2d centre_m;
+
+	explicit Circle(const Task &task) :
+			radius_m(task.amplitude_m / (2.0 * std::numbers::pi)), ahead(task.axis.head<2>().normalized()),
+			inward(-ahead.y(), ahead.x()), centre_m(task.start_m.head<2>() + radius_m * inward) {}
+};
+
+/// Way of the index tip along the circle; its own radius and z do not matter. Near the centre, where errors
+/// of the tip come out magnified, there is no value.
 std::optional<double> index_along_circle(const HandFrame &frame, const Task &task) {
-	const double radius_m = task.amplitude_m / (2.0 * std::numbers::pi);
-	const Eigen::Vector2d ahead = task.axis.head<2>().normalized();
-	const Eigen::Vector2d inward(-ahead.y(), ahead.x());
-	if (!frame.has_all(INDEX_TIP) || ahead.isZero(0.0)) {
+	const Circle circle(task);
+	if (!frame.has_all(INDEX_TIP) || circle.ahead.isZero(0.0)) {
 		return std::nullopt;
 	}
-	const Eigen::Vector2d from_centre =
-			frame.position(Joint::INDEX).head<2>() - task.start_m.head<2>() - radius_m * inward;
-	if (!(from_centre.norm() * ERROR_GAIN_MAX > radius_m)) {
+	const Eigen::Vector2d from_centre = frame.position(Joint::INDEX).head<2>() - circle.centre_m;
+	if (!(from_centre.norm() * ERROR_GAIN_MAX > circle.radius_m)) {
 		return std::nullopt;
 	}
-	return radius_m * std::atan2(from_centre.dot(ahead), -from_centre.dot(inward));
+	return circle.radius_m * std::atan2(from_centre.dot(circle.ahead), -from_centre.dot(circle.inward));
+}
+
+double index_off_circle(const HandFrame &frame, const Task &task) {
+	const Circle circle(task);
+	const Eigen::Vector3d &index = frame.position(Joint::INDEX);
+	return std::hypot(
+			(index.head<2>() - circle.centre_m).norm() - circle.radius_m, index.z() - task.start_m.z());
 }
 
 double circumference(const Task &task) {
@@ -105,7 +120,8 @@ constexpr std::array FEATURES{
 			.is_radius = true,
 			.open_gain_spread = UNTOLD_GROWTH,
 			.place_shares = { WHILE_IT_OPENS, WHILE_IT_OPENS, 1.0, 1.0 } },
-	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference },
+	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference,
+			index_off_circle },
 };
 
 } // namespace

@@ -30,6 +30,8 @@ struct Feature {
 	/// The way after which the hand is where it was, m: measure tells values apart within half of it on
 	/// either side of 0, and MotionElement counts the rounds. Null where there is no such way.
 	double (*period_m)(const Task &task) = nullptr;
+	/// How far the hand is from the task's way, m; of a frame that measure takes. Null where places tell.
+	double (*off_way_m)(const HandFrame &frame, const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, and no place
 	/// How many times as freely as with a task lengths differ from the model's where no task says them.
 	double open_gain_spread = 1.0;

@@ -24,7 +24,8 @@ constexpr double SEEN_ON_WAY = 0.25; ///< and from here on where it is seen to g
 constexpr double BACK_VALUE = 0.15;
 /// A movement that is at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
-constexpr double DOUBT_S = 0.3; ///< at its end a stroke may still turn out to have been the gesture
+/// At its end a stroke may still turn out to have been the gesture; and a tracker may show another place.
+constexpr double DOUBT_S = 0.3;
 /// A hand that is seen to stay for so long, no nearer to the start than this, ended short of its task.
 constexpr double SHORT_END = 0.7;
 constexpr double STAYS_S = 0.4;
@@ -42,6 +43,9 @@ constexpr double BEYOND_DOUBT = 9.0;
 /// that has been there for so long is left alone until it is nearer.
 constexpr double ELSEWHERE = 0.7;
 constexpr double ELSEWHERE_S = 3.0;
+/// The same off a way that is not straight, of which strokes say nothing: a circle is made by hands that keep
+/// to about its place, twice as wide as it is or not.
+constexpr double OFF_WAY = 0.3;
 /// From where a gesture begins that may begin anywhere.
 constexpr double ANYWHERE_M = 0.1;
 /// What was seen no longer ago says where the hand is.
@@ -62,7 +66,7 @@ std::optional<double> TaskFollower::see(
 		return std::nullopt;
 	}
 	seen_s_ = frame.t_s;
-	off_start_m_ = feature().place == nullptr ? 0.0 : off_start_m_;
+	off_start_m_ = feature().off_way_m != nullptr ? feature().off_way_m(frame, task()) : off_start_m_;
 	follow_near(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
@@ -78,14 +82,23 @@ std::optional<double> TaskFollower::see(
 
 /// The estimator costs most of what a task does, and of many in a scene the hand is near few.
 void TaskFollower::follow_near(double t_s) {
-	if (off_start_m_ < ELSEWHERE * task().amplitude_m || stage() != Stage::RESTING) {
+	near_s_ = is_near() ? t_s : near_s_;
+	if (is_near() || stage() != Stage::RESTING) {
 		attend(t_s);
 	}
 	set_elsewhere(mode() == MotionMode::PHASE && t_s - attended_s_ > ELSEWHERE_S);
 }
 
+bool TaskFollower::is_near() const {
+	return off_start_m_ < (feature().off_way_m != nullptr ? OFF_WAY : ELSEWHERE) * task().amplitude_m;
+}
+
+double TaskFollower::off_way_s() const {
+	return feature().off_way_m != nullptr ? seen_s_ - near_s_ : 0.0;
+}
+
 double TaskFollower::off_start_m() const {
-	const bool is_anywhere = feature().place == nullptr || feature().is_radius;
+	const bool is_anywhere = feature().off_way_m != nullptr || feature().is_radius;
 	return is_anywhere ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
 }
 
@@ -102,7 +115,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && has_begun(t_s, strokes)) {
+			} else if (!is_rejected_ && off_way_s() <= 0.0 && has_begun(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = stays_since_s_ = likely_s_ = off_start_s_ = t_s;
@@ -112,7 +125,10 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			}
 			break;
 		case Stage::MOVING:
-			if (was_nothing(t_s)) {
+			if (off_way_s() > DOUBT_S) {
+				is_rejected_ = true;
+				come_to_rest(t_s);
+			} else if (was_nothing(t_s)) {
 				come_to_rest(t_s);
 			} else if ((ends_short(t_s) || is_at_end(t_s)) && is_known(t_s, strokes)) {
 				come_to_end(t_s);

@@ -25,8 +25,9 @@ public:
 private:
 	MotionElement element_;
 	TaskStrokes strokes_;
-	RestWander wander_; ///< of what is measured before the gesture
-	double off_start_m_ = INFINITY;
+	RestWander wander_;             ///< of what is measured before the gesture
+	double off_start_m_ = INFINITY; ///< off its way, where that is not straight
+	double near_s_ = -INFINITY;     ///< when it was last near
 	double attended_s_ = -INFINITY; ///< when there was last a reason to follow the hand
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
@@ -40,6 +41,10 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	void follow_near(double t_s);
+	/// So that the gesture may begin.
+	[[nodiscard]] bool is_near() const;
+	/// For how long the hand has been seen off a way that is not straight.
+	[[nodiscard]] double off_way_s() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;

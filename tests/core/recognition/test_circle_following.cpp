@@ -1,11 +1,11 @@
 #include "gesture/trainer.h"
-#include "minimum_jerk_drag.h"
+#include "gesture_events.h"
 #include "near.h"
-#include "recognition/gesture_recogniser.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 using namespace steadyhand;
@@ -113,4 +113,69 @@ TEST_CASE("each further round is a circle again") {
 		CHECK(arrivals == 3);
 		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == test::near(ROUND_M).epsilon(0.05));
 	}
+}
+
+TEST_CASE("a circle may be wider or narrower than its task, and before or behind its plane") {
+	const std::shared_ptr<const GestureModel> model = circle_model();
+	const test::Drag round{ .onset_s = 0.5, .duration_s = 1.3, .amplitude_m = ROUND_M };
+	for (const auto &[wider, nearer_m] : { std::pair{ 2.0, 0.0 }, std::pair{ 0.5, 0.0 },
+				 std::pair{ 1.0, RADIUS_M }, std::pair{ 1.0, -RADIUS_M }, std::pair{ 1.8, RADIUS_M } }) {
+		CAPTURE(wider);
+		CAPTURE(nearer_m);
+		GestureRecogniser hmm({ model }, TASK, MotionMode::PHASE);
+		const auto seen = [&](double t_s) {
+			const HandFrame frame = on_the_circle(t_s, round.x_m(t_s));
+			return Eigen::Vector3d(wider * frame.position(Joint::INDEX) + nearer_m * test::Z);
+		};
+		CHECK(test::watch(hmm, seen, 2.5).said == test::times(1, "circle"));
+	}
+}
+
+TEST_CASE("a tracker that shows another place for a quarter of a second does not end a circle") {
+	const std::shared_ptr<const GestureModel> model = circle_model();
+	const test::Drag round{ .onset_s = 0.5, .duration_s = 1.3, .amplitude_m = ROUND_M };
+	for (const double from_s : { 0.9, 1.1, 1.3 }) {
+		CAPTURE(from_s);
+		GestureRecogniser hmm({ model }, TASK, MotionMode::PHASE);
+		const auto seen = [&](double t_s) {
+			const bool is_away = t_s > from_s && t_s < from_s + 0.25;
+			const Eigen::Vector3d hand_m = on_the_circle(t_s, round.x_m(t_s)).position(Joint::INDEX);
+			return Eigen::Vector3d(is_away ? 4.0 * hand_m : hand_m);
+		};
+		CHECK(test::watch(hmm, seen, 2.5).said == test::times(1, "circle"));
+	}
+}
+
+TEST_CASE("a hand beside the circle's place makes no circle there, and what it does is shown as if alone") {
+	const ExpectedGesture circle{ circle_model(), TASK };
+	const test::Drag drag{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 },
+			back{ .onset_s = 2.0, .duration_s = 0.8, .amplitude_m = -0.2 };
+	// Upwards on its right side, and to the left above it, is counterclockwise.
+	for (const auto &[from_m, axis] : { std::pair{ Eigen::Vector3d(0.22, -0.1, 0.0), test::Y },
+				 std::pair{ Eigen::Vector3d(0.1, 0.22, 0.0), Eigen::Vector3d(-test::X) },
+				 std::pair{ Eigen::Vector3d(0.02, RADIUS_M, 0.2), Eigen::Vector3d(-test::X) } }) {
+		CAPTURE(from_m.transpose());
+		const auto hand = [&](double t_s) {
+			return Eigen::Vector3d(from_m + (drag.x_m(t_s) + back.x_m(t_s)) * axis);
+		};
+		const ExpectedGesture beside{ test::models()[0], Task{ from_m, axis, 0.2 } };
+		GestureRecogniser alone({ beside }), both({ circle, beside }), only({ circle });
+		const test::Events of_one = test::watch(alone, hand, 3.5), of_both = test::watch(both, hand, 3.5);
+		CHECK(of_one.said == test::times(1, "sideways"));
+		CHECK(of_both.said == of_one.said);
+		CHECK(of_both.largest_step == test::near(of_one.largest_step));
+		CHECK(test::watch(only, hand, 3.5).said.empty());
+	}
+}
+
+TEST_CASE("a hand that leaves a circle half-way for something else has given it up") {
+	GestureRecogniser hmm({ ExpectedGesture{ circle_model(), TASK } });
+	const test::Drag round{ .onset_s = 0.5, .duration_s = 0.7, .amplitude_m = 0.4 * ROUND_M },
+			leaves{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = 0.4 };
+	const auto hand = [&](double t_s) {
+		const Eigen::Vector3d on_m = on_the_circle(t_s, round.x_m(t_s)).position(Joint::INDEX);
+		return Eigen::Vector3d(on_m - leaves.x_m(t_s) * test::X);
+	};
+	CHECK(test::watch(hmm, hand, 2.5).said == std::vector<std::string>{ "started circle", "aborted circle" });
+	CHECK(std::abs(hmm.motion(MotionSource::SYNTHESISED).progress) < 1e-9);
 }
