@@ -53,6 +53,19 @@ std::string not_text(char byte) {
 	return "byte 0x" + hex_byte(byte) + " is not text";
 }
 
+/// Length of the quoted cell that text starts with, its quotes included; 0 where there is none. What another
+/// cell's quotes enclose is no cell's end.
+std::size_t quoted_length(std::string_view text) {
+	for (std::size_t end = text.find('"', 1); text.starts_with('"') && end != std::string_view::npos;
+			end = text.find('"', end + 1)) {
+		const std::string_view after = trim(text.substr(end + 1));
+		if (after.empty() || after.starts_with(',')) {
+			return end + 1;
+		}
+	}
+	return 0;
+}
+
 std::string counted(std::size_t count, std::string_view noun) {
 	return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
 }
@@ -91,11 +104,15 @@ std::string_view trim(std::string_view text) {
 
 void split_cells(std::string_view line, std::vector<std::string_view> &r_cells) {
 	r_cells.clear();
-	for (std::size_t comma = line.find(','); comma != std::string_view::npos; comma = line.find(',')) {
-		r_cells.push_back(trim(line.substr(0, comma)));
-		line.remove_prefix(comma + 1);
+	for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(comma + 1)) {
+		line = trim(line);
+		const std::size_t in_quotes = quoted_length(line);
+		comma = line.find(',', in_quotes);
+		r_cells.push_back(trim(in_quotes > 0 ? line.substr(1, in_quotes - 2) : line.substr(0, comma)));
+		if (comma == std::string_view::npos) {
+			return;
+		}
 	}
-	r_cells.push_back(trim(line));
 }
 
 std::optional<std::size_t> find_not_text(std::string_view line) {
@@ -144,9 +161,13 @@ void append_number(std::string &r_out, double number) {
 }
 
 void append_plain_text(std::string &r_out, std::string_view text, bool keep_commas) {
-	for (const char character : trim(text)) {
+	const std::string_view trimmed = trim(text);
+	const std::string_view quotes = !keep_commas && trimmed.starts_with('"') ? "\"" : "";
+	r_out += quotes;
+	for (const char character : trimmed) {
 		r_out += is_control(character) || (character == ',' && !keep_commas) ? ' ' : character;
 	}
+	r_out += quotes;
 }
 
 std::string quoted(std::string_view cell) {

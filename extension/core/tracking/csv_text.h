@@ -10,8 +10,8 @@
 
 namespace steadyhand {
 
-// The plain CSV of tracks and trial sets: UTF-8 (a byte order mark is skipped), comma, no quoting, LF or
-// CRLF.
+// The plain CSV of tracks and trial sets: UTF-8 (a byte order mark is skipped), comma, LF or CRLF. Cells may
+// be in quotes (RFC 4180), as other programs write them, but for line breaks in them.
 
 /// Walks a text line by line. Views point into the text, which must outlive them.
 class CsvLines {
@@ -31,7 +31,8 @@ private:
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Cells of a line, trimmed of spaces and tabs. Always at least one.
+/// Cells of a line, without their quotes (one that is doubled there stays so), trimmed of spaces and tabs.
+/// Always at least one.
 void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
 
 /// Offset of the first byte that no UTF-8 text holds: a control character other than tab, a malformed or
@@ -46,7 +47,7 @@ void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
 void append_number(std::string &r_out, double number);
 
 /// Text for one cell or one metadata line: control characters, and commas if asked, become spaces, so that
-/// what is written can always be read back.
+/// what is written can always be read back. A cell that begins with a quote is put in quotes.
 void append_plain_text(std::string &r_out, std::string_view text, bool keep_commas);
 
 /// For error messages: quoted, bytes that do not print as \xNN, cut after 40 characters.

@@ -67,7 +67,7 @@ Track any_track(std::mt19937_64 &r_engine) {
 		}
 		track.frames.push_back(frame);
 		for (UnknownColumn &column : track.unknown_columns) {
-			column.cells.push_back((r_engine() & 1U) != 0 ? "µ" : "");
+			column.cells.push_back((r_engine() & 1U) != 0 ? "µ" : (r_engine() & 1U) != 0 ? "\"a\"" : "");
 		}
 	}
 	return track;
@@ -134,6 +134,19 @@ TEST_SUITE("track CSV") {
 						"# a: b\n\nt,palm_x,palm_y,palm_z\n1,2,3,4\n2,,,\n\n \n" }) {
 			CHECK(format_track_csv(parsed(text)) == expected);
 		}
+	}
+
+	TEST_CASE("cells may be in quotes, as R and spreadsheets write them") {
+		const std::string text = "t,palm_x,palm_y,palm_z,note\n1,2,3,4,a b\n2,,,,\n";
+		CHECK(format_track_csv(parsed("\"t\",\"palm_x\",\"palm_y\",\"palm_z\",\"note\"\n"
+									  "\"1\", \"2\" ,3,\"4\",\"a,b\"\n2,\"\",,\"\",\"\"\n")) == text);
+		// What is not closed before a comma, and a quote within a cell, is text.
+		for (const std::string cell : { "\"", "\"a", "5\"", "a \"b\"", "\"a\" b", "\"\"a\"\"" }) {
+			const Track track = parsed("t,note\n1," + cell + "\n2,b\n");
+			CHECK(track.unknown_columns[0].cells[1] == "b");
+			check_same(track, parsed(format_track_csv(track)));
+		}
+		CHECK(parsed("t,note\n1,\"\"a\"\"\n").unknown_columns[0].cells[0] == "\"a\"");
 	}
 
 	TEST_CASE("a track without rows, and one with time alone, are tracks") {
@@ -238,7 +251,9 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of(header + "1,2,3.5m,4,1\n") == "a.csv:2: index_y: '3.5m' is not a number");
 		CHECK(error_of(header + "1,2,0x10,4,1\n") == "a.csv:2: index_y: '0x10' is not a number");
 		CHECK(error_of(header + "1,2,+-1,4,1\n") == "a.csv:2: index_y: '+-1' is not a number");
-		CHECK(error_of(header + "1,2,\"3\",4,1\n") == "a.csv:2: index_y: '\"3\"' is not a number");
+		CHECK(error_of(header + "1,2,\"3,4,1\n") == "a.csv:2: index_y: '\"3' is not a number");
+		CHECK(error_of(header + "1,2,\"3\"4,4,1\n") == "a.csv:2: index_y: '\"3\"4' is not a number");
+		CHECK(error_of(header + "1,2,\"3,4\",1\n") == "a.csv:2: confidence: the row ends after 4 cells of 5");
 		CHECK(error_of(header + "1,nan,3,4,1\n") == "a.csv:2: index_x: 'nan' is not finite");
 		CHECK(error_of(header + "1,2,3,-inf,1\n") == "a.csv:2: index_z: '-inf' is not finite");
 		CHECK(error_of(header + "NaN,2,3,4,1\n") == "a.csv:2: t: 'NaN' is not finite");
