@@ -74,5 +74,6 @@ def tell_beyond(
                         ha="right" if place == len(durations) - 1 else "center",
                         va=side,
                         fontsize=8.5,
+                        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
                     )
                     row += 1
