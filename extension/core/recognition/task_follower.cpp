@@ -112,11 +112,8 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			if (is_elsewhere()) {
 				break;
 			}
-			if (is_rejected_ && is_back(t_s)) {
+			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
-				strokes_.pass_over_before(t_s);
-				restart_estimate(t_s);
-			} else if (!is_rejected_ && has_been_elsewhere(t_s)) {
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && off_way_s() <= 0.0 && has_begun(t_s, strokes)) {
 				strokes_.begin();
@@ -142,8 +139,6 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::ARRIVED:
 			if (is_back(t_s)) {
 				come_to_rest(t_s);
-			} else {
-				beyond_s_ = t_s;
 			}
 			break;
 	}
@@ -183,7 +178,6 @@ bool TaskFollower::was_nothing(double t_s) {
 	}
 	const PhaseEstimate now = estimate(t_s);
 	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
-	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
@@ -230,8 +224,6 @@ void TaskFollower::come_to_end(double t_s) {
 
 void TaskFollower::come_to_rest(double t_s) {
 	rest(t_s);
-	// A hand that has come back nearly to the start has not set out from there by what it did before.
-	strokes_.pass_over_before(beyond_s_);
 	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
