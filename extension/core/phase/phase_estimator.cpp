@@ -183,7 +183,8 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 		const double before = now_.bank.greatest_log_weight();
 		now_.bank.absorb(
 				curve_, t_s, x, { OUTLIERS, soundness_.jitter(), told_dt_s / (told_dt_s + ALIKE_S) });
-		// What is expected is likelier than 1 an amplitude: what is not, none gains by.
+		// The likeliest gains by what it expects: where its density is above 1 / sqrt(2 pi) an amplitude,
+		// which the likelihoods are without.
 		now_.surprises = now_.bank.greatest_log_weight() < before ? now_.surprises + 1 : 0;
 	}
 }

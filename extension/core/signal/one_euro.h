@@ -13,9 +13,9 @@ namespace steadyhand {
 class OneEuro {
 public:
 	/// Tuned once, on synthetic subjects made for tuning, and the same everywhere. A camera tracker's error
-	/// is slow, so R^2 at zero lag goes on rising with beta until nothing is filtered; 20 Hz per m/s is where
-	/// a resting finger is still smoothed (1 Hz) and a drag is within 0.01 of the best (docs/method.md). At
-	/// 90 Hz a hand at 0.4 m/s is then seen 10 ms late.
+	/// is slow, so R^2 at zero lag goes on rising with beta until nothing is filtered (docs/method.md); 20 Hz
+	/// per m/s is where a resting finger is still smoothed (1 Hz) and a drag was within 0.01 of the best
+	/// then. At 90 Hz a hand at 0.4 m/s is then seen 10 ms late.
 	struct Tuning {
 		double min_cutoff_hz = 1.0;   ///< > 0
 		double beta_per_m = 20.0;     ///< cutoff in Hz added per m/s; >= 0

@@ -25,7 +25,8 @@ constexpr double SMALLEST_STRAY = 0.06; ///< in any direction: hands are not hel
 constexpr double SHAKEN_BEND = 8.0;
 constexpr double SHAKEN_STRAY = 40.0;
 constexpr double SHAKEN_STEP = 6.0;
-/// A tracker that strays beside the way has erred; along the way it may be right.
+/// A tracker that bends the way in space further than hands do, whichever way, has erred; where the step
+/// along the way is none of a tracker's alone, it counts so much: along the way it may be right.
 constexpr double STRAY_FAULT = 0.3;
 /// What takes something else for the hand for some frames need not be late afterwards, as what loses it is:
 /// share of such a fault in lateness().
