@@ -48,7 +48,7 @@ constexpr double ELSEWHERE_S = 3.0;
 constexpr double OFF_WAY = 0.3;
 /// From where a gesture begins that may begin anywhere.
 constexpr double ANYWHERE_M = 0.1;
-/// What was seen no longer ago says where the hand is.
+/// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
 constexpr double SEEN_S = 0.1;
 
 } // namespace
@@ -65,6 +65,7 @@ std::optional<double> TaskFollower::see(
 	if (!x_m || !std::isfinite(*x_m)) {
 		return std::nullopt;
 	}
+	found_s_ = frame.t_s - seen_s_ > SEEN_S ? frame.t_s : found_s_;
 	seen_s_ = frame.t_s;
 	off_start_m_ = feature().off_way_m != nullptr ? feature().off_way_m(frame, task()) : off_start_m_;
 	follow_near(frame.t_s);
@@ -188,7 +189,12 @@ bool TaskFollower::was_nothing(double t_s) {
 /// What goes on unseen is a guess after a while, unless little of it was left.
 bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
 	const double news_s = feature().place != nullptr ? strokes.news_s() : seen_s_;
-	return mode() == MotionMode::PAPER || value() > SHORT_END || t_s - news_s < ABSENCES_S.front();
+	const bool is_followed = t_s - news_s < ABSENCES_S.front() && !is_just_found(t_s);
+	return mode() == MotionMode::PAPER || value() > SHORT_END || is_followed;
+}
+
+bool TaskFollower::is_just_found(double t_s) const {
+	return t_s - found_s_ <= SEEN_S;
 }
 
 bool TaskFollower::is_back(double t_s) const {
@@ -207,7 +213,8 @@ bool TaskFollower::ends_short(double t_s) {
 		stays_since_s_ = t_s;
 		stays_at_ = value;
 	}
-	furthest_ = std::max(furthest_, value);
+	const bool is_guess = t_s - seen_s_ > SEEN_S || is_just_found(t_s);
+	furthest_ = is_guess ? furthest_ : std::max(furthest_, value);
 	const bool has_turned = furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY;
 	return strokes_.best_log_odds() > BEYOND_DOUBT &&
 			(t_s - stays_since_s_ > (has_ended ? ENDED_STAYS_S : STAYS_S) || has_turned);

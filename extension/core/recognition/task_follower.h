@@ -37,6 +37,7 @@ private:
 	double stays_at_ = 0.0;      ///< amplitudes
 	double furthest_ = 0.0;      ///< of a gesture under way, amplitudes
 	double seen_s_ = INFINITY;   ///< of the newest frame that held what the feature needs; before one, never
+	double found_s_ = -INFINITY; ///< when the hand was last seen again
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
@@ -48,6 +49,7 @@ private:
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool is_just_found(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
 	[[nodiscard]] bool was_nothing(double t_s);

@@ -205,6 +205,24 @@ TEST_CASE("with the task known the end of a hand that is gone half-way is not sa
 	CHECK(in_a_task(along(X, { drag }), 4.0, drag.onset_s + 0.56).said == times(1, "sideways"));
 }
 
+TEST_CASE("with a task a hand that is seen again half-way, where it stands, has not come to the end "
+		  "meanwhile") {
+	for (const double halts_m : { 0.09, 0.1, 0.11, 0.12 }) {
+		const Drag half{ .onset_s = 0.6, .duration_s = 0.7, .amplitude_m = halts_m };
+		for (const double lost_s : { 0.85, 0.95, 1.05, 1.15, 1.3 }) {
+			for (const double gap_s : { 0.25, 0.35, 0.5, 0.7, 0.9 }) {
+				CAPTURE(halts_m);
+				CAPTURE(lost_s);
+				CAPTURE(gap_s);
+				const Events events =
+						in_a_task(along(X, { half }), lost_s + gap_s + 1.0, lost_s, lost_s + gap_s);
+				CHECK(none_ends(events));
+				CHECK(std::abs(events.last_value_m - halts_m) < 0.006);
+			}
+		}
+	}
+}
+
 TEST_CASE("a hand that rests behind its task's start and leaves the view is not led on") {
 	for (const double behind_m : { 0.02, 0.03, 0.05, 0.08, 0.15 }) {
 		for (const double duration_s : { 0.4, 0.8, 1.2 }) {
