@@ -4,6 +4,7 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/train.gd --
 ##     --trials DIR --gesture NAME --out FILE [--report DIR]
 ##     [--feature NAME] (default: the one that goes the trials' way)
+##     [--r2-threshold T_H] (default: GestureTrainer's)
 ##
 ## or, without these, the add-on's own models from synthetic people (equal bits on every run):
 ##     [--models DIR] (default: the repository's models/)
@@ -20,7 +21,11 @@ const Stored := preload("res://scripts/stored.gd")
 
 const MODEL_ENDING := ".gesture"
 
+## Names that are listed of recordings that are unlike the others.
+const MOST_NAMES := 20
+
 var _report_folder := ""
+var _r2_threshold := GestureTrainer.new().r2_threshold
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -33,11 +38,14 @@ func work(arguments: PackedStringArray) -> void:
 		work = Repository.absolute(Repository.BUILD),
 		report = "",
 	}
+	defaults["r2-threshold"] = ""
 	var options := CommandLine.new(arguments, defaults)
 	_report_folder = options.optional_path("report")
 	var is_own_set := true
-	for option: String in ["trials", "gesture", "out", "feature"]:
+	for option: String in ["trials", "gesture", "out", "feature", "r2-threshold"]:
 		is_own_set = is_own_set and options.text(option).is_empty()
+	if not options.text("r2-threshold").is_empty():
+		_r2_threshold = options.number("r2-threshold", 0.0, 1.0, "share of the variance")
 	var done := false
 	if is_own_set:
 		var models_folder := options.path("models")
@@ -86,57 +94,81 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
 	trainer.feature = feature
+	trainer.r2_threshold = _r2_threshold
 	trainer.progressed.connect(progress.show)
 	var model := trainer.train(trial_set, gesture)
 	if model == null:
 		return false
-	_tell_of_oddities(trainer, trial_set, model)
+	_tell_of_oddities(trainer, trial_set)
 	if not _report_folder.is_empty() and not _report_recordings(trainer, gesture):
 		return false
 	var saved := ResourceSaver.save(model, out_file)
 	if saved != OK:
 		printerr("train: cannot write %s: %s" % [out_file, error_string(saved)])
 		return false
-	var kept := trainer.get_recordings().filter(
-		func(recording: Dictionary) -> bool: return recording["kept"]
-	)
-	var of := 0
-	for i in trial_set.get_count():
-		of += 1 if trial_set.get_trial(i)["gesture"] == gesture else 0
+	var recordings := trainer.get_recordings()
+	var kept: int = model.get_provenance()["recordings"]
 	print(
 		(
 			"wrote %s, by %s, from %d of %d recordings"
-			% [out_file, model.get_feature(), kept.size(), of]
+			% [out_file, model.get_feature(), kept, recordings.size()]
 		)
 	)
-	if 2 * kept.size() < of:
-		printerr(
-			(
-				(
-					"train: most recordings of '%s' are not like their mean, or do not move; "
-					+ "check their times, and the feature"
-				)
-				% gesture
-			)
-		)
+	_tell_of_unlike(recordings, kept)
 	return true
 
 
-## What is learnt from all the same, and what nothing is learnt from.
-func _tell_of_oddities(trainer: GestureTrainer, trial_set: TrialSet, model: GestureModel) -> void:
-	var oddities: Dictionary[String, String] = {}
-	for recording in trainer.get_recordings():
-		oddities[recording["trial"]] = recording["oddity"]
-	var still := "its reference does not move by %s, nothing is learnt from it" % model.feature
+## What nothing is learnt from, and what is learnt from all the same.
+func _tell_of_oddities(trainer: GestureTrainer, trial_set: TrialSet) -> void:
+	var indices: Dictionary[String, int] = {}
 	for i in trial_set.get_count():
-		var trial := trial_set.get_trial(i)
-		if trial["gesture"] != model.gesture:
+		indices[trial_set.get_trial(i)["trial"]] = i
+	for recording in trainer.get_recordings():
+		var oddity: String = recording["oddity"]
+		if oddity.is_empty():
 			continue
-		var oddity: String = oddities.get(trial["trial"], still)
-		if not oddity.is_empty():
-			var is_of_reference := oddity.begins_with("its reference")
-			var paths := [trial_set.get_measured_path(i), trial_set.get_reference_path(i)]
-			printerr("trial %s: %s: %s" % [trial["trial"], oddity, paths[int(is_of_reference)]])
+		var trial: String = recording["trial"]
+		var index := indices[trial]
+		var is_of_reference := oddity.begins_with("its reference")
+		var paths := [trial_set.get_measured_path(index), trial_set.get_reference_path(index)]
+		var path: String = paths[int(is_of_reference)]
+		var is_named := oddity.contains(trial_set.get_path())
+		var what := "trial %s is left out" if _is_left_out(recording) else "trial %s"
+		printerr("%s: %s%s" % [what % trial, oddity, "" if is_named else ": " + path])
+
+
+func _tell_of_unlike(recordings: Array[Dictionary], kept: int) -> void:
+	var unlike: Array[String] = []
+	for recording in recordings:
+		if not recording["kept"] and not _is_left_out(recording):
+			unlike.append("%s (%.2f)" % [recording["trial"], recording["r2"]])
+	if unlike.is_empty():
+		return
+	var names := ", ".join(unlike.slice(0, MOST_NAMES))
+	var more := unlike.size() - MOST_NAMES
+	printerr(
+		(
+			"train: %d of %d are less like the mean of all than R2 %s: %s%s"
+			% [
+				unlike.size(),
+				recordings.size(),
+				_r2_threshold,
+				names,
+				" and %d more" % more if more > 0 else ""
+			]
+		)
+	)
+	if 2 * kept < recordings.size():
+		printerr(
+			(
+				"train: these are most of them. Where hands do differ so much a lower --r2-threshold "
+				+ "keeps more; else check the times of the trials, and the feature"
+			)
+		)
+
+
+func _is_left_out(recording: Dictionary) -> bool:
+	return (recording["curve"] as PackedFloat64Array).is_empty()
 
 
 ## Before the training, which takes longer than to tell.
@@ -163,6 +195,8 @@ func _report_recordings(trainer: GestureTrainer, gesture: String) -> bool:
 		printerr("cannot write %s: %s" % [path, error_string(FileAccess.get_open_error())])
 		return false
 	for recording in trainer.get_recordings():
+		if _is_left_out(recording):
+			continue
 		var row := PackedStringArray([recording["trial"]])
 		row.append("1" if recording["kept"] else "0")
 		row.append("%.6f" % recording["r2"])

@@ -6,6 +6,7 @@
 #include "base/version.h"
 #include "gesture/feature.h"
 #include "gesture/feature_choice.h"
+#include "gesture/model_file.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -87,22 +88,29 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	ERR_FAIL_COND_V_MSG(!fault.empty(), Ref<GestureModel>(), to_godot(gesture + ": " + fault));
 
 	std::vector<steadyhand::TrainingRecording> recordings;
+	std::vector<steadyhand::NormalisedRecording> unread;
 	for (const steadyhand::Trial *trial : wanted) {
 		steadyhand::Result<steadyhand::TrainingRecording> recording = p_trial_set->read_recording(*trial);
-		ERR_FAIL_COND_V_MSG(!recording, Ref<GestureModel>(), to_godot(recording.error()));
-		recordings.push_back(std::move(recording).value());
+		if (recording) {
+			recordings.push_back(std::move(recording).value());
+		} else {
+			unread.push_back({ trial->trial, {}, 0.0, false, recording.error() });
+		}
 		emit_signal("progressed",
-				READING * static_cast<double>(recordings.size()) / static_cast<double>(wanted.size()));
+				READING * static_cast<double>(recordings.size() + unread.size()) /
+						static_cast<double>(wanted.size()));
 		if (cancelled_) {
 			return {};
 		}
 	}
+	ERR_FAIL_COND_V_MSG(recordings.empty(), Ref<GestureModel>(), to_godot(unread.front().oddity));
 
 	if (feature.empty()) {
 		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
 		ERR_FAIL_NULL_V_MSG(chosen, Ref<GestureModel>(),
 				p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
-						String(p_gesture) + String("'; check their times, start, axis and amplitude"));
+						String(p_gesture) + String("'; trial ") +
+						to_godot(steadyhand::no_feature_reason(recordings)));
 		feature = chosen->name;
 	}
 	steadyhand::Result<steadyhand::GestureModel> trained =
@@ -110,10 +118,19 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	if (cancelled_) {
 		return {};
 	}
+	recordings_.insert(recordings_.end(), unread.begin(), unread.end());
 	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
 	steadyhand::GestureModel &core = trained.value();
+	for (const steadyhand::NormalisedRecording &recording : unread) {
+		core.provenance.dropped.push_back(recording.name);
+	}
 	core.provenance.trial_set = to_core(p_trial_set->get_path().get_file());
 	core.provenance.trained_with = std::string("SteadyHand ").append(steadyhand::VERSION);
+	const steadyhand::Result<steadyhand::GestureModel> read =
+			steadyhand::parse_model(steadyhand::format_model(core), gesture);
+	ERR_FAIL_COND_V_MSG(!read, Ref<GestureModel>(),
+			to_godot(gesture) + String(": the recordings give no model that could be used: ") +
+					to_godot(read.error()));
 	Ref<GestureModel> model;
 	model.instantiate();
 	model->set_core(std::make_shared<const steadyhand::GestureModel>(std::move(core)));

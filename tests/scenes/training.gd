@@ -63,34 +63,62 @@ func test_a_feature_that_is_not_there_is_told_before_a_recording_is_read() -> vo
 	check(not run.said.contains("training %s" % GESTURE), "no progress before it")
 
 
-func test_what_is_odd_is_told_and_learnt_from() -> void:
+func test_what_is_odd_is_told_and_left_out() -> void:
 	var trials := Rig.write_trials(_path("odd"), 4)
 	var told: Array[String] = [
-		"its measured track goes to ",
-		"its measured track ends at ",
-		"the hand is never seen to move by index_along_axis",
-		"its measured track lasts ",
+		" is left out: its measured track goes to ",
+		": its measured track ends at ",
+		" is left out: the hand is never seen to move by index_along_axis",
+		" is left out: its measured track lasts ",
+		" is left out: its reference goes to ",
 	]
-	for index in told.size():
+	for index in 4:
 		_spoil(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])
 	TrackText.scale(trials.get_reference_path(4), "index_x", 0.0)
+	DirAccess.remove_absolute(trials.get_reference_path(5))
 	var out := _path("odd/drag.gesture")
 	var options := ["--trials", _path("odd"), "--gesture", String(GESTURE), "--out", out]
 	var run := ToolRun.new("train", options)
-	check_equal(run.exit_code, 0, "a model is trained all the same")
+	check_equal(run.exit_code, 0, "a model is trained of the others")
 	check_equal(run.said.count("\ntrial "), told.size() + 1, "nothing is said of sound trials")
 	for index in told.size():
 		var name: String = trials.get_trial(index)["trial"]
-		var line: Array[String] = ["trial %s: %s" % [name, told[index]]]
-		line.append(trials.get_measured_path(index))
+		var line: Array[String] = ["trial %s%s" % [name, told[index]]]
+		var is_reference := told[index].contains("its reference")
+		line.append(
+			[trials.get_measured_path(index), trials.get_reference_path(index)][int(is_reference)]
+		)
 		check_equal(run.not_said(line), "", told[index])
-	var still := "trial %s: its reference does not move by index_along_axis, nothing is learnt"
-	check_equal(run.not_said([still % trials.get_trial(4)["trial"]]), "", "of what is left out")
+	var unread := "trial %s is left out: %s: there is no such file"
+	var missing := unread % [trials.get_trial(5)["trial"], trials.get_reference_path(5)]
+	check_equal(run.not_said([missing]), "", "of what is not there")
+	var model := load(out) as GestureModel
+	var names := _names(trials, told.size() + 1)
+	names.remove_at(1)
+	var dropped: Array = model.get_provenance()["dropped"]
+	for name in names:
+		check(name in dropped, "%s is named as dropped" % name)
 	var trainer := GestureTrainer.new()
 	trainer.train(trials, GESTURE)
 	for recording in trainer.get_recordings():
-		var is_odd: bool = recording["trial"] in _names(trials, told.size())
+		var is_odd: bool = recording["trial"] in _names(trials, told.size() + 1)
 		check_equal(recording["oddity"].is_empty(), not is_odd, "%s: oddity" % recording["trial"])
+		var curve: PackedFloat64Array = recording["curve"]
+		check_equal(curve.is_empty(), recording["trial"] in names, "%s: curve" % recording["trial"])
+
+
+func test_how_alike_recordings_have_to_be() -> void:
+	var out := _path("alike/drag.gesture")
+	var options := ["--trials", _trials.get_path(), "--gesture", String(GESTURE), "--out", out]
+	var run := ToolRun.new("train", options + ["--r2-threshold", "0.999"])
+	var model := load(out) as GestureModel
+	var kept: int = model.get_provenance()["recordings"]
+	var of := _trials.get_count()
+	check(kept < of, "%d of %d are kept" % [kept, of])
+	var told := "train: %d of %d are less like the mean of all than R2 0.999: " % [of - kept, of]
+	check_equal(run.not_said([told]), "", "those that are not are told of")
+	check_equal(model.get_provenance()["r2_threshold"], 0.999, "and the model says so")
+	check_equal(ToolRun.new("train", options + ["--r2-threshold", "2"]).exit_code, 2, "a share")
 
 
 func test_provenance() -> void:

@@ -1,6 +1,7 @@
 #include "gesture/feature_choice.h"
 
 #include "gesture/motion_element.h"
+#include "gesture/recording_oddity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +49,19 @@ const Feature *choose_feature(std::span<const TrainingRecording> recordings) {
 		}
 	}
 	return best;
+}
+
+std::string no_feature_reason(std::span<const TrainingRecording> recordings) {
+	const TrainingRecording &first = recordings.front();
+	const auto holds = [&first](const Feature &feature) {
+		return std::ranges::any_of(first.reference.frames,
+				[&](const HandFrame &frame) { return feature.measure(frame, first.task).has_value(); });
+	};
+	const auto held = std::ranges::find_if(features(), holds);
+	if (held == features().end()) {
+		return first.name + ": its reference holds no joints that a feature is of";
+	}
+	return first.name + ": by " + std::string(held->name) + ", " + unusable(*held, first);
 }
 
 } // namespace steadyhand

@@ -1,42 +1,13 @@
 #include "gesture/recorded_movements.h"
 
 #include "gesture/motion_element.h"
+#include "gesture/recording_oddity.h"
 #include "gesture/symbol_clock.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
-namespace {
-
-/// Of a recording whose gesture has no length, or no end, or is not wholly where its reference can show it.
-std::optional<std::string> recording_error(const TrainingRecording &recording) {
-	constexpr double ROUNDING_S = 1e-6; // stamps are decimal text
-	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
-		return recording.name + ": its amplitude_m is empty or not above 0";
-	}
-	const std::vector<HandFrame> &frames = recording.reference.frames;
-	if (frames.empty()) {
-		return recording.name + ": its reference has no frames";
-	}
-	const bool is_within = recording.start_s < recording.end_s &&
-			recording.start_s >= frames.front().t_s - ROUNDING_S &&
-			recording.end_s <= frames.back().t_s + ROUNDING_S;
-	if (!is_within) {
-		return recording.name + ": start_s " + std::to_string(recording.start_s) + " .. end_s " +
-				std::to_string(recording.end_s) + " is not within its reference, " +
-				std::to_string(frames.front().t_s) + " .. " + std::to_string(frames.back().t_s) + " s";
-	}
-	if (recording.end_s - recording.start_s > LONGEST_GESTURE_S) {
-		return recording.name + ": its gesture takes " + std::to_string(recording.end_s - recording.start_s) +
-				" s, and " + std::to_string(static_cast<int>(LONGEST_GESTURE_S)) +
-				" are the most; start_s, end_s and t are seconds";
-	}
-	return std::nullopt;
-}
-
-} // namespace
-
 RecordedCurve recorded_motion(
 		const Feature &feature, const TrainingRecording &recording, const Track &track) {
 	RecordedCurve curve;
@@ -58,23 +29,22 @@ Result<RecordedMovements> recorded_movements(
 		const Feature &feature, std::span<const TrainingRecording> recordings) {
 	RecordedMovements recorded;
 	for (const TrainingRecording &recording : recordings) {
-		if (std::optional<std::string> fault = recording_error(recording)) {
-			return Error{ std::move(*fault) };
-		}
-		const RecordedCurve curve = recorded_motion(feature, recording, recording.reference);
-		if (curve.t_s.size() < 2) {
+		if (std::string reason = unusable(feature, recording); !reason.empty()) {
+			recorded.left_out.push_back({ &recording, std::move(reason) });
 			continue;
 		}
+		const RecordedCurve curve = recorded_motion(feature, recording, recording.reference);
 		const MovementSpan span = movement_span(curve, recording.start_s, recording.end_s);
-		Eigen::VectorXd normalised = normalised_curve(curve, span);
-		if (!normalised.isZero(0.0)) {
-			recorded.movements.push_back({ &recording, span });
-			recorded.curves.push_back(std::move(normalised));
-		}
+		recorded.movements.push_back({ &recording, span });
+		recorded.curves.push_back(normalised_curve(curve, span));
+	}
+	if (recordings.empty()) {
+		return Error{ "there are no recordings" };
 	}
 	if (recorded.movements.empty()) {
-		return Error{ "the feature '" + std::string(feature.name) + "' moves in none of the " +
-			std::to_string(recordings.size()) + " recordings" };
+		const LeftOut &first = recorded.left_out.front();
+		return Error{ "none of the " + std::to_string(recordings.size()) +
+			" recordings is one to learn from; " + first.recording->name + ": " + first.reason };
 	}
 	return recorded;
 }

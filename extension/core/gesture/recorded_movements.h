@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace steadyhand {
@@ -20,18 +21,24 @@ struct Movement {
 	[[nodiscard]] double duration_s() const { return span.end_s - span.onset_s; }
 };
 
-/// Those in which the feature moves.
+/// A recording that nothing is learnt from.
+struct LeftOut {
+	const TrainingRecording *recording = nullptr;
+	std::string reason;
+};
+
 struct RecordedMovements {
 	std::vector<Movement> movements;
 	std::vector<Eigen::VectorXd> curves; ///< of each, normalised
+	std::vector<LeftOut> left_out;
 };
 
 /// The motion element along one of its tracks, m, at the stamps in increasing order at which it was seen.
 [[nodiscard]] RecordedCurve recorded_motion(
 		const Feature &feature, const TrainingRecording &recording, const Track &track);
 
-/// The recordings must outlive what is returned. Errors: an amplitude that is not above 0, a span that is not
-/// within its reference or takes more than an hour, no recording in which the feature moves.
+/// Of those that are not unusable() (recording_oddity.h). The recordings must outlive what is returned.
+/// Error: there are none.
 Result<RecordedMovements> recorded_movements(
 		const Feature &feature, std::span<const TrainingRecording> recordings);
 

@@ -1,6 +1,7 @@
 #include "gesture/recording_oddity.h"
 
 #include "gesture/recorded_movements.h"
+#include "gesture/symbol_clock.h"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +15,10 @@ namespace {
 constexpr double SHORTEST_WAY = 0.1, LONGEST_WAY = 5.0;
 /// And how far its tracker may err.
 constexpr double FARTHEST_SEEN = 50.0;
+/// Where a gesture may begin, to either side of the start, and how far it may go.
+constexpr double BESIDE_START = 0.5, LEAST_TRAVEL = 0.5, MOST_TRAVEL = 2.0;
+/// Of the reference's frames: by how many times their interval it may be too short for the gesture.
+constexpr double CUT_OFF = 1.5;
 /// A measured track may end so much before the gesture does.
 constexpr double SHORT_S = 0.1;
 /// Nor does it last so many times as long as its reference.
@@ -21,8 +26,12 @@ constexpr double LONGEST_TRACK = 10.0;
 
 /// Of a feature between two instants, in units of the task's amplitude.
 struct Way {
-	double highest = -INFINITY;
-	double farthest = 0.0; ///< from 0, to either side
+	double highest = -INFINITY, lowest = INFINITY;
+
+	/// From 0, to either side.
+	[[nodiscard]] double farthest() const { return std::max(highest, -lowest); }
+	/// No sensor shows a hand that is there at one place to the last bit.
+	[[nodiscard]] bool is_still() const { return !(highest > lowest); }
 };
 
 Way way_of(const Feature &feature, const TrainingRecording &recording, const Track &track, double from_s,
@@ -33,7 +42,7 @@ Way way_of(const Feature &feature, const TrainingRecording &recording, const Tra
 		if (curve.t_s[i] >= from_s && curve.t_s[i] <= to_s) {
 			const double x = curve.x_m[i] / recording.task.amplitude_m;
 			way.highest = std::max(way.highest, x);
-			way.farthest = std::max(way.farthest, std::abs(x));
+			way.lowest = std::min(way.lowest, x);
 		}
 	}
 	return way;
@@ -45,25 +54,34 @@ std::string text(const char *format, double value, double other = 0.0) {
 	return { line.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), line.size() - 1) };
 }
 
+/// To hundredths, and no -0.
+double shown(double x) {
+	return std::round(100.0 * x) / 100.0 + 0.0;
+}
+
 double length_s(const Track &track) {
 	return track.frames.back().t_s - track.frames.front().t_s;
 }
 
-} // namespace
-
-std::string oddity(const Feature &feature, const TrainingRecording &recording) {
-	const std::vector<HandFrame> &seen = recording.measured.frames, &true_frames = recording.reference.frames;
-	if (true_frames.empty()) {
+/// A hand may come back before the gesture's end.
+std::string reference_oddity(const Feature &feature, const TrainingRecording &recording) {
+	if (recording.reference.frames.empty()) {
 		return "its reference has no frames";
 	}
-	// A hand may come back before the gesture's end.
 	const Way way = way_of(feature, recording, recording.reference, -INFINITY, recording.end_s);
-	if (way.highest < SHORTEST_WAY || way.highest > LONGEST_WAY) {
-		return std::isfinite(way.highest) ? text("its reference goes to %.3f of the way, not to 1: check "
-												 "metres, start, axis, amplitude",
-													way.highest)
-										  : "its reference holds nothing of " + std::string(feature.name);
+	if (!std::isfinite(way.highest)) {
+		return "its reference holds nothing of " + std::string(feature.name);
 	}
+	const bool is_one = way.highest >= SHORTEST_WAY && way.highest <= LONGEST_WAY;
+	return is_one
+			? ""
+			: text("its reference goes to %.3f of the way, not to 1: check metres, start, axis, amplitude",
+					  way.highest);
+}
+
+/// reference: with frames.
+std::string measured_oddity(const Feature &feature, const TrainingRecording &recording) {
+	const std::vector<HandFrame> &seen = recording.measured.frames, &true_frames = recording.reference.frames;
 	if (seen.empty()) {
 		return "its measured track has no frames";
 	}
@@ -75,20 +93,75 @@ std::string oddity(const Feature &feature, const TrainingRecording &recording) {
 		return text("its measured track begins at %.3f s, after the gesture's end at %.3f s",
 				seen.front().t_s, recording.end_s);
 	}
-	const double farthest =
-			way_of(feature, recording, recording.measured, true_frames.front().t_s, true_frames.back().t_s)
-					.farthest;
-	if (farthest == 0.0) { // no sensor says 0 all the way of a hand that is there
+	const Way way =
+			way_of(feature, recording, recording.measured, true_frames.front().t_s, true_frames.back().t_s);
+	if (way.is_still()) {
 		return "the hand is never seen to move by " + std::string(feature.name);
 	}
-	if (farthest > FARTHEST_SEEN) {
-		return text("its measured track goes to %.0f of the way: check metres", farthest);
-	}
-	if (seen.back().t_s < recording.end_s - SHORT_S) {
-		return text("its measured track ends at %.3f s, before the gesture does, at %.3f s", seen.back().t_s,
-				recording.end_s);
+	if (way.farthest() > FARTHEST_SEEN) {
+		return text("its measured track goes to %.0f of the way: check metres", way.farthest());
 	}
 	return {};
+}
+
+/// Of what the trial says of its reference.
+std::string span_fault(const TrainingRecording &recording) {
+	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
+		return "its amplitude_m is empty or not above 0";
+	}
+	const std::vector<HandFrame> &frames = recording.reference.frames;
+	if (frames.empty()) {
+		return "its reference has no frames";
+	}
+	const double first_s = frames.front().t_s, last_s = frames.back().t_s;
+	const double cut_s = CUT_OFF * (last_s - first_s) / static_cast<double>(frames.size());
+	const bool is_within = recording.start_s < recording.end_s && recording.start_s >= first_s - cut_s &&
+			recording.end_s <= last_s + cut_s;
+	if (!is_within) {
+		return text("its reference, %.3f .. %.3f s, ", first_s, last_s) +
+				text("does not hold its gesture, start_s %.3f .. end_s %.3f", recording.start_s,
+						recording.end_s);
+	}
+	if (recording.end_s - recording.start_s > LONGEST_GESTURE_S) {
+		return text("its gesture takes %.0f s, and %.0f are the most; start_s, end_s and t are seconds",
+				recording.end_s - recording.start_s, LONGEST_GESTURE_S);
+	}
+	return {};
+}
+
+} // namespace
+
+std::string oddity(const Feature &feature, const TrainingRecording &recording) {
+	if (std::string fault = reference_oddity(feature, recording); !fault.empty()) {
+		return fault;
+	}
+	if (std::string fault = measured_oddity(feature, recording); !fault.empty()) {
+		return fault;
+	}
+	const double seen_to_s = recording.measured.frames.back().t_s;
+	return seen_to_s < recording.end_s - SHORT_S
+			? text("its measured track ends at %.3f s, before the gesture does, at %.3f s", seen_to_s,
+					  recording.end_s)
+			: "";
+}
+
+std::string unusable(const Feature &feature, const TrainingRecording &recording) {
+	if (std::string fault = span_fault(recording); !fault.empty()) {
+		return fault;
+	}
+	if (std::string fault = reference_oddity(feature, recording); !fault.empty()) {
+		return fault;
+	}
+	const RecordedCurve curve = recorded_motion(feature, recording, recording.reference);
+	const double from = value_at(curve, recording.start_s) / recording.task.amplitude_m;
+	const double to = value_at(curve, recording.end_s) / recording.task.amplitude_m;
+	const bool goes_the_way =
+			std::abs(from) <= BESIDE_START && to - from >= LEAST_TRAVEL && to - from <= MOST_TRAVEL;
+	return goes_the_way
+			? measured_oddity(feature, recording)
+			: text("its reference goes from %.2f of the way at start_s to %.2f at end_s, not from "
+				   "0 to 1: check times, start, axis, amplitude",
+					  shown(from), shown(to));
 }
 
 } // namespace steadyhand

@@ -12,4 +12,10 @@ namespace steadyhand {
 /// at, else at the measured track; empty where nothing is odd. Only to be told: it may be meant so.
 [[nodiscard]] std::string oddity(const Feature &feature, const TrainingRecording &recording);
 
+/// Why nothing is to be learnt from a recording: an amplitude that is not above 0, a reference that does not
+/// hold the gesture, or does not go from the task's start to its end from start_s to end_s, a gesture of more
+/// than an hour, or what is odd about it otherwise, but for a measured track that ends early. Empty where
+/// there is no reason.
+[[nodiscard]] std::string unusable(const Feature &feature, const TrainingRecording &recording);
+
 } // namespace steadyhand

@@ -9,20 +9,6 @@ namespace {
 constexpr double ONSET_SPEED = 0.05; ///< of the peak speed
 constexpr double HALF_WINDOW_S = 0.02;
 
-/// Linear between samples, the first and last one held beyond them.
-double at(const RecordedCurve &curve, double t_s) {
-	const auto next = std::upper_bound(curve.t_s.begin(), curve.t_s.end(), t_s);
-	if (next == curve.t_s.begin()) {
-		return curve.x_m.front();
-	}
-	if (next == curve.t_s.end()) {
-		return curve.x_m.back();
-	}
-	const auto i = static_cast<std::size_t>(next - curve.t_s.begin());
-	const double weight = (t_s - curve.t_s[i - 1]) / (curve.t_s[i] - curve.t_s[i - 1]);
-	return curve.x_m[i - 1] + weight * (curve.x_m[i] - curve.x_m[i - 1]);
-}
-
 double r_squared(const Eigen::VectorXd &observed, const Eigen::VectorXd &model) {
 	const double total = (observed.array() - observed.mean()).square().sum();
 	return total > 0.0 ? 1.0 - (observed - model).squaredNorm() / total : 0.0;
@@ -50,25 +36,38 @@ void mean_of_kept(std::span<const Eigen::VectorXd> curves, ReferenceCurve &r_ref
 
 } // namespace
 
+double value_at(const RecordedCurve &curve, double t_s) {
+	const auto next = std::upper_bound(curve.t_s.begin(), curve.t_s.end(), t_s);
+	if (next == curve.t_s.begin()) {
+		return curve.x_m.front();
+	}
+	if (next == curve.t_s.end()) {
+		return curve.x_m.back();
+	}
+	const auto i = static_cast<std::size_t>(next - curve.t_s.begin());
+	const double weight = (t_s - curve.t_s[i - 1]) / (curve.t_s[i] - curve.t_s[i - 1]);
+	return curve.x_m[i - 1] + weight * (curve.x_m[i] - curve.x_m[i - 1]);
+}
+
 MovementSpan movement_span(const RecordedCurve &curve, double start_s, double end_s) {
 	const MovementSpan whole{ start_s, end_s };
 	constexpr double STEP_S = 0.005;
 	const auto steps = static_cast<int>((end_s - start_s) / STEP_S);
-	const double x_start = at(curve, start_s);
-	const double travel = at(curve, end_s) - x_start;
+	const double x_start = value_at(curve, start_s);
+	const double travel = value_at(curve, end_s) - x_start;
 	if (steps < 2 || travel == 0.0) {
 		return whole;
 	}
 	const auto speed = [&](int i) {
 		const double t_s = start_s + i * STEP_S;
-		return (at(curve, t_s + HALF_WINDOW_S) - at(curve, t_s - HALF_WINDOW_S)) / (2.0 * HALF_WINDOW_S) *
-				std::copysign(1.0, travel);
+		return (value_at(curve, t_s + HALF_WINDOW_S) - value_at(curve, t_s - HALF_WINDOW_S)) /
+				(2.0 * HALF_WINDOW_S) * std::copysign(1.0, travel);
 	};
 	double peak = 0.0;
 	int half_way = steps;
 	for (int i = 0; i <= steps; ++i) {
 		peak = std::max(peak, speed(i));
-		if (half_way == steps && (at(curve, start_s + i * STEP_S) - x_start) / travel >= 0.5) {
+		if (half_way == steps && (value_at(curve, start_s + i * STEP_S) - x_start) / travel >= 0.5) {
 			half_way = i;
 		}
 	}
@@ -81,15 +80,16 @@ MovementSpan movement_span(const RecordedCurve &curve, double start_s, double en
 }
 
 Eigen::VectorXd normalised_curve(const RecordedCurve &curve, const MovementSpan &span) {
-	const double x_onset = at(curve, span.onset_s);
-	const double travel = at(curve, span.end_s) - x_onset;
+	const double x_onset = value_at(curve, span.onset_s);
+	const double travel = value_at(curve, span.end_s) - x_onset;
 	Eigen::VectorXd normalised = Eigen::VectorXd::Zero(CURVE_POINTS);
 	if (travel == 0.0) {
 		return normalised;
 	}
 	for (Eigen::Index i = 0; i < CURVE_POINTS; ++i) {
 		const double phase = static_cast<double>(i) / static_cast<double>(CURVE_POINTS - 1);
-		normalised(i) = (at(curve, span.onset_s + phase * (span.end_s - span.onset_s)) - x_onset) / travel;
+		normalised(i) =
+				(value_at(curve, span.onset_s + phase * (span.end_s - span.onset_s)) - x_onset) / travel;
 	}
 	return normalised;
 }

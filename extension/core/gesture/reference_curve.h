@@ -22,6 +22,9 @@ struct MovementSpan {
 	double end_s = 0.0;
 };
 
+/// m; linear between samples, the first and last one held beyond them. The curve must have some.
+double value_at(const RecordedCurve &curve, double t_s);
+
 /// Movement onset by the usual 5 % of the peak speed, searched back from the first crossing of half the way
 /// (speed: the central difference over +-20 ms); the end is the trial's own. onset_s < end_s always; where
 /// nothing moves, the trial's span is returned as it is.

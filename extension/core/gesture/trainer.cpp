@@ -73,6 +73,9 @@ std::vector<Movement> keep_alike(
 			r_model.provenance.dropped.push_back(recorded.movements[i].recording->name);
 		}
 	}
+	for (const LeftOut &left_out : recorded.left_out) {
+		r_model.provenance.dropped.push_back(left_out.recording->name);
+	}
 	r_model.provenance.recordings = static_cast<int>(kept.size());
 	return kept;
 }
@@ -108,11 +111,14 @@ std::vector<double> durations_of(const std::vector<Movement> &kept) {
 std::vector<NormalisedRecording> report(
 		const Feature &feature, RecordedMovements recorded, const ReferenceCurve &reference) {
 	std::vector<NormalisedRecording> rows;
-	rows.reserve(recorded.movements.size());
+	rows.reserve(recorded.movements.size() + recorded.left_out.size());
 	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
 		const TrainingRecording &recording = *recorded.movements[i].recording;
 		rows.push_back({ recording.name, std::move(recorded.curves[i]), reference.r2[i], reference.kept[i],
 				oddity(feature, recording) });
+	}
+	for (LeftOut &left_out : recorded.left_out) {
+		rows.push_back({ left_out.recording->name, {}, 0.0, false, std::move(left_out.reason) });
 	}
 	return rows;
 }

@@ -26,10 +26,10 @@ struct TrainingRecording {
 /// What became of a recording: the reference curve is the mean of those kept.
 struct NormalisedRecording {
 	std::string name;
-	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1
-	double r2 = 0.0;       ///< R^2 against the mean of all
+	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1; empty: it was left out
+	double r2 = 0.0;       ///< R^2 against the mean of all that were not left out
 	bool kept = true;      ///< r2 >= T_h, or the best there is
-	std::string oddity;    ///< what looks wrong with it (recording_oddity.h); it is learnt from all the same
+	std::string oddity;    ///< what looks wrong with it, or why it was left out (recording_oddity.h)
 };
 
 struct TrainingOptions {
@@ -51,9 +51,9 @@ struct TrainingOptions {
 /// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
 /// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
 /// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
-/// training_error(), an amplitude that is not above 0, a span that is not within its reference, no recording
-/// in which the feature moves, stopped by progress. r_recordings, if given: the
-/// recordings in which it moves, in their order.
+/// training_error(), no recording that anything is to be learnt from (recording_oddity.h), stopped by
+/// progress. r_recordings, if given: those that something was learnt from, in their order, then those that
+/// were left out.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
 		std::vector<NormalisedRecording> *r_recordings = nullptr);

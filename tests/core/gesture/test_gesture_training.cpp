@@ -179,10 +179,11 @@ TEST_CASE("a model says where its recordings began, which way and how long they 
 		}
 		// One that goes nowhere counts for nothing.
 		TrainingRecording &still = recordings.emplace_back(recordings[0]);
+		still.name = "still";
 		still.reference = test::drag_track({ .amplitude_m = 0.0 }, 240.0, 3.0);
 		const GestureModel model = train("drag", "index_along_axis", recordings, {}).value();
 		CHECK(model.provenance.recordings == 6);
-		CHECK(model.provenance.dropped.empty());
+		CHECK(model.provenance.dropped == std::vector<std::string>{ "still" });
 		CHECK(model.typical_task.amplitude_m == test::near(0.15));
 		CHECK((model.typical_task.start_m - Eigen::Vector3d(0.0, 0.025, -0.05)).norm() < 1e-12);
 		CHECK((model.typical_task.axis - Task{}.axis).norm() < 1e-12);
@@ -209,8 +210,7 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(train("drag", "toe_angle", drags, {}).error() ==
 			"drag: there is no feature 'toe_angle', there are: index_along_axis tips_circumradius "
 			"index_along_circle");
-	CHECK(train("drag", "index_along_axis", {}, {}).error() ==
-			"drag: the feature 'index_along_axis' moves in none of the 0 recordings");
+	CHECK(train("drag", "index_along_axis", {}, {}).error() == "drag: there are no recordings");
 	TrainingOptions options;
 	options.states = 0;
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: states: 0 is not in 1..20");
@@ -218,13 +218,6 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 		options = {};
 		options.r2_threshold = threshold;
 		CHECK(train("drag", "index_along_axis", drags, options).error().ends_with("is not in 0..1"));
-	}
-	for (const double end_s : { 1e5, 1e12, drags[1].start_s }) {
-		std::vector<TrainingRecording> damaged = drags;
-		damaged[1].end_s = end_s;
-		const std::string error = train("drag", "index_along_axis", damaged, {}).error();
-		CHECK(error.starts_with("drag: " + drags[1].name + ": start_s "));
-		CHECK(error.find("is not within its reference, ") != std::string::npos);
 	}
 	// A clock of microseconds: a symbol in 10 ms of it is more than there is memory.
 	std::vector<TrainingRecording> of_another_unit = drags;
@@ -236,8 +229,9 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 		}
 	}
 	const std::string too_long = train("drag", "index_along_axis", of_another_unit, {}).error();
-	CHECK(too_long.starts_with("drag: " + drags[0].name + ": its gesture takes "));
-	CHECK(too_long.ends_with(" s, and 3600 are the most; start_s, end_s and t are seconds"));
+	CHECK(too_long ==
+			"drag: none of the 12 recordings is one to learn from; " + drags[0].name +
+					": its gesture takes 1000000 s, and 3600 are the most; start_s, end_s and t are seconds");
 	options = {};
 	options.progress = [](double) { return false; };
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
@@ -312,25 +306,14 @@ TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step o
 	CHECK((sum / model.provenance.recordings - model.reference_mean).norm() < 1e-12);
 }
 
-TEST_CASE("a recording without an amplitude is refused by name") {
-	std::vector<TrainingRecording> recordings = test::drag_recordings();
-	recordings[3].name = "third";
-	for (const double amplitude_m : { 0.0, -0.2, 1e-9 }) {
-		recordings[3].task.amplitude_m = amplitude_m;
-		const Result<GestureModel> trained = train("drag", "index_along_axis", recordings, {});
-		REQUIRE_FALSE(trained.ok());
-		CHECK(trained.error() == "drag: third: its amplitude_m is empty or not above 0");
-	}
-}
-
 TEST_CASE("one recording, and recordings of one frame, train or say why not") {
 	std::vector<TrainingRecording> one = test::drag_recordings();
 	one.resize(1);
 	CHECK(train("drag", "index_along_axis", one, {}).ok());
 	one[0].measured.frames.resize(1);
-	CHECK(train("drag", "index_along_axis", one, {}).ok());
-	one[0].reference.frames.resize(1);
-	CHECK_FALSE(train("drag", "index_along_axis", one, {}).ok());
+	CHECK(train("drag", "index_along_axis", one, {}).error() ==
+			"drag: none of the 1 recordings is one to learn from; " + one[0].name +
+					": the hand is never seen to move by index_along_axis");
 }
 
 TEST_CASE("a model file reads back to the same bits") {

@@ -1,10 +1,12 @@
 #include "gesture/feature.h"
+#include "gesture/model_file.h"
 #include "gesture/recording_oddity.h"
 #include "gesture/trainer.h"
 #include "minimum_jerk_drag.h"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <string>
@@ -80,7 +82,11 @@ TEST_CASE("what makes a recording one of something else is told") {
 					}
 				} },
 		{ "the hand is never seen to move by index_along_axis",
-				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
+				[](TrainingRecording &r) {
+					for (HandFrame &frame : r.measured.frames) { // a sensor that is stuck
+						frame.set(Joint::INDEX, { 0.1, 0.2, 0.3 });
+					}
+				} },
 		{ "its measured track ends at 0.800 s, before the gesture does, at 1.300 s",
 				[](TrainingRecording &r) { keep_until(r.measured, 0.8); } },
 		{ "its measured track begins at 1.391 s, after the gesture's end at 1.300 s",
@@ -97,7 +103,7 @@ TEST_CASE("what makes a recording one of something else is told") {
 	CHECK(told_of([](TrainingRecording &r) { scale(r.measured, 1e300); }).size() < 400);
 }
 
-TEST_CASE("an odd recording is told of, and learnt from all the same") {
+TEST_CASE("a measured track that ends early is told of, and learnt from all the same") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	keep_until(drags[3].measured, 0.8);
 	std::vector<NormalisedRecording> told;
@@ -108,4 +114,74 @@ TEST_CASE("an odd recording is told of, and learnt from all the same") {
 	for (const NormalisedRecording &recording : told) {
 		CHECK(recording.oddity.empty() == (recording.name != drags[3].name));
 	}
+}
+
+TEST_CASE("what spoils a recording leaves it out of the model, by name, as if it had not been made") {
+	const std::vector<std::pair<std::string, std::function<void(TrainingRecording &)>>> spoilt = {
+		{ "its amplitude_m is empty or not above 0", [](TrainingRecording &r) { r.task.amplitude_m = 0.0; } },
+		{ "its amplitude_m is empty or not above 0",
+				[](TrainingRecording &r) { r.task.amplitude_m = -0.2; } },
+		{ "its reference has no frames", [](TrainingRecording &r) { r.reference.frames.clear(); } },
+		{ "its reference, 0.000 .. 1.946 s, does not hold its gesture, start_s 0.300 .. end_s 2.000",
+				[](TrainingRecording &r) { r.end_s = 2.0; } },
+		{ "its reference, 0.000 .. 1.946 s, does not hold its gesture, start_s 0.300 .. end_s 0.300",
+				[](TrainingRecording &r) { r.end_s = r.start_s; } },
+		{ "its reference goes to 0.000 of the way, not to 1: check metres, start, axis, amplitude",
+				[](TrainingRecording &r) { scale(r.reference, 0.0); } },
+		{ "its reference goes from 0.00 of the way at start_s to 0.30 at end_s, not from 0 to 1: check "
+		  "times, "
+		  "start, axis, amplitude",
+				[](TrainingRecording &r) { scale(r.reference, 0.3); } },
+		{ "its reference goes from 0.00 of the way at start_s to 3.00 at end_s, not from 0 to 1: check "
+		  "times, "
+		  "start, axis, amplitude",
+				[](TrainingRecording &r) { scale(r.reference, 3.0); } },
+		{ "its reference goes from -0.75 of the way at start_s to 0.25 at end_s, not from 0 to 1: check "
+		  "times, "
+		  "start, axis, amplitude",
+				[](TrainingRecording &r) { r.task.start_m.x() = 0.15; } },
+		{ "the hand is never seen to move by index_along_axis",
+				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
+		{ "its measured track goes to 1000 of the way: check metres",
+				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
+	};
+	for (const auto &[reason, change] : spoilt) {
+		CAPTURE(reason);
+		std::vector<TrainingRecording> drags = test::drag_recordings();
+		change(drags[3]);
+		std::vector<NormalisedRecording> told;
+		GestureModel model = train("drag", "index_along_axis", drags, {}, &told).value();
+		REQUIRE(told.size() == drags.size());
+		CHECK(told.back().name == drags[3].name);
+		CHECK(told.back().oddity == reason);
+		CHECK(told.back().curve.size() == 0);
+		CHECK_FALSE(told.back().kept);
+		CHECK(model.provenance.dropped == std::vector<std::string>{ drags[3].name });
+		drags.erase(drags.begin() + 3);
+		model.provenance.dropped.clear();
+		CHECK(format_model(model) == format_model(train("drag", "index_along_axis", drags, {}).value()));
+	}
+}
+
+TEST_CASE("a hand that has come back by the end that was written down is no gesture, and spoils no mean") {
+	// What goes on for hundreds of amplitudes once it is normalised was all that was like the mean.
+	std::vector<TrainingRecording> drags = test::drag_recordings();
+	for (HandFrame &frame : drags[5].reference.frames) {
+		const double x_m = frame.position(Joint::INDEX).x();
+		const double back_m = frame.t_s > 1.35 ? 0.1996 * std::min((frame.t_s - 1.35) / 0.3, 1.0) : 0.0;
+		frame.set(Joint::INDEX, { x_m - back_m, 0.0, 0.0 });
+	}
+	drags[5].end_s = drags[5].reference.frames.back().t_s;
+	const GestureModel model = train("drag", "index_along_axis", drags, {}).value();
+	CHECK(model.provenance.recordings == 11);
+	CHECK(model.provenance.dropped == std::vector<std::string>{ drags[5].name });
+	CHECK(parse_model(format_model(model), "drag.gesture").ok());
+}
+
+TEST_CASE("a reference may be a frame short of the gesture's end, as where a recorder stops with it") {
+	TrainingRecording recording = sound_drag();
+	keep_until(recording.reference, recording.end_s - 1e-4);
+	CHECK(unusable(*find_feature("index_along_axis"), recording).empty());
+	keep_until(recording.reference, recording.end_s - 0.02);
+	CHECK_FALSE(unusable(*find_feature("index_along_axis"), recording).empty());
 }
