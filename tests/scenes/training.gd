@@ -70,7 +70,7 @@ func test_what_is_odd_is_told_and_left_out() -> void:
 		": its measured track ends at ",
 		" is left out: the hand is never seen to move by index_along_axis",
 		" is left out: its measured track lasts ",
-		" is left out: its reference goes to ",
+		" is left out: its reference goes from 0.51 of the way at start_s to 0.51 at end_s",
 	]
 	for index in 4:
 		_spoil(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])
