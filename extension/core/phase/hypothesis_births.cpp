@@ -14,10 +14,12 @@ namespace {
 constexpr double SMALLEST_SPREAD = 0.5;
 constexpr double WIDEST = 2.2; ///< the durations cover +- so many deviations
 
-constexpr double ONSETS_PER_S = 2.8;  ///< how soon a hand at rest begins
-constexpr double FREED_PER_S = 0.02;  ///< how soon a hand does something else
-constexpr double LEAVES_PER_S = 1.0;  ///< how soon one that has made the gesture leaves its end
-constexpr double STANDS_PER_S = 2.0;  ///< how soon a hand stands
+constexpr double ONSETS_PER_S = 2.8; ///< how soon a hand at rest begins
+constexpr double FREED_PER_S = 0.02; ///< how soon a hand does something else
+constexpr double LEAVES_PER_S = 1.0; ///< how soon one that has made the gesture leaves its end
+constexpr double STANDS_PER_S = 2.0; ///< how soon a hand stands
+constexpr double STANDS_FROM = 0.08; ///< where one has stayed for STAYS_S, else from NEAR_START on
+constexpr double STAYS_S = 0.3;
 constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be about to come to the end,
 constexpr double STANDS_BEYOND = 1.1; ///< and one so much further is not, where any length may come
 constexpr double SLOW_PER_S = 0.85;   ///< slower than this, as a tracker that wanders shows it
@@ -124,7 +126,7 @@ HypothesisBirths::HypothesisBirths(
 }
 
 void HypothesisBirths::branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const {
-	come_to_rest(r_bank);
+	come_to_rest(r_bank, t_s);
 	come_to_end(r_bank, t_s);
 	choose_rest(r_bank);
 	doubt_calm(r_bank);
@@ -156,14 +158,17 @@ void HypothesisBirths::start(HypothesisBank &r_bank, const GestureHypothesis &at
 	r_bank.add(started, log_probability + log_prior_[duration]);
 }
 
-/// A hand that wandered off and came back is at rest again.
-void HypothesisBirths::come_to_rest(HypothesisBank &r_bank) const {
+/// A hand that wandered off and came back is at rest again; so is one that stands as near.
+void HypothesisBirths::come_to_rest(HypothesisBank &r_bank, double t_s) const {
 	const double log_probability = std::log(AT_REST_PER_S * period_s_);
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
+		const bool stands = r_bank.is_standing(i);
+		const double x = stands ? place(r_bank, i, t_s) : r_bank.hand_deviation(i);
 		const double log_weight = r_bank.log_weight(i) + log_probability;
-		if (!r_bank.on_its_way(i) && std::abs(r_bank.hand_deviation(i)) < NEAR_START &&
+		if ((stands || !r_bank.on_its_way(i)) && std::abs(x) < NEAR_START &&
 				log_weight > r_bank.log_weight(HypothesisBank::AT_REST)) {
-			GestureHypothesis rested = r_bank.hypothesis(i).in(Regime::REST);
+			GestureHypothesis rested =
+					stands ? GestureHypothesis::resting(x) : r_bank.hypothesis(i).in(Regime::REST);
 			rested.log_weight = log_weight;
 			r_bank.set(HypothesisBank::AT_REST, rested);
 		}
@@ -192,8 +197,9 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 	}
 }
 
-void HypothesisBirths::stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const {
-	const bool is_half_way = x >= NEAR_START && x <= STANDS_TO;
+void HypothesisBirths::stand(
+		HypothesisBank &r_bank, double t_s, double x, double per_s, double stays_s) const {
+	const bool is_half_way = x >= (stays_s > STAYS_S ? STANDS_FROM : NEAR_START) && x <= STANDS_TO;
 	const bool may_stand = is_half_way || (knows_end_ ? std::abs(x - 1.0) < AT_END : x >= STANDS_BEYOND);
 	if (!may_stand || std::abs(per_s) > SLOW_PER_S) {
 		return;

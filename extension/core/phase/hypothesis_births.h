@@ -22,9 +22,9 @@ public:
 	static void rest_anew(HypothesisBank &r_bank, double x);
 	/// The hand was seen, and may have changed what it does, in the branch period that ends at t_s.
 	void branch(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
-	/// The same of one that is shown at x, at so many amplitudes a second since the last branching: it may
-	/// stand there.
-	void stand(HypothesisBank &r_bank, double t_s, double x, double per_s) const;
+	/// The same of one that is shown at x, at so many amplitudes a second since the last branching, and
+	/// nowhere else for stays_s: it may stand there.
+	void stand(HypothesisBank &r_bank, double t_s, double x, double per_s, double stays_s) const;
 	/// The tracker has come back at t_s: a hand that had made the gesture may have left the end meanwhile.
 	void leave_unseen(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
 	/// A hand at rest that is seen no nearer to the start than this had begun before.
@@ -45,7 +45,7 @@ private:
 	void start(HypothesisBank &r_bank, const GestureHypothesis &at_rest, std::size_t duration, Regime regime,
 			double onset_s, double onset_deviation_s, double log_probability) const;
 	void begin(HypothesisBank &r_bank, const TrackingSoundness &soundness, double t_s) const;
-	void come_to_rest(HypothesisBank &r_bank) const;
+	void come_to_rest(HypothesisBank &r_bank, double t_s) const;
 	void come_to_end(HypothesisBank &r_bank, double t_s) const;
 	void set_free(HypothesisBank &r_bank, double t_s) const;
 };

@@ -105,7 +105,8 @@ void PhaseEstimator::branch_until(double t_s) {
 			births_.branch(now_.bank, soundness_, now_.next_branch_s);
 			if (now_.told_s > now_.branched_s) {
 				births_.stand(now_.bank, now_.next_branch_s, now_.told_x,
-						(now_.told_x - now_.branched_x) / (now_.told_s - now_.branched_s));
+						(now_.told_x - now_.branched_x) / (now_.told_s - now_.branched_s),
+						now_.next_branch_s - now_.halted.stays_since_s());
 				now_.branched_x = now_.told_x;
 				now_.branched_s = now_.told_s;
 			}

@@ -87,14 +87,14 @@ TEST_CASE("a hand that the tracker finds again beyond 0.7 of the way, and that s
 TEST_CASE("a hand may stand where it is shown half-way, slow, and has begun") {
 	const PhaseEffort effort;
 	const HypothesisBirths births(test::drag_model(), effort);
-	const auto stands = [&](bool has_begun, double x, double per_s) {
+	const auto stands = [&](bool has_begun, double x, double per_s, double stays_s = 0.0) {
 		HypothesisBank bank;
 		const GestureHypothesis rest = GestureHypothesis::resting(0.0);
 		bank.start(rest);
 		if (has_begun) {
 			bank.add(rest.begun(Regime::SOUND, 0.5, 0.01, 0.0, 0.1));
 		}
-		births.stand(bank, 1.0, x, per_s);
+		births.stand(bank, 1.0, x, per_s, stays_s);
 		const std::size_t last = bank.size() - 1;
 		CHECK(bank.size() == (has_begun ? 2 : 1) + (bank.is_standing(last) ? 1 : 0));
 		CHECK((!bank.is_standing(last) || bank.course(last).gain == test::near(x)));
@@ -106,6 +106,9 @@ TEST_CASE("a hand may stand where it is shown half-way, slow, and has begun") {
 	CHECK_FALSE(stands(true, 0.3, 0.9));
 	CHECK_FALSE(stands(true, 0.3, -0.9));
 	CHECK_FALSE(stands(true, 0.1, 0.0));
+	CHECK(stands(true, 0.1, 0.0, 0.4));
+	CHECK_FALSE(stands(false, 0.1, 0.0, 0.4));
+	CHECK_FALSE(stands(true, 0.07, 0.0, 0.4));
 	CHECK_FALSE(stands(true, 0.75, 0.0));
 }
 

@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -22,13 +24,19 @@ TEST_CASE("a hand that comes back nearly to the start and rests there has not se
 						again{ .onset_s = 4.0, .duration_s = 0.7, .amplitude_m = 0.2 - rests_m };
 				GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
 				bool is_under_way = false;
+				double farthest_off_m = 0.0;
 				const Way way = [&](double t_s) {
 					const bool rests = t_s > 2.0 && t_s < again.onset_s;
 					is_under_way = is_under_way || (rests && recogniser.gesture() >= 0);
+					const double shown_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
+					farthest_off_m = t_s > 2.5 && rests
+							? std::max(farthest_off_m, std::abs(shown_m - rests_m))
+							: farthest_off_m;
 					return along(X, { forth, back, again })(t_s);
 				};
 				const Events events = watch(recogniser, way, 5.5, 1e9, 1e9, 110.0, noise_m);
 				CHECK_FALSE(is_under_way);
+				CHECK(farthest_off_m < (noise_m < 1e-3 ? 2e-3 : 4e-3)); // once 10, as it may have set out
 				const std::string first = turns_m < 0.2 ? "aborted sideways" : "ended sideways";
 				CHECK(events.said ==
 						std::vector<std::string>{
