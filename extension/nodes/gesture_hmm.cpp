@@ -61,6 +61,12 @@ void GestureHMM::on_stream_started() {
 	reset();
 }
 
+void GestureHMM::on_stream_ended() {
+	++stream_;
+	outdated_ = true;
+	give_up_shown(get_gesture());
+}
+
 bool GestureHMM::prepare(double p_time_s) {
 	const Watch watch(listeners_);
 	const uint64_t this_stream = stream_;

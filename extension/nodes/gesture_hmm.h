@@ -87,6 +87,7 @@ public:
 	void remove_listener(MotionListener *p_listener) { listeners_.remove(p_listener); }
 
 	void on_stream_started() override;
+	void on_stream_ended() override;
 	void on_frame(const steadyhand::HandFrame &p_frame) override;
 	void on_time_advanced(double p_time_s) override;
 	void on_tracker_freed() override;

@@ -41,7 +41,7 @@ Error HandTracker::start() {
 	ERR_FAIL_COND_V_MSG(Engine::get_singleton()->is_editor_hint(), ERR_UNAVAILABLE,
 			"HandTracker: nothing is opened inside the editor; run the scene");
 	const Watch watch(listeners_);
-	stop();
+	end_run();
 	if (watch.is_gone()) {
 		return ERR_UNAVAILABLE;
 	}
@@ -58,7 +58,11 @@ Error HandTracker::start() {
 		if (!frames) {
 			const String message = to_godot(frames.error());
 			ERR_PRINT(node_label(*this) + String(": ") + message);
-			emit_signal("source_unavailable", message);
+			const uint64_t no_run = run_;
+			tell(&FrameListener::on_stream_ended);
+			if (goes_on(watch, no_run)) {
+				emit_signal("source_unavailable", message);
+			}
 			return ERR_CANT_OPEN;
 		}
 		playback_.emplace(std::move(frames).value(), loop_);
@@ -77,11 +81,23 @@ Error HandTracker::start() {
 }
 
 void HandTracker::stop() {
-	++run_;
+	const Watch watch(listeners_);
+	const bool was_running = running_;
+	const uint64_t ended_run = end_run();
+	if (was_running && goes_on(watch, ended_run)) {
+		tell(&FrameListener::on_stream_ended);
+	}
+}
+
+/// Listeners are not told: a start tells them all the same. Who is told that the hand is lost may begin
+/// another.
+uint64_t HandTracker::end_run() {
+	const uint64_t ended_run = ++run_;
 	running_ = false;
 	tracked_ = 0;
 	update_processing();
 	set_hand_present(false);
+	return ended_run;
 }
 
 steadyhand::Result<std::vector<steadyhand::HandFrame>> HandTracker::load_frames() {

@@ -127,6 +127,8 @@ private:
 	/// Neither freed nor stopped since.
 	bool goes_on(const Watch &p_watch, uint64_t p_run) const { return !p_watch.is_gone() && run_ == p_run; }
 
+	/// The number that there is of none that runs.
+	uint64_t end_run();
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	void doubt(const steadyhand::HandFrame &p_frame);

@@ -1,0 +1,99 @@
+extends "support/scene_test.gd"
+## A script's stream of frames: where it ends, where it cannot be taken, where it does not come.
+
+const Rig := preload("support/rig.gd")
+
+const FRAME_S := 1.0 / 90.0
+const ONSET_S := 1.0
+const DURATION_S := 0.8
+const HALF_WAY_S := 1.45
+
+var _said: Array[String] = []
+
+
+func test_a_tracker_that_stops_leaves_no_gesture() -> void:
+	for how: StringName in [&"stop", &"handler", &"no_source", &"start"]:
+		var hmm := _hmm()
+		var tracker := hmm.tracker
+		if how == &"handler":
+			hmm.gesture_started.connect(tracker.stop.unbind(1))
+		_push_drag(tracker, HALF_WAY_S)
+		match how:
+			&"stop":
+				tracker.stop()
+			&"start":
+				tracker.start()
+			&"no_source":
+				tracker.source = HandTracker.SOURCE_RECORDED
+				# expects one error: set recording_path to a track CSV
+				check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot be started")
+		check_equal(_said, ["started", "aborted"] as Array[String], "%s: what is said" % how)
+		check_equal(hmm.gesture, &"", "%s: no gesture is under way" % how)
+		check_equal(hmm.state, -1, "%s: nor a state" % how)
+		check_equal(hmm.value, 0.0, "%s: nor a motion" % how)
+		_free(hmm)
+
+
+func test_a_gesture_that_has_ended_is_not_given_up_where_the_tracker_stops() -> void:
+	var hmm := _hmm()
+	_push_drag(hmm.tracker, 2.5)
+	hmm.tracker.stop()
+	hmm.tracker.stop()
+	check_equal(_said, ["started", "ended"] as Array[String], "what is said")
+	check_equal(hmm.recognised, &"horizontal_drag", "it was recognised")
+	_free(hmm)
+
+
+func test_who_hears_of_the_loss_may_start_anew() -> void:
+	var hmm := _hmm()
+	var tracker := hmm.tracker
+	_push_drag(tracker, HALF_WAY_S)
+	var start := func() -> void: tracker.start()
+	tracker.tracking_lost.connect(start, CONNECT_ONE_SHOT)
+	tracker.stop()
+	check(tracker.is_running(), "it runs")
+	_push_drag(tracker, 2.5)
+	var both: Array[String] = ["started", "aborted", "started", "ended"]
+	check_equal(_said, both, "the first is given up, the next one ends")
+	_free(hmm)
+
+
+## A drag of 20 cm from the origin, by a clock that begins at 0, as far as it is by `until_s`.
+func _push_drag(tracker: HandTracker, until_s: float) -> void:
+	var frame := 0
+	while frame * FRAME_S < until_s and tracker.is_running():
+		tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
+		frame += 1
+
+
+func _hand(time_s: float) -> Dictionary:
+	var p := clampf((time_s - ONSET_S) / DURATION_S, 0.0, 1.0)
+	var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
+	var way := 0.2 * p * p * p * (10.0 + p * (6.0 * p - 15.0))
+	return {HandTracker.JOINT_INDEX: Vector3(way, 0.0, 0.0) + tremor}
+
+
+## Of a drag at the origin, with a tracker that runs; what it says is in _said.
+func _hmm() -> GestureHMM:
+	var tracker := HandTracker.new()
+	var task := GestureTask.new()
+	var hmm := GestureHMM.new()
+	task.gesture = &"horizontal_drag"
+	hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
+	hmm.task = task
+	hmm.tracker = tracker
+	for node: Node in [tracker, task, hmm]:
+		root.add_child(node)
+	_said.clear()
+	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
+	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
+	hmm.gesture_ended.connect(
+		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
+	)
+	return hmm
+
+
+func _free(hmm: GestureHMM) -> void:
+	hmm.tracker.free()
+	hmm.task.free()
+	hmm.free()
