@@ -50,7 +50,8 @@ Error HandTracker::start() {
 	synthetic_trial_ = Dictionary();
 	finished_ = false;
 	clock_set_ = false;
-	complained_ = doubted_ = 0;
+	complained_ = 0;
+	doubted_ = 0;
 	doubts_ = {};
 	time_s_ = start_time_s_ = duration_s_ = 0.0;
 	if (source_ != SOURCE_SCRIPT) {

@@ -12,6 +12,7 @@
 #include <godot_cpp/variant/dictionary.hpp>
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -81,7 +82,7 @@ protected:
 
 private:
 	/// Of a pushed frame; each is explained once a run.
-	enum class Refusal : uint8_t { OTHER_SOURCE, NOT_RUNNING, NO_TIME, OLDER, NO_JOINTS };
+	enum class Refusal : uint8_t { OTHER_SOURCE, NOT_RUNNING, NO_TIME, OLDER, NO_JOINTS, OTHER_THREAD };
 	/// Names that each frame needs: making one takes a lock.
 	struct SignalNames {
 		StringName frame_received = "frame_received";
@@ -118,7 +119,8 @@ private:
 	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m_; ///< last seen ones
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
-	uint8_t complained_ = 0; ///< bit i: of a pushed frame, by Refusal i, in this run
+	/// Bit i: of a pushed frame, by Refusal i, in this run; threads that may not push are told by it too.
+	std::atomic<uint8_t> complained_ = 0;
 	steadyhand::StreamDoubts doubts_;
 	uint8_t doubted_ = 0; ///< bit i: StreamDoubt i has been told in this run
 

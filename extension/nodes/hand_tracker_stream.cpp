@@ -3,6 +3,8 @@
 #include "conversions.h"
 #include "node_label.h"
 
+#include <godot_cpp/classes/os.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,12 +40,13 @@ String fault_of(const Dictionary &p_joints) {
 	return "joints must map a Joint to a Vector3";
 }
 
-/// Of what is told once: whether bit `p_what` of those told was not set yet; it is then.
-bool is_first(uint8_t &r_told, unsigned p_what) {
-	const auto bit = static_cast<uint8_t>(1U << p_what);
-	const bool is_first = (r_told & bit) == 0;
-	r_told |= bit;
-	return is_first;
+uint8_t bit(unsigned p_number) {
+	return static_cast<uint8_t>(1U << p_number);
+}
+
+bool is_main_thread() {
+	const OS *const os = OS::get_singleton();
+	return os->get_thread_caller_id() == os->get_main_thread_id();
 }
 
 String explain(steadyhand::StreamDoubt p_doubt) {
@@ -116,6 +119,10 @@ void HandTracker::tell_time(double p_time_s) {
 }
 
 Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, double p_confidence) {
+	if (!is_main_thread()) {
+		return refuse_frame(
+				Refusal::OTHER_THREAD, "call it from the main thread, as by push_frame.call_deferred(...)");
+	}
 	if (source_ != SOURCE_SCRIPT) {
 		return refuse_frame(Refusal::OTHER_SOURCE, "set source to SOURCE_SCRIPT first");
 	}
@@ -163,8 +170,11 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 }
 
 Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
-	if (is_first(complained_, static_cast<unsigned>(p_refusal))) {
-		ERR_PRINT(node_label(*this) + String(": push_frame: ") + p_reason + String(" (said once a run)"));
+	const uint8_t this_one = bit(static_cast<unsigned>(p_refusal));
+	if ((complained_.fetch_or(this_one) & this_one) == 0) {
+		// No other thread may ask a node in the tree for its path.
+		const String label = p_refusal == Refusal::OTHER_THREAD ? String("HandTracker") : node_label(*this);
+		ERR_PRINT(label + String(": push_frame: ") + p_reason + String(" (said once a run)"));
 	}
 	return ERR_INVALID_PARAMETER;
 }
@@ -172,7 +182,12 @@ Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
 /// Said once a run, as of such frames nothing is ever recognised.
 void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
 	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.look(p_frame);
-	if (doubt && is_first(doubted_, static_cast<unsigned>(*doubt))) {
+	if (!doubt) {
+		return;
+	}
+	const uint8_t this_one = bit(static_cast<unsigned>(*doubt));
+	if ((doubted_ & this_one) == 0) {
+		doubted_ |= this_one;
 		WARN_PRINT(node_label(*this) + String(": push_frame: ") + explain(*doubt));
 	}
 }

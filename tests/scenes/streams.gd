@@ -58,6 +58,32 @@ func test_who_hears_of_the_loss_may_start_anew() -> void:
 	_free(hmm)
 
 
+func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void:
+	for is_deferred: bool in [false, true]:
+		var hmm := _hmm()
+		var tracker := hmm.tracker
+		var results: Array[Error] = []
+		var push := func() -> void:
+			for frame in 300:
+				var time_s := frame * FRAME_S
+				if is_deferred:
+					tracker.push_frame.call_deferred(time_s, _hand(time_s))
+				else:
+					results.append(tracker.push_frame(time_s, _hand(time_s)))
+		var thread := Thread.new()
+		thread.start(push)
+		# expects one error: HandTracker: push_frame: call it from the main thread
+		thread.wait_to_finish()
+		await process_frame
+		await process_frame
+		var count := 0 if is_deferred else 300
+		check_equal(results.count(ERR_INVALID_PARAMETER), count, "refused")
+		var told := "started ended" if is_deferred else ""
+		check_equal(" ".join(_said), told, "what is said, deferred: %s" % is_deferred)
+		check_equal(tracker.get_time() > 0.0, is_deferred, "the clock goes on by what is taken")
+		_free(hmm)
+
+
 ## A drag of 20 cm from the origin, by a clock that begins at 0, as far as it is by `until_s`.
 func _push_drag(tracker: HandTracker, until_s: float) -> void:
 	var frame := 0
