@@ -164,6 +164,8 @@ private:
 	/// The same, with those where they were that have hardly moved.
 	std::vector<Expected> find_expected_anew() const;
 	static std::vector<steadyhand::ExpectedGesture> core_of(const std::vector<Expected> &p_expected);
+	/// What is expected at it is what was, by expected_.
+	bool is_as_expected(const GestureTask &p_task) const;
 	bool is_task_gone() const;
 	void build_recogniser();
 	void update_expected();
@@ -187,7 +189,8 @@ private:
 	StringName gesture_name(int p_expected) const;
 	void on_settings_changed();
 	void on_expected_changed();
-	void on_task_changed();
+	void on_task_changed(uint64_t p_task);
+	void connect_tasks(bool p_connect);
 	void connect_changed(Object *p_object, const Callable &p_callable, bool p_connect);
 };
 

@@ -194,20 +194,45 @@ TypedArray<GestureTask> GestureHMM::get_tasks() const {
 }
 
 void GestureHMM::set_tasks(const TypedArray<GestureTask> &p_tasks) {
-	const Callable callable = callable_mp(this, &GestureHMM::on_task_changed);
-	for (int64_t i = 0; i < tasks_.size(); ++i) {
-		connect_changed(task_at(i), callable, false);
-	}
+	connect_tasks(false);
 	tasks_ = p_tasks.duplicate();
-	for (int64_t i = 0; i < tasks_.size(); ++i) {
-		connect_changed(task_at(i), callable, true);
-	}
+	connect_tasks(true);
 	on_expected_changed();
 }
 
-/// A node tells that it was moved once the frame is over: by then the place may be in use already.
-void GestureHMM::on_task_changed() {
-	if (!outdated_ && find_expected_anew() == expected_) {
+void GestureHMM::connect_tasks(bool p_connect) {
+	for (int64_t i = 0; i < tasks_.size(); ++i) {
+		GestureTask *const task = task_at(i);
+		if (task != nullptr) {
+			Array arguments;
+			arguments.push_back(task->get_instance_id());
+			connect_changed(
+					task, callable_mp(this, &GestureHMM::on_task_changed).bindv(arguments), p_connect);
+		}
+	}
+}
+
+/// False is no answer: where nothing is expected at it yet, or several models make its gesture another's.
+bool GestureHMM::is_as_expected(const GestureTask &p_task) const {
+	bool is_expected = false;
+	for (const Expected &one : expected_) {
+		if (one.task != ObjectID(p_task.get_instance_id())) {
+			continue;
+		}
+		if (p_task.get_gesture() != one.gesture || !one.place ||
+				!is_same_place(*one.place, core_task(p_task, *one.model))) {
+			return false;
+		}
+		is_expected = true;
+	}
+	return is_expected;
+}
+
+/// A node tells that it was moved once the frame is over: by then the place may be in use already. Of a
+/// hundred that are moved together each tells it, and the first is told of with all the others.
+void GestureHMM::on_task_changed(uint64_t p_task) {
+	const GestureTask *const task = Object::cast_to<GestureTask>(ObjectDB::get_instance(p_task));
+	if (!outdated_ && ((task != nullptr && is_as_expected(*task)) || find_expected_anew() == expected_)) {
 		return;
 	}
 	// In the editor, and where nothing has been seen since, there is nothing that could start anew.

@@ -1,0 +1,133 @@
+extends "support/scene_test.gd"
+## Tasks that are moved and changed, alone and all together, as the keys of a panel that follows the
+## player are.
+
+const Rig := preload("support/rig.gd")
+
+const FRAME_S := 1.0 / 90.0
+const KEY_M := 0.04
+const ROW := 10
+
+var _said: Array[String] = []
+
+
+func test_a_panel_that_moves_takes_all_its_tasks_along() -> void:
+	var panel := Node3D.new()
+	var hmm := _hmm(panel, 30)
+	_push_tap(hmm, hmm.tasks[12], 0.0, 1.4)
+	check_equal(hmm.current_task, hmm.tasks[12], "a tap is under way")
+	panel.position = Vector3(1.0, 0.5, 0.0)
+	await process_frame
+	await process_frame
+	check_equal(_said, ["started", "aborted"] as Array[String], "it is given up by the move")
+	_push_tap(hmm, hmm.tasks[17], 2.0, 2.6)
+	check_equal(
+		_said, ["started", "aborted", "started", "ended"] as Array[String], "one at the new place"
+	)
+	check_equal(hmm.current_task, hmm.tasks[17], "at its task")
+	_free(hmm, panel)
+
+
+func test_a_panel_that_trembles_leaves_the_gesture() -> void:
+	var panel := Node3D.new()
+	var hmm := _hmm(panel, 30)
+	_push_tap(hmm, hmm.tasks[12], 0.0, 1.4)
+	panel.position.x = 0.5e-3
+	await process_frame
+	await process_frame
+	_push_tap(hmm, hmm.tasks[12], 1.4, 1.2, 1.4)
+	check_equal(_said, ["started", "ended"] as Array[String], "it goes on to its end")
+	_free(hmm, panel)
+
+
+func test_what_is_set_of_a_task_counts_at_once() -> void:
+	for what: StringName in [
+		&"amplitude", &"direction", &"gesture", &"no_gesture", &"start_radius"
+	]:
+		var panel := Node3D.new()
+		var hmm := _hmm(panel, 3)
+		hmm.models = hmm.models + [load(Rig.MODEL % "horizontal_drag") as GestureModel]
+		var task := hmm.tasks[1]
+		_push_tap(hmm, task, 0.0, 1.4)
+		match what:
+			&"amplitude":
+				task.amplitude = 0.15
+			&"direction":
+				task.direction = Vector3.DOWN
+			&"gesture":
+				task.gesture = &"horizontal_drag"
+			&"no_gesture":
+				task.gesture = &""
+			&"start_radius":
+				task.start_radius = 0.1  # of no concern to a tap
+		var told := "started" if what == &"start_radius" else "started aborted"
+		check_equal(" ".join(_said), told, "%s: what is said" % what)
+		_free(hmm, panel)
+
+
+func test_a_task_that_moves_costs_what_it_costs_alone() -> void:
+	var few_us := _notification_us(25)
+	var many_us := _notification_us(100)
+	check(many_us < 12.0 * few_us, "100 tasks %.0f us, 25 tasks %.0f us" % [many_us, few_us])
+
+
+## What it takes that `count` tasks tell of a tremble, at best.
+func _notification_us(count: int) -> float:
+	var panel := Node3D.new()
+	var hmm := _hmm(panel, count)
+	hmm.tracker.push_frame(0.0, {})
+	var least_us := INF
+	for time in 30:
+		panel.position.x = 1e-4 * (time % 2)
+		var began_us := Time.get_ticks_usec()
+		for task in hmm.tasks:
+			task.force_update_transform()
+		least_us = minf(least_us, Time.get_ticks_usec() - began_us)
+	_free(hmm, panel)
+	return least_us
+
+
+## `duration_s` of a tap at `task` and of the rest before it; the first `done_s` of that are over.
+func _push_tap(
+	hmm: GestureHMM, task: GestureTask, from_s: float, duration_s: float, done_s: float = 0.0
+) -> void:
+	for frame in int(duration_s / FRAME_S):
+		var time_s := frame * FRAME_S
+		var p := clampf((time_s + done_s - 1.0) / 0.7, 0.0, 1.0)
+		var way := task.amplitude * p * p * p * (10.0 + p * (6.0 * p - 15.0))
+		var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
+		var tip := task.get_start() + way * task.get_axis() + tremor
+		hmm.tracker.push_frame(from_s + time_s, {HandTracker.JOINT_INDEX: tip})
+
+
+## Of taps at `count` keys of `panel`; what it says is in _said.
+func _hmm(panel: Node3D, count: int) -> GestureHMM:
+	var tracker := HandTracker.new()
+	var hmm := GestureHMM.new()
+	hmm.models = [load(Rig.MODEL % "tap") as GestureModel]
+	hmm.tracker = tracker
+	for node: Node in [panel, tracker, hmm]:
+		root.add_child(node)
+	var tasks: Array[GestureTask] = []
+	for key in count:
+		var task := GestureTask.new()
+		task.gesture = &"tap"
+		task.direction = Vector3.FORWARD
+		task.amplitude = 0.1
+		task.position = Vector3(KEY_M * (key % ROW), KEY_M * (key / ROW), -0.4)
+		panel.add_child(task)
+		tasks.append(task)
+	hmm.tasks = tasks
+	_said.clear()
+	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
+	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
+	hmm.gesture_ended.connect(
+		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
+	)
+	return hmm
+
+
+func _free(hmm: GestureHMM, panel: Node3D) -> void:
+	hmm.tracker.free()
+	hmm.free()
+	panel.free()
