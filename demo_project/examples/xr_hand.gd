@@ -10,10 +10,13 @@ const JOINTS: Dictionary[int, int] = {
 }
 
 ## The tracker's name in XRServer.
-@export var xr_hand: StringName = &"/user/hand_tracker/right"
+@export_enum("/user/hand_tracker/left", "/user/hand_tracker/right")
+var xr_hand := "/user/hand_tracker/right"
 ## In the space of the world, as the tasks are. Switched off: in that of the XROrigin3D, for
 ## gestures without a task in games that move the player, with whom the hand moves in the world.
 @export var in_world := true
+
+var _refused: XRTracker = null
 
 
 func _init() -> void:
@@ -26,7 +29,7 @@ func _process(_delta: float) -> void:
 
 ## Empty where the hand is lost.
 func _tracked_joints() -> Dictionary:
-	var hand := XRServer.get_tracker(xr_hand) as XRHandTracker
+	var hand := _hand()
 	var space := XRServer.get_reference_frame()
 	if in_world:
 		space = XRServer.world_origin * space
@@ -40,3 +43,14 @@ func _tracked_joints() -> Dictionary:
 				var place := hand.get_hand_joint_transform(JOINTS[joint]).origin
 				joints[joint] = space * (XRServer.world_scale * place)
 	return joints
+
+
+## Null where there is none yet.
+func _hand() -> XRHandTracker:
+	var tracker := XRServer.get_tracker(xr_hand)
+	if tracker != null and not tracker is XRHandTracker and tracker != _refused:
+		_refused = tracker
+		push_warning(
+			"%s: %s is no XRHandTracker but %s" % [get_path(), xr_hand, tracker.get_class()]
+		)
+	return tracker as XRHandTracker

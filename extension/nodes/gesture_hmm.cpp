@@ -30,10 +30,7 @@ void GestureHMM::_notification(int p_what) {
 		// A script above that sets the tracker when it is ready is so after this node.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
-		set_process_internal(false);
-		if (tracker_ == nullptr) {
-			WARN_PRINT(node_label(*this) + ": nothing is recognised until its \"tracker\" is set");
-		}
+		watch_tracker(get_process_delta_time());
 	}
 }
 
@@ -125,6 +122,7 @@ bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 }
 
 void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
+	has_frame_ = true;
 	// An instant before this frame must not see it.
 	if (!prepare(p_frame.t_s) || !run_clock(p_frame.t_s, false) || !prepare(p_frame.t_s)) {
 		return;

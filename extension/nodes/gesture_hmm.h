@@ -149,6 +149,9 @@ private:
 	int leaps_ = 0;                               ///< gaps too long to connect, one after the other
 	int frames_with_hand_ = 0;                    ///< since the recogniser was made
 	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
+	bool has_frame_ = false;                      ///< of this tracker
+	bool is_hand_missed_ = false;                 ///< told that none comes
+	double waited_s_ = 0.0;                       ///< for a hand of this tracker
 
 	/// What is told may free this node with its scene.
 	using Watch = ListenerList<MotionListener>::Watch;
@@ -172,6 +175,8 @@ private:
 	/// What was under way is so no longer, and that is told; it may free this node.
 	void give_up_shown(const StringName &p_gesture);
 	void warn_of_silence();
+	void watch_tracker(double p_passed_s);
+	void watch_tracker_anew();
 	void watch_joints(uint8_t p_tracked);
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
 	String place_fault(const GestureTask &p_task) const;

@@ -30,7 +30,7 @@ GestureHMM::~GestureHMM() {
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	if (listen_to(p_tracker, tracker_, this)) {
-		joints_seen_ = joints_missed_ = 0;
+		watch_tracker_anew();
 		update_configuration_warnings();
 		on_stream_started();
 	}
@@ -38,6 +38,7 @@ void GestureHMM::set_tracker(HandTracker *p_tracker) {
 
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
+	watch_tracker_anew();
 	update_configuration_warnings();
 	on_stream_started();
 }

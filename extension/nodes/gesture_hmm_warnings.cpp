@@ -4,13 +4,16 @@
 
 #include "conversions.h"
 #include "gesture_task.h"
+#include "hand_tracker.h"
 #include "node_label.h"
 
 #include "gesture/feature.h"
 #include "gesture/gesture_model.h"
 
+#include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace godot {
@@ -19,6 +22,12 @@ namespace {
 
 /// Frames with a hand in them: two seconds of a usual tracker's.
 constexpr int FRAMES_WATCHED = 200;
+/// A device is found by then.
+constexpr double LONGEST_WITHOUT_FRAME_S = 5.0;
+/// A player has raised a hand by then, or laid the controllers aside.
+constexpr double LONGEST_WITHOUT_HAND_S = 20.0;
+/// Of a frame of the game: one that loads for long says nothing of the device.
+constexpr double LONGEST_WAIT_S = 0.1;
 
 String joint_list(uint8_t p_joints) {
 	String names;
@@ -81,6 +90,43 @@ void GestureHMM::warn_of_silence() {
 		WARN_PRINT(node_label(*this) + String(": ") + warning);
 	}
 	warned_ = std::move(warning);
+}
+
+/// Of a script's tracker that runs, and shows no hand; once. It is asked for as long as none has come.
+void GestureHMM::watch_tracker(double p_passed_s) {
+	if (tracker_ == nullptr || joints_seen_ != 0) {
+		set_process_internal(false);
+		if (tracker_ == nullptr) {
+			WARN_PRINT(node_label(*this) + ": nothing is recognised until its \"tracker\" is set");
+		}
+		return;
+	}
+	const bool is_in_play = tracker_->is_inside_tree() && tracker_->can_process();
+	if (!is_in_play || !tracker_->is_running() || tracker_->get_source() != HandTracker::SOURCE_SCRIPT) {
+		return;
+	}
+	waited_s_ += std::min(p_passed_s, LONGEST_WAIT_S);
+	if (waited_s_ < (has_frame_ ? LONGEST_WITHOUT_HAND_S : LONGEST_WITHOUT_FRAME_S)) {
+		return;
+	}
+	set_process_internal(false);
+	is_hand_missed_ = true;
+	const String label = node_label(*tracker_);
+	const String empty = String("no hand has come in 20 s: all frames of ") + label + String(" are empty");
+	const String none = String("no frame has come in 5 s: a script has to push them to ") + label +
+			String(", as examples/xr_hand.gd of the demo project does; or choose another \"source\"");
+	WARN_PRINT(node_label(*this) + String(": ") + (has_frame_ ? empty : none));
+}
+
+/// Another tracker, or none any more, of which nothing is to be said.
+void GestureHMM::watch_tracker_anew() {
+	joints_seen_ = joints_missed_ = 0;
+	has_frame_ = false;
+	waited_s_ = 0.0;
+	if (is_node_ready()) {
+		const bool is_playing = !Engine::get_singleton()->is_editor_hint();
+		set_process_internal(is_playing && tracker_ != nullptr && !is_hand_missed_);
+	}
 }
 
 /// Of a tracker that never shows what a task's gesture, or the only one, is measured by; once for each such

@@ -126,44 +126,6 @@ func test_frames_of_wrong_units_are_told_once() -> void:
 		tracker.free()
 
 
-func test_example_of_a_hand_of_the_xr_server() -> void:
-	const INDEX_TIP := XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP
-	var hand := XRHandTracker.new()
-	hand.name = &"/user/hand_tracker/right"
-	hand.has_tracking_data = true
-	# The engine leaves them uninitialised.
-	for joint in XRHandTracker.HAND_JOINT_MAX:
-		hand.set_hand_joint_flags(joint, 0)
-	hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), Vector3(0.1, 0.2, -0.3)))
-	hand.set_hand_joint_flags(INDEX_TIP, XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED)
-	XRServer.add_tracker(hand)
-	XRServer.world_origin = Transform3D(Basis(), Vector3(0.0, 1.0, 0.0))
-	var tracker: HandTracker = load("res://examples/xr_hand.gd").new()
-	root.add_child(tracker)
-	await process_frame
-	await process_frame
-	check_equal(
-		tracker.get_joint_position(HandTracker.JOINT_INDEX), Vector3(0.1, 1.2, -0.3), "in the world"
-	)
-	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "a joint that is not tracked")
-	tracker.set("in_world", false)
-	XRServer.world_origin.origin += Vector3(3.0, 0.0, -4.0)
-	await process_frame
-	await process_frame
-	check_equal(
-		tracker.get_joint_position(HandTracker.JOINT_INDEX),
-		Vector3(0.1, 0.2, -0.3),
-		"with the player, whom the game moves"
-	)
-	hand.has_tracking_data = false
-	await process_frame
-	await process_frame
-	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "a hand that is lost")
-	XRServer.remove_tracker(hand)
-	XRServer.world_origin = Transform3D()
-	tracker.free()
-
-
 func test_synthetic_source() -> void:
 	var counts: Array[int] = []
 	var positions: Array[Vector3] = []

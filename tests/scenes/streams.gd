@@ -84,6 +84,53 @@ func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void
 		_free(hmm)
 
 
+func test_a_hand_that_never_comes_is_told_of_once() -> void:
+	# expects one warning: no frame has come in 5 s: a script has to push them to HandTracker '
+	# expects one warning: no hand has come in 20 s: all frames of HandTracker '
+	Engine.time_scale = 100.0
+	for what: StringName in [&"nothing", &"empty", &"hand", &"not_running", &"synthetic"]:
+		var hmm := _hmm()
+		match what:
+			&"not_running":
+				hmm.tracker.stop()
+			&"synthetic":
+				hmm.tracker.update_mode = HandTracker.UPDATE_MANUAL
+				hmm.tracker.source = HandTracker.SOURCE_SYNTHETIC
+				hmm.tracker.start()
+		var wait_s := 22.0 if what == &"empty" or what == &"hand" else 6.0
+		var passed_s := 0.0
+		while passed_s < wait_s:
+			await process_frame
+			passed_s += minf(root.get_process_delta_time(), 0.1)
+			if what == &"empty":
+				hmm.tracker.push_frame(passed_s, {})
+			elif what == &"hand" and passed_s < 1.0:
+				hmm.tracker.push_frame(passed_s, _hand(0.0))
+		check(true, "%s: waited for" % what)
+		_free(hmm)
+	Engine.time_scale = 1.0
+
+
+func test_a_tracker_that_is_taken_away_is_not_missed() -> void:
+	# expects one warning: nothing is recognised until its "tracker" is set
+	var without := GestureHMM.new()
+	root.add_child(without)
+	for what: StringName in [&"set_to_none", &"freed"]:
+		var hmm := _hmm()
+		await process_frame
+		await process_frame
+		var tracker := hmm.tracker
+		if what == &"set_to_none":
+			hmm.tracker = null
+		tracker.free()
+		await process_frame
+		await process_frame
+		check(hmm.tracker == null, "%s: it has none" % what)
+		hmm.task.free()
+		hmm.free()
+	without.free()
+
+
 ## A drag of 20 cm from the origin, by a clock that begins at 0, as far as it is by `until_s`.
 func _push_drag(tracker: HandTracker, until_s: float) -> void:
 	var frame := 0
