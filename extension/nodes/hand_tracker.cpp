@@ -52,6 +52,7 @@ Error HandTracker::start() {
 	clock_set_ = false;
 	complained_ = 0;
 	doubted_ = 0;
+	refused_from_s_.reset();
 	doubts_ = {};
 	time_s_ = start_time_s_ = duration_s_ = 0.0;
 	if (source_ != SOURCE_SCRIPT) {

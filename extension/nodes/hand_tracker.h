@@ -119,6 +119,7 @@ private:
 	std::array<Vector3, steadyhand::JOINT_COUNT> positions_m_; ///< last seen ones
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
+	std::optional<double> refused_from_s_; ///< the first stamp of those refused as older since the last frame
 	/// Bit i: of a pushed frame, by Refusal i, in this run; threads that may not push are told by it too.
 	std::atomic<uint8_t> complained_ = 0;
 	steadyhand::StreamDoubts doubts_;
@@ -132,6 +133,7 @@ private:
 	/// The number that there is of none that runs.
 	uint64_t end_run();
 	steadyhand::Result<std::vector<steadyhand::HandFrame>> load_frames();
+	Error refuse_older(double p_time_s);
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	void doubt(const steadyhand::HandFrame &p_frame);
 	void deliver(const steadyhand::HandFrame &p_frame);

@@ -133,9 +133,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		return refuse_frame(Refusal::NO_TIME, TIME_FAULT);
 	}
 	if (clock_set_ && p_time_s < time_s_) {
-		return refuse_frame(Refusal::OLDER,
-				String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
-						String(" s"));
+		return refuse_older(p_time_s);
 	}
 	steadyhand::HandFrame frame;
 	frame.t_s = p_time_s;
@@ -158,6 +156,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		start_time_s_ = p_time_s;
 	}
 	clock_set_ = true;
+	refused_from_s_.reset();
 	duration_s_ = p_time_s - start_time_s_;
 	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
@@ -167,6 +166,18 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		tell_time(p_time_s);
 	}
 	return OK;
+}
+
+/// Of such frames alone a hand is lost, as it is where none come.
+Error HandTracker::refuse_older(double p_time_s) {
+	const Error refused = refuse_frame(Refusal::OLDER,
+			String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
+					String(" s; call start() where a device's clock begins anew"));
+	refused_from_s_ = std::min(p_time_s, refused_from_s_.value_or(p_time_s));
+	if (p_time_s - *refused_from_s_ > LOST_AFTER_S) {
+		set_hand_present(false);
+	}
+	return refused;
 }
 
 Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {

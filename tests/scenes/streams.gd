@@ -84,6 +84,26 @@ func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void
 		_free(hmm)
 
 
+func test_a_clock_that_begins_anew() -> void:
+	var hmm := _hmm()
+	var tracker := hmm.tracker
+	var losses: Array[float] = []
+	tracker.tracking_lost.connect(func() -> void: losses.append(tracker.get_time()))
+	tracker.push_frame(1000.0, _hand(0.0))
+	# expects one error: s is before 1000.0 s; call start() where a device's clock begins anew
+	for time_s: float in [0.0, 0.5]:
+		check_equal(tracker.push_frame(time_s, _hand(0.0)), ERR_INVALID_PARAMETER, "refused")
+		tracker.push_frame(1000.1, _hand(0.0))
+	check_equal(losses.size(), 0, "frames out of order, between others, lose no hand")
+	for frame in 30:
+		tracker.push_frame(frame * FRAME_S, _hand(0.0))
+	check_equal(losses, [1000.1] as Array[float], "those that do not end do")
+	tracker.start()
+	_push_drag(tracker, 2.5)
+	check_equal(_said, ["started", "ended"] as Array[String], "a start takes the new clock")
+	_free(hmm)
+
+
 func test_a_hand_that_never_comes_is_told_of_once() -> void:
 	# expects one warning: no frame has come in 5 s: a script has to push them to HandTracker '
 	# expects one warning: no hand has come in 20 s: all frames of HandTracker '
