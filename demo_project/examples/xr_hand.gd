@@ -1,6 +1,7 @@
 extends HandTracker
 ## The script of a HandTracker whose frames are a hand's that XRServer tracks, over OpenXR for one.
-## To be copied into a project.
+## To be copied into a project. OpenXR runtimes foretell where the hand will be: set the
+## `sensor_latency` of the GestureHMM to 0.
 
 ## Joints that gestures are made of, and what Godot calls them.
 const JOINTS: Dictionary[int, int] = {
@@ -21,6 +22,9 @@ var _refused: XRTracker = null
 
 func _init() -> void:
 	source = SOURCE_SCRIPT
+	# After whatever moves the player in its _process(). What shows the motion in the same frame of
+	# the game has a higher one.
+	process_priority = 1
 
 
 func _process(_delta: float) -> void:

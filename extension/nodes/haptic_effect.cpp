@@ -173,8 +173,8 @@ void HapticEffect::_bind_methods() {
 	ClassDB::bind_method(
 			D_METHOD("get_preview_spectrum", "frequencies"), &HapticEffect::get_preview_spectrum);
 
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE,
-						 "20,1000,1,or_greater,or_less,suffix:Hz"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "frequency", PROPERTY_HINT_RANGE, "1,1000,1,or_greater,suffix:Hz"),
 			"set_frequency", "get_frequency");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "gain", PROPERTY_HINT_RANGE, "0,1,0.01"), "set_gain", "get_gain");
@@ -201,8 +201,7 @@ void SpringEffect::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),
 			"set_drive", "get_drive");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "full_scale", PROPERTY_HINT_RANGE,
-						 "0.01,20,0.01,or_greater,or_less"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "full_scale", PROPERTY_HINT_RANGE, "0.01,20,0.01,or_greater"),
 			"set_full_scale", "get_full_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving"),
 			"set_trigger", "get_trigger");
@@ -214,11 +213,10 @@ void ImpulseEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_full_speed", "full_speed"), &ImpulseEffect::set_full_speed);
 	ClassDB::bind_method(D_METHOD("get_full_speed"), &ImpulseEffect::get_full_speed);
 
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "decay", PROPERTY_HINT_RANGE,
-						 "20,1000,1,or_greater,or_less,suffix:1/s"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "decay", PROPERTY_HINT_RANGE, "1,1000,1,or_greater,suffix:1/s"),
 			"set_decay", "get_decay");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "full_speed", PROPERTY_HINT_RANGE,
-						 "0.05,5,0.01,or_greater,or_less,suffix:m/s"),
+						 "0.01,5,0.01,or_greater,suffix:m/s"),
 			"set_full_speed", "get_full_speed");
 }
 
@@ -266,8 +264,7 @@ void CustomEffect::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),
 			"set_drive", "get_drive");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "full_scale", PROPERTY_HINT_RANGE,
-						 "0.01,20,0.01,or_greater,or_less"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "full_scale", PROPERTY_HINT_RANGE, "0.01,20,0.01,or_greater"),
 			"set_full_scale", "get_full_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_curve",
 			"get_curve");

@@ -31,7 +31,8 @@ public:
 	/// Ends what is felt.
 	void stop() {
 		if (train_.restart()) {
-			send({});
+			// As long as the one that ends others at rest.
+			send({ .duration_s = steadyhand::PulseTrain::DURATION_S });
 		}
 	}
 

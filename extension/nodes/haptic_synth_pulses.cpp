@@ -17,6 +17,17 @@
 
 namespace godot {
 
+namespace {
+
+/// Of trackers as the engine's XR interfaces name them.
+bool is_without_motor(const String &p_tracker) {
+	return p_tracker == "head" || p_tracker.begins_with("/user/hand_tracker/") ||
+			p_tracker.begins_with("/user/body_tracker") || p_tracker.begins_with("/user/face_tracker") ||
+			p_tracker.begins_with("/user/eyes_ext");
+}
+
+} // namespace
+
 void HapticSynth::set_controller(XRNode3D *p_controller) {
 	controller_id_ = ObjectID(p_controller != nullptr ? p_controller->get_instance_id() : 0);
 	update_pulses();
@@ -108,9 +119,15 @@ void HapticSynth::add_sink_warnings(PackedStringArray &r_warnings) const {
 					"No XR interface is there for \"controller\" to vibrate by: enable XR > OpenXR in the "
 					"project settings, or initialise an XRInterface before.");
 		}
-		if (controller->get_tracker() == StringName()) {
+		const String tracker = controller->get_tracker();
+		if (tracker.is_empty()) {
 			r_warnings.push_back(
 					"Set the \"tracker\" of the node in \"controller\", as left_hand or right_hand.");
+		} else if (is_without_motor(tracker)) {
+			r_warnings.push_back(
+					String("Give the node in \"controller\" the \"tracker\" of a controller, as left_hand "
+						   "or right_hand: ") +
+					tracker + String(" does not vibrate."));
 		}
 		if (controller_action_ == StringName()) {
 			r_warnings.push_back(

@@ -75,9 +75,31 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 	check_equal(pulses[-1]["amplitude"], 0.0, "the end is told")
 	var most: int = ceili(played["seconds"] / 0.02) + 2
 	check(pulses.size() <= most, "%d pulses in %s s" % [pulses.size(), played["seconds"]])
+	var each := func(synth: HapticSynth, value: float) -> void:
+		if value > 0.5 and synth.is_inside_tree():
+			check(pulses[-1]["amplitude"] > 0.0, "half-way")
+			root.remove_child(synth)
+			check_equal(pulses[-1]["amplitude"], 0.0, "stopped out of the tree")
+			check_near(
+				pulses[-1]["duration"], 0.1, 1e-9, "as at rest, by a pulse that has a length"
+			)
+	_play(func(synth: HapticSynth) -> void: synth.controller = controller, each)
 	controller.free()
 	XRServer.primary_interface = null
 	XRServer.remove_interface(_interface)
+
+
+func test_a_tracker_that_does_not_vibrate_is_told_of() -> void:
+	# expects one warning: left_hand or right_hand: /user/hand_tracker/right does not vibrate
+	# expects one warning: left_hand or right_hand: head does not vibrate
+	for name: StringName in [&"/user/hand_tracker/right", &"head", &"right_hand"]:
+		var synth := HapticSynth.new()
+		var controller := XRController3D.new()
+		controller.tracker = name
+		synth.controller = controller
+		root.add_child(synth)
+		synth.free()
+		controller.free()
 
 
 func test_a_joypad_shakes_and_stops_at_pause_and_exit() -> void:

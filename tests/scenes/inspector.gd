@@ -30,6 +30,33 @@ func test_where_a_vibration_goes() -> void:
 	synth.free()
 
 
+func test_no_value_of_a_slider_is_refused() -> void:
+	var classes := ClassDB.get_inheriters_from_class("HapticEffect")
+	classes.append_array(["HapticDeviceProfile", "GestureHMM", "GestureTask", "HapticSynth"])
+	for name in classes:
+		var object: Object = ClassDB.instantiate(name)
+		for about in ClassDB.class_get_property_list(name):
+			var is_number: bool = about["type"] == TYPE_FLOAT or about["type"] == TYPE_INT
+			if about["hint"] == PROPERTY_HINT_RANGE and is_number:
+				_check_range(object, about)
+		if object is Node:
+			object.free()
+
+
+## Both ends, and what lies beyond where that may be entered.
+func _check_range(object: Object, about: Dictionary) -> void:
+	var property: String = about["name"]
+	var hint: PackedStringArray = (about["hint_string"] as String).split(",")
+	var values: Array[float] = [hint[0].to_float(), hint[1].to_float()]
+	if "or_less" in hint:
+		values.append(values[0] - values[1])
+	if "or_greater" in hint:
+		values.append(3.0 * values[1])
+	for value in values:
+		object.set(property, value)
+		check_near(object.get(property), value, 1e-9, "%s.%s" % [object.get_class(), property])
+
+
 ## Empty where the property is no name that is suggested.
 static func _suggested(object: Object, property: String) -> Array[String]:
 	var names: Array[String] = []
