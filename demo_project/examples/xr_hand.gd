@@ -34,9 +34,12 @@ func _process(_delta: float) -> void:
 ## Empty where the hand is lost.
 func _tracked_joints() -> Dictionary:
 	var hand := _hand()
-	var space := XRServer.get_reference_frame()
+	var space := XRServer.get_reference_frame().scaled_local(Vector3.ONE * XRServer.world_scale)
 	if in_world:
 		space = XRServer.world_origin * space
+	else:
+		# Gestures without a task are as long as the body makes them, whatever the world's scale.
+		space = space.scaled(Vector3.ONE / XRServer.world_scale)
 	var joints := {}
 	if hand != null and hand.has_tracking_data:
 		for joint: int in JOINTS:
@@ -44,8 +47,7 @@ func _tracked_joints() -> Dictionary:
 				hand.get_hand_joint_flags(JOINTS[joint])
 				& XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED
 			):
-				var place := hand.get_hand_joint_transform(JOINTS[joint]).origin
-				joints[joint] = space * (XRServer.world_scale * place)
+				joints[joint] = space * hand.get_hand_joint_transform(JOINTS[joint]).origin
 	return joints
 
 

@@ -34,6 +34,20 @@ func test_frames_are_in_the_world_or_in_a_space_that_the_game_moves() -> void:
 	_remove(hand, tracker)
 
 
+func test_the_scale_of_the_world_is_the_world_s_only() -> void:
+	var hand := _add_hand()
+	var tracker := _add_tracker()
+	XRServer.world_scale = 2.0
+	await _frames(2)
+	var doubled := Vector3(0.2, 0.4, -0.6)
+	check(tracker.get_joint_position(INDEX).is_equal_approx(doubled), "in the world")
+	tracker.in_world = false
+	await _frames(2)
+	check(tracker.get_joint_position(INDEX).is_equal_approx(0.5 * doubled), "as the body is")
+	XRServer.world_scale = 1.0
+	_remove(hand, tracker)
+
+
 func test_a_hand_goes_along_in_the_frame_in_which_the_player_is_moved() -> void:
 	var hand := _add_hand()
 	var tracker := _add_tracker()
