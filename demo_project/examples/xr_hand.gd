@@ -9,15 +9,27 @@ const JOINTS: Dictionary[int, int] = {
 	JOINT_INDEX: XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP,
 	JOINT_MIDDLE: XRHandTracker.HAND_JOINT_MIDDLE_FINGER_TIP,
 }
+## A hand that stays within so much for so long makes no gesture.
+const REST_M := 0.02
+const REST_S := 0.25
+## Of a head that looks further up or down it is not clear where it faces.
+const STEEPEST := deg_to_rad(70.0)
 
 ## The tracker's name in XRServer.
 @export_enum("/user/hand_tracker/left", "/user/hand_tracker/right")
 var xr_hand := "/user/hand_tracker/right"
-## In the space of the world, as the tasks are. Switched off: in that of the XROrigin3D, for
-## gestures without a task in games that move the player, with whom the hand moves in the world.
+## In the space of the world, as the tasks are. Switched off: in metres of the body, in a space that
+## goes along with the player, for gestures without a task.
 @export var in_world := true
+## Where `in_world` is off: the space faces where the player does. Switched off: it is that of the
+## XROrigin3D, which does not turn with a player who turns in the room.
+@export var turns_with_player := true
 
 var _refused: XRTracker = null
+## From the origin's space.
+var _to_body := Transform3D.IDENTITY
+var _rest_place := Vector3.INF
+var _rests_since_s := 0.0
 
 
 func _init() -> void:
@@ -28,7 +40,13 @@ func _init() -> void:
 
 
 func _process(_delta: float) -> void:
-	push_frame(1e-6 * Time.get_ticks_usec(), _tracked_joints())
+	var time_s := 1e-6 * Time.get_ticks_usec()
+	var joints := _tracked_joints()
+	if not in_world and turns_with_player and joints.has(JOINT_INDEX):
+		_follow_player(joints[JOINT_INDEX], time_s)
+		for joint: int in joints:
+			joints[joint] = _to_body * (joints[joint] as Vector3)
+	push_frame(time_s, joints)
 
 
 ## Empty where the hand is lost.
@@ -49,6 +67,30 @@ func _tracked_joints() -> Dictionary:
 			):
 				joints[joint] = space * hand.get_hand_joint_transform(JOINTS[joint]).origin
 	return joints
+
+
+## While the hand rests its space turns with the head, about the fingertip, so that nothing moves;
+## from where it sets out until it rests again the head may look about.
+func _follow_player(tip: Vector3, time_s: float) -> void:
+	var is_first := not _rest_place.is_finite()
+	if is_first or tip.distance_to(_rest_place) > REST_M:
+		_rest_place = tip
+		_rests_since_s = time_s
+	if is_first or time_s - _rests_since_s > REST_S:
+		var turned := _head_turned()
+		if is_finite(turned):
+			var to_body := Basis(Vector3.UP, -turned)
+			_to_body = Transform3D(to_body, _to_body * tip - to_body * tip)
+
+
+## About the vertical, from the origin's -z; NAN where that is not known.
+func _head_turned() -> float:
+	var head := XRServer.get_tracker(&"head") as XRPositionalTracker
+	var pose := head.get_pose(&"default") if head != null else null
+	if pose == null or not pose.has_tracking_data:
+		return NAN
+	var angles := pose.get_adjusted_transform().basis.get_euler()
+	return angles.y if absf(angles.x) < STEEPEST else NAN
 
 
 ## Null where there is none yet.

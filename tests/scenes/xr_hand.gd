@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## The example's script of a hand that XRServer tracks, by a tracker that is made up.
 
 const Example := preload("res://examples/xr_hand.gd")
+const Rig := preload("support/rig.gd")
 
 const RIGHT := &"/user/hand_tracker/right"
 const INDEX := HandTracker.JOINT_INDEX
@@ -48,6 +49,58 @@ func test_the_scale_of_the_world_is_the_world_s_only() -> void:
 	_remove(hand, tracker)
 
 
+func test_a_player_who_turns_in_the_room_takes_the_space_along() -> void:
+	var hand := _add_hand()
+	var head := _add_head()
+	var tracker := _add_tracker()
+	tracker.in_world = false
+	for turned: float in [0.0, 0.5 * PI, -0.75 * PI]:
+		_turn(head, turned)
+		var start := Vector3(0.1, 0.2, -0.3).rotated(Vector3.UP, turned)
+		await _move(hand, start, start, 0.4)
+		var from := tracker.get_joint_position(INDEX)
+		for step in range(1, 8):
+			# The head looks after the hand, which rests in none of the frames, however long they are.
+			_turn(head, turned - 0.15 * (step - 1))
+			var place := start + step * Vector3(0.03, 0.0, -0.01).rotated(Vector3.UP, turned)
+			hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), place))
+			await _frames(1)
+		await _frames(1)
+		var way := tracker.get_joint_position(INDEX) - from
+		check(way.distance_to(Vector3(0.21, 0.0, -0.07)) < 1e-3, "%s rad: %s" % [turned, way])
+	tracker.turns_with_player = false
+	await _frames(2)
+	var seen := hand.get_hand_joint_transform(INDEX_TIP).origin
+	check(tracker.get_joint_position(INDEX).is_equal_approx(seen), "the origin's space")
+	XRServer.remove_tracker(head)
+	_remove(hand, tracker)
+
+
+func test_the_tap_of_a_player_who_has_turned_is_one() -> void:
+	var hand := _add_hand()
+	var head := _add_head()
+	var tracker := _add_tracker()
+	tracker.in_world = false
+	var hmm := GestureHMM.new()
+	var gestures: Array[String] = ["horizontal_drag", "tap", "vertical_drag"]
+	for gesture in gestures:
+		hmm.models = hmm.models + [load(Rig.MODEL % gesture) as GestureModel]
+	hmm.tracker = tracker
+	root.add_child(hmm)
+	var start := Vector3(0.1, 1.2, -0.3)
+	await _move(hand, start, start, 0.3)
+	# A quarter to the left: ahead is where the left was.
+	_turn(head, 0.5 * PI)
+	start = start.rotated(Vector3.UP, 0.5 * PI)
+	await _move(hand, start, start, 1.0)
+	await _move(hand, start, start + Vector3(-0.15, 0.0, 0.0), 0.7)
+	await _move(hand, start + Vector3(-0.15, 0.0, 0.0), start + Vector3(-0.15, 0.0, 0.0), 0.8)
+	check_equal(hmm.recognised, &"tap", "it goes ahead")
+	hmm.free()
+	XRServer.remove_tracker(head)
+	_remove(hand, tracker)
+
+
 func test_a_hand_goes_along_in_the_frame_in_which_the_player_is_moved() -> void:
 	var hand := _add_hand()
 	var tracker := _add_tracker()
@@ -79,6 +132,34 @@ func test_a_tracker_that_is_no_hands_is_told_of_once() -> void:
 func _frames(count: int) -> void:
 	for frame in count:
 		await process_frame
+
+
+## As smoothly as a hand does, at the pace of the clock.
+func _move(hand: XRHandTracker, from: Vector3, to: Vector3, duration_s: float) -> void:
+	var began_us := Time.get_ticks_usec()
+	var passed := 0.0
+	while passed < 1.0:
+		passed = minf(1e-6 * (Time.get_ticks_usec() - began_us) / duration_s, 1.0)
+		var part := passed ** 3 * (10.0 + passed * (6.0 * passed - 15.0))
+		hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), from.lerp(to, part)))
+		await process_frame
+	await process_frame
+
+
+func _turn(head: XRPositionalTracker, turned: float) -> void:
+	var looks_down := Basis(Vector3.UP, turned) * Basis(Vector3.RIGHT, -0.5)
+	var place := Transform3D(looks_down, Vector3(0.0, 1.6, 0.0))
+	const SURE := XRPose.XR_TRACKING_CONFIDENCE_HIGH
+	head.set_pose(&"default", place, Vector3.ZERO, Vector3.ZERO, SURE)
+
+
+func _add_head() -> XRPositionalTracker:
+	var head := XRPositionalTracker.new()
+	head.name = &"head"
+	head.type = XRServer.TRACKER_HEAD
+	XRServer.add_tracker(head)
+	_turn(head, 0.0)
+	return head
 
 
 func _add_hand() -> XRHandTracker:
