@@ -1,7 +1,8 @@
 extends HandTracker
 ## The script of a HandTracker whose frames are a hand's that XRServer tracks, over OpenXR for one.
 ## To be copied into a project. OpenXR runtimes foretell where the hand will be: set the
-## `sensor_latency` of the GestureHMM to 0.
+## `sensor_latency` of the GestureHMM to 0. Where a game moves the player in _process(), put the
+## node after the XROrigin3D in the tree: before it the hand is where the player was a frame ago.
 
 ## Joints that gestures are made of, and what Godot calls them.
 const JOINTS: Dictionary[int, int] = {
@@ -34,9 +35,6 @@ var _rests_since_s := 0.0
 
 func _init() -> void:
 	source = SOURCE_SCRIPT
-	# After whatever moves the player in its _process(). What shows the motion in the same frame of
-	# the game has a higher one.
-	process_priority = 1
 
 
 func _process(_delta: float) -> void:

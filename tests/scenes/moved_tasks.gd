@@ -65,28 +65,6 @@ func test_what_is_set_of_a_task_counts_at_once() -> void:
 		_free(hmm, panel)
 
 
-func test_a_task_that_moves_costs_what_it_costs_alone() -> void:
-	var few_us := _notification_us(25)
-	var many_us := _notification_us(100)
-	check(many_us < 12.0 * few_us, "100 tasks %.0f us, 25 tasks %.0f us" % [many_us, few_us])
-
-
-## What it takes that `count` tasks tell of a tremble, at best.
-func _notification_us(count: int) -> float:
-	var panel := Node3D.new()
-	var hmm := _hmm(panel, count)
-	hmm.tracker.push_frame(0.0, {})
-	var least_us := INF
-	for time in 30:
-		panel.position.x = 1e-4 * (time % 2)
-		var began_us := Time.get_ticks_usec()
-		for task in hmm.tasks:
-			task.force_update_transform()
-		least_us = minf(least_us, Time.get_ticks_usec() - began_us)
-	_free(hmm, panel)
-	return least_us
-
-
 ## `duration_s` of a tap at `task` and of the rest before it; the first `done_s` of that are over.
 func _push_tap(
 	hmm: GestureHMM, task: GestureTask, from_s: float, duration_s: float, done_s: float = 0.0

@@ -9,14 +9,6 @@ const INDEX := HandTracker.JOINT_INDEX
 const INDEX_TIP := XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP
 
 
-## A player whom a script moves, after the tracker in the tree.
-class Mover:
-	extends XROrigin3D
-
-	func _process(_delta: float) -> void:
-		position.x += 0.02
-
-
 func test_frames_are_in_the_world_or_in_a_space_that_the_game_moves() -> void:
 	var hand := _add_hand()
 	XRServer.world_origin = Transform3D(Basis(), Vector3(0.0, 1.0, 0.0))
@@ -98,23 +90,6 @@ func test_the_tap_of_a_player_who_has_turned_is_one() -> void:
 	check_equal(hmm.recognised, &"tap", "it goes ahead")
 	hmm.free()
 	XRServer.remove_tracker(head)
-	_remove(hand, tracker)
-
-
-func test_a_hand_goes_along_in_the_frame_in_which_the_player_is_moved() -> void:
-	var hand := _add_hand()
-	var tracker := _add_tracker()
-	var origin := Mover.new()
-	root.add_child(origin)
-	origin.current = true
-	var behind: Array[float] = []
-	await _frames(2)
-	for frame in 4:
-		await process_frame
-		var shown := origin.global_transform * Vector3(0.1, 0.2, -0.3)
-		behind.append(shown.distance_to(tracker.get_joint_position(INDEX)))
-	check(behind.max() < 1e-5, "where it is shown: %s" % [behind])
-	origin.free()
 	_remove(hand, tracker)
 
 
