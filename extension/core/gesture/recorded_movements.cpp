@@ -8,6 +8,7 @@
 #include <cmath>
 
 namespace steadyhand {
+
 RecordedCurve recorded_motion(
 		const Feature &feature, const TrainingRecording &recording, const Track &track) {
 	RecordedCurve curve;

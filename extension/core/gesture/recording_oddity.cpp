@@ -1,7 +1,7 @@
 #include "gesture/recording_oddity.h"
 
+#include "gesture/gesture_model.h"
 #include "gesture/recorded_movements.h"
-#include "gesture/symbol_clock.h"
 
 #include <algorithm>
 #include <array>

@@ -45,7 +45,11 @@ constexpr double ELSEWHERE = 0.7;
 constexpr double ELSEWHERE_S = 3.0;
 /// The same off a way that is not straight, of which strokes say nothing: a circle is made by hands that keep
 /// to about its place, twice as wide as it is or not.
-constexpr double OFF_WAY = 0.3;
+constexpr double OFF_CIRCLE = 0.3;
+/// Seen so far off a straight way, amplitudes, a hand has gone elsewhere once it stays there for so long, and
+/// ends nothing meanwhile: a game may move the player, a tracker may show another place.
+constexpr double OFF_STRAIGHT = 1.0;
+constexpr double GONE_S = 1.0;
 /// From where a gesture begins that may begin anywhere.
 constexpr double ANYWHERE_M = 0.1;
 /// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
@@ -67,7 +71,11 @@ std::optional<double> TaskFollower::see(
 	}
 	found_s_ = frame.t_s - seen_s_ > SEEN_S ? frame.t_s : found_s_;
 	seen_s_ = frame.t_s;
-	off_start_m_ = feature().off_way_m != nullptr ? feature().off_way_m(frame, task()) : off_start_m_;
+	if (!is_straight()) {
+		off_start_m_ = off_way_m_ = feature().off_way_m(frame, task());
+	}
+	const double about = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
+	on_way_s_ = off_way_m_ < about * task().amplitude_m ? frame.t_s : on_way_s_;
 	follow_near(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
@@ -83,7 +91,6 @@ std::optional<double> TaskFollower::see(
 
 /// The estimator costs most of what a task does, and of many in a scene the hand is near few.
 void TaskFollower::follow_near(double t_s) {
-	near_s_ = is_near() ? t_s : near_s_;
 	if (is_near() || stage() != Stage::RESTING) {
 		attend(t_s);
 	}
@@ -91,15 +98,15 @@ void TaskFollower::follow_near(double t_s) {
 }
 
 bool TaskFollower::is_near() const {
-	return off_start_m_ < (feature().off_way_m != nullptr ? OFF_WAY : ELSEWHERE) * task().amplitude_m;
+	return off_start_m_ < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
 }
 
-double TaskFollower::off_way_s() const {
-	return feature().off_way_m != nullptr ? seen_s_ - near_s_ : 0.0;
+bool TaskFollower::has_gone_elsewhere() const {
+	return is_straight() ? mode() == MotionMode::PHASE && off_way_s() > GONE_S : off_way_s() > DOUBT_S;
 }
 
 double TaskFollower::off_start_m() const {
-	const bool is_anywhere = feature().off_way_m != nullptr || feature().is_radius;
+	const bool is_anywhere = !is_straight() || feature().is_radius;
 	return is_anywhere ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
 }
 
@@ -116,7 +123,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && off_way_s() <= 0.0 && has_begun(t_s, strokes)) {
+			} else if (!is_rejected_ && (is_straight() || off_way_s() <= 0.0) && has_begun(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = stays_since_s_ = likely_s_ = off_start_s_ = t_s;
@@ -126,7 +133,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			}
 			break;
 		case Stage::MOVING:
-			if (off_way_s() > DOUBT_S) {
+			if (has_gone_elsewhere()) {
 				is_rejected_ = true;
 				come_to_rest(t_s);
 			} else if (was_nothing(t_s)) {
@@ -221,9 +228,11 @@ bool TaskFollower::ends_short(double t_s) {
 }
 
 void TaskFollower::come_to_end(double t_s) {
-	if (mode() == MotionMode::PAPER || strokes_.best_log_odds() >= 0.0) {
+	const bool is_paper = mode() == MotionMode::PAPER;
+	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
+	if (counts && (is_paper || off_way_s() <= 0.0)) {
 		arrive(t_s);
-	} else if (t_s - at_end_since_s_ > DOUBT_S) {
+	} else if (!counts && t_s - at_end_since_s_ > DOUBT_S) {
 		is_rejected_ = true;
 		come_to_rest(t_s);
 	}

@@ -16,7 +16,10 @@ public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
 	void attend(double t_s) override { attended_s_ = t_s; }
-	void locate(const FeaturePlace &place_m) override { off_start_m_ = strokes_.off_start_m(place_m); }
+	void locate(const FeaturePlace &place_m) override {
+		off_start_m_ = strokes_.off_start_m(place_m);
+		off_way_m_ = strokes_.off_way_m(place_m);
+	}
 	[[nodiscard]] double off_start_m() const override;
 	void pass_over_before(double t_s) override { strokes_.pass_over_before(t_s); }
 	void give_way(double t_s) override;
@@ -27,7 +30,8 @@ private:
 	TaskStrokes strokes_;
 	RestWander wander_;             ///< of what is measured before the gesture
 	double off_start_m_ = INFINITY; ///< off its way, where that is not straight
-	double near_s_ = -INFINITY;     ///< when it was last near
+	double off_way_m_ = INFINITY;
+	double on_way_s_ = -INFINITY;   ///< when the hand was last seen about the way
 	double attended_s_ = -INFINITY; ///< when there was last a reason to follow the hand
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
@@ -42,10 +46,12 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	void follow_near(double t_s);
+	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
 	/// So that the gesture may begin.
 	[[nodiscard]] bool is_near() const;
-	/// For how long the hand has been seen off a way that is not straight.
-	[[nodiscard]] double off_way_s() const;
+	/// For how long the hand has been seen elsewhere than about the way.
+	[[nodiscard]] double off_way_s() const { return seen_s_ - on_way_s_; }
+	[[nodiscard]] bool has_gone_elsewhere() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;

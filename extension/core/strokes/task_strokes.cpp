@@ -40,6 +40,12 @@ double TaskStrokes::off_start_m(const FeaturePlace &place_m) const {
 	return way_(3) != 0.0 ? std::abs(off_m.dot(way_)) : off_m.norm(); // a radius has no place
 }
 
+double TaskStrokes::off_way_m(const FeaturePlace &place_m) const {
+	const FeaturePlace off_m = place_m - start_;
+	const double along_m = std::clamp(off_m.dot(way_), 0.0, amplitude_m_);
+	return way_(3) != 0.0 ? 0.0 : (off_m - along_m * way_).norm();
+}
+
 bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(
 			counted(strokes), [this](const Stroke &stroke) { return log_odds(stroke) > 0.0; });

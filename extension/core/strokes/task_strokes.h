@@ -27,6 +27,9 @@ public:
 	/// How far a hand is from where the gesture begins, m; of a feature that has places.
 	[[nodiscard]] double off_start_m(const FeaturePlace &place_m) const;
 
+	/// How far it is from the way of the gesture, m; a radius may grow anywhere.
+	[[nodiscard]] double off_way_m(const FeaturePlace &place_m) const;
+
 	/// One of them is likelier the gesture, so far, than none.
 	[[nodiscard]] bool go_the_way(const StrokeFinder &strokes) const;
 
