@@ -22,6 +22,9 @@ constexpr double SEEN_ON_WAY = 0.25; ///< and from here on where it is seen to g
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
+/// The next gesture is no stroke that began so long before the hand was back: one that turns round at once
+/// does so sooner, and a tracker that errs may show it late.
+constexpr double TURNS_S = 0.3;
 /// A movement that is at its start after so many times its mean first state was none.
 constexpr double ABORT_AFTER = 3.0;
 /// At its end a stroke may still turn out to have been the gesture; and a tracker may show another place.
@@ -147,6 +150,8 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 		case Stage::ARRIVED:
 			if (is_back(t_s)) {
 				come_to_rest(t_s);
+			} else {
+				beyond_s_ = t_s;
 			}
 			break;
 	}
@@ -186,6 +191,7 @@ bool TaskFollower::was_nothing(double t_s) {
 	}
 	const PhaseEstimate now = estimate(t_s);
 	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
+	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
@@ -240,6 +246,7 @@ void TaskFollower::come_to_end(double t_s) {
 
 void TaskFollower::come_to_rest(double t_s) {
 	rest(t_s);
+	strokes_.pass_over_before(beyond_s_ - TURNS_S);
 	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);

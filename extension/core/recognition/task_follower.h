@@ -36,12 +36,13 @@ private:
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
-	double stays_since_s_ = 0.0; ///< short of the end
-	double off_start_s_ = 0.0;   ///< when it was last not at the start, once it had left that
-	double stays_at_ = 0.0;      ///< amplitudes
-	double furthest_ = 0.0;      ///< of a gesture under way, amplitudes
-	double seen_s_ = INFINITY;   ///< of the newest frame that held what the feature needs; before one, never
-	double found_s_ = -INFINITY; ///< when the hand was last seen again
+	double stays_since_s_ = 0.0;  ///< short of the end
+	double off_start_s_ = 0.0;    ///< when it was last not at the start, once it had left that
+	double stays_at_ = 0.0;       ///< amplitudes
+	double furthest_ = 0.0;       ///< of a gesture under way, amplitudes
+	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
+	double seen_s_ = INFINITY;    ///< of the newest frame that held what the feature needs; before one, never
+	double found_s_ = -INFINITY;  ///< when the hand was last seen again
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;

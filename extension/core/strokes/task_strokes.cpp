@@ -24,14 +24,10 @@ TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m
 }
 
 void TaskStrokes::look(const StrokeFinder &strokes) {
-	const double least_m = SMALLEST_MOVE * amplitude_m_;
 	has_set_out_ = unseen_.has_set_out;
-	for (const Stroke &stroke : counted(strokes)) { // each holds the one before it
+	for (const Stroke &stroke : counted(strokes)) {
 		const double gone_m = (stroke.to - stroke.from).dot(way_);
-		if (gone_m < -least_m) {
-			return; // it comes back: what it did before is over
-		}
-		has_set_out_ = has_set_out_ || (gone_m > least_m && may_begin(stroke));
+		has_set_out_ = has_set_out_ || (gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
 	}
 }
 
