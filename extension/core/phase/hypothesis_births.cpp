@@ -18,7 +18,7 @@ constexpr double ONSETS_PER_S = 2.8; ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02; ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0; ///< how soon one that has made the gesture leaves its end
 constexpr double STANDS_PER_S = 2.0; ///< how soon a hand stands
-constexpr double STANDS_FROM = 0.08; ///< where one has stayed for STAYS_S, else from NEAR_START on
+constexpr double STANDS_FROM = 0.08; ///< to either side where one stays for STAYS_S, else from NEAR_START on
 constexpr double STAYS_S = 0.3;
 constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be about to come to the end,
 constexpr double STANDS_BEYOND = 1.1; ///< and one so much further is not, where any length may come
@@ -199,7 +199,8 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 
 void HypothesisBirths::stand(
 		HypothesisBank &r_bank, double t_s, double x, double per_s, double stays_s) const {
-	const bool is_half_way = x >= (stays_s > STAYS_S ? STANDS_FROM : NEAR_START) && x <= STANDS_TO;
+	const bool is_about_start = std::abs(x) >= STANDS_FROM && std::abs(x) < NEAR_START && stays_s > STAYS_S;
+	const bool is_half_way = is_about_start || (x >= NEAR_START && x <= STANDS_TO);
 	const bool may_stand = is_half_way || (knows_end_ ? std::abs(x - 1.0) < AT_END : x >= STANDS_BEYOND);
 	if (!may_stand || std::abs(per_s) > SLOW_PER_S) {
 		return;
