@@ -57,6 +57,8 @@ constexpr double GONE_S = 1.0;
 constexpr double ANYWHERE_M = 0.1;
 /// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
 constexpr double SEEN_S = 0.1;
+/// A hand of which nothing new is seen for so long may be elsewhere by now.
+constexpr double MISSING_S = 0.05;
 
 } // namespace
 
@@ -170,7 +172,7 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
-	return now.value > (now.moving > BEGUN ? onset : HALF_WAY) ||
+	return now.value > (now.moving > BEGUN && strokes_.heads_along() ? onset : HALF_WAY) ||
 			(now.value > SEEN_ON_WAY && strokes_.go_the_way(strokes));
 }
 
@@ -199,11 +201,13 @@ bool TaskFollower::was_nothing(double t_s) {
 	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
-/// What goes on unseen is a guess after a while, unless little of it was left.
+/// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
+/// that is seen in the first half of the way is none of its doing yet.
 bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
-	const double news_s = feature().place != nullptr ? strokes.news_s() : seen_s_;
-	const bool is_followed = t_s - news_s < ABSENCES_S.front() && !is_just_found(t_s);
-	return mode() == MotionMode::PAPER || value() > SHORT_END || is_followed;
+	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : seen_s_);
+	const bool may_be_there = value() > HALF_WAY || unseen_s > MISSING_S;
+	const bool is_followed = unseen_s < ABSENCES_S.front() && !is_just_found(t_s);
+	return mode() == MotionMode::PAPER || value() > SHORT_END || (is_followed && may_be_there);
 }
 
 bool TaskFollower::is_just_found(double t_s) const {
@@ -245,8 +249,11 @@ void TaskFollower::come_to_end(double t_s) {
 }
 
 void TaskFollower::come_to_rest(double t_s) {
+	const bool had_left = stage() == Stage::ARRIVED || furthest_ > SEEN_ON_WAY;
 	rest(t_s);
-	strokes_.pass_over_before(beyond_s_ - TURNS_S);
+	if (had_left) {
+		strokes_.pass_over_before(beyond_s_ - TURNS_S);
+	}
 	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);

@@ -8,6 +8,7 @@ namespace steadyhand {
 namespace {
 
 constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside the start has not begun
+constexpr double ALONG = 0.64;         ///< cosine of 50 degrees
 /// Shorter strokes (in amplitudes) do not say where they go.
 constexpr double LONG_ENOUGH = 0.5;
 
@@ -24,10 +25,12 @@ TaskStrokes::TaskStrokes(const Feature &feature, const Task &task) : amplitude_m
 }
 
 void TaskStrokes::look(const StrokeFinder &strokes) {
-	has_set_out_ = unseen_.has_set_out;
+	has_set_out_ = heads_along_ = unseen_.has_set_out;
 	for (const Stroke &stroke : counted(strokes)) {
 		const double gone_m = (stroke.to - stroke.from).dot(way_);
-		has_set_out_ = has_set_out_ || (gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke));
+		const bool sets_out = gone_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke);
+		has_set_out_ = has_set_out_ || sets_out;
+		heads_along_ = heads_along_ || (sets_out && gone_m > ALONG * (stroke.to - stroke.from).norm());
 	}
 }
 

@@ -24,6 +24,8 @@ public:
 	/// Whether the hand goes, or went, along the task's way, from no further off than its start may be.
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
+	/// And rather along than across it, within 50 degrees.
+	[[nodiscard]] bool heads_along() const { return heads_along_; }
 
 	/// How far a hand is from where the gesture begins, m; of a feature that has places.
 	[[nodiscard]] double off_start_m(const FeaturePlace &place_m) const;
@@ -57,7 +59,7 @@ private:
 	double not_before_s_ = -INFINITY;
 	FeaturePlace start_ = FeaturePlace::Zero();
 	FeaturePlace way_ = FeaturePlace::Zero(); ///< unit vector of the motion element's growth
-	bool has_set_out_ = false;
+	bool has_set_out_ = false, heads_along_ = false;
 	double best_of_one_ = 0.0;
 	double of_all_ = 0.0;
 	std::optional<Stroke> before_last_; ///< as one
