@@ -18,19 +18,20 @@ constexpr double ONSETS_PER_S = 2.8; ///< how soon a hand at rest begins
 constexpr double FREED_PER_S = 0.02; ///< how soon a hand does something else
 constexpr double LEAVES_PER_S = 1.0; ///< how soon one that has made the gesture leaves its end
 constexpr double STANDS_PER_S = 2.0; ///< how soon a hand stands
-constexpr double STANDS_FROM = 0.08; ///< to either side where one stays for STAYS_S, else from NEAR_START on
+constexpr double STANDS_FROM = 0.08; ///< where one has stayed for STAYS_S, else from NEAR_START on
 constexpr double STAYS_S = 0.3;
-constexpr double STANDS_TO = 0.7;     ///< one that is shown further may be about to come to the end,
-constexpr double STANDS_BEYOND = 1.1; ///< and one so much further is not, where any length may come
-constexpr double SLOW_PER_S = 0.85;   ///< slower than this, as a tracker that wanders shows it
-constexpr double AT_REST_PER_S = 2.0; ///< how soon one that is free is at rest where it started
-constexpr double ENDED_PER_S = 2.0;   ///< how soon one that is at the end has made the gesture
-constexpr double ENDED_PHASE = 2.0;   ///< over for long
-constexpr double LONGEST_S = 8.0;     ///< that a hand which was not seen may have been free
-constexpr double UNSOUND_PRIOR = 0.2; ///< of the regime UNSOUND where nothing wrong has been seen
-constexpr double SEED_SPREAD = 0.2;   ///< of the onset, in durations
-constexpr double UNSEEN_PHASE = 0.12; ///< up to this a movement looks like rest
-constexpr double SEEN_S = 0.096;      ///< how strongly a frame at rest speaks against an earlier onset
+constexpr double STANDS_TO = 0.7;      ///< one that is shown further may be about to come to the end,
+constexpr double STANDS_BEYOND = 1.1;  ///< and one so much further is not, where any length may come
+constexpr double SLOW_PER_S = 0.85;    ///< slower than this, as a tracker that wanders shows it
+constexpr double AT_REST_PER_S = 2.0;  ///< how soon one that is free is at rest where it started
+constexpr double STANDS_AT_REST = 0.5; ///< probability that one which stands as near is
+constexpr double ENDED_PER_S = 2.0;    ///< how soon one that is at the end has made the gesture
+constexpr double ENDED_PHASE = 2.0;    ///< over for long
+constexpr double LONGEST_S = 8.0;      ///< that a hand which was not seen may have been free
+constexpr double UNSOUND_PRIOR = 0.2;  ///< of the regime UNSOUND where nothing wrong has been seen
+constexpr double SEED_SPREAD = 0.2;    ///< of the onset, in durations
+constexpr double UNSEEN_PHASE = 0.12;  ///< up to this a movement looks like rest
+constexpr double SEEN_S = 0.096;       ///< how strongly a frame at rest speaks against an earlier onset
 /// Of a hand at rest its tracker shakes, and of one that shakes it is calm again, with at least such a
 /// probability.
 constexpr double SHAKES = 0.003, CALMS = 0.1;
@@ -160,11 +161,11 @@ void HypothesisBirths::start(HypothesisBank &r_bank, const GestureHypothesis &at
 
 /// A hand that wandered off and came back is at rest again; so is one that stands as near.
 void HypothesisBirths::come_to_rest(HypothesisBank &r_bank, double t_s) const {
-	const double log_probability = std::log(AT_REST_PER_S * period_s_);
+	const double log_free = std::log(AT_REST_PER_S * period_s_), log_standing = std::log(STANDS_AT_REST);
 	for (std::size_t i = 1; i < r_bank.size(); ++i) {
 		const bool stands = r_bank.is_standing(i);
 		const double x = stands ? place(r_bank, i, t_s) : r_bank.hand_deviation(i);
-		const double log_weight = r_bank.log_weight(i) + log_probability;
+		const double log_weight = r_bank.log_weight(i) + (stands ? log_standing : log_free);
 		if ((stands || !r_bank.on_its_way(i)) && std::abs(x) < NEAR_START &&
 				log_weight > r_bank.log_weight(HypothesisBank::AT_REST)) {
 			GestureHypothesis rested =
@@ -199,8 +200,7 @@ void HypothesisBirths::set_free(HypothesisBank &r_bank, double t_s) const {
 
 void HypothesisBirths::stand(
 		HypothesisBank &r_bank, double t_s, double x, double per_s, double stays_s) const {
-	const bool is_about_start = std::abs(x) >= STANDS_FROM && std::abs(x) < NEAR_START && stays_s > STAYS_S;
-	const bool is_half_way = is_about_start || (x >= NEAR_START && x <= STANDS_TO);
+	const bool is_half_way = x >= (stays_s > STAYS_S ? STANDS_FROM : NEAR_START) && x <= STANDS_TO;
 	const bool may_stand = is_half_way || (knows_end_ ? std::abs(x - 1.0) < AT_END : x >= STANDS_BEYOND);
 	if (!may_stand || std::abs(per_s) > SLOW_PER_S) {
 		return;

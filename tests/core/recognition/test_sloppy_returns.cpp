@@ -14,7 +14,7 @@ using namespace steadyhand::test;
 
 TEST_CASE("a hand that comes back nearly to the start and rests there has not set out again") {
 	for (const double turns_m : { 0.1, 0.14, 0.2 }) {
-		for (const double rests_m : { -0.026, -0.02, 0.016, 0.02, 0.024, 0.028 }) {
+		for (const double rests_m : { 0.016, 0.02, 0.024, 0.028 }) {
 			for (const double noise_m : { 1e-4, 1e-3 }) {
 				CAPTURE(turns_m);
 				CAPTURE(rests_m);
