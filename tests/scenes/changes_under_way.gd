@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## What scripts change while a gesture is under way: what it does not concern goes on to the last
 ## bit, what ends it is told, and a stream begun anew is followed from its first frame on.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const FRAME_S := 0.01037
@@ -96,7 +97,7 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 			runs[0] += 1
 			tracker.start()
 		hmm.gesture_ended.connect(start_anew)
-		_listen(second if with_second else hmm)
+		PushedHand.listen(second if with_second else hmm, _said)
 		for run in 4:
 			if run == 0:
 				tracker.start()
@@ -139,7 +140,7 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 	check(FileAccess.file_exists(path % "horizontal_drag"), "there is a model")
 	for seed_of_hand in 40:
 		var hmm := _hmm(["horizontal_drag"], [])
-		_listen(hmm)
+		PushedHand.listen(hmm, _said)
 		hmm.tracker.start()
 		var random := RandomNumberGenerator.new()
 		random.seed = seed_of_hand
@@ -154,8 +155,7 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 				from_s = time_s
 				take_s = random.randf_range(0.25, 1.0)
 				to = Vector3(random.randf_range(-0.3, 0.3), 0.0, 0.0)
-			var p := minf((time_s - from_s) / (0.7 * take_s), 1.0)
-			var tip := at.lerp(to, p * p * p * (10.0 + p * (6.0 * p - 15.0)))
+			var tip := at.lerp(to, PushedHand.share((time_s - from_s) / (0.7 * take_s)))
 			for time in 2:
 				hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
 		var is_under_way := false
@@ -181,7 +181,7 @@ func test_all_of_an_instant_is_told_whatever_its_handlers_set() -> void:
 				tracker.synthetic_subject = subject
 				tracker.synthetic_seed = subject
 				tracker.start()
-				_listen(hmm)
+				PushedHand.listen(hmm, _said)
 				var states: Array[int] = [-1]
 				hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 				var set_again := func() -> void:
@@ -253,7 +253,7 @@ func test_who_hears_of_progress_may_let_go_of_the_trainer() -> void:
 ## value at each instant.
 func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFloat64Array:
 	var values := PackedFloat64Array()
-	_listen(hmm)
+	PushedHand.listen(hmm, _said)
 	hmm.motion_updated.connect(func(_time_s: float) -> void: values.append(hmm.value))
 	var tracker := hmm.tracker
 	tracker.start()
@@ -268,19 +268,9 @@ func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFlo
 	return values
 
 
-func _listen(hmm: GestureHMM) -> void:
-	_said.clear()
-	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
-	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
-	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
-	)
-
-
 func _hand(time_s: float) -> Dictionary:
-	var p := clampf((time_s - ONSET_S) / DURATION_S, 0.0, 1.0)
-	var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
-	return {HandTracker.JOINT_INDEX: END * p * p * p * (10.0 + p * (6.0 * p - 15.0)) + tremor}
+	var tip := END * PushedHand.share((time_s - ONSET_S) / DURATION_S)
+	return {HandTracker.JOINT_INDEX: tip + PushedHand.tremor(time_s)}
 
 
 func _task(gesture: StringName, start: Vector3 = Vector3.ZERO) -> GestureTask:

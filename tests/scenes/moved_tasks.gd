@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## Tasks that are moved and changed, alone and all together, as the keys of a panel that follows the
 ## player are.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const FRAME_S := 1.0 / 90.0
@@ -71,10 +72,8 @@ func _push_tap(
 ) -> void:
 	for frame in int(duration_s / FRAME_S):
 		var time_s := frame * FRAME_S
-		var p := clampf((time_s + done_s - 1.0) / 0.7, 0.0, 1.0)
-		var way := task.amplitude * p * p * p * (10.0 + p * (6.0 * p - 15.0))
-		var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
-		var tip := task.get_start() + way * task.get_axis() + tremor
+		var way := task.amplitude * PushedHand.share((time_s + done_s - 1.0) / 0.7)
+		var tip := task.get_start() + way * task.get_axis() + PushedHand.tremor(time_s)
 		hmm.tracker.push_frame(from_s + time_s, {HandTracker.JOINT_INDEX: tip})
 
 
@@ -96,12 +95,7 @@ func _hmm(panel: Node3D, count: int) -> GestureHMM:
 		panel.add_child(task)
 		tasks.append(task)
 	hmm.tasks = tasks
-	_said.clear()
-	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
-	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
-	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
-	)
+	PushedHand.listen(hmm, _said)
 	return hmm
 
 

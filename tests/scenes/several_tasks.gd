@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## A scene that expects several gestures, each at a place of its own, by one GestureHMM.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const FRAME_S := 1.0 / 110.0
@@ -336,8 +337,7 @@ func _play(hmm: GestureHMM, places: Array[Vector3]) -> Array[String]:
 		var at := (time_s - REST_S) / (REST_S + MOVE_S)
 		var from := clampi(floori(at), 0, places.size() - 1)
 		var to := mini(from + 1, places.size() - 1)
-		var p := clampf((at - from) * (REST_S + MOVE_S) / MOVE_S, 0.0, 1.0)
-		var share := p * p * p * (10.0 + p * (6.0 * p - 15.0))
+		var share := PushedHand.share((at - from) * (REST_S + MOVE_S) / MOVE_S)
 		var tip := places[from].lerp(places[to], share)
 		hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
 		time_s += FRAME_S

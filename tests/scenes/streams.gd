@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## A script's stream of frames: where it ends, where it cannot be taken, where it does not come.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const FRAME_S := 1.0 / 90.0
@@ -160,10 +161,8 @@ func _push_drag(tracker: HandTracker, until_s: float) -> void:
 
 
 func _hand(time_s: float) -> Dictionary:
-	var p := clampf((time_s - ONSET_S) / DURATION_S, 0.0, 1.0)
-	var tremor := 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
-	var way := 0.2 * p * p * p * (10.0 + p * (6.0 * p - 15.0))
-	return {HandTracker.JOINT_INDEX: Vector3(way, 0.0, 0.0) + tremor}
+	var way := 0.2 * PushedHand.share((time_s - ONSET_S) / DURATION_S)
+	return {HandTracker.JOINT_INDEX: Vector3(way, 0.0, 0.0) + PushedHand.tremor(time_s)}
 
 
 ## Of a drag at the origin, with a tracker that runs; what it says is in _said.
@@ -177,12 +176,7 @@ func _hmm() -> GestureHMM:
 	hmm.tracker = tracker
 	for node: Node in [tracker, task, hmm]:
 		root.add_child(node)
-	_said.clear()
-	hmm.gesture_started.connect(func(_gesture: StringName) -> void: _said.append("started"))
-	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: _said.append("aborted"))
-	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float) -> void: _said.append("ended")
-	)
+	PushedHand.listen(hmm, _said)
 	return hmm
 
 

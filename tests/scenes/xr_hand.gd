@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## The example's script of a hand that XRServer tracks, by a tracker that is made up.
 
 const Example := preload("res://examples/xr_hand.gd")
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const RIGHT := &"/user/hand_tracker/right"
@@ -115,8 +116,8 @@ func _move(hand: XRHandTracker, from: Vector3, to: Vector3, duration_s: float) -
 	var passed := 0.0
 	while passed < 1.0:
 		passed = minf(1e-6 * (Time.get_ticks_usec() - began_us) / duration_s, 1.0)
-		var part := passed ** 3 * (10.0 + passed * (6.0 * passed - 15.0))
-		hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), from.lerp(to, part)))
+		var tip := from.lerp(to, PushedHand.share(passed))
+		hand.set_hand_joint_transform(INDEX_TIP, Transform3D(Basis(), tip))
 		await process_frame
 	await process_frame
 

@@ -34,13 +34,11 @@ struct Way {
 	[[nodiscard]] bool is_still() const { return !(highest > lowest); }
 };
 
-Way way_of(const Feature &feature, const TrainingRecording &recording, const Track &track, double from_s,
-		double to_s) {
+Way way_of(const RecordedCurve &curve, double amplitude_m, double from_s, double to_s) {
 	Way way;
-	const RecordedCurve curve = recorded_motion(feature, recording, track);
 	for (std::size_t i = 0; i < curve.t_s.size(); ++i) {
 		if (curve.t_s[i] >= from_s && curve.t_s[i] <= to_s) {
-			const double x = curve.x_m[i] / recording.task.amplitude_m;
+			const double x = curve.x_m[i] / amplitude_m;
 			way.highest = std::max(way.highest, x);
 			way.lowest = std::min(way.lowest, x);
 		}
@@ -63,12 +61,13 @@ double length_s(const Track &track) {
 	return track.frames.back().t_s - track.frames.front().t_s;
 }
 
-/// A hand may come back before the gesture's end.
-std::string reference_oddity(const Feature &feature, const TrainingRecording &recording) {
+/// reference: its recorded_motion(). A hand may come back before the gesture's end.
+std::string reference_oddity(
+		const Feature &feature, const TrainingRecording &recording, const RecordedCurve &reference) {
 	if (recording.reference.frames.empty()) {
 		return "its reference has no frames";
 	}
-	const Way way = way_of(feature, recording, recording.reference, -INFINITY, recording.end_s);
+	const Way way = way_of(reference, recording.task.amplitude_m, -INFINITY, recording.end_s);
 	if (!std::isfinite(way.highest)) {
 		return "its reference holds nothing of " + std::string(feature.name);
 	}
@@ -93,8 +92,8 @@ std::string measured_oddity(const Feature &feature, const TrainingRecording &rec
 		return text("its measured track begins at %.3f s, after the gesture's end at %.3f s",
 				seen.front().t_s, recording.end_s);
 	}
-	const Way way =
-			way_of(feature, recording, recording.measured, true_frames.front().t_s, true_frames.back().t_s);
+	const Way way = way_of(recorded_motion(feature, recording, recording.measured),
+			recording.task.amplitude_m, true_frames.front().t_s, true_frames.back().t_s);
 	if (way.is_still()) {
 		return "the hand is never seen to move by " + std::string(feature.name);
 	}
@@ -132,12 +131,17 @@ std::string span_fault(const TrainingRecording &recording) {
 } // namespace
 
 std::string oddity(const Feature &feature, const TrainingRecording &recording) {
-	if (std::string fault = reference_oddity(feature, recording); !fault.empty()) {
+	const RecordedCurve reference = recorded_motion(feature, recording, recording.reference);
+	if (std::string fault = reference_oddity(feature, recording, reference); !fault.empty()) {
 		return fault;
 	}
 	if (std::string fault = measured_oddity(feature, recording); !fault.empty()) {
 		return fault;
 	}
+	return early_end(recording);
+}
+
+std::string early_end(const TrainingRecording &recording) {
 	const double seen_to_s = recording.measured.frames.back().t_s;
 	return seen_to_s < recording.end_s - SHORT_S
 			? text("its measured track ends at %.3f s, before the gesture does, at %.3f s", seen_to_s,
@@ -149,12 +153,12 @@ std::string unusable(const Feature &feature, const TrainingRecording &recording)
 	if (std::string fault = span_fault(recording); !fault.empty()) {
 		return fault;
 	}
-	if (std::string fault = reference_oddity(feature, recording); !fault.empty()) {
+	const RecordedCurve reference = recorded_motion(feature, recording, recording.reference);
+	if (std::string fault = reference_oddity(feature, recording, reference); !fault.empty()) {
 		return fault;
 	}
-	const RecordedCurve curve = recorded_motion(feature, recording, recording.reference);
-	const double from = value_at(curve, recording.start_s) / recording.task.amplitude_m;
-	const double to = value_at(curve, recording.end_s) / recording.task.amplitude_m;
+	const double from = value_at(reference, recording.start_s) / recording.task.amplitude_m;
+	const double to = value_at(reference, recording.end_s) / recording.task.amplitude_m;
 	const bool goes_the_way =
 			std::abs(from) <= BESIDE_START && to - from >= LEAST_TRAVEL && to - from <= MOST_TRAVEL;
 	return goes_the_way

@@ -14,8 +14,10 @@ namespace steadyhand {
 
 /// Why nothing is to be learnt from a recording: an amplitude that is not above 0, a reference that does not
 /// hold the gesture, or does not go from the task's start to its end from start_s to end_s, a gesture of more
-/// than an hour, or what is odd about it otherwise, but for a measured track that ends early. Empty where
-/// there is no reason.
+/// than an hour, or what is odd about it otherwise, but for early_end(). Empty where there is no reason.
 [[nodiscard]] std::string unusable(const Feature &feature, const TrainingRecording &recording);
+
+/// All that may be odd about one that is not unusable(): its measured track ends before the gesture does.
+[[nodiscard]] std::string early_end(const TrainingRecording &recording);
 
 } // namespace steadyhand

@@ -108,14 +108,13 @@ std::vector<double> durations_of(const std::vector<Movement> &kept) {
 	return durations_s;
 }
 
-std::vector<NormalisedRecording> report(
-		const Feature &feature, RecordedMovements recorded, const ReferenceCurve &reference) {
+std::vector<NormalisedRecording> report(RecordedMovements recorded, const ReferenceCurve &reference) {
 	std::vector<NormalisedRecording> rows;
 	rows.reserve(recorded.movements.size() + recorded.left_out.size());
 	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
 		const TrainingRecording &recording = *recorded.movements[i].recording;
 		rows.push_back({ recording.name, std::move(recorded.curves[i]), reference.r2[i], reference.kept[i],
-				oddity(feature, recording) });
+				early_end(recording) });
 	}
 	for (LeftOut &left_out : recorded.left_out) {
 		rows.push_back({ left_out.recording->name, {}, 0.0, false, std::move(left_out.reason) });
@@ -213,7 +212,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		return stopped;
 	}
 	if (r_recordings != nullptr) {
-		*r_recordings = report(*feature, std::move(recorded).value(), reference);
+		*r_recordings = report(std::move(recorded).value(), reference);
 	}
 
 	const Observations observed = observe(*feature, kept, model.duration_mean_s);
