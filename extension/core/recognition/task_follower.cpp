@@ -29,18 +29,8 @@ constexpr double TURNS_S = 0.3;
 constexpr double ABORT_AFTER = 3.0;
 /// At its end a stroke may still turn out to have been the gesture; and a tracker may show another place.
 constexpr double DOUBT_S = 0.3;
-/// A hand that is seen to stay for so long, no nearer to the start than this, ended short of its task.
-constexpr double SHORT_END = 0.7;
-constexpr double STAYS_S = 0.4;
-constexpr double STAYS = 0.05;
-/// The same of one that is at the end, wherever the estimate has its phase: it may have hesitated on its way.
-constexpr double ENDED = 0.95;
-constexpr double ENDED_STAYS_S = 0.2;
-constexpr double ENDED_STAYS = 0.02;
-/// So did one that turns back from here, once it has come back that far.
-constexpr double TURNED_FROM = 0.8;
-constexpr double TURNED_BY = 0.1;
-/// Either has to be the task's way beyond doubt, log odds: hands that go about something else stop anywhere.
+/// What ends short of its task has to be the task's way beyond doubt, log odds: hands that go about something
+/// else stop anywhere.
 constexpr double BEYOND_DOUBT = 9.0;
 /// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
 /// that has been there for so long is left alone until it is nearer.
@@ -55,8 +45,6 @@ constexpr double OFF_STRAIGHT = 1.0;
 constexpr double GONE_S = 1.0;
 /// From where a gesture begins that may begin anywhere.
 constexpr double ANYWHERE_M = 0.1;
-/// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
-constexpr double SEEN_S = 0.1;
 /// A hand of which nothing new is seen for so long may be elsewhere by now.
 constexpr double MISSING_S = 0.05;
 
@@ -74,13 +62,11 @@ std::optional<double> TaskFollower::see(
 	if (!x_m || !std::isfinite(*x_m)) {
 		return std::nullopt;
 	}
-	found_s_ = frame.t_s - seen_s_ > SEEN_S ? frame.t_s : found_s_;
-	seen_s_ = frame.t_s;
 	if (!is_straight()) {
-		off_start_m_ = off_way_m_ = feature().off_way_m(frame, task());
+		off_way_m_ = feature().off_way_m(frame, task());
 	}
 	const double about = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
-	on_way_s_ = off_way_m_ < about * task().amplitude_m ? frame.t_s : on_way_s_;
+	hand_.see(frame.t_s, off_way_m_ < about * task().amplitude_m);
 	follow_near(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
@@ -103,20 +89,24 @@ void TaskFollower::follow_near(double t_s) {
 }
 
 bool TaskFollower::is_near() const {
-	return off_start_m_ < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
+	return is_straight() ? off_start_m_ < ELSEWHERE * task().amplitude_m
+						 : off_way_m_ < OFF_CIRCLE * task().amplitude_m;
 }
 
 bool TaskFollower::has_gone_elsewhere() const {
-	return is_straight() ? mode() == MotionMode::PHASE && off_way_s() > GONE_S : off_way_s() > DOUBT_S;
+	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_way_s() > GONE_S
+						 : hand_.off_way_s() > DOUBT_S;
 }
 
 double TaskFollower::off_start_m() const {
-	const bool is_anywhere = !is_straight() || feature().is_radius;
-	return is_anywhere ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
+	if (!is_straight()) {
+		return std::max(off_way_m_, ANYWHERE_M);
+	}
+	return feature().is_radius ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
-	if (!is_forgotten() && t_s - seen_s_ > ABSENCES_S.back()) {
+	if (!is_forgotten() && t_s - hand_.last_s() > ABSENCES_S.back()) {
 		is_rejected_ = false;
 		lose(t_s);
 	}
@@ -128,11 +118,12 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && (is_straight() || off_way_s() <= 0.0) && has_begun(t_s, strokes)) {
+			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) &&
+					has_begun(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
-				at_end_since_s_ = stays_since_s_ = likely_s_ = off_start_s_ = t_s;
-				furthest_ = 0.0;
+				at_end_since_s_ = likely_s_ = off_start_s_ = t_s;
+				short_end_.begin(t_s);
 				begin(t_s, value());
 				decode(t_s);
 			}
@@ -194,24 +185,21 @@ bool TaskFollower::was_nothing(double t_s) {
 	const PhaseEstimate now = estimate(t_s);
 	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
-	const bool may_begin = furthest_ < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+	const bool may_begin =
+			short_end_.furthest() < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
-	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
+	off_start_s_ = short_end_.furthest() < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
 	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
 /// that is seen in the first half of the way is none of its doing yet.
 bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
-	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : seen_s_);
+	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : hand_.last_s());
 	const bool may_be_there = value() > HALF_WAY || unseen_s > MISSING_S;
-	const bool is_followed = unseen_s < ABSENCES_S.front() && !is_just_found(t_s);
-	return mode() == MotionMode::PAPER || value() > SHORT_END || (is_followed && may_be_there);
-}
-
-bool TaskFollower::is_just_found(double t_s) const {
-	return t_s - found_s_ <= SEEN_S;
+	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
+	return mode() == MotionMode::PAPER || value() > ShortEnd::NEAREST || (is_followed && may_be_there);
 }
 
 bool TaskFollower::is_back(double t_s) const {
@@ -223,24 +211,15 @@ bool TaskFollower::ends_short(double t_s) {
 	if (mode() == MotionMode::PAPER) {
 		return false; // plays to the end
 	}
-	const double value = estimate(t_s).value;
-	const bool has_ended = value > ENDED;
-	const double off = std::abs(value - stays_at_);
-	if (value < SHORT_END || off > (has_ended ? ENDED_STAYS : STAYS) || t_s - seen_s_ > SEEN_S) {
-		stays_since_s_ = t_s;
-		stays_at_ = value;
-	}
-	const bool is_guess = t_s - seen_s_ > SEEN_S || is_just_found(t_s);
-	furthest_ = is_guess ? furthest_ : std::max(furthest_, value);
-	const bool has_turned = furthest_ > TURNED_FROM && value < furthest_ - TURNED_BY;
-	return strokes_.best_log_odds() > BEYOND_DOUBT &&
-			(t_s - stays_since_s_ > (has_ended ? ENDED_STAYS_S : STAYS_S) || has_turned);
+	const bool is_seen = hand_.is_recent(t_s);
+	short_end_.follow(t_s, estimate(t_s).value, is_seen, is_seen && !hand_.is_just_found(t_s));
+	return strokes_.best_log_odds() > BEYOND_DOUBT && short_end_.has_ended(t_s);
 }
 
 void TaskFollower::come_to_end(double t_s) {
 	const bool is_paper = mode() == MotionMode::PAPER;
 	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
-	if (counts && (is_paper || off_way_s() <= 0.0)) {
+	if (counts && (is_paper || hand_.off_way_s() <= 0.0)) {
 		arrive(t_s);
 	} else if (!counts && t_s - at_end_since_s_ > DOUBT_S) {
 		is_rejected_ = true;
@@ -249,7 +228,7 @@ void TaskFollower::come_to_end(double t_s) {
 }
 
 void TaskFollower::come_to_rest(double t_s) {
-	const bool had_left = stage() == Stage::ARRIVED || furthest_ > SEEN_ON_WAY;
+	const bool had_left = stage() == Stage::ARRIVED || short_end_.furthest() > SEEN_ON_WAY;
 	rest(t_s);
 	if (had_left) {
 		strokes_.pass_over_before(beyond_s_ - TURNS_S);
@@ -261,13 +240,13 @@ void TaskFollower::come_to_rest(double t_s) {
 }
 
 bool TaskFollower::nears_end() const {
-	return stage() == Stage::MOVING && value() > SHORT_END;
+	return stage() == Stage::MOVING && value() > ShortEnd::NEAREST;
 }
 
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
 void TaskFollower::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);
-	off_start_m_ = INFINITY;
+	off_start_m_ = off_way_m_ = INFINITY;
 	forget_hand(t_s);
 }
 

@@ -2,6 +2,8 @@
 
 #include "gesture/motion_element.h"
 #include "recognition/gesture_follower.h"
+#include "recognition/seen_hand.h"
+#include "recognition/short_end.h"
 #include "soundness/rest_wander.h"
 #include "strokes/task_strokes.h"
 
@@ -28,21 +30,17 @@ public:
 private:
 	MotionElement element_;
 	TaskStrokes strokes_;
-	RestWander wander_;             ///< of what is measured before the gesture
-	double off_start_m_ = INFINITY; ///< off its way, where that is not straight
+	RestWander wander_; ///< of what is measured before the gesture
+	SeenHand hand_;
+	double off_start_m_ = INFINITY; ///< of a straight way
 	double off_way_m_ = INFINITY;
-	double on_way_s_ = -INFINITY;   ///< when the hand was last seen about the way
 	double attended_s_ = -INFINITY; ///< when there was last a reason to follow the hand
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
-	double stays_since_s_ = 0.0;  ///< short of the end
+	ShortEnd short_end_;
 	double off_start_s_ = 0.0;    ///< when it was last not at the start, once it had left that
-	double stays_at_ = 0.0;       ///< amplitudes
-	double furthest_ = 0.0;       ///< of a gesture under way, amplitudes
 	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
-	double seen_s_ = INFINITY;    ///< of the newest frame that held what the feature needs; before one, never
-	double found_s_ = -INFINITY;  ///< when the hand was last seen again
 
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void decide(double t_s, const StrokeFinder &strokes) override;
@@ -50,13 +48,10 @@ private:
 	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
 	/// So that the gesture may begin.
 	[[nodiscard]] bool is_near() const;
-	/// For how long the hand has been seen elsewhere than about the way.
-	[[nodiscard]] double off_way_s() const { return seen_s_ - on_way_s_; }
 	[[nodiscard]] bool has_gone_elsewhere() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_begun(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
-	[[nodiscard]] bool is_just_found(double t_s) const;
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
 	[[nodiscard]] bool was_nothing(double t_s);
