@@ -43,12 +43,12 @@ func _process(_delta: float) -> void:
 	if not in_world and turns_with_player and joints.has(JOINT_INDEX):
 		_follow_player(joints[JOINT_INDEX], time_s)
 		for joint: int in joints:
-			joints[joint] = _to_body * (joints[joint] as Vector3)
+			joints[joint] = _to_body * joints[joint]
 	push_frame(time_s, joints)
 
 
 ## Empty where the hand is lost.
-func _tracked_joints() -> Dictionary:
+func _tracked_joints() -> Dictionary[int, Vector3]:
 	var hand := _hand()
 	var space := XRServer.get_reference_frame().scaled_local(Vector3.ONE * XRServer.world_scale)
 	if in_world:
@@ -56,7 +56,7 @@ func _tracked_joints() -> Dictionary:
 	else:
 		# Gestures without a task are as long as the body makes them, whatever the world's scale.
 		space = space.scaled(Vector3.ONE / XRServer.world_scale)
-	var joints := {}
+	var joints: Dictionary[int, Vector3] = {}
 	if hand != null and hand.has_tracking_data:
 		for joint: int in JOINTS:
 			if (

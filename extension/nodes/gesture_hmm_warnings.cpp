@@ -14,6 +14,7 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace godot {
@@ -28,6 +29,20 @@ constexpr double LONGEST_WITHOUT_FRAME_S = 5.0;
 constexpr double LONGEST_WITHOUT_HAND_S = 20.0;
 /// Of a frame of the game: one that loads for long says nothing of the device.
 constexpr double LONGEST_WAIT_S = 0.1;
+
+/// m; a length beyond it is of another unit.
+constexpr double LONGEST_WAY_M = 10.0;
+/// Cosine of 60 degrees.
+constexpr double AS_TRAINED = 0.5;
+
+/// A task that is as it was made, of a gesture that goes another way than to the right.
+bool is_undirected(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
+	const Vector3 right(1, 0, 0);
+	const bool goes_right = to_core(p_task.get_axis()).isApprox(to_core(right), 1e-3);
+	const double along = to_core(right).dot(p_model.typical_task.axis);
+	return goes_right && p_task.get_direction() == right &&
+			(p_model.both_ways ? std::abs(along) : along) < AS_TRAINED;
+}
 
 String joint_list(uint8_t p_joints) {
 	String names;
@@ -160,7 +175,12 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 			continue;
 		}
 		const steadyhand::Task place = core_task(p_task, *one.model);
-		if (steadyhand::find_feature(one.model->feature)->is_radius) {
+		const steadyhand::Feature &feature = *steadyhand::find_feature(one.model->feature);
+		if (place.amplitude_m > LONGEST_WAY_M) {
+			return String("Set \"amplitude\" of the task of '") + String(one.gesture) +
+					String("' in metres; it is ") + String::num(place.amplitude_m) + String(" m.");
+		}
+		if (feature.is_radius) {
 			if (place.start_m.x() <= 0.0) {
 				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
 						String("' to the radius at its start; it is 0.");
@@ -171,6 +191,9 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 		} else if (place.axis.isZero()) {
 			return String("Set \"direction\" of the task of '") + String(one.gesture) +
 					String("' to the way the hand moves; it is zero.");
+		} else if (feature.direction != nullptr && is_undirected(p_task, *one.model)) {
+			return String("Set \"direction\" of the task of '") + String(one.gesture) +
+					String("' to the way the hand moves; it goes to the right, (1, 0, 0), as a new task's.");
 		}
 	}
 	return String();

@@ -2,6 +2,8 @@
 
 #include "name_suggestions.h"
 
+#include "tracking/frame.h"
+
 #include <godot_cpp/classes/dir_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -65,8 +67,8 @@ void GestureTask::set_direction(const Vector3 &p_direction) {
 }
 
 void GestureTask::set_amplitude(double p_amplitude) {
-	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || !std::isfinite(p_amplitude),
-			"GestureTask: amplitude must be more than 0 m");
+	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || !(p_amplitude <= steadyhand::FARTHEST_M),
+			"GestureTask: amplitude must be more than 0 m, and 1e9 m at most");
 	if (amplitude_ != p_amplitude) {
 		amplitude_ = p_amplitude;
 		announce_change();
@@ -74,8 +76,8 @@ void GestureTask::set_amplitude(double p_amplitude) {
 }
 
 void GestureTask::set_start_radius(double p_radius) {
-	ERR_FAIL_COND_MSG(
-			!(p_radius >= 0.0) || !std::isfinite(p_radius), "GestureTask: start_radius must be 0 m or more");
+	ERR_FAIL_COND_MSG(!(p_radius >= 0.0) || !(p_radius <= steadyhand::FARTHEST_M),
+			"GestureTask: start_radius must be within 0..1e9 m");
 	if (start_radius_ != p_radius) {
 		start_radius_ = p_radius;
 		announce_change();

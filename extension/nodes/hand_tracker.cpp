@@ -151,6 +151,8 @@ bool HandTracker::is_joint_tracked(Joint p_joint) const {
 }
 
 Error HandTracker::start_recording(const String &p_path) {
+	ERR_FAIL_COND_V_MSG(p_path.is_empty(), ERR_FILE_BAD_PATH,
+			"HandTracker: start_recording needs the path of a file, e.g. user://hand.csv");
 	const bool is_played = running_ && is_same_file(p_path, played_path_);
 	const bool will_be_played = source_ == SOURCE_RECORDED && is_same_file(p_path, recording_path_);
 	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,

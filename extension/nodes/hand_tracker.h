@@ -82,7 +82,15 @@ protected:
 
 private:
 	/// Of a pushed frame; each is explained once a run.
-	enum class Refusal : uint8_t { OTHER_SOURCE, NOT_RUNNING, NO_TIME, OLDER, NO_JOINTS, OTHER_THREAD };
+	enum class Refusal : uint8_t {
+		OTHER_SOURCE,
+		NOT_RUNNING,
+		NO_TIME,
+		OLDER,
+		UNKNOWN_JOINT,
+		NO_JOINTS,
+		OTHER_THREAD
+	};
 	/// Names that each frame needs: making one takes a lock.
 	struct SignalNames {
 		StringName frame_received = "frame_received";

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace godot {
 
@@ -26,18 +27,18 @@ bool is_usable_place(const Eigen::Vector3d &p_position_m) {
 	return p_position_m.allFinite() && p_position_m.cwiseAbs().maxCoeff() <= steadyhand::FARTHEST_M;
 }
 
-/// Why joints that were pushed cannot be taken.
-String fault_of(const Dictionary &p_joints) {
+/// The first number among joints that were pushed which is no Joint's.
+std::optional<int64_t> unknown_joint(const Dictionary &p_joints) {
 	const Array keys = p_joints.keys();
 	for (int64_t i = 0; i < keys.size(); ++i) {
 		if (keys[i].get_type() == Variant::INT) {
 			const int64_t joint = keys[i];
 			if (joint < 0 || joint >= static_cast<int64_t>(steadyhand::JOINT_COUNT)) {
-				return String("there is no joint ") + itos(joint);
+				return joint;
 			}
 		}
 	}
-	return "joints must map a Joint to a Vector3";
+	return std::nullopt;
 }
 
 uint8_t bit(unsigned p_number) {
@@ -150,7 +151,9 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		}
 	}
 	if (known != p_joints.size()) {
-		return refuse_frame(Refusal::NO_JOINTS, fault_of(p_joints));
+		const std::optional<int64_t> unknown = unknown_joint(p_joints);
+		return unknown ? refuse_frame(Refusal::UNKNOWN_JOINT, String("there is no joint ") + itos(*unknown))
+					   : refuse_frame(Refusal::NO_JOINTS, "joints must map a Joint to a Vector3");
 	}
 	if (!clock_set_) {
 		start_time_s_ = p_time_s;

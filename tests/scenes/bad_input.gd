@@ -84,10 +84,12 @@ func test_a_synthetic_set_by_options_that_are_none() -> void:
 
 func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
+	# expects one error: HandTracker: start_recording needs the path of a file
 	var tracker := _make_tracker()
 	tracker.source = HandTracker.SOURCE_SCRIPT
 	tracker.start()
 	check(tracker.start_recording(_path("no_folder/track.csv")) != OK, "refused")
+	check(tracker.start_recording("") != OK, "and none as well")
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
 	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the tracker goes on")
 	tracker.free()

@@ -18,7 +18,15 @@ var _said: Array[String] = []
 func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
 	var values := PackedFloat64Array()
 	var changes: Array[StringName] = [
-		&"nothing", &"move_other", &"free_other", &"set_same", &"add_task", &"reorder", &"add_model"
+		&"nothing",
+		&"move_other",
+		&"free_other",
+		&"set_same",
+		&"add_task",
+		&"add_same_task",
+		&"reorder",
+		&"add_model",
+		&"add_same_model"
 	]
 	for change in changes:
 		var tasks: Array[GestureTask] = [_task(&"horizontal_drag"), _task(&"tap", ELSEWHERE)]
@@ -36,10 +44,14 @@ func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
 					hmm.models = hmm.models
 				&"add_task":
 					hmm.tasks = hmm.tasks + [_task(&"tap", 2.0 * ELSEWHERE)]
+				&"add_same_task":
+					hmm.tasks = hmm.tasks + [_task(&"horizontal_drag")]
 				&"reorder":
 					hmm.tasks = [other, tasks[0]] as Array[GestureTask]
 				&"add_model":
 					hmm.models = hmm.models + [_model("zoom")]
+				&"add_same_model":
+					hmm.models = hmm.models + [_model("horizontal_drag")]
 		var seen := _drag(hmm, make_it)
 		check_equal(_said, ["started", "ended"] as Array[String], "%s: what is said" % change)
 		if values.is_empty():
@@ -229,6 +241,7 @@ func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
 	# expects one error: push_frame: the time 1.0 s is before 2.0 s
 	# expects one error: push_frame: the time must be finite
 	# expects one error: push_frame: there is no joint 99
+	# expects one error: push_frame: joints must map a Joint to a Vector3
 	for time in 2:
 		check(tracker.push_frame(0.0, {}) != OK, "not started")
 	tracker.start()
@@ -237,6 +250,8 @@ func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
 		check(tracker.push_frame(1.0, {}) != OK, "late")
 		check(tracker.push_frame(NAN, {}) != OK, "at no time")
 		check(tracker.push_frame(3.0, {99: Vector3.ZERO}) != OK, "of no joint")
+		check(tracker.push_frame(3.0, {"index": Vector3.ZERO}) != OK, "of a joint by its name")
+		check(tracker.push_frame(3.0, {HandTracker.JOINT_INDEX: 0.1}) != OK, "of a number")
 	tracker.free()
 
 

@@ -186,6 +186,36 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 	task.free()
 
 
+func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_another_way() -> void:
+	# expects one warning: Set "direction" of the task of 'vertical_drag'
+	# expects one warning: Set "direction" of the task of 'tap'
+	for gesture: StringName in [&"vertical_drag", &"tap"]:
+		for turned: float in [0.0, 0.5 * PI]:
+			var task := _task(gesture, Vector3.ZERO, Vector3.RIGHT, 0.2)
+			task.rotate_z(turned)
+			var hmm := _hmm([task])
+			hmm.tracker.start()
+			hmm.tracker.push_frame(0.0, {})
+			_free(hmm)
+			task.free()
+
+
+func test_a_task_in_millimetres_is_told_of() -> void:
+	# expects one error: GestureTask: amplitude must be
+	# expects one error: GestureTask: start_radius must be
+	# expects one warning: "amplitude" of the task of 'horizontal_drag' in metres; it is 200
+	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	task.amplitude = 1e300
+	task.start_radius = 1e300
+	check_equal([task.amplitude, task.start_radius], [0.2, 0.0], "what is no length is refused")
+	task.amplitude = 200.0
+	var hmm := _hmm([task])
+	hmm.tracker.start()
+	hmm.tracker.push_frame(0.0, {})
+	_free(hmm)
+	task.free()
+
+
 func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	var task := _task(&"zoom", Vector3.ZERO, Vector3.RIGHT, 0.05)
 	task.start_radius = 0.02

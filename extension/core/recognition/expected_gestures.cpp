@@ -67,10 +67,15 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		} else {
 			followers_.push_back(follower_of(gestures_[i], synthesis_));
 			filtered_.emplace_back();
-			followers_.back()->pass_over_before(ended_begun_s_);
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
+	const bool is_under_way = leader_ >= 0 && follower()->stage() == GestureFollower::Stage::MOVING;
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		if (std::ranges::find(now, static_cast<int>(i)) == now.end()) {
+			followers_[i]->pass_over_before(is_under_way ? time_s_ : ended_begun_s_);
+		}
+	}
 	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
 	shown_ = still_shown >= 0 ? static_cast<std::size_t>(still_shown) : nearest();
 	watch_features();

@@ -40,7 +40,7 @@ public:
 
 	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
 	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes. Of a
-	/// stroke that has ended as a gesture no other is made.
+	/// stroke that has ended as a gesture no other is made; nor of one that makes a gesture which stays.
 	/// Returns the index of each that was expected before; -1: it is no longer.
 	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
 

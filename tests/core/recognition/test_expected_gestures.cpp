@@ -111,6 +111,46 @@ TEST_CASE("a stroke that has ended as a gesture is no other one's that is expect
 	CHECK_MESSAGE(events.said == times(2, "sideways"), "off and on: the next one counts again");
 }
 
+TEST_CASE("a stroke that makes a gesture is none of one that is expected while it is under way") {
+	const Task near_by{ 0.01 * X, X, 0.2 }, beside{ 0.01 * Y, X, 0.2 },
+			longer{ Eigen::Vector3d::Zero(), X, 0.25 };
+	for (const std::optional<Task> &here : { std::optional(HERE), std::optional<Task>() }) {
+		const ExpectedGesture own = drag_at(here);
+		const ExpectedGesture again = own;
+		for (const ExpectedGesture &other : { again, drag_at(near_by), drag_at(beside), drag_at(longer) }) {
+			for (const double changed_s : { 0.9, CHANGED_S, 1.3 }) { // from a fifth of the way on
+				CAPTURE(changed_s);
+				GestureRecogniser recogniser({ own });
+				bool is_changed = false;
+				const Way way = [&](double t_s) {
+					if (!is_changed && t_s > changed_s) {
+						is_changed = true;
+						recogniser.expect({ own, other });
+					}
+					return Eigen::Vector3d(x_m({ DRAG, { 3.0, 1.0, -0.2 } }, t_s) * X);
+				};
+				CHECK(watch(recogniser, way, 2.5).said == times(1, "sideways"));
+			}
+		}
+	}
+}
+
+TEST_CASE("what was expected while another gesture was under way counts with the next stroke") {
+	GestureRecogniser recogniser({ drag_at(HERE) });
+	bool is_added = false, is_left = false;
+	const Way way = [&](double t_s) {
+		if (!is_added && t_s > CHANGED_S) {
+			is_added = true;
+			recogniser.expect({ drag_at(HERE), drag_at(AHEAD) });
+		} else if (!is_left && t_s > 2.0) {
+			is_left = true;
+			recogniser.expect({ drag_at(AHEAD) });
+		}
+		return Eigen::Vector3d(x_m({ DRAG, { 2.5, 0.6, -0.1 }, { 4.0, 1.0, 0.2 } }, t_s) * X);
+	};
+	CHECK(watch(recogniser, way, 6.0).said == times(2, "sideways"));
+}
+
 TEST_CASE("the way back may have begun before the end was told that brings its task") {
 	const ExpectedGesture there = drag_at(HERE), back{ models()[0], Task{ 0.2 * X, -X, 0.2 } };
 	for (const double back_s : { 0.85, 1.0 }) { // the end is told at 0.99 s
