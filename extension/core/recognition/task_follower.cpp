@@ -10,7 +10,7 @@ namespace {
 
 // All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
 constexpr double ONSET_VALUE = 0.03;
-constexpr double ONSET_VELOCITY = 0.3;
+constexpr double ONSET_VELOCITY = 0.1;
 /// A hand that wanders at rest has begun from so many standard deviations on, at BACK_VALUE at the latest.
 constexpr double WANDERS = 7.0;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
