@@ -36,9 +36,10 @@ constexpr double NEARER = 0.5;
 constexpr double BLIND_STEP = 0.04;
 constexpr double FROZEN_FRAME = 0.5;
 /// A tracker that repeated itself no further from the start than STILL_AT_START, and then shows the hand
-/// where it was, has lost nothing: a hand at rest need not tremble.
+/// where it was, has lost nothing: a hand at rest need not tremble. One that showed none meanwhile has, but
+/// of a hand at rest nothing tells that it is late.
 constexpr double STILL_AT_START = 0.05;
-constexpr double STILL_THERE = 0.005;
+constexpr double STILL_THERE = 0.01;
 /// White noise of deviation s bends frames by 2 s sqrt(3 / pi) in the mean.
 constexpr double JITTER_PER_BEND = 0.5117;
 constexpr double JITTER_SHARE = 0.05;                         ///< a frame's
@@ -52,6 +53,10 @@ bool is_size(const FeaturePlace &place) {
 /// A hand whose size is measured is held to no way; nor is one that has no place.
 bool is_on_way_in_space(const FeaturePlace &place) {
 	return !is_size(place) && !place.isZero(0.0);
+}
+
+bool is_still_at_start(double before, double now) {
+	return std::abs(before) < STILL_AT_START && std::abs(now - before) < STILL_THERE;
 }
 
 double size(double step) {
@@ -113,6 +118,7 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 		skipped_.push(frame_s > SKIPPED_PERIODS * period_s_);
 	}
 	const bool repeats = x == x_ && place == place_;
+	const bool is_still = is_still_at_start(x_, x) && size(FeaturePlace(place - place_)) < STILL_AT_START;
 	bool stands = repeats || standstill_.stands(t_s_, x, jitter_);
 	const Evidence of_leap = leapt_ ? leap_.fault : Evidence{};
 	const bool is_back = !repeats && forget_elsewhere(x, place, stands);
@@ -124,7 +130,7 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 	} else {
 		follow(x, place);
 	}
-	count_fault(repeats);
+	count_fault(repeats, is_still);
 	taken_back_ = is_back ? of_leap : Evidence{};
 	fault_.add(taken_back_, -1.0);
 	evidence_.fade(frame_s);
@@ -137,12 +143,14 @@ void TrackingSoundness::weigh(double frame_s, double x, const FeaturePlace &plac
 }
 
 /// What the frame says by itself.
-void TrackingSoundness::count_fault(bool repeats) {
-	loss_ += silence_.is_frozen() ? FROZEN_FRAME : 0.0;
+void TrackingSoundness::count_fault(bool repeats, bool is_still) {
+	const double late_gap = is_still ? 0.0 : loss_;
+	const double freeze = silence_.is_frozen() ? FROZEN_FRAME : 0.0;
+	loss_ += freeze;
 	const double jump = strayed_ ? 1.0 : fault_.now;
 	fault_.now += loss_;
 	fault_.lasting = strayed_ ? std::max(fault_.now, 1.0) : fault_.now;
-	fault_.late = loss_ + LATE_BY_JUMP * jump;
+	fault_.late = late_gap + freeze + LATE_BY_JUMP * jump;
 	if (!repeats) {
 		leap_.fault = fault_;
 	}
@@ -167,7 +175,7 @@ TrackingSoundness::Evidence TrackingSoundness::needless_of_freeze(double x) {
 	if (frozen()) {
 		freeze_.add(fault_);
 	} else if (told()) {
-		if (std::abs(leap_.x) < STILL_AT_START && std::abs(x - leap_.x) < STILL_THERE) {
+		if (is_still_at_start(leap_.x, x)) {
 			needless = freeze_;
 		}
 		freeze_ = {};

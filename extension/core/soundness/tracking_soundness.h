@@ -140,7 +140,7 @@ private:
 	template <typename Step>
 	[[nodiscard]] double bend_of(const Way<Step> &way, const Step &step, double dt_s) const;
 	void weigh(double frame_s, double x, const FeaturePlace &place);
-	void count_fault(bool repeats);
+	void count_fault(bool repeats, bool is_still);
 	void stand(bool repeats);
 	void rest();
 	[[nodiscard]] Evidence needless_of_freeze(double x);

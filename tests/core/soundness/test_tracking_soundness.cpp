@@ -114,7 +114,8 @@ TEST_CASE("a tracker that repeats itself at the start and shows the hand there s
 	};
 	CHECK(suspected(0.0, 0.003) == 0.0);
 	CHECK(suspected(-0.03, -0.033) == 0.0);
-	CHECK(suspected(0.0, 0.01) > 0.9);
+	CHECK(suspected(0.0, 0.009) == 0.0);
+	CHECK(suspected(0.0, 0.015) > 0.9);
 	CHECK(suspected(0.3, 0.303) > 0.9);
 }
 
@@ -215,6 +216,28 @@ TEST_CASE("a tracker that loses the hand is late for all that is known, one that
 	CHECK(jumps.lasting_unsoundness() > 0.6);
 	CHECK(jumps.lateness() < 0.3);
 	CHECK(jumps.lateness() > 0.2);
+}
+
+TEST_CASE("of a hand that rests at the start, is lost and is there again, nothing tells that it is late") {
+	const auto lateness = [](double rests_at, double found_at, double beside) {
+		TrackingSoundness soundness;
+		const auto show = [&](double t_s, double x, double y) {
+			soundness.push(t_s, x, FeaturePlace(x, y, 0.0, 0.0));
+		};
+		std::mt19937_64 random(4);
+		std::normal_distribution<double> trembling(0.0, 0.001);
+		for (int i = 0; i < 110; ++i) {
+			show(i * PERIOD_S, rests_at + trembling(random), trembling(random));
+		}
+		show(109 * PERIOD_S + 0.2, found_at, beside);
+		CHECK(soundness.lasting_unsoundness() > 0.6);
+		return soundness.lateness();
+	};
+	CHECK(lateness(0.0, 0.005, 0.0) == 0.0);
+	CHECK(lateness(-0.04, -0.036, 0.02) == 0.0);
+	CHECK(lateness(0.0, 0.02, 0.0) > 0.6);
+	CHECK(lateness(0.1, 0.1, 0.0) > 0.6);
+	CHECK(lateness(0.0, 0.0, 0.3) > 0.6);
 }
 
 TEST_CASE("a camera that is read more often than it looks is sound, and only its own frames tell something") {
