@@ -19,6 +19,7 @@ constexpr double ENTERS = 3.0;
 constexpr double TREMBLES = 10.0;
 constexpr double ENTERED_S = 0.2; ///< that is known by then
 constexpr double LOSS_S = 0.15;
+constexpr double UNSEEN_S = 0.3; ///< a hand that is lost for longer may have been anywhere meanwhile
 constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
 constexpr double LONGEST_GAP_S = 1.0;
 constexpr double LEAST_LEAP_M = 0.005; ///< what a tracker takes back slowly is none
@@ -117,6 +118,11 @@ void StrokeFinder::see(double t_s, const FeaturePlace &place_m) {
 		begin_anew(end_);
 	}
 	const bool is_at_rest = !places_.empty() && rests();
+	const double unseen_s = is_at_rest ? since_s : t_s - newest_.t_s; // a frozen tracker shows hands at rest
+	if (is_news && unseen_s > UNSEEN_S) {
+		lost_since_s_ = t_s - unseen_s;
+		found_s_ = t_s;
+	}
 	double rest_shown_s = HeldPose::NEVER_S;
 	if (!is_news) {
 		pose_.repeat(t_s);
@@ -265,8 +271,10 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 }
 
 void StrokeFinder::measure_rest(Sample &r_onset) const {
-	r_onset.watched_s = std::clamp(r_onset.speed_s - seen_since_s_, 0.0, Stroke::REST_S);
-	r_onset.unrest_m = knots_.stray_m(r_onset.speed_s - Stroke::REST_S, r_onset.speed_s);
+	const double until_s = r_onset.speed_s, since_s = std::max(until_s - Stroke::REST_S, seen_since_s_);
+	const double lost_s = std::min(found_s_, until_s) - std::max(lost_since_s_, since_s);
+	r_onset.watched_s = std::max(until_s - since_s - std::max(lost_s, 0.0), 0.0);
+	r_onset.unrest_m = knots_.stray_m(until_s - Stroke::REST_S, until_s);
 }
 
 double StrokeFinder::unrest_m(const Stroke &stroke) const {

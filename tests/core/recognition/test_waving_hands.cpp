@@ -73,6 +73,23 @@ TEST_CASE("a hand that comes into view waving makes one gesture at most") {
 	}
 }
 
+TEST_CASE("a hand that waves, is lost for long and waves on makes one gesture at most" *
+		doctest::test_suite("figures")) {
+	for (const double rate_hz : { 0.7, 1.0, 1.5 }) {
+		const Way way = [&](double t_s) { return waving(rate_hz, t_s); };
+		for (const double loss_s : { 0.4, 0.5, 0.6, 0.8 }) {
+			for (int phase = 0; phase < PHASES; ++phase) {
+				CAPTURE(rate_hz);
+				CAPTURE(loss_s);
+				CAPTURE(phase);
+				const double from_s = 2.0 + phase / (PHASES * rate_hz);
+				const Events events = in_the_open(way, 7.0, from_s, from_s + loss_s);
+				CHECK(std::ranges::count(events.said, "ended sideways") <= 1);
+			}
+		}
+	}
+}
+
 TEST_CASE("a hand that wanders slowly makes hardly a gesture" * doctest::test_suite("figures")) {
 	constexpr int HANDS = 24;
 	constexpr double SECONDS = 30.0;
