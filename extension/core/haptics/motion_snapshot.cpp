@@ -53,8 +53,8 @@ MotionPoint MotionSnapshot::at(double t_s) const {
 	};
 	const double x = (t_s - time_s) / period_s;
 	const std::size_t last = count - 1;
-	if (x < 0.0 && last > 0) {
-		return before(on_piece(0, 0.0), t_s - time_s);
+	if (x < 0.0) {
+		return before(last > 0 ? on_piece(0, 0.0) : coasting(knots[0], 0.0), t_s - time_s);
 	}
 	if (!(x < static_cast<double>(last))) {
 		return coasting(knots[last], std::max(t_s - end_s(), 0.0));

@@ -49,15 +49,21 @@ bool GestureFollower::push(
 }
 
 void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
-	if (follows_phase()) {
-		phase_.release(t_s);
-	}
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
+		release(clock_.next_s());
 		step(clock_.next_s(), strokes);
 		clock_.advance();
+	}
+	release(t_s);
+}
+
+/// What is held of a burst of frames, and due by then.
+void GestureFollower::release(double t_s) {
+	if (follows_phase()) {
+		phase_.release(t_s);
 	}
 }
 

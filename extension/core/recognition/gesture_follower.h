@@ -176,6 +176,7 @@ private:
 	bool is_forgotten_ = false; ///< the hand is, and has not been seen again
 	OutputBlend blend_;         ///< of what would step otherwise, m
 
+	void release(double t_s);
 	void step(double t_s, const StrokeFinder &strokes);
 	void enter(Stage stage, double t_s);
 	/// Frames go to the estimator.

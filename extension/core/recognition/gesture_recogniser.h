@@ -51,7 +51,8 @@ public:
 	void advance(double t_s);
 
 	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else; where several
-	/// gestures are under way, on the instants advanced to as well, by which their lead is handed over.
+	/// gestures are under way, on the instants advanced to as well, by which their lead is handed over. A
+	/// gesture that begins and ends between two of these is not shown.
 	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
 	/// What it will be at t_s, not before that time, if nothing is seen until then.
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -54,13 +55,18 @@ std::string not_text(char byte) {
 }
 
 /// Length of the quoted cell that text starts with, its quotes included; 0 where there is none. What another
-/// cell's quotes enclose is no cell's end.
+/// cell's quotes enclose is no cell's end, nor is a quote that is doubled, but for a cell that would have
+/// none then, as no other program writes it.
 std::size_t quoted_length(std::string_view text) {
-	for (std::size_t end = text.find('"', 1); text.starts_with('"') && end != std::string_view::npos;
-			end = text.find('"', end + 1)) {
-		const std::string_view after = trim(text.substr(end + 1));
-		if (after.empty() || after.starts_with(',')) {
-			return end + 1;
+	for (const bool may_be_doubled : { true, false }) {
+		for (std::size_t end = text.find('"', 1); text.starts_with('"') && end != std::string_view::npos;
+				end = text.find('"', end + 1)) {
+			const std::string_view after = text.substr(end + 1);
+			if (may_be_doubled && after.starts_with('"')) {
+				++end;
+			} else if (trim(after).empty() || trim(after).starts_with(',')) {
+				return end + 1;
+			}
 		}
 	}
 	return 0;
@@ -160,14 +166,17 @@ void append_number(std::string &r_out, double number) {
 	r_out.append(digits.data(), written.ptr);
 }
 
-void append_plain_text(std::string &r_out, std::string_view text, bool keep_commas) {
+void append_plain_text(std::string &r_out, std::string_view text) {
 	const std::string_view trimmed = trim(text);
-	const std::string_view quotes = !keep_commas && trimmed.starts_with('"') ? "\"" : "";
-	r_out += quotes;
-	for (const char character : trimmed) {
-		r_out += is_control(character) || (character == ',' && !keep_commas) ? ' ' : character;
-	}
-	r_out += quotes;
+	std::replace_copy_if(trimmed.begin(), trimmed.end(), std::back_inserter(r_out), is_control, ' ');
+}
+
+void append_cell(std::string &r_out, std::string_view text) {
+	const std::string_view cell = trim(text);
+	const bool is_quoted = cell.starts_with('"') || cell.find(',') != std::string_view::npos;
+	r_out += is_quoted ? "\"" : "";
+	append_plain_text(r_out, cell); // a quote in it is doubled already, as split_cells() leaves it
+	r_out += is_quoted ? "\"" : "";
 }
 
 std::string quoted(std::string_view cell) {

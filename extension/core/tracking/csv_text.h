@@ -46,9 +46,10 @@ void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
 /// The shortest text that reads back as the same double.
 void append_number(std::string &r_out, double number);
 
-/// Text for one cell or one metadata line: control characters, and commas if asked, become spaces, so that
-/// what is written can always be read back. A cell that begins with a quote is put in quotes.
-void append_plain_text(std::string &r_out, std::string_view text, bool keep_commas);
+/// Text for one metadata line, or one cell: control characters become spaces, so that what is written can
+/// always be read back. A cell that holds a comma, or begins with a quote, is put in quotes.
+void append_plain_text(std::string &r_out, std::string_view text);
+void append_cell(std::string &r_out, std::string_view text);
 
 /// For error messages: quoted, bytes that do not print as \xNN, cut after 40 characters.
 [[nodiscard]] std::string quoted(std::string_view cell);

@@ -236,9 +236,9 @@ void append_cells(std::string &r_out, const HandFrame &frame, const TrackColumns
 void append_metadata(std::string &r_out, const std::vector<std::pair<std::string, std::string>> &metadata) {
 	for (const auto &[key, value] : metadata) {
 		r_out += "# ";
-		append_plain_text(r_out, key, true);
+		append_plain_text(r_out, key);
 		r_out += key.empty() ? "" : ": ";
-		append_plain_text(r_out, value, true);
+		append_plain_text(r_out, value);
 		r_out += '\n';
 	}
 }
@@ -274,14 +274,14 @@ std::string format_track_csv(const Track &track) {
 	append_column_names(out, columns);
 	for (const UnknownColumn &column : track.unknown_columns) {
 		out += ',';
-		append_plain_text(out, column.name, false);
+		append_cell(out, column.name);
 	}
 	out += '\n';
 	for (std::size_t i = 0; i < track.frames.size(); ++i) {
 		append_cells(out, track.frames[i], columns);
 		for (const UnknownColumn &column : track.unknown_columns) {
 			out += ',';
-			append_plain_text(out, i < column.cells.size() ? column.cells[i] : "", false);
+			append_cell(out, i < column.cells.size() ? column.cells[i] : "");
 		}
 		out += '\n';
 	}

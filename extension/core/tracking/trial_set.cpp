@@ -227,7 +227,7 @@ private:
 void append_trial(std::string &r_out, const Trial &trial) {
 	for (const std::string_view text : { std::string_view(trial.trial), std::string_view(trial.gesture),
 				 position_name(trial.position), std::string_view(trial.subject) }) {
-		append_plain_text(r_out, text, false);
+		append_cell(r_out, text);
 		r_out += ',';
 	}
 	append_number(r_out, trial.start_s);

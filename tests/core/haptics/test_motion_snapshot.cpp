@@ -121,6 +121,19 @@ TEST_CASE("outside its knots a snapshot goes on as it began and coasts to a stop
 	CHECK_FALSE(snapshot.is_moving(NAN));
 }
 
+TEST_CASE("a snapshot of one knot goes on from it either way") {
+	MotionSnapshot snapshot;
+	snapshot.time_s = 1e5;
+	snapshot.count = 1;
+	snapshot.knots[0] = { .position = 0.5, .velocity = 2.0 };
+	CHECK(snapshot.at(1e5).position == 0.5);
+	CHECK(snapshot.at(1e5 - 0.01).position == test::near(0.48));
+	CHECK(snapshot.at(1e5 + 1.0).position == test::near(0.54));
+	for (const double t_s : { -1e300, 0.0, 1e5 - 1e-4, 1e300 }) {
+		CHECK(std::abs(snapshot.at(t_s).position - 0.5) < 0.1);
+	}
+}
+
 TEST_CASE("motion that is not heard of any more is at rest a tenth of a second later, hardly further on") {
 	// As far as in a fiftieth of a second: at 2 m/s, fast for a hand, 4 cm.
 	const MotionSnapshot snapshot = Movement{ 0.35 }.snapshot(0.05);

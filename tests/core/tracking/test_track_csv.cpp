@@ -137,7 +137,7 @@ TEST_SUITE("track CSV") {
 	}
 
 	TEST_CASE("cells may be in quotes, as R and spreadsheets write them") {
-		const std::string text = "t,palm_x,palm_y,palm_z,note\n1,2,3,4,a b\n2,,,,\n";
+		const std::string text = "t,palm_x,palm_y,palm_z,note\n1,2,3,4,\"a,b\"\n2,,,,\n";
 		CHECK(format_track_csv(parsed("\"t\",\"palm_x\",\"palm_y\",\"palm_z\",\"note\"\n"
 									  "\"1\", \"2\" ,3,\"4\",\"a,b\"\n2,\"\",,\"\",\"\"\n")) == text);
 		// What is not closed before a comma, and a quote within a cell, is text.
@@ -145,6 +145,11 @@ TEST_SUITE("track CSV") {
 			const Track track = parsed("t,note\n1," + cell + "\n2,b\n");
 			CHECK(track.unknown_columns[0].cells[1] == "b");
 			check_same(track, parsed(format_track_csv(track)));
+		}
+		for (const std::string two_columns : { "\"a,b\",a b", "\"a \"\"b\"\", c\",\"a \"\"b\"\"  c\"" }) {
+			const Track track = parsed("t," + two_columns + "\n1,\"left, then right\",\"5\"\", 6\"\"\"\n");
+			check_same(track, parsed(format_track_csv(track)));
+			CHECK(track.unknown_columns[0].cells[0] == "left, then right");
 		}
 		CHECK(parsed("t,note\n1,\"\"a\"\"\n").unknown_columns[0].cells[0] == "\"a\"");
 	}

@@ -81,7 +81,7 @@ TEST_SUITE("trial set") {
 		CHECK(trials[0].axis == Eigen::Vector3d(0, 0, -1));
 	}
 
-	TEST_CASE("cells may be in quotes, as R writes them: a name's comma is written as a space") {
+	TEST_CASE("cells may be in quotes, as R writes them: a name's comma is kept") {
 		std::string header = HEADER;
 		for (std::size_t i = header.find(','); i != std::string::npos; i = header.find(',', i + 3)) {
 			header.replace(i, 1, "\",\"");
@@ -91,7 +91,7 @@ TEST_SUITE("trial set") {
 		REQUIRE(trials.size() == 1);
 		CHECK(trials[0].gesture == "tap");
 		CHECK(trials[0].subject == "Doe, J");
-		CHECK(format_trials_csv(trials) == HEADER + "t1,tap,stable,Doe  J,0,1.5,1,2,3,0,0,-1,0.15\n");
+		CHECK(format_trials_csv(trials) == HEADER + "t1,tap,stable,\"Doe, J\",0,1.5,1,2,3,0,0,-1,0.15\n");
 	}
 
 	TEST_CASE("any set reads back as itself, to the last bit") {
