@@ -56,7 +56,8 @@ def main() -> None:
     for number, trials in enumerate(given.trials):
         for value in VALUES:
             summary = evaluate(trials, value, given.out / f"{number}_{value:g}")
-            cells = [trials.name, f"{value:g}", *gestures(summary), *other_motion(summary)]
+            name = trials.parent.name if trials.name == "trials" else trials.name
+            cells = [name, f"{value:g}", *gestures(summary), *other_motion(summary)]
             print(f"| {' | '.join(cells)} |", flush=True)
 
 
