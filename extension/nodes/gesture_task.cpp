@@ -2,6 +2,7 @@
 
 #include "name_suggestions.h"
 
+#include "gesture/task.h"
 #include "tracking/frame.h"
 
 #include <godot_cpp/classes/dir_access.hpp>
@@ -67,8 +68,9 @@ void GestureTask::set_direction(const Vector3 &p_direction) {
 }
 
 void GestureTask::set_amplitude(double p_amplitude) {
-	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || !(p_amplitude <= steadyhand::FARTHEST_M),
-			"GestureTask: amplitude must be more than 0 m, and 1e9 m at most");
+	ERR_FAIL_COND_MSG(
+			!(p_amplitude >= steadyhand::SMALLEST_AMPLITUDE_M) || !(p_amplitude <= steadyhand::FARTHEST_M),
+			"GestureTask: amplitude must be within 1e-6..1e9 m");
 	if (amplitude_ != p_amplitude) {
 		amplitude_ = p_amplitude;
 		announce_change();

@@ -201,11 +201,12 @@ func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_anothe
 
 
 func test_a_task_in_millimetres_is_told_of() -> void:
-	# expects one error: GestureTask: amplitude must be
+	# expects error: GestureTask: amplitude must be
 	# expects one error: GestureTask: start_radius must be
 	# expects one warning: "amplitude" of the task of 'horizontal_drag' in metres; it is 200
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	task.amplitude = 1e300
+	task.amplitude = 1e-300
 	task.start_radius = 1e300
 	check_equal([task.amplitude, task.start_radius], [0.2, 0.0], "what is no length is refused")
 	task.amplitude = 200.0

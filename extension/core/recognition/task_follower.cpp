@@ -89,8 +89,7 @@ void TaskFollower::follow_near(double t_s) {
 }
 
 bool TaskFollower::is_near() const {
-	return is_straight() ? off_start_m_ < ELSEWHERE * task().amplitude_m
-						 : off_way_m_ < OFF_CIRCLE * task().amplitude_m;
+	return away_m() < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
 }
 
 bool TaskFollower::has_gone_elsewhere() const {
@@ -99,10 +98,8 @@ bool TaskFollower::has_gone_elsewhere() const {
 }
 
 double TaskFollower::off_start_m() const {
-	if (!is_straight()) {
-		return std::max(off_way_m_, ANYWHERE_M);
-	}
-	return feature().is_radius ? std::max(off_start_m_, ANYWHERE_M) : off_start_m_;
+	const bool is_anywhere = !is_straight() || feature().is_radius;
+	return is_anywhere ? std::max(away_m(), ANYWHERE_M) : away_m();
 }
 
 void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {

@@ -46,6 +46,8 @@ private:
 	void decide(double t_s, const StrokeFinder &strokes) override;
 	void follow_near(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
+	/// From where the gesture may begin: all about a way that is not straight.
+	[[nodiscard]] double away_m() const { return is_straight() ? off_start_m_ : off_way_m_; }
 	/// So that the gesture may begin.
 	[[nodiscard]] bool is_near() const;
 	[[nodiscard]] bool has_gone_elsewhere() const;
