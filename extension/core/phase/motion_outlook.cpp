@@ -11,6 +11,8 @@ namespace {
 
 /// A motion that had not come this far when it was last seen could as well not have begun.
 constexpr double VISIBLE_PHASE = 0.06;
+/// One that may be the tracker's wandering goes on unseen for so long.
+constexpr double DOUBTED_S = 0.25;
 constexpr double WAITING_LENGTH = 0.05; ///< phase that a motion still makes that waits to be seen
 constexpr double LEAST_WEIGHT = 1e-5;   ///< weight beside the best one's 1
 /// Probability that a free hand near the end, or beyond, is at the end, and a tracker that has erred shows it
@@ -104,7 +106,7 @@ PhaseEstimate MotionOutlook::beside_piece(const ElementCurve &curve, double t_s)
 }
 
 void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s,
-		double ahead_s, double seen_s, double erred, bool is_halted) {
+		double ahead_s, double seen_s, double erred, bool is_halted, double wander) {
 	filtered_s_ = filtered_s;
 	if (ahead_s != ahead_s_) {
 		ahead_s_ = ahead_s;
@@ -141,7 +143,6 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 		if (bank.on_its_way(i)) {
 			const HypothesisGroup::Course course = bank.course(i);
 			const double seen_phase = course.phase(seen_s);
-			const bool waits = seen_phase < VISIBLE_PHASE || regime == Regime::FREE;
 			const double way = weight * course.gain;
 			Courses &courses = courses_[count_ / LANES];
 			const std::size_t lane = count_++ % LANES;
@@ -151,7 +152,12 @@ void MotionOutlook::look(const HypothesisBank &bank, const ElementCurve &curve, 
 			courses.elements[lane] = way * (1.0 - course.shape);
 			courses.smooth[lane] = way * course.shape;
 			courses.weight[lane] = weight;
-			courses.waits_from[lane] = waits ? std::max(seen_phase, 0.0) : INFINITY;
+			courses.waits_from[lane] = INFINITY;
+			if (seen_phase < VISIBLE_PHASE || regime == Regime::FREE) {
+				courses.waits_from[lane] = std::max(seen_phase, 0.0);
+			} else if (course.gain * minimum_jerk(seen_phase).value < wander) {
+				courses.waits_from[lane] = course.phase(seen_s + DOUBTED_S);
+			}
 			moving_ += weight;
 			if (bank.is_standing(i)) { // a gesture of that length is over, the one that is asked for half-way
 				standing_phase_ += weight * (minimum_jerk_share(course.gain) - 1.0);

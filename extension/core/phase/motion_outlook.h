@@ -26,15 +26,17 @@ struct PhaseEstimate {
 /// again each time that it is told to go on.
 ///
 /// A gesture that was seen to begin goes on while nothing is seen. One that was not, and a hand that did
-/// something else, wait, as one that halted does: nothing moves on a mere chance.
+/// something else, wait, as one that halted does: nothing moves on a mere chance. One that has come no
+/// further than the hand was shown to wander at rest goes on for a while.
 class MotionOutlook {
 public:
 	/// filtered_s: the time that the hypotheses were predicted to; ahead_s: how long after that the mean is
 	/// asked for first; seen_s: when a frame last told where the hand is; erred: 0..1, how far the tracker is
-	/// known for that; is_halted: the hand stands, whatever a hypothesis says of it. To be called after
+	/// known for that; is_halted: the hand stands, whatever a hypothesis says of it; wander: what was seen of
+	/// a gesture that went no further may be the tracker's wandering. To be called after
 	/// HypothesisBank::prune.
 	void look(const HypothesisBank &bank, const ElementCurve &curve, double filtered_s, double ahead_s,
-			double seen_s, double erred = 0.0, bool is_halted = false);
+			double seen_s, double erred = 0.0, bool is_halted = false, double wander = 0.0);
 
 	/// No frame came until t_s.
 	void go_on(const ElementCurve &curve, double t_s);

@@ -35,6 +35,11 @@ constexpr double ERRED_AWAY_S = 0.1;
 constexpr double ERRING_LATENCY_S = 0.03;
 constexpr double ERRING_SETTLING_S = 0.15;
 
+/// A hand that is shown no further than so many deviations of what it was until then may be at rest still: in
+/// this time it may have set out.
+constexpr double WANDERS = 2.0;
+constexpr double SETS_OUT_S = 0.3;
+
 } // namespace
 
 PhaseEstimator::PhaseEstimator(const GestureModel &model, const PhaseEffort &effort, double latency_s,
@@ -160,6 +165,9 @@ void PhaseEstimator::absorb(double t_s, double x, double fault, bool jumps) {
 	// A tracker that was frozen meanwhile did not show that the hand stayed.
 	const bool was_frozen = now_.filtered_s > now_.told_s && now_.seen_s <= now_.told_s;
 	now_.filtered_s = t_s;
+	if (soundness_.told() && std::abs(x) < NEAR_START && rest_.push(t_s, x)) {
+		wanders_to_ = WANDERS * rest_.spread(t_s - SETS_OUT_S);
+	}
 	now_.bank.predict(curve_, t_s, passages(step_s));
 	count_lost();
 	if (soundness_.returned()) {

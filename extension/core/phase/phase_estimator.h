@@ -9,6 +9,7 @@
 #include "phase/hypothesis_bank.h"
 #include "phase/hypothesis_births.h"
 #include "phase/motion_outlook.h"
+#include "soundness/rest_wander.h"
 #include "soundness/tracking_soundness.h"
 
 #include <cmath>
@@ -58,6 +59,8 @@ public:
 	void reset() {
 		forget_hand();
 		soundness_ = {};
+		rest_ = {};
+		wanders_to_ = 0.0;
 		absorbed_s_ = NEVER_S;
 		falling_behind_s_ = 0.0;
 	}
@@ -109,6 +112,8 @@ private:
 	bool knows_end_;
 	double falling_behind_s_ = 0.0; ///< latency beyond that, of a tracker that has erred
 	TrackingSoundness soundness_;
+	RestWander rest_;         ///< of what is shown near the start
+	double wanders_to_ = 0.0; ///< what is shown no further than this may be at rest
 	Belief now_;
 	BeforeLeap before_leap_;
 	MotionOutlook outlook_;       ///< of the bank
@@ -122,7 +127,8 @@ private:
 	void judge(double t_s, double x, const FeaturePlace &place);
 	void use(const FrameBursts::Frame &frame, double t_s);
 	void look(double t_s) {
-		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, mistaken(), now_.halted.is_halted());
+		outlook_.look(now_.bank, curve_, t_s, ahead_s(), now_.seen_s, mistaken(), now_.halted.is_halted(),
+				wanders_to_);
 	}
 	/// How far a free hand that is shown beside the end may be at it, as the tracker has erred.
 	[[nodiscard]] double mistaken() const { return knows_end_ ? soundness_.lasting_unsoundness() : 0.0; }

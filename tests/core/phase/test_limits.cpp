@@ -217,7 +217,7 @@ TEST_CASE("a hand at rest that is lost before a tracker that wanders goes on in 
 	};
 	CHECK(share_led_away(0.01) == 0.0); // 2 mm of 20 cm
 	CHECK(share_led_away(0.03) < 0.1);
-	CHECK(std::abs(share_led_away(0.05) - 0.1) < 0.06);
+	CHECK(std::abs(share_led_away(0.05) - 0.04) < 0.03);
 }
 
 TEST_CASE("a hand that turns back half-way after a fault is shown beside itself for a while") {

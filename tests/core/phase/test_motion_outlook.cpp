@@ -106,6 +106,23 @@ TEST_CASE("phase and movement are the weighted means of those on their way") {
 	CHECK(outlook.at(test::drag_curve(), NOW_S - 1.0).value == test::near(now.value).epsilon(1e-12));
 }
 
+TEST_CASE("what has come no further than the hand wandered goes on unseen for a quarter of a second") {
+	const GestureHypothesis begins = begun(Regime::SOUND, 0.9, 1.0, 0.0); // seen to a hundredth of its way
+	HypothesisBank bank;
+	bank.start(begins);
+	bank.prune(NOW_S, 0.0, 0.0);
+	const auto expected = [&](double wander, double later_s) {
+		MotionOutlook outlook;
+		outlook.look(bank, test::drag_curve(), NOW_S, 0.0, NOW_S, 0.0, false, wander);
+		return outlook.at(test::drag_curve(), NOW_S + later_s).value;
+	};
+	CHECK(expected(0.0, 2.0) == test::near(1.0));
+	CHECK(expected(0.005, 2.0) == test::near(1.0));
+	CHECK(expected(0.1, 0.25) == test::near(expected(0.0, 0.25)));
+	CHECK(expected(0.1, 2.0) < expected(0.0, 0.31));
+	CHECK(expected(0.1, 0.3) < expected(0.0, 0.3));
+}
+
 TEST_CASE("a look leaves nothing of the one before") {
 	const HypothesisBank bank = mixed();
 	HypothesisBank other;
