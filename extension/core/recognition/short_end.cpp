@@ -30,13 +30,13 @@ void ShortEnd::begin(double t_s) {
 	furthest_ = 0.0;
 }
 
-void ShortEnd::follow(double t_s, double value, bool is_seen, bool has_been) {
+void ShortEnd::follow(double t_s, double value, bool is_seen, bool is_sure) {
 	value_ = value;
 	if (value < NEAREST || std::abs(value - stays_at_) > stay_at(value).within || !is_seen) {
 		stays_since_s_ = t_s;
 		stays_at_ = value;
 	}
-	furthest_ = has_been ? std::max(furthest_, value) : furthest_;
+	furthest_ = is_sure ? std::max(furthest_, value) : furthest_;
 }
 
 bool ShortEnd::has_ended(double t_s) const {

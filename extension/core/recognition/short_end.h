@@ -11,9 +11,9 @@ public:
 
 	/// A gesture has begun.
 	void begin(double t_s);
-	/// At each step of it. is_seen: the hand is, and (has_been: has been since it was found again) it tells
-	/// how far it came.
-	void follow(double t_s, double value, bool is_seen, bool has_been);
+	/// At each step of it. is_seen: the hand is; is_sure: and has been for long enough to tell how far it
+	/// came.
+	void follow(double t_s, double value, bool is_seen, bool is_sure);
 
 	/// As of the last step.
 	[[nodiscard]] bool has_ended(double t_s) const;

@@ -111,9 +111,9 @@ private:
 	FeaturePlace leapt_m_ = FeaturePlace::Zero(); ///< by which the tracker shows the hand beside its place
 	int leaps_ = 0;                               ///< times that it changed at once
 	double seen_since_s_ = 0.0;                   ///< frozen frames count as seen
-	double lost_since_s_ = -INFINITY;             ///< and when it was found again, the last time
-	double found_s_ = -INFINITY;
-	HeldPose pose_; ///< shown first when a place was last news
+	double lost_since_s_ = -INFINITY;             ///< the last time that nobody knows where the hand was,
+	double found_s_ = -INFINITY;                  ///< and its end
+	HeldPose pose_;                               ///< shown first when a place was last news
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;
 	std::optional<Sample> onset_;

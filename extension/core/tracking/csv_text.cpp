@@ -174,9 +174,10 @@ void append_plain_text(std::string &r_out, std::string_view text) {
 void append_cell(std::string &r_out, std::string_view text) {
 	const std::string_view cell = trim(text);
 	const bool is_quoted = cell.starts_with('"') || cell.find(',') != std::string_view::npos;
-	r_out += is_quoted ? "\"" : "";
+	const std::string_view quote = is_quoted ? "\"" : "";
+	r_out += quote;
 	append_plain_text(r_out, cell); // a quote in it is doubled already, as split_cells() leaves it
-	r_out += is_quoted ? "\"" : "";
+	r_out += quote;
 }
 
 std::string quoted(std::string_view cell) {
