@@ -10,6 +10,7 @@ LAYERS = [
     "signal",
     "hmm",
     "tracking",
+    "devices",
     "gesture",
     "soundness",
     "motion",
