@@ -46,8 +46,8 @@ static func describe(proposal: Dictionary) -> String:
 	return "; ".join(parts)
 
 
-func _on_frame_received(time_s: float) -> void:
+func _on_frame_received(frame: HandFrame) -> void:
 	if _tracker.is_joint_tracked(_joint):
-		_survey.push(time_s, _tracker.get_joint_position(_joint))
+		_survey.push(frame.time, _tracker.get_joint_position(_joint))
 	if _survey.get_duration() >= DURATION_S:
 		end()

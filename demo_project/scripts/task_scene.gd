@@ -23,8 +23,8 @@ const TrialTask := preload("trial_task.gd")
 
 ## Of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
-const POSITIONS: Array[HandTracker.SyntheticPosition] = [
-	HandTracker.POSITION_STABLE, HandTracker.POSITION_UNSTABLE
+const POSITIONS: Array[SyntheticSource.Position] = [
+	SyntheticSource.POSITION_STABLE, SyntheticSource.POSITION_UNSTABLE
 ]
 
 ## A trial set to play; empty: synthetic people make the trials.
@@ -39,6 +39,7 @@ var course: TrialCourse = null
 ## Of this session.
 var session_folder := ""
 
+var _synthetic := SyntheticSource.new()
 var _trials: TrialList = null
 var _log: TrialLog = null
 var _trial_name := ""
@@ -113,8 +114,9 @@ func _exit_tree() -> void:
 ## Plays a trial of a set. `trial`: a row of TrialSet.get_trial().
 func play(trial: Dictionary, measured_path: String) -> Error:
 	_stop()
-	tracker.source = HandTracker.SOURCE_RECORDED
-	tracker.recording_path = measured_path
+	var source := RecordedSource.new()
+	source.track = measured_path
+	tracker.source = source
 	TrialTask.apply(trial, task)
 	var started := tracker.start()
 	if started == OK:
@@ -152,7 +154,7 @@ func follow_mouse(on: bool) -> void:
 func follow_live() -> void:
 	_stop()
 	_is_live = true
-	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.source = ScriptSource.new()
 	_record_frames()
 	tracker.start()
 	_begin_live_trial()
@@ -191,16 +193,16 @@ func condition_name() -> String:
 
 func _play_synthetic() -> void:
 	_stop()
-	tracker.source = HandTracker.SOURCE_SYNTHETIC
-	tracker.synthetic_gesture = task.gesture
-	tracker.synthetic_seed += 1
-	tracker.synthetic_subject = tracker.synthetic_seed / TRIALS_PER_SUBJECT
-	tracker.synthetic_position = POSITIONS[tracker.synthetic_seed % POSITIONS.size()]
+	_synthetic.gesture = task.gesture
+	_synthetic.seed += 1
+	_synthetic.subject = _synthetic.seed / TRIALS_PER_SUBJECT
+	_synthetic.position = POSITIONS[_synthetic.seed % POSITIONS.size()]
+	tracker.source = _synthetic
 	if tracker.start() != OK:
 		return
-	var trial := tracker.get_synthetic_trial()
+	var trial := _synthetic.get_trial()
 	TrialTask.apply(trial, task)
-	_begin_trial("synthetic_%03d" % tracker.synthetic_seed, trial["position"], trial["subject"])
+	_begin_trial("synthetic_%03d" % _synthetic.seed, trial["position"], trial["subject"])
 
 
 func _begin_trial(trial_name: String, position_name: String, participant: String) -> void:
@@ -272,7 +274,7 @@ func _on_tracker_finished() -> void:
 		play_next.call_deferred()
 
 
-func _on_gesture_started(_gesture: StringName) -> void:
+func _on_gesture_started(_gesture: StringName, _task: GestureTask) -> void:
 	if _practice != null:
 		return
 	_readout.notice = ""
@@ -287,7 +289,7 @@ func _on_gesture_started(_gesture: StringName) -> void:
 	_stage.begin_stroke()
 
 
-func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
+func _on_gesture_ended(_gesture: StringName, time_s: float, _task: GestureTask) -> void:
 	if _practice == null and course.takes_end():
 		course.gesture_end_s = time_s
 		course.end_value_m = _stage.end_value(gesture_hmm.value)
@@ -299,7 +301,7 @@ func _on_gesture_ended(_gesture: StringName, time_s: float) -> void:
 
 
 ## A live hand that turned back has its trial yet to make.
-func _on_gesture_aborted(_gesture: StringName) -> void:
+func _on_gesture_aborted(_gesture: StringName, _task: GestureTask) -> void:
 	if _is_live and _log != null and not _stage.strokes_add_up:
 		course = TrialCourse.new(_stage.strokes_add_up)
 		_stage.place(task, _position_name)

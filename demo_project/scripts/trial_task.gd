@@ -2,7 +2,7 @@ extends RefCounted
 ## A row of a trial set as the GestureTask of a scene.
 
 
-## `trial`: of TrialSet.get_trial() or HandTracker.get_synthetic_trial(). A trial without an axis is
+## `trial`: of TrialSet.get_trial() or SyntheticSource.get_trial(). A trial without an axis is
 ## a radius (zoom): it has no place, and the task's stays.
 static func apply(trial: Dictionary, task: GestureTask) -> void:
 	var axis: Vector3 = trial["axis"]

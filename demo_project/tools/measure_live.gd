@@ -134,7 +134,7 @@ func _change(what: String, action: Callable) -> void:
 
 func _build_held() -> void:
 	_tracker = HandTracker.new()
-	_tracker.source = HandTracker.SOURCE_SCRIPT
+	_tracker.source = ScriptSource.new()
 	_tracker.update_mode = HandTracker.UPDATE_MANUAL
 	_task = GestureTask.new()
 	_task.gesture = &"horizontal_drag"
@@ -196,8 +196,9 @@ func _measure_trials(trials: TrialSet) -> void:
 func _measure_trial(trial: Dictionary, track_path: String) -> void:
 	var gesture: String = trial["gesture"]
 	_tracker = HandTracker.new()
-	_tracker.source = HandTracker.SOURCE_RECORDED
-	_tracker.recording_path = track_path
+	var source := RecordedSource.new()
+	source.track = track_path
+	_tracker.source = source
 	_tracker.autostart = false
 	_task = GestureTask.new()
 	_hmm = GestureHMM.new()

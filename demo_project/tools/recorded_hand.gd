@@ -5,8 +5,9 @@ extends RefCounted
 ## Not in the tree yet, nor started.
 static func make(path: String) -> HandTracker:
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
+	var source := RecordedSource.new()
+	source.track = path
+	tracker.source = source
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.autostart = false
-	tracker.recording_path = path
 	return tracker

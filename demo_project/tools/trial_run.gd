@@ -95,10 +95,10 @@ func run(
 	hmm.tracker = null if hmm.models.is_empty() or not unseen.is_empty() else tracker
 	hmm.task = task
 	hmm.gesture_ended.connect(
-		func(ended: StringName, time_s: float) -> void:
+		func(ended: StringName, time_s: float, _task: GestureTask) -> void:
 			ends.append({gesture = String(ended), time_s = time_s})
 	)
-	hmm.gesture_started.connect(func(_gesture: StringName) -> void: begun += 1)
+	hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: begun += 1)
 	_parent.add_child(hmm)
 
 	_record(tracker, hmm, 1.0 if gesture == NO_GESTURE else _trial["amplitude_m"])

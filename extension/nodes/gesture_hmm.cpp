@@ -1,6 +1,7 @@
 #include "gesture_hmm.h"
 
 #include "conversions.h"
+#include "gesture_task.h"
 #include "node_label.h"
 
 #include "recognition/gesture_recogniser.h"
@@ -37,16 +38,16 @@ void GestureHMM::_notification(int p_what) {
 void GestureHMM::reset() {
 	outdated_ = true;
 	recognised_ = StringName();
-	give_up_shown(get_gesture());
+	give_up_shown(get_gesture(), get_current_task());
 }
 
-void GestureHMM::give_up_shown(const StringName &p_gesture) {
+void GestureHMM::give_up_shown(const StringName &p_gesture, GestureTask *p_task) {
 	const Watch watch(listeners_);
 	const steadyhand::GestureShown before = std::exchange(shown_, {});
 	const bool is_told = !std::exchange(is_start_untold_, false);
 	const bool has_ended = before.arrived && !std::exchange(is_end_untold_, false);
 	if (before.gesture >= 0 && !has_ended && is_told) {
-		emit_signal(names_.gesture_aborted, p_gesture);
+		emit_signal(names_.gesture_aborted, p_gesture, p_task);
 	}
 	if (before.state >= 0 && !watch.is_gone() && shown_.state < 0) {
 		emit_signal(names_.state_changed, -1);
@@ -61,7 +62,7 @@ void GestureHMM::on_stream_started() {
 void GestureHMM::on_stream_ended() {
 	++stream_;
 	outdated_ = true;
-	give_up_shown(get_gesture());
+	give_up_shown(get_gesture(), get_current_task());
 }
 
 bool GestureHMM::prepare(double p_time_s) {
@@ -129,6 +130,7 @@ void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
 	}
 	recogniser_->push(p_frame);
 	watch_joints(p_frame.tracked);
+	watch_tasks(p_frame);
 	time_s_ = std::max(time_s_, p_frame.t_s);
 }
 
@@ -144,11 +146,15 @@ void GestureHMM::publish() {
 	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
 	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
 	gestures_begun_ += news.started ? 1 : 0;
+	if (news.started) {
+		task_watch_.gesture_started();
+	}
 	task_changes_ = news.ended ? 0 : task_changes_;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
 	const StringName gesture = news.started || news.ended ? gesture_name(shown_.gesture) : StringName();
+	GestureTask *const aborted_task = news.aborted ? task_of(before.gesture) : nullptr;
 	const StringName aborted_gesture = news.aborted ? gesture_name(before.gesture) : StringName();
 	if (news.ended) {
 		recognised_ = gesture;
@@ -165,18 +171,18 @@ void GestureHMM::publish() {
 	is_start_untold_ = news.started;
 	is_end_untold_ = news.ended;
 	if (news.aborted) {
-		emit_signal(names_.gesture_aborted, aborted_gesture);
+		emit_signal(names_.gesture_aborted, aborted_gesture, aborted_task);
 	}
 	if (news.started && is_valid()) {
 		is_start_untold_ = false;
-		emit_signal(names_.gesture_started, gesture);
+		emit_signal(names_.gesture_started, gesture, task_of(shown_.gesture));
 	}
 	if (news.state_changed && is_valid()) {
 		emit_signal(names_.state_changed, state);
 	}
 	if (news.ended && is_valid()) {
 		is_end_untold_ = false;
-		emit_signal(names_.gesture_ended, gesture, instant_s);
+		emit_signal(names_.gesture_ended, gesture, instant_s, task_of(shown_.gesture));
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {
 		emit_signal(names_.motion_updated, instant_s);

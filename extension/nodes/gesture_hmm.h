@@ -8,6 +8,7 @@
 #include "gesture/task.h"
 #include "motion/motion.h"
 #include "recognition/gesture_news.h"
+#include "recognition/task_watch.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>
@@ -149,6 +150,8 @@ private:
 	int leaps_ = 0;                               ///< gaps too long to connect, one after the other
 	int frames_with_hand_ = 0;                    ///< since the recogniser was made
 	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
+	steadyhand::TaskWatch task_watch_;
+	std::vector<ObjectID> watched_tasks_;         ///< by task_watch_
 	bool has_frame_ = false;                      ///< of this tracker
 	bool is_hand_missed_ = false;                 ///< told that none comes
 	double waited_s_ = 0.0;                       ///< for a hand of this tracker
@@ -173,11 +176,13 @@ private:
 	void build_recogniser();
 	void update_expected();
 	/// What was under way is so no longer, and that is told; it may free this node.
-	void give_up_shown(const StringName &p_gesture);
+	void give_up_shown(const StringName &p_gesture, GestureTask *p_task);
 	void warn_of_silence();
 	void watch_tracker(double p_passed_s);
 	void watch_tracker_anew();
 	void watch_joints(uint8_t p_tracked);
+	void watch_tasks_anew();
+	void watch_tasks(const steadyhand::HandFrame &p_frame);
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
 	String place_fault(const GestureTask &p_task) const;
 	/// Of a gesture that needs a task and has none; empty where there is no such.
@@ -192,6 +197,8 @@ private:
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;
 	StringName gesture_name(int p_expected) const;
+	/// Null where there is none, or no longer.
+	GestureTask *task_of(int p_expected) const;
 	void on_settings_changed();
 	void on_expected_changed();
 	void on_task_changed(uint64_t p_task);

@@ -225,11 +225,13 @@ void GestureHMM::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "recognised", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_recognised");
 
-	ADD_SIGNAL(MethodInfo("gesture_started", PropertyInfo(Variant::STRING_NAME, "gesture")));
+	const PropertyInfo task(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask",
+			PROPERTY_USAGE_DEFAULT, "GestureTask");
+	ADD_SIGNAL(MethodInfo("gesture_started", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("state_changed", PropertyInfo(Variant::INT, "state")));
 	ADD_SIGNAL(MethodInfo("gesture_ended", PropertyInfo(Variant::STRING_NAME, "gesture"),
-			PropertyInfo(Variant::FLOAT, "time_s")));
-	ADD_SIGNAL(MethodInfo("gesture_aborted", PropertyInfo(Variant::STRING_NAME, "gesture")));
+			PropertyInfo(Variant::FLOAT, "time_s"), task));
+	ADD_SIGNAL(MethodInfo("gesture_aborted", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
 
 	BIND_ENUM_CONSTANT(MODE_PHASE);

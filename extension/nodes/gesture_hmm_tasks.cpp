@@ -39,10 +39,14 @@ GestureTask *GestureHMM::task_at(int64_t p_index) const {
 	return Object::cast_to<GestureTask>(tasks_[p_index].get_validated_object());
 }
 
+GestureTask *GestureHMM::task_of(int p_expected) const {
+	return p_expected >= 0 ? Object::cast_to<GestureTask>(ObjectDB::get_instance(
+									 expected_[static_cast<std::size_t>(p_expected)].task))
+						   : nullptr;
+}
+
 GestureTask *GestureHMM::get_current_task() const {
-	return shown_.gesture >= 0 ? Object::cast_to<GestureTask>(ObjectDB::get_instance(
-										 expected_[static_cast<std::size_t>(shown_.gesture)].task))
-							   : nullptr;
+	return task_of(shown_.gesture);
 }
 
 bool GestureHMM::is_usable(const Ref<GestureModel> &p_model) {
@@ -122,6 +126,7 @@ void GestureHMM::build_recogniser() {
 	expects_others_ = false;
 	expected_ = find_expected();
 	warn_of_silence();
+	watch_tasks_anew();
 	frames_with_hand_ = 0;
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
 			static_cast<steadyhand::MotionMode>(mode_),
@@ -143,8 +148,10 @@ void GestureHMM::update_expected() {
 	const bool motion_goes_on = before < now.size() && now[before] == static_cast<int>(recogniser_->shown());
 	frames_with_hand_ = 0;
 	const StringName gesture = get_gesture();
+	GestureTask *const task = get_current_task();
 	expected_ = std::move(expected);
 	warn_of_silence();
+	watch_tasks_anew();
 	const int shown = shown_.gesture >= 0 ? now[static_cast<std::size_t>(shown_.gesture)] : -1;
 	if (shown >= 0) {
 		shown_.gesture = shown;
@@ -154,7 +161,7 @@ void GestureHMM::update_expected() {
 		listeners_.call(&MotionListener::on_motion_started);
 	}
 	if (shown < 0 && !watch.is_gone()) {
-		give_up_shown(gesture);
+		give_up_shown(gesture, task);
 	}
 }
 

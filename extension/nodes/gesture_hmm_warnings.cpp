@@ -117,7 +117,10 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 		return;
 	}
 	const bool is_in_play = tracker_->is_inside_tree() && tracker_->can_process();
-	if (!is_in_play || !tracker_->is_running() || tracker_->get_source() != HandTracker::SOURCE_SCRIPT) {
+	const Ref<HandSource> source = tracker_->get_source();
+	// A device that sends nothing says so itself; of a track it is known when it ends.
+	const bool is_waited_for = source.is_null() || source->is_script() || has_frame_;
+	if (!is_in_play || (source.is_valid() && !tracker_->is_running()) || !is_waited_for) {
 		return;
 	}
 	waited_s_ += std::min(p_passed_s, LONGEST_WAIT_S);
@@ -127,10 +130,11 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 	set_process_internal(false);
 	is_hand_missed_ = true;
 	const String label = node_label(*tracker_);
-	const String empty = String("no hand has come in 20 s: all frames of ") + label + String(" are empty");
-	const String none = String("no frame has come in 5 s: a script has to push them to ") + label +
-			String(", as examples/xr_hand.gd of the demo project does; or choose another \"source\"");
-	WARN_PRINT(node_label(*this) + String(": ") + (has_frame_ ? empty : none));
+	const String fix = source.is_valid() ? source->silence_advice()
+										 : String("set its \"source\", e.g. to an XRSource");
+	const String none = has_frame_ ? String("no hand has come in 20 s: all frames of ") + label + " are empty"
+								   : String("no frame has come in 5 s of ") + label;
+	WARN_PRINT(node_label(*this) + String(": ") + none + String("; ") + fix);
 }
 
 /// Another tracker, or none any more, of which nothing is to be said.
@@ -163,6 +167,40 @@ void GestureHMM::watch_joints(uint8_t p_tracked) {
 				String("', which is measured by ") + joint_list(needed) + String(": no frame has held ") +
 				joint_list(missed));
 	}
+}
+
+void GestureHMM::watch_tasks_anew() {
+	std::vector<steadyhand::Task> places;
+	watched_tasks_.clear();
+	for (const Expected &one : expected_) {
+		const steadyhand::Feature &feature = *steadyhand::find_feature(one.model->feature);
+		if (one.place && feature.direction != nullptr && !feature.is_radius) {
+			places.push_back(*one.place);
+			watched_tasks_.push_back(one.task);
+		}
+	}
+	task_watch_.expect(std::move(places));
+}
+
+/// Of a task where no hand comes, or that points where no hand goes; once.
+void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
+	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.look(p_frame);
+	const GestureTask *const task =
+			doubt ? Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task])) : nullptr;
+	if (task == nullptr) {
+		return;
+	}
+	String reason = String("nothing starts at ") + node_label(*task);
+	if (doubt->kind == steadyhand::TaskDoubt::Kind::FAR) {
+		reason += String(": the fingertip has come no nearer to its start than ") +
+				String::num(doubt->distance_m, 2) +
+				String(" m. Move the GestureTask, or let the source use the space that it is in");
+	} else {
+		reason += String(": the hand leaves its start towards ") + Variant(to_godot(doubt->way)).stringify() +
+				String(", and its direction is ") + Variant(task->get_axis()).stringify() +
+				String(" in the world. Turn the GestureTask, or set its \"direction\"");
+	}
+	WARN_PRINT(node_label(*this) + String(": ") + reason);
 }
 
 String GestureHMM::place_fault(const GestureTask &p_task) const {

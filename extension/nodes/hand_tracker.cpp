@@ -1,15 +1,14 @@
 #include "hand_tracker.h"
 
 #include "conversions.h"
+#include "live_clock.h"
 #include "node_label.h"
-#include "track_file.h"
-#include "trial_dictionary.h"
 #include "written_file.h"
-
-#include "simulation/synthetic_trial.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
+
+#include <limits>
 
 namespace godot {
 
@@ -22,18 +21,60 @@ HandTracker::~HandTracker() {
 void HandTracker::_notification(int p_what) {
 	switch (p_what) {
 		case NOTIFICATION_READY:
-			if (autostart_ && !Engine::get_singleton()->is_editor_hint()) {
+			if (autostart_ && source_.is_valid() && !Engine::get_singleton()->is_editor_hint()) {
 				start();
 			}
 			break;
 		case NOTIFICATION_INTERNAL_PROCESS:
-			advance(get_process_delta_time());
+			if (stream_ && stream_->is_polled()) {
+				advance_live();
+			} else {
+				advance(get_process_delta_time());
+			}
 			break;
 		case NOTIFICATION_INTERNAL_PHYSICS_PROCESS:
-			advance(get_physics_process_delta_time());
+			if (stream_ && stream_->is_polled()) {
+				advance_live();
+			} else {
+				advance(get_physics_process_delta_time());
+			}
 			break;
 		default:
 			break;
+	}
+}
+
+/// A script that sets the source in its own _ready() comes after this node's.
+void HandTracker::set_source(const Ref<HandSource> &p_source) {
+	if (source_ == p_source) {
+		return;
+	}
+	const Callable on_changed = callable_mp(this, &HandTracker::on_source_changed);
+	if (source_.is_valid()) {
+		source_->disconnect("changed", on_changed);
+	}
+	const bool was_running = is_running();
+	stop();
+	source_ = p_source;
+	if (source_.is_valid()) {
+		source_->connect("changed", on_changed);
+	}
+	on_source_changed();
+	const bool starts_by_itself = autostart_ && is_node_ready() && is_inside_tree();
+	if (source_.is_valid() && (was_running || starts_by_itself) &&
+			!Engine::get_singleton()->is_editor_hint()) {
+		start_is_due_ = true;
+		call_deferred("_start_if_due");
+	}
+}
+
+void HandTracker::on_source_changed() {
+	update_configuration_warnings();
+}
+
+void HandTracker::start_if_due() {
+	if (start_is_due_) {
+		start();
 	}
 }
 
@@ -45,46 +86,54 @@ Error HandTracker::start() {
 	if (watch.is_gone()) {
 		return ERR_UNAVAILABLE;
 	}
-	playback_.reset();
-	played_path_ = String();
-	synthetic_trial_ = Dictionary();
+	begin_run();
+	const uint64_t this_run = run_;
+	const std::shared_ptr<HandStream> stream = source_.is_valid() ? source_->make_stream(*this) : nullptr;
+	const String fault = stream ? stream->open()
+								: String("set \"source\", e.g. to an XRSource, or to a ScriptSource for "
+										 "frames that a script pushes");
+	if (!goes_on(watch, this_run)) {
+		return ERR_UNAVAILABLE; // the source's script has started it anew, or freed it
+	}
+	if (!fault.is_empty()) {
+		tell(&FrameListener::on_stream_ended);
+		if (goes_on(watch, this_run)) {
+			tell_failure(fault);
+		}
+		return ERR_CANT_OPEN;
+	}
+	stream_ = stream;
+	if (stream->clock() == StreamClock::LIVE) {
+		live_s_ = time_s_ = start_time_s_ = hand_seen_s_ = live_time_s(get_process_delta_time());
+		clock_set_ = true;
+	} else if (stream->clock() == StreamClock::GAME) {
+		time_s_ = start_time_s_ = stream->start_s();
+		duration_s_ = stream->duration_s();
+	}
+	update_publisher();
+	update_processing();
+	tell(&FrameListener::on_stream_started);
+	tell_events(*stream, watch, this_run);
+	return OK;
+}
+
+void HandTracker::begin_run() {
+	start_is_due_ = false;
 	finished_ = false;
 	clock_set_ = false;
 	complained_ = 0;
 	doubted_ = 0;
+	door_faults_ = 0;
 	refused_from_s_.reset();
 	doubts_ = {};
-	time_s_ = start_time_s_ = duration_s_ = 0.0;
-	if (source_ != SOURCE_SCRIPT) {
-		steadyhand::Result<std::vector<steadyhand::HandFrame>> frames = load_frames();
-		if (!frames) {
-			const String message = to_godot(frames.error());
-			ERR_PRINT(node_label(*this) + String(": ") + message);
-			const uint64_t no_run = run_;
-			tell(&FrameListener::on_stream_ended);
-			if (goes_on(watch, no_run)) {
-				emit_signal("source_unavailable", message);
-			}
-			return ERR_CANT_OPEN;
-		}
-		playback_.emplace(std::move(frames).value(), loop_);
-		played_path_ = source_ == SOURCE_RECORDED ? recording_path_ : String();
-		time_s_ = start_time_s_ = playback_->start_s();
-		duration_s_ = playback_->duration_s();
-	}
-	running_ = true;
-	update_processing();
-	const uint64_t this_run = run_;
-	tell(&FrameListener::on_stream_started);
-	if (goes_on(watch, this_run)) {
-		emit_signal("source_ready");
-	}
-	return OK;
+	door_ = {};
+	statistics_ = {};
+	time_s_ = live_s_ = start_time_s_ = duration_s_ = hand_seen_s_ = 0.0;
 }
 
 void HandTracker::stop() {
 	const Watch watch(listeners_);
-	const bool was_running = running_;
+	const bool was_running = is_running();
 	const uint64_t ended_run = end_run();
 	if (was_running && goes_on(watch, ended_run)) {
 		tell(&FrameListener::on_stream_ended);
@@ -95,66 +144,81 @@ void HandTracker::stop() {
 /// another.
 uint64_t HandTracker::end_run() {
 	const uint64_t ended_run = ++run_;
-	running_ = false;
-	tracked_ = 0;
+	start_is_due_ = false;
+	stream_.reset();
+	publisher_.reset();
+	tracked_ = inferred_ = 0;
 	update_processing();
 	set_hand_present(false);
 	return ended_run;
 }
 
-steadyhand::Result<std::vector<steadyhand::HandFrame>> HandTracker::load_frames() {
-	if (source_ == SOURCE_RECORDED) {
-		if (recording_path_.is_empty()) {
-			return steadyhand::Error{ "set recording_path to a track CSV" };
+bool HandTracker::tell_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run) {
+	StreamEvent event;
+	while (goes_on(p_watch, p_run) && p_stream.next_event(event)) {
+		switch (event.kind) {
+			case StreamEvent::Kind::READY:
+				emit_signal("source_ready");
+				break;
+			case StreamEvent::Kind::FAILED:
+				tell_failure(event.text);
+				break;
+			case StreamEvent::Kind::WARNING:
+				WARN_PRINT(node_label(*this) + String(": ") + event.text);
+				break;
 		}
-		steadyhand::Result<steadyhand::Track> track = read_track_file(recording_path_);
-		if (!track) {
-			return steadyhand::Error{ track.error() };
-		}
-		if (track.value().frames.empty()) {
-			return steadyhand::Error{ to_core(recording_path_) + ": this track has no frames" };
-		}
-		return std::move(track.value().frames);
 	}
-	steadyhand::SyntheticTrialRequest request;
-	request.name = "synthetic";
-	request.gesture = to_core(synthetic_gesture_);
-	request.position = synthetic_position_ == POSITION_STABLE ? steadyhand::HandPosition::STABLE
-															  : steadyhand::HandPosition::UNSTABLE;
-	// Not the people that models are trained on.
-	request.subject = steadyhand::draw_subject(
-			steadyhand::Population::EVALUATE, static_cast<std::uint32_t>(synthetic_subject_));
-	request.seed = static_cast<std::uint64_t>(synthetic_seed_);
-	steadyhand::Result<steadyhand::SyntheticTrial> made = steadyhand::make_synthetic_trial(request);
-	if (!made) {
-		return steadyhand::Error{ made.error() };
-	}
-	synthetic_trial_ = trial_dictionary(made.value().trial);
-	return std::move(made.value().measured.frames);
+	return goes_on(p_watch, p_run);
+}
+
+void HandTracker::tell_failure(const String &p_reason) {
+	ERR_PRINT(node_label(*this) + String(": ") + p_reason);
+	emit_signal("failed", p_reason);
+}
+
+void HandTracker::report_failure(const String &p_reason) {
+	tell_failure(p_reason);
 }
 
 void HandTracker::update_processing() {
-	const bool own_clock = running_ && playback_.has_value() && !finished_;
-	set_process_internal(own_clock && update_mode_ == UPDATE_IDLE);
-	set_physics_process_internal(own_clock && update_mode_ == UPDATE_PHYSICS);
+	const bool has_news = stream_ && (stream_->clock() == StreamClock::GAME || stream_->is_polled());
+	const bool goes_by_itself = has_news && !finished_;
+	set_process_internal(goes_by_itself && update_mode_ == UPDATE_IDLE);
+	set_physics_process_internal(goes_by_itself && update_mode_ == UPDATE_PHYSICS);
+}
+
+void HandTracker::update_publisher() {
+	publisher_.reset();
+	if (is_running() && publish_name_ != StringName()) {
+		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HAND_LEFT);
+	}
+}
+
+double HandTracker::get_latency() const {
+	return stream_ ? stream_->latency_s() : std::numeric_limits<double>::quiet_NaN();
 }
 
 Vector3 HandTracker::get_joint_position(Joint p_joint) const {
 	ERR_FAIL_COND_V_MSG(
-			!is_enumerator(p_joint, JOINT_WRIST), Vector3(), "HandTracker: there is no such joint");
+			!is_enumerator(p_joint, JOINT_PINKY), Vector3(), "HandTracker: there is no such joint");
 	return positions_m_[static_cast<std::size_t>(p_joint)];
 }
 
 bool HandTracker::is_joint_tracked(Joint p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_WRIST), false, "HandTracker: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false, "HandTracker: there is no such joint");
 	return ((tracked_ >> static_cast<unsigned>(p_joint)) & 1U) != 0;
+}
+
+bool HandTracker::is_joint_inferred(Joint p_joint) const {
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false, "HandTracker: there is no such joint");
+	return ((inferred_ >> static_cast<unsigned>(p_joint)) & 1U) != 0;
 }
 
 Error HandTracker::start_recording(const String &p_path) {
 	ERR_FAIL_COND_V_MSG(p_path.is_empty(), ERR_FILE_BAD_PATH,
 			"HandTracker: start_recording needs the path of a file, e.g. user://hand.csv");
-	const bool is_played = running_ && is_same_file(p_path, played_path_);
-	const bool will_be_played = source_ == SOURCE_RECORDED && is_same_file(p_path, recording_path_);
+	const bool is_played = stream_ && is_same_file(p_path, stream_->played_file());
+	const bool will_be_played = source_.is_valid() && is_same_file(p_path, source_->played_file());
 	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,
 			String("HandTracker: ") + p_path +
 					String(" is the recording that it plays; record to another file"));

@@ -3,22 +3,11 @@
 #include "hand_tracker.h"
 
 #include "conversions.h"
+#include "hand_frame.h"
 
-#include "simulation/gesture_motion.h"
-
-#include <godot_cpp/classes/file_access.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
-#include <limits>
-
 namespace godot {
-
-void HandTracker::set_source(Source p_source) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_source, SOURCE_SYNTHETIC), "HandTracker: source must be a Source");
-	source_ = p_source;
-	notify_property_list_changed();
-	update_configuration_warnings();
-}
 
 void HandTracker::set_update_mode(UpdateMode p_mode) {
 	ERR_FAIL_COND_MSG(
@@ -27,50 +16,26 @@ void HandTracker::set_update_mode(UpdateMode p_mode) {
 	update_processing();
 }
 
-void HandTracker::set_recording_path(const String &p_path) {
-	recording_path_ = p_path;
-	update_configuration_warnings();
+void HandTracker::set_publish_name(const StringName &p_name) {
+	publish_name_ = p_name;
+	update_publisher();
 }
 
-void HandTracker::set_synthetic_position(SyntheticPosition p_position) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_position, POSITION_UNSTABLE),
-			"HandTracker: synthetic_position must be a SyntheticPosition");
-	synthetic_position_ = p_position;
-}
-
-void HandTracker::set_synthetic_subject(int64_t p_subject) {
-	ERR_FAIL_COND_MSG(p_subject < 0 || p_subject > std::numeric_limits<std::uint32_t>::max(),
-			"HandTracker: synthetic_subject must be in 0..4294967295");
-	synthetic_subject_ = p_subject;
+void HandTracker::set_publish_hand(PublishedHand p_hand) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT),
+			"HandTracker: publish_hand must be HAND_LEFT or HAND_RIGHT");
+	publish_hand_ = p_hand;
+	update_publisher();
 }
 
 PackedStringArray HandTracker::_get_configuration_warnings() const {
+	if (source_.is_valid()) {
+		return source_->get_warnings();
+	}
 	PackedStringArray warnings;
-	if (source_ == SOURCE_RECORDED && recording_path_.is_empty()) {
-		warnings.push_back("Set \"recording_path\" to the track (*.csv) to be played.");
-	} else if (source_ == SOURCE_RECORDED && !FileAccess::file_exists(recording_path_)) {
-		warnings.push_back(String("Set \"recording_path\" to a file that exists; there is no ") +
-				recording_path_ + String("."));
-	}
+	warnings.push_back("Set \"source\" to where the hand's frames come from, e.g. an XRSource; for frames "
+					   "that a script pushes, a ScriptSource.");
 	return warnings;
-}
-
-void HandTracker::_validate_property(PropertyInfo &p_property) const {
-	const String name = p_property.name;
-	if (name == "synthetic_gesture") {
-		String gestures;
-		for (const steadyhand::SimulatedGesture &gesture : steadyhand::simulated_gestures()) {
-			gestures += to_godot(gesture.name) + String(",");
-		}
-		p_property.hint = PROPERTY_HINT_ENUM;
-		p_property.hint_string = gestures + String("none");
-	}
-	const bool unused = (name.begins_with("synthetic_") && source_ != SOURCE_SYNTHETIC) ||
-			(name == "recording_path" && source_ != SOURCE_RECORDED) ||
-			(name == "loop" && source_ == SOURCE_SCRIPT);
-	if (unused) {
-		p_property.usage = PROPERTY_USAGE_NO_EDITOR;
-	}
 }
 
 void HandTracker::_bind_methods() {
@@ -80,78 +45,75 @@ void HandTracker::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_update_mode"), &HandTracker::get_update_mode);
 	ClassDB::bind_method(D_METHOD("set_autostart", "autostart"), &HandTracker::set_autostart);
 	ClassDB::bind_method(D_METHOD("get_autostart"), &HandTracker::get_autostart);
-	ClassDB::bind_method(D_METHOD("set_recording_path", "path"), &HandTracker::set_recording_path);
-	ClassDB::bind_method(D_METHOD("get_recording_path"), &HandTracker::get_recording_path);
-	ClassDB::bind_method(D_METHOD("set_loop", "loop"), &HandTracker::set_loop);
-	ClassDB::bind_method(D_METHOD("get_loop"), &HandTracker::get_loop);
-	ClassDB::bind_method(D_METHOD("set_synthetic_gesture", "gesture"), &HandTracker::set_synthetic_gesture);
-	ClassDB::bind_method(D_METHOD("get_synthetic_gesture"), &HandTracker::get_synthetic_gesture);
-	ClassDB::bind_method(
-			D_METHOD("set_synthetic_position", "position"), &HandTracker::set_synthetic_position);
-	ClassDB::bind_method(D_METHOD("get_synthetic_position"), &HandTracker::get_synthetic_position);
-	ClassDB::bind_method(D_METHOD("set_synthetic_seed", "seed"), &HandTracker::set_synthetic_seed);
-	ClassDB::bind_method(D_METHOD("get_synthetic_seed"), &HandTracker::get_synthetic_seed);
-	ClassDB::bind_method(D_METHOD("set_synthetic_subject", "subject"), &HandTracker::set_synthetic_subject);
-	ClassDB::bind_method(D_METHOD("get_synthetic_subject"), &HandTracker::get_synthetic_subject);
+	ClassDB::bind_method(D_METHOD("set_publish_name", "name"), &HandTracker::set_publish_name);
+	ClassDB::bind_method(D_METHOD("get_publish_name"), &HandTracker::get_publish_name);
+	ClassDB::bind_method(D_METHOD("set_publish_hand", "hand"), &HandTracker::set_publish_hand);
+	ClassDB::bind_method(D_METHOD("get_publish_hand"), &HandTracker::get_publish_hand);
 
 	ClassDB::bind_method(D_METHOD("start"), &HandTracker::start);
+	ClassDB::bind_method(D_METHOD("_start_if_due"), &HandTracker::start_if_due);
 	ClassDB::bind_method(D_METHOD("stop"), &HandTracker::stop);
 	ClassDB::bind_method(D_METHOD("is_running"), &HandTracker::is_running);
 	ClassDB::bind_method(D_METHOD("is_finished"), &HandTracker::is_finished);
+	ClassDB::bind_method(D_METHOD("is_hand_tracked"), &HandTracker::is_hand_tracked);
 	ClassDB::bind_method(D_METHOD("get_time"), &HandTracker::get_time);
 	ClassDB::bind_method(D_METHOD("get_start_time"), &HandTracker::get_start_time);
 	ClassDB::bind_method(D_METHOD("get_duration"), &HandTracker::get_duration);
-	ClassDB::bind_method(D_METHOD("get_synthetic_trial"), &HandTracker::get_synthetic_trial);
+	ClassDB::bind_method(D_METHOD("get_frame_rate"), &HandTracker::get_frame_rate);
+	ClassDB::bind_method(D_METHOD("get_frame_jitter"), &HandTracker::get_frame_jitter);
+	ClassDB::bind_method(D_METHOD("get_dropout_count"), &HandTracker::get_dropout_count);
+	ClassDB::bind_method(D_METHOD("get_latency"), &HandTracker::get_latency);
 	ClassDB::bind_method(D_METHOD("advance", "seconds"), &HandTracker::advance);
 	ClassDB::bind_method(D_METHOD("advance_to", "time_s"), &HandTracker::advance_to);
 	ClassDB::bind_method(
 			D_METHOD("push_frame", "time_s", "joints", "confidence"), &HandTracker::push_frame, DEFVAL(1.0));
+	ClassDB::bind_method(D_METHOD("report_failure", "reason"), &HandTracker::report_failure);
 	ClassDB::bind_method(D_METHOD("get_joint_position", "joint"), &HandTracker::get_joint_position);
 	ClassDB::bind_method(D_METHOD("is_joint_tracked", "joint"), &HandTracker::is_joint_tracked);
+	ClassDB::bind_method(D_METHOD("is_joint_inferred", "joint"), &HandTracker::is_joint_inferred);
 	ClassDB::bind_method(D_METHOD("start_recording", "path"), &HandTracker::start_recording);
 	ClassDB::bind_method(D_METHOD("stop_recording"), &HandTracker::stop_recording);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "source", PROPERTY_HINT_ENUM, "Script,Recorded,Synthetic"),
+	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "source", PROPERTY_HINT_RESOURCE_TYPE, "HandSource"),
 			"set_source", "get_source");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "update_mode", PROPERTY_HINT_ENUM, "Idle,Physics,Manual"),
 			"set_update_mode", "get_update_mode");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "autostart"), "set_autostart", "get_autostart");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "loop"), "set_loop", "get_loop");
-	ADD_GROUP("Recording", "recording_");
-	ADD_PROPERTY(PropertyInfo(Variant::STRING, "recording_path", PROPERTY_HINT_FILE, "*.csv"),
-			"set_recording_path", "get_recording_path");
-	ADD_GROUP("Synthetic", "synthetic_");
-	ADD_PROPERTY(PropertyInfo(Variant::STRING, "synthetic_gesture"), "set_synthetic_gesture",
-			"get_synthetic_gesture");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "synthetic_position", PROPERTY_HINT_ENUM, "Stable,Unstable"),
-			"set_synthetic_position", "get_synthetic_position");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "synthetic_seed", PROPERTY_HINT_RANGE, "0,1000,1,or_greater"),
-			"set_synthetic_seed", "get_synthetic_seed");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "synthetic_subject", PROPERTY_HINT_RANGE, "0,100,1,or_greater"),
-			"set_synthetic_subject", "get_synthetic_subject");
+	ADD_GROUP("Publish", "publish_");
+	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "publish_name"), "set_publish_name", "get_publish_name");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "publish_hand", PROPERTY_HINT_ENUM, "Left,Right"),
+			"set_publish_hand", "get_publish_hand");
 
-	ADD_SIGNAL(MethodInfo("frame_received", PropertyInfo(Variant::FLOAT, "time_s")));
-	ADD_SIGNAL(MethodInfo("tracking_found"));
+	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frame_rate", PROPERTY_HINT_NONE, "suffix:Hz", READ_ONLY), "",
+			"get_frame_rate");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frame_jitter", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "",
+			"get_frame_jitter");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "dropout_count", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_dropout_count");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "latency", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "",
+			"get_latency");
+
+	ADD_SIGNAL(MethodInfo("frame_received",
+			PropertyInfo(Variant::OBJECT, "frame", PROPERTY_HINT_RESOURCE_TYPE, "HandFrame")));
 	ADD_SIGNAL(MethodInfo("tracking_lost"));
+	ADD_SIGNAL(MethodInfo("tracking_restored"));
 	ADD_SIGNAL(MethodInfo("finished"));
 	ADD_SIGNAL(MethodInfo("source_ready"));
-	ADD_SIGNAL(MethodInfo("source_unavailable", PropertyInfo(Variant::STRING, "message")));
+	ADD_SIGNAL(MethodInfo("failed", PropertyInfo(Variant::STRING, "reason")));
 
-	BIND_ENUM_CONSTANT(SOURCE_SCRIPT);
-	BIND_ENUM_CONSTANT(SOURCE_RECORDED);
-	BIND_ENUM_CONSTANT(SOURCE_SYNTHETIC);
 	BIND_ENUM_CONSTANT(UPDATE_IDLE);
 	BIND_ENUM_CONSTANT(UPDATE_PHYSICS);
 	BIND_ENUM_CONSTANT(UPDATE_MANUAL);
+	BIND_ENUM_CONSTANT(JOINT_PALM);
+	BIND_ENUM_CONSTANT(JOINT_WRIST);
 	BIND_ENUM_CONSTANT(JOINT_THUMB);
 	BIND_ENUM_CONSTANT(JOINT_INDEX);
 	BIND_ENUM_CONSTANT(JOINT_MIDDLE);
 	BIND_ENUM_CONSTANT(JOINT_RING);
 	BIND_ENUM_CONSTANT(JOINT_PINKY);
-	BIND_ENUM_CONSTANT(JOINT_PALM);
-	BIND_ENUM_CONSTANT(JOINT_WRIST);
-	BIND_ENUM_CONSTANT(POSITION_STABLE);
-	BIND_ENUM_CONSTANT(POSITION_UNSTABLE);
+	BIND_ENUM_CONSTANT(HAND_LEFT);
+	BIND_ENUM_CONSTANT(HAND_RIGHT);
 }
 
 } // namespace godot

@@ -5,14 +5,19 @@
 #include "gesture_model.h"
 #include "gesture_task.h"
 #include "gesture_trainer.h"
+#include "hand_frame.h"
 #include "hand_tracker.h"
 #include "haptic_device_profile.h"
 #include "haptic_effect.h"
 #include "haptic_stream.h"
 #include "haptic_synth.h"
 #include "motion_metrics.h"
+#include "recorded_source.h"
+#include "script_source.h"
+#include "synthetic_source.h"
 #include "tracking_survey.h"
 #include "trial_set.h"
+#include "xr_source.h"
 
 #include <godot_cpp/classes/resource_loader.hpp>
 #include <godot_cpp/classes/resource_saver.hpp>
@@ -60,6 +65,12 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(GestureTrainer);
 		GDREGISTER_CLASS(MotionMetrics);
 		GDREGISTER_CLASS(TrackingSurvey);
+		GDREGISTER_CLASS(HandFrame);
+		GDREGISTER_VIRTUAL_CLASS(HandSource);
+		GDREGISTER_CLASS(ScriptSource);
+		GDREGISTER_CLASS(RecordedSource);
+		GDREGISTER_CLASS(SyntheticSource);
+		GDREGISTER_CLASS(XRSource);
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);

@@ -86,7 +86,7 @@ func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
 	# expects one error: HandTracker: start_recording needs the path of a file
 	var tracker := _make_tracker()
-	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.source = ScriptSource.new()
 	tracker.start()
 	check(tracker.start_recording(_path("no_folder/track.csv")) != OK, "refused")
 	check(tracker.start_recording("") != OK, "and none as well")
@@ -119,7 +119,7 @@ func test_fingertips_in_line_or_in_one_point() -> void:
 		gesture = "zoom", amplitude_m = 0.03, start = Vector3(0.015, 0, 0), axis = Vector3.ZERO
 	}
 	var rig := Rig.new(trial, "", root)
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.source = ScriptSource.new()
 	rig.tracker.start()
 	var line := Vector3(0.02, 0.01, 0.3)
 	_push_tips(rig, 1.0, [Vector3(0.02, 0, 0), Vector3(-0.02, 0, 9), Vector3(0, 0.02, -9)])
@@ -146,15 +146,16 @@ func test_fingertips_in_line_or_in_one_point() -> void:
 func _push_tips(rig: Rig, time_s: float, tips: Array, scale: float = 1.0) -> void:
 	var joints := {}
 	for i in tips.size():
-		joints[HandTracker.JOINT_THUMB + i] = scale * (tips[i] as Vector3)
+		joints[Rig.TIPS[i]] = scale * (tips[i] as Vector3)
 	rig.tracker.push_frame(time_s, joints)
 
 
 func _check_tracker_refuses(name: String, place: String) -> void:
 	_messages = []
 	var tracker := _make_tracker()
-	tracker.recording_path = _path(name)
-	tracker.source_unavailable.connect(func(message: String) -> void: _messages.append(message))
+	var source := tracker.source as RecordedSource
+	source.track = _path(name)
+	tracker.failed.connect(func(message: String) -> void: _messages.append(message))
 	check(tracker.start() != OK, "%s is refused" % name)
 	check(not tracker.is_running(), "nothing runs")
 	check(
@@ -162,7 +163,7 @@ func _check_tracker_refuses(name: String, place: String) -> void:
 		"one message that names %s: %s" % [place, _messages]
 	)
 	_write("good.csv", GOOD_TRACK)
-	tracker.recording_path = _path("good.csv")
+	source.track = _path("good.csv")
 	check_equal(tracker.start(), OK, "a good file is played after it")
 	tracker.advance(1.0)
 	check(tracker.is_finished(), "to its end")
@@ -171,7 +172,7 @@ func _check_tracker_refuses(name: String, place: String) -> void:
 
 func _make_tracker() -> HandTracker:
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.source = RecordedSource.new()
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.autostart = false
 	root.add_child(tracker)
@@ -186,7 +187,7 @@ func _make_script_rig() -> Rig:
 		axis = Vector3.RIGHT,
 	}
 	var rig := Rig.new(trial, "", root)
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.source = ScriptSource.new()
 	return rig
 
 

@@ -15,10 +15,10 @@ func test_signals_of_a_drag() -> void:
 	var states: Array[int] = []
 	var rig := _make_rig(STABLE)
 	rig.gesture_hmm.gesture_started.connect(
-		func(gesture: StringName) -> void: events.append("started %s" % gesture)
+		func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float) -> void: events.append("ended %s" % gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
 	)
 	rig.gesture_hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 	check_equal(rig.gesture_hmm.state, -1, "no state before the gesture")
@@ -54,15 +54,15 @@ func test_a_drag_that_is_given_up_is_aborted() -> void:
 	for leaves: bool in [false, true]:
 		var events: Array[String] = []
 		var rig := _make_rig(STABLE)
-		rig.tracker.source = HandTracker.SOURCE_SCRIPT
+		rig.tracker.source = ScriptSource.new()
 		rig.gesture_hmm.gesture_started.connect(
-			func(gesture: StringName) -> void: events.append("started %s" % gesture)
+			func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
 		)
 		rig.gesture_hmm.gesture_aborted.connect(
-			func(gesture: StringName) -> void: events.append("aborted %s" % gesture)
+			func(gesture: StringName, _task: GestureTask) -> void: events.append("aborted %s" % gesture)
 		)
 		rig.gesture_hmm.gesture_ended.connect(
-			func(gesture: StringName, _time_s: float) -> void: events.append("ended %s" % gesture)
+			func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
 		)
 		var is_probability := true
 		var random := RandomNumberGenerator.new()
@@ -211,7 +211,7 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 	hmm.min_confidence = NAN
 	check_equal(hmm.min_confidence, 0.0, "none of them is taken")
 	var least: Array[float] = []
-	hmm.gesture_started.connect(func(_gesture: StringName) -> void: least.append(hmm.confidence))
+	hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: least.append(hmm.confidence))
 	for wanted: float in [0.9, 1.0]:
 		hmm.min_confidence = wanted
 		rig.record(0, 2400)
@@ -234,7 +234,7 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 func test_joints_that_no_frame_holds_are_named() -> void:
 	# expects warning: by thumb, index, middle: no frame has held thumb, middle
 	var rig := _make_rig(STABLE)
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.source = ScriptSource.new()
 	rig.gesture_hmm.models = [load(Rig.MODEL % "zoom")]
 	rig.task.gesture = &"zoom"
 	rig.task.start_radius = 0.03

@@ -16,8 +16,7 @@ var _events: Array[String] = []
 
 
 func test_recorded_source_plays_frames_and_signals() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-	tracker.recording_path = _write("track.csv", TRACK)
+	var tracker := _make_tracker(_recording(_write("track.csv", TRACK)))
 	check_equal(tracker.start(), OK, "a recording starts")
 	check_equal(tracker.get_start_time(), 1.0, "the clock starts with the first frame")
 	check_near(tracker.get_duration(), 0.51, 1e-12, "duration")
@@ -45,8 +44,8 @@ func test_recorded_source_plays_frames_and_signals() -> void:
 
 
 func test_a_recording_that_was_cut_off_is_played_to_the_cut() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-	tracker.recording_path = _write("track.csv", TRACK.substr(0, TRACK.length() - 10))
+	var cut := TRACK.substr(0, TRACK.length() - 10)
+	var tracker := _make_tracker(_recording(_write("track.csv", cut)))
 	# expects warning: it was cut off; the 4 rows before it are read
 	check_equal(tracker.start(), OK, "it starts")
 	tracker.advance(5.0)
@@ -56,8 +55,7 @@ func test_a_recording_that_was_cut_off_is_played_to_the_cut() -> void:
 
 func test_frames_once_over_step_sizes() -> void:
 	for step_s: float in [0.001, 0.007, 0.3, 5.0]:
-		var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-		tracker.recording_path = _write("track.csv", TRACK)
+		var tracker := _make_tracker(_recording(_write("track.csv", TRACK)))
 		tracker.start()
 		while not tracker.is_finished():
 			tracker.advance(step_s)
@@ -66,9 +64,9 @@ func test_frames_once_over_step_sizes() -> void:
 
 
 func test_loop_never_goes_back_in_time() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-	tracker.recording_path = _write("track.csv", TRACK)
-	tracker.loop = true
+	var source := _recording(_write("track.csv", TRACK))
+	source.loop = true
+	var tracker := _make_tracker(source)
 	tracker.start()
 	tracker.advance(2.0)
 	var is_rising := true
@@ -80,14 +78,14 @@ func test_loop_never_goes_back_in_time() -> void:
 
 
 func test_loop_is_that_of_the_start() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-	tracker.recording_path = _write("track.csv", TRACK)
+	var source := _recording(_write("track.csv", TRACK))
+	var tracker := _make_tracker(source)
 	tracker.start()
-	tracker.loop = true
+	source.loop = true
 	tracker.advance(4000.0)
 	check(tracker.is_finished(), "a track that was started without one has its end")
 	tracker.start()
-	tracker.loop = false
+	source.loop = false
 	# expects error: a track in a loop is advanced by an hour at most
 	tracker.advance(1e9)
 	check_equal(tracker.get_time(), 1.0, "one that was started in a loop goes on in it")
@@ -95,7 +93,7 @@ func test_loop_is_that_of_the_start() -> void:
 
 
 func test_script_source() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_SCRIPT)
+	var tracker := _make_tracker(ScriptSource.new())
 	tracker.start()
 	var tip := Vector3(0.1, 0.2, -0.3)
 	tracker.push_frame(10.0, {HandTracker.JOINT_INDEX: tip})
@@ -117,7 +115,7 @@ func test_frames_of_wrong_units_are_told_once() -> void:
 	# expects one warning: times are in seconds
 	# expects one warning: positions are in metres
 	for scale: Vector2 in [Vector2(0.0, 1.0), Vector2(1000.0, 1.0), Vector2(1.0, 1000.0)]:
-		var tracker := _make_tracker(HandTracker.SOURCE_SCRIPT)
+		var tracker := _make_tracker(ScriptSource.new())
 		tracker.start()
 		for frame in 200:
 			var time := frame / 90.0
@@ -130,9 +128,9 @@ func test_synthetic_source() -> void:
 	var counts: Array[int] = []
 	var positions: Array[Vector3] = []
 	for seed: int in [1, 1, 2]:
-		var tracker := _make_tracker(HandTracker.SOURCE_SYNTHETIC)
-		tracker.synthetic_gesture = "horizontal_drag"
-		tracker.synthetic_seed = seed
+		var source := SyntheticSource.new()
+		source.seed = seed
+		var tracker := _make_tracker(source)
 		check_equal(tracker.start(), OK, "synthetic person %d starts" % seed)
 		tracker.advance(1.5)
 		counts.append(_stamps.size())
@@ -144,8 +142,7 @@ func test_synthetic_source() -> void:
 
 
 func test_plays_by_itself() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
-	tracker.recording_path = _write("track.csv", TRACK)
+	var tracker := _make_tracker(_recording(_write("track.csv", TRACK)))
 	tracker.update_mode = HandTracker.UPDATE_IDLE
 	tracker.start()
 	var began_ms := Time.get_ticks_msec()
@@ -157,7 +154,7 @@ func test_plays_by_itself() -> void:
 
 
 func test_records_what_it_tracks() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_SYNTHETIC)
+	var tracker := _make_tracker(SyntheticSource.new())
 	var copy_path := _folder.get_current_dir().path_join("copy.csv")
 	check_equal(tracker.start_recording(copy_path), OK, "a recording begins")
 	var positions := _collect_positions(tracker)
@@ -168,8 +165,7 @@ func test_records_what_it_tracks() -> void:
 	var stamps := _stamps
 	tracker.free()
 
-	var copy := _make_tracker(HandTracker.SOURCE_RECORDED)
-	copy.recording_path = copy_path
+	var copy := _make_tracker(_recording(copy_path))
 	var copied_positions := _collect_positions(copy)
 	copy.start()
 	copy.advance(100.0)
@@ -179,14 +175,15 @@ func test_records_what_it_tracks() -> void:
 
 
 func test_what_is_played_is_not_recorded_over() -> void:
-	var tracker := _make_tracker(HandTracker.SOURCE_RECORDED)
 	var path := _write("track.csv", TRACK)
+	var source := RecordedSource.new()
+	source.track = path
+	var tracker := _make_tracker(source)
 	var folder := path.get_base_dir()
-	tracker.recording_path = path
 	# expects error: track.csv is the recording that it plays; record to another file
 	check_equal(tracker.start_recording(path), ERR_FILE_ALREADY_IN_USE, "before it is started")
 	tracker.start()
-	tracker.recording_path = folder.path_join("other.csv")
+	source.track = folder.path_join("other.csv")
 	var by_another_name := folder.path_join("../%s/./track.csv" % folder.get_file())
 	check_equal(tracker.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "while it plays")
 	check_equal(FileAccess.get_file_as_string(path), TRACK, "the file is as it was")
@@ -200,7 +197,7 @@ func test_two_trackers_do_not_record_to_one_file() -> void:
 	var by_another_name := path.get_base_dir().path_join("./both.csv")
 	var trackers: Array[HandTracker] = []
 	for name: String in ["Left", "Right"]:
-		trackers.append(_make_tracker(HandTracker.SOURCE_SCRIPT))
+		trackers.append(_make_tracker(ScriptSource.new()))
 		trackers[-1].name = name
 		trackers[-1].start()
 	var left := trackers[0]
@@ -225,25 +222,31 @@ func test_two_trackers_do_not_record_to_one_file() -> void:
 func _collect_positions(tracker: HandTracker) -> Array[Vector3]:
 	var positions: Array[Vector3] = []
 	tracker.frame_received.connect(
-		func(_time_s: float) -> void:
+		func(_frame: HandFrame) -> void:
 			positions.append(tracker.get_joint_position(HandTracker.JOINT_INDEX))
 	)
 	return positions
 
 
-func _make_tracker(source: HandTracker.Source) -> HandTracker:
+func _make_tracker(source: HandSource) -> HandTracker:
 	_stamps = []
 	_events = []
 	var tracker := HandTracker.new()
 	tracker.source = source
 	tracker.autostart = false
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
-	tracker.frame_received.connect(func(time_s: float) -> void: _stamps.append(time_s))
-	tracker.tracking_found.connect(func() -> void: _events.append("found"))
+	tracker.frame_received.connect(func(frame: HandFrame) -> void: _stamps.append(frame.time))
+	tracker.tracking_restored.connect(func() -> void: _events.append("found"))
 	tracker.tracking_lost.connect(func() -> void: _events.append("lost"))
 	tracker.finished.connect(func() -> void: _events.append("finished"))
 	root.add_child(tracker)
 	return tracker
+
+
+func _recording(path: String) -> RecordedSource:
+	var source := RecordedSource.new()
+	source.track = path
+	return source
 
 
 func _write(name: String, text: String) -> String:

@@ -13,7 +13,7 @@ func test_a_handler_may_free_the_tracker() -> void:
 	for does_push: bool in [false, true]:
 		var rig := _make_rig()
 		var tracker := rig.tracker
-		rig.gesture_hmm.gesture_started.connect(func(_gesture: StringName) -> void: tracker.free())
+		rig.gesture_hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: tracker.free())
 		if does_push:
 			_push_drag(rig)
 		else:
@@ -35,7 +35,7 @@ func test_a_handler_may_free_the_scene_of_the_gesture() -> void:
 		rig.gesture_hmm.reparent(scene)
 		# expects error: was freed or unreferenced while a signal is being emitted from it
 		var leave := func() -> void: scene.free()
-		rig.gesture_hmm.connect(told, leave.unbind(1))
+		rig.gesture_hmm.connect(told, leave.unbind(2 if told == &"gesture_started" else 1))
 		rig.tracker.start()
 		rig.tracker.advance_to(2.4)
 		check(not is_instance_valid(scene), "freed by a handler of %s" % told)
@@ -64,15 +64,16 @@ func test_a_tracker_that_is_freed_leaves_no_gesture() -> void:
 
 func test_a_handler_may_push_the_next_frame() -> void:
 	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
 	tracker.autostart = false
 	root.add_child(tracker)
 	tracker.start()
 	var stamps: Array[float] = []
 	tracker.frame_received.connect(
-		func(time_s: float) -> void:
-			stamps.append(time_s)
-			if time_s < 0.25:
-				tracker.push_frame(time_s + 0.1, {HandTracker.JOINT_INDEX: Vector3.ZERO})
+		func(frame: HandFrame) -> void:
+			stamps.append(frame.time)
+			if frame.time < 0.25:
+				tracker.push_frame(frame.time + 0.1, {HandTracker.JOINT_INDEX: Vector3.ZERO})
 	)
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
 	check_equal(stamps.size(), 4, "each in the handler of the one before")
@@ -89,7 +90,7 @@ func test_after_a_reset_in_a_handler_nothing_stale_is_told() -> void:
 	var has_reset: Array[bool] = [false]
 	hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 	hmm.gesture_started.connect(
-		func(_gesture: StringName) -> void:
+		func(_gesture: StringName, _task: GestureTask) -> void:
 			if not has_reset[0]:
 				has_reset[0] = true
 				hmm.reset()
@@ -150,9 +151,9 @@ func test_numbers_that_are_none() -> void:
 	rig.record(0, 1000)
 	for no_time: float in [NAN, INF, -INF]:
 		check_equal(hmm.get_value_at(no_time), hmm.value, "at no time: now")
-	# expects error: HandTracker: source must be a Source
-	rig.tracker.source = 9 as HandTracker.Source
-	check_equal(rig.tracker.source, HandTracker.SOURCE_RECORDED, "a source that there is none of")
+	# expects error: HandTracker: update_mode must be an UpdateMode
+	rig.tracker.update_mode = 9 as HandTracker.UpdateMode
+	check_equal(rig.tracker.update_mode, HandTracker.UPDATE_MANUAL, "an update mode of none")
 	# expects error: GestureHMM: motion must be a Motion
 	hmm.motion = 7 as GestureHMM.Motion
 	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "nor of a motion")
@@ -166,18 +167,20 @@ func test_numbers_that_are_none() -> void:
 	rig.free_nodes()
 
 	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
 	tracker.autostart = false
 	root.add_child(tracker)
 	tracker.start()
 	var far := {HandTracker.JOINT_INDEX: Vector3(3e38, 0.0, 0.0)}
 	check_equal(tracker.push_frame(0.0, far), OK, "a place that is none is taken")
 	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "as not tracked")
-	tracker.synthetic_seed = 1 << 40
-	check_equal(tracker.synthetic_seed, 1 << 40, "a seed may have all bits")
-	# expects error: HandTracker: synthetic_subject must be in 0..4294967295
-	tracker.synthetic_subject = 1 << 40
-	check_equal(tracker.synthetic_subject, 0, "a subject has 32")
 	tracker.free()
+	var source := SyntheticSource.new()
+	source.seed = 1 << 40
+	check_equal(source.seed, 1 << 40, "a seed may have all bits")
+	# expects error: SyntheticSource: subject must be in 0..4294967295
+	source.subject = 1 << 40
+	check_equal(source.subject, 0, "a subject has 32")
 	var synth := HapticSynth.new()
 	# expects error: HapticSynth: joypad must be -1 (none) or the number of one
 	synth.joypad = 1 << 40
@@ -194,6 +197,7 @@ func test_a_gesture_that_needs_its_task_says_so() -> void:
 	FileAccess.open(path, FileAccess.WRITE).store_string(circle)
 	hmm.models = [load(path) as GestureModel]
 	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
 	tracker.autostart = false
 	hmm.tracker = tracker
 	for node: Node in [tracker, hmm]:
@@ -207,7 +211,7 @@ func test_a_gesture_that_needs_its_task_says_so() -> void:
 
 
 func _push_drag(rig: Rig) -> void:
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.source = ScriptSource.new()
 	rig.tracker.start()
 	var trial := _trials.get_trial(STABLE)
 	for frame in 200:

@@ -241,7 +241,8 @@ func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
 		root.add_child(next)
 		var hmm := rig.gesture_hmm
 		if follows == &"task":
-			var go_on := func(_gesture: StringName, _time_s: float) -> void: hmm.task = next
+			var go_on := func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+				hmm.task = next
 			hmm.gesture_ended.connect(go_on)
 		var synth := HapticSynth.new()
 		synth.gesture_hmm = hmm
@@ -258,7 +259,7 @@ func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
 			before = strength
 		check_equal(beats, 1, "followed by %s: once" % follows)
 		if follows == &"run":
-			rig.tracker.source = HandTracker.SOURCE_SCRIPT
+			rig.tracker.source = ScriptSource.new()
 			rig.tracker.start()
 			var rest := {HandTracker.JOINT_INDEX: rig.task.position}
 			for frame in 400:

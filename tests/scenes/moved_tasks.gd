@@ -80,6 +80,7 @@ func _push_tap(
 ## Of taps at `count` keys of `panel`; what it says is in _said.
 func _hmm(panel: Node3D, count: int) -> GestureHMM:
 	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
 	var hmm := GestureHMM.new()
 	hmm.models = [load(Rig.MODEL % "tap") as GestureModel]
 	hmm.tracker = tracker

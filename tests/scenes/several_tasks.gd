@@ -105,15 +105,15 @@ func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
 	var near := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([far, near])
 	var told: Array[String] = []
-	var reset := func(_gesture: StringName) -> void:
+	var reset := func(_gesture: StringName, _task: GestureTask) -> void:
 		told.append("started at %d" % hmm.tasks.find(hmm.current_task))
 		if hmm.current_task == near:
 			hmm.reset()
 	hmm.gesture_started.connect(reset)
 	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float) -> void: told.append("ended")
+		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: told.append("ended")
 	)
-	hmm.gesture_aborted.connect(func(_gesture: StringName) -> void: told.append("aborted"))
+	hmm.gesture_aborted.connect(func(_gesture: StringName, _task: GestureTask) -> void: told.append("aborted"))
 	_play(hmm, [Vector3.ZERO, Vector3(0.4, 0.0, 0.0)])
 	check(told.has("started at 1"), "the near one's start comes with its end: %s" % [told])
 	var over := told.count("ended") + told.count("aborted")
@@ -157,7 +157,7 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		var hmm := _hmm(tasks)
 		# expects one warning: none of its tasks is there any more
 		hmm.tracker.frame_received.connect(
-			func(_time_s: float) -> void: task.free(), CONNECT_ONE_SHOT
+			func(_frame: HandFrame) -> void: task.free(), CONNECT_ONE_SHOT
 		)
 		var seen := _ends(_play(hmm, [Vector3.ZERO, end, end + 0.2 * Vector3.UP]))
 		var expected: Array[String] = []
@@ -175,7 +175,7 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 	var hmm := _hmm([nowhere, task])
 	# expects one warning: /Nowhere', the task of 'tap': its global position is not finite
 	hmm.tracker.frame_received.connect(
-		func(_time_s: float) -> void:
+		func(_frame: HandFrame) -> void:
 			nowhere.position.y = NAN
 			nowhere.force_update_transform()
 	)
@@ -224,14 +224,14 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	hmm.models = [load(Rig.MODEL % "zoom") as GestureModel]
 	var ended: Array[StringName] = []
 	hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float) -> void: ended.append(gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: ended.append(gesture)
 	)
 	hmm.tracker.start()
 	for frame in 220:
 		var p := smoothstep(60.0, 140.0, frame)
 		var joints := {}
-		for tip in 3:
-			joints[tip] = (0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
+		for tip in Rig.TIPS.size():
+			joints[Rig.TIPS[tip]] = (0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
 		hmm.tracker.push_frame(frame * FRAME_S, joints)
 		task.rotation.y = 0.01 * frame
 		task.position = Vector3(0.01 * frame, NAN, 0.0)
@@ -313,7 +313,7 @@ func _task(gesture: StringName, start: Vector3, direction: Vector3, way_m: float
 
 func _hmm(tasks: Array[GestureTask]) -> GestureHMM:
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.source = ScriptSource.new()
 	tracker.autostart = false
 	var hmm := GestureHMM.new()
 	var models: Array[GestureModel] = []
@@ -356,10 +356,11 @@ func _ends(seen: Array[String]) -> Array[String]:
 ## last it stays. What the signals say, and the index of `current_task` as they are given.
 func _play(hmm: GestureHMM, places: Array[Vector3]) -> Array[String]:
 	var seen: Array[String] = []
-	var tell := func(gesture: StringName, what: String) -> void:
+	var tell := func(gesture: StringName, _task: GestureTask, what: String) -> void:
 		seen.append("%s %s at task %d" % [what, gesture, hmm.tasks.find(hmm.current_task)])
 	var started := tell.bind("started")
-	var ended := func(gesture: StringName, _time_s: float) -> void: tell.call(gesture, "ended")
+	var ended := func(gesture: StringName, _time_s: float, task: GestureTask) -> void:
+		tell.call(gesture, task, "ended")
 	hmm.gesture_started.connect(started)
 	hmm.gesture_ended.connect(ended)
 	hmm.tracker.start()

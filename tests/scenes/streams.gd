@@ -17,7 +17,7 @@ func test_a_tracker_that_stops_leaves_no_gesture() -> void:
 		var hmm := _hmm()
 		var tracker := hmm.tracker
 		if how == &"handler":
-			hmm.gesture_started.connect(tracker.stop.unbind(1))
+			hmm.gesture_started.connect(tracker.stop.unbind(2))
 		_push_drag(tracker, HALF_WAY_S)
 		match how:
 			&"stop":
@@ -25,8 +25,8 @@ func test_a_tracker_that_stops_leaves_no_gesture() -> void:
 			&"start":
 				tracker.start()
 			&"no_source":
-				tracker.source = HandTracker.SOURCE_RECORDED
-				# expects one error: set recording_path to a track CSV
+				tracker.source = RecordedSource.new()
+				# expects one error: set "track" of the RecordedSource to a track CSV
 				check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot be started")
 		check_equal(_said, ["started", "aborted"] as Array[String], "%s: what is said" % how)
 		check_equal(hmm.gesture, &"", "%s: no gesture is under way" % how)
@@ -106,7 +106,7 @@ func test_a_clock_that_begins_anew() -> void:
 
 
 func test_a_hand_that_never_comes_is_told_of_once() -> void:
-	# expects one warning: no frame has come in 5 s: a script has to push them to HandTracker '
+	# expects one warning: no frame has come in 5 s of HandTracker '
 	# expects one warning: no hand has come in 20 s: all frames of HandTracker '
 	Engine.time_scale = 100.0
 	for what: StringName in [&"nothing", &"empty", &"hand", &"not_running", &"synthetic"]:
@@ -116,7 +116,7 @@ func test_a_hand_that_never_comes_is_told_of_once() -> void:
 				hmm.tracker.stop()
 			&"synthetic":
 				hmm.tracker.update_mode = HandTracker.UPDATE_MANUAL
-				hmm.tracker.source = HandTracker.SOURCE_SYNTHETIC
+				hmm.tracker.source = SyntheticSource.new()
 				hmm.tracker.start()
 		var wait_s := 22.0 if what == &"empty" or what == &"hand" else 6.0
 		var passed_s := 0.0
@@ -168,6 +168,7 @@ func _hand(time_s: float) -> Dictionary:
 ## Of a drag at the origin, with a tracker that runs; what it says is in _said.
 func _hmm() -> GestureHMM:
 	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
 	var task := GestureTask.new()
 	var hmm := GestureHMM.new()
 	task.gesture = &"horizontal_drag"

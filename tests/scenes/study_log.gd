@@ -145,13 +145,13 @@ func test_which_end_counts() -> void:
 		var trial := Rig.write_trials(_folder.get_current_dir().path_join("ends"), 1, gesture)
 		player.scene.play(trial.get_trial(0), trial.get_measured_path(0))
 		var hmm := player.scene.gesture_hmm
-		hmm.gesture_ended.emit(gesture, 0.5)
+		hmm.gesture_ended.emit(gesture, 0.5, null)
 		check(is_nan(player.scene.course.gesture_end_s), "%s: none before one has begun" % gesture)
-		hmm.gesture_started.emit(gesture)
-		hmm.gesture_ended.emit(gesture, 1.0)
-		hmm.gesture_ended.emit(gesture, 2.0)
+		hmm.gesture_started.emit(gesture, null)
+		hmm.gesture_ended.emit(gesture, 1.0, null)
+		hmm.gesture_ended.emit(gesture, 2.0, null)
 		player.scene.course.end_s = 1.5
-		hmm.gesture_ended.emit(gesture, 3.0)
+		hmm.gesture_ended.emit(gesture, 3.0, null)
 		check_equal(
 			player.scene.course.gesture_end_s, counted[gesture], "the one that did the task"
 		)
@@ -162,11 +162,12 @@ func test_which_end_counts() -> void:
 func _check_frames(session: String, hand: LiveHand) -> void:
 	var tracker := HandTracker.new()
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
-	tracker.source = HandTracker.SOURCE_RECORDED
-	tracker.recording_path = session.path_join("frames_01.csv")
+	var source := RecordedSource.new()
+	source.track = session.path_join("frames_01.csv")
+	tracker.source = source
 	root.add_child(tracker)
 	var counted: Array[int] = [0]
-	tracker.frame_received.connect(func(_time_s: float) -> void: counted[0] += 1)
+	tracker.frame_received.connect(func(_frame: HandFrame) -> void: counted[0] += 1)
 	check_equal(tracker.start(), OK, "the frames of a live hand are a track")
 	tracker.advance(hand.time_s + 1.0)
 	check_equal(counted[0], roundi(hand.time_s / LiveHand.FRAME_S), "of all its frames")

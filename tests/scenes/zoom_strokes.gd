@@ -92,7 +92,7 @@ func _play(
 		amplitude_m = GROWTH_M,
 	}
 	var rig := Rig.new(trial, "", root)
-	rig.tracker.source = HandTracker.SOURCE_SCRIPT
+	rig.tracker.source = ScriptSource.new()
 	if not in_task:
 		var models: Array[GestureModel] = []
 		for gesture in GESTURES:
@@ -101,13 +101,13 @@ func _play(
 		rig.gesture_hmm.task = null
 	var events: Array[String] = []
 	rig.gesture_hmm.gesture_started.connect(
-		func(gesture: StringName) -> void: events.append("started %s" % gesture)
+		func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_aborted.connect(
-		func(gesture: StringName) -> void: events.append("aborted %s" % gesture)
+		func(gesture: StringName, _task: GestureTask) -> void: events.append("aborted %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float) -> void: events.append("ended %s" % gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
 	)
 	rig.tracker.start()
 	var random := RandomNumberGenerator.new()

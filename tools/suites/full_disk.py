@@ -43,7 +43,7 @@ func _keep(gesture: String) -> Error:
 
 func _record() -> void:
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_SCRIPT
+	tracker.source = ScriptSource.new()
 	tracker.start()
 	tracker.start_recording(_folder.path_join("frames.csv"))
 	for i in 400:
@@ -53,7 +53,7 @@ func _record() -> void:
 
 func _vibrate() -> void:
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_SYNTHETIC
+	tracker.source = SyntheticSource.new()
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	var hmm := GestureHMM.new()
 	hmm.tracker = tracker

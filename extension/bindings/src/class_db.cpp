@@ -111,6 +111,7 @@ void ClassDB::register_record(const StringName &p_name, const StringName &p_pare
 	classes.push_back(std::make_unique<ClassRecord>(ClassRecord{ p_name, find_class(p_parent), {}, {} }));
 	internal::register_binding_callbacks(p_name, &internal::OWN_BINDING_CALLBACKS);
 	p_info.is_abstract = p_kind.is_abstract;
+	p_info.is_virtual = p_kind.is_virtual;
 	p_info.is_exposed = p_kind.is_exposed;
 	p_info.class_userdata = classes.back().get();
 	gd::classdb_register_extension_class4(gd::library, p_name._native_ptr(), p_parent._native_ptr(), &p_info);

@@ -6,6 +6,8 @@
 #include "simulation/other_motion.h"
 #include "simulation/sensor.h"
 
+#include <Eigen/Geometry>
+
 #include <string_view>
 #include <utility>
 
@@ -35,6 +37,18 @@ std::uint64_t text_bits(std::string_view text) {
 	return bits;
 }
 
+/// Turns and shifts a track, so that a task at `from` lies at `to`.
+void move_track(Track &r_track, const GestureTask &from, const GestureTask &to) {
+	const Eigen::Quaterniond turn = from.axis.isZero(0.0) || to.axis.isZero(0.0)
+			? Eigen::Quaterniond::Identity()
+			: Eigen::Quaterniond::FromTwoVectors(from.axis, to.axis);
+	for (HandFrame &frame : r_track.frames) {
+		for (Eigen::Vector3d &position_m : frame.positions_m) {
+			position_m = to.start_m + turn * (position_m - from.start_m);
+		}
+	}
+}
+
 } // namespace
 
 Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request) {
@@ -54,6 +68,7 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 		.subject = request.subject.id };
 	Random random(stream_seed(request.seed, MOTION));
 	TrueMotion motion;
+	GestureTask task;
 	std::string_view kind_name;
 	if (request.gesture == "none") {
 		const OtherMotion &any_kind = other_motions()[random.index(other_motions().size())];
@@ -68,12 +83,17 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 		if (gesture == nullptr) {
 			return unknown_name("gesture", request.gesture, simulated_gestures(), " none");
 		}
-		const GestureTask task = draw_task(*gesture, request.position, random);
+		task = draw_task(*gesture, request.position, random);
+		if (request.place) {
+			task.amplitude_m = request.place->amplitude_m;
+			task.radius_m = task.axis.isZero(0.0) ? request.place->radius_m : task.radius_m;
+		}
 		motion = after_earlier_rounds(make_gesture_motion(*gesture, task, request.position, request.subject,
 											  request.duration_s, random),
 				request.earlier_rounds);
-		made.trial.start_m = task.axis.isZero(0.0) ? Eigen::Vector3d(task.radius_m, 0.0, 0.0) : task.start_m;
-		made.trial.axis = task.axis;
+		const GestureTask &seen = request.place ? *request.place : task;
+		made.trial.start_m = task.axis.isZero(0.0) ? Eigen::Vector3d(task.radius_m, 0.0, 0.0) : seen.start_m;
+		made.trial.axis = task.axis.isZero(0.0) ? task.axis : seen.axis;
 		made.trial.amplitude_m = task.amplitude_m;
 	}
 	made.trial.start_s = motion.start_s;
@@ -82,6 +102,9 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 	made.reference =
 			record_track(motion, *find_sensor_profile("liberty"), stream_seed(request.seed, REFERENCE));
 	for (Track *track : { &made.measured, &made.reference }) {
+		if (request.place && request.gesture != "none") {
+			move_track(*track, task, *request.place);
+		}
 		track->metadata.insert(track->metadata.begin(),
 				{ { "origin", "synthetic" }, { "subject", request.subject.id },
 						{ "seed", std::to_string(request.seed) } });

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "base/result.h"
+#include "simulation/gesture_motion.h"
 #include "simulation/subject.h"
 #include "tracking/track.h"
 #include "tracking/trial_set.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +30,10 @@ struct SyntheticTrialRequest {
 	double duration_s = 0.0; ///< onset to end, for none the whole track; 0: as the person does it
 	std::string sensor = {}; ///< one of sensor_profiles(); empty: Leap, stable or unstable as the position is
 	std::uint32_t earlier_rounds = 0; ///< the hand makes the gesture so many times before, and comes back
-	std::string kind = {};            ///< for none, one of other_motions(); empty: any
+	/// Where the scene has the task, in place of where a sensor would see it. The hand moves as it would
+	/// there, and the whole track is turned and shifted; unused for none.
+	std::optional<GestureTask> place = {};
+	std::string kind = {}; ///< for none, one of other_motions(); empty: any
 };
 
 /// The hand rests for at least 0.5 s before start_s and 0.8 s after the motion's end, so that late curves are

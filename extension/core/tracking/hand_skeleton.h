@@ -60,6 +60,8 @@ struct HandSkeleton {
 
 	static constexpr std::uint32_t bit(SkeletonJoint joint) { return 1U << static_cast<unsigned>(joint); }
 
+	/// No joint is there any more.
+	void clear() { positioned = rotated = inferred = 0; }
 	[[nodiscard]] bool has(SkeletonJoint joint) const { return (positioned & bit(joint)) != 0; }
 	[[nodiscard]] const Eigen::Vector3d &position(SkeletonJoint joint) const {
 		return positions_m[static_cast<std::size_t>(joint)];

@@ -21,7 +21,7 @@ func _init(tree: SceneTree, listened_to: int) -> void:
 	_tree = tree
 	capture.buffer_length = 2.0
 	AudioServer.add_bus_effect(listened_to, capture)
-	_tracker.source = HandTracker.SOURCE_SCRIPT
+	_tracker.source = ScriptSource.new()
 	_tracker.update_mode = HandTracker.UPDATE_MANUAL
 	task.gesture = &"horizontal_drag"
 	_gesture_hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]

@@ -5,6 +5,9 @@ const TrialTask := preload("res://scripts/trial_task.gd")
 
 const STEP_S := 1e-3
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
+const TIPS: Array[HandTracker.Joint] = [
+	HandTracker.JOINT_THUMB, HandTracker.JOINT_INDEX, HandTracker.JOINT_MIDDLE
+]
 const MOTIONS: Array[GestureHMM.Motion] = [
 	GestureHMM.MOTION_MEASURED,
 	GestureHMM.MOTION_AVERAGE,
@@ -20,10 +23,11 @@ var gesture_hmm := GestureHMM.new()
 
 ## `trial`: a row of TrialSet.get_trial(). `parent`: a node in the tree.
 func _init(trial: Dictionary, track_path: String, parent: Node) -> void:
-	tracker.source = HandTracker.SOURCE_RECORDED
+	var source := RecordedSource.new()
+	source.track = track_path
+	tracker.source = source
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.autostart = false
-	tracker.recording_path = track_path
 	gesture_hmm.models = [load(MODEL % trial["gesture"]) as GestureModel]
 	gesture_hmm.tracker = tracker
 	gesture_hmm.task = task

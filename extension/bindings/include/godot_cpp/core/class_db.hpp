@@ -16,6 +16,7 @@ class ClassDB {
 	// How one class differs from any other, as the engine's registration asks for it.
 	struct ClassKind {
 		bool is_abstract = false;
+		bool is_virtual = false; // made by scripts that extend it only
 		bool is_exposed = true;
 	};
 	static void register_record(const StringName &p_name, const StringName &p_parent, ClassKind p_kind,
@@ -81,6 +82,9 @@ class ClassDB {
 public:
 	template <typename T> static void register_class() { register_kind<T>({}); }
 	template <typename T> static void register_internal_class() { register_kind<T>({ .is_exposed = false }); }
+	template <typename T> static void register_class(bool p_virtual) {
+		register_kind<T>({ .is_virtual = p_virtual });
+	}
 	template <typename T> static void register_abstract_class() { register_kind<T>({ .is_abstract = true }); }
 
 	template <typename F, typename... Defaults>
@@ -121,6 +125,7 @@ void _call_virtual(GDExtensionClassInstancePtr p_instance, const GDExtensionCons
 } // namespace godot
 
 #define GDREGISTER_CLASS(m_class) ::godot::ClassDB::register_class<m_class>();
+#define GDREGISTER_VIRTUAL_CLASS(m_class) ::godot::ClassDB::register_class<m_class>(true);
 #define GDREGISTER_INTERNAL_CLASS(m_class) ::godot::ClassDB::register_internal_class<m_class>();
 #define GDREGISTER_ABSTRACT_CLASS(m_class) ::godot::ClassDB::register_abstract_class<m_class>();
 

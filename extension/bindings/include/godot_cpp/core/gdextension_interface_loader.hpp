@@ -66,11 +66,14 @@
 	X(object_get_instance_id, ObjectGetInstanceId)                                                           \
 	X(ref_get_object, RefGetObject)                                                                          \
 	X(ref_set_object, RefSetObject)                                                                          \
+	X(object_has_script_method, ObjectHasScriptMethod)                                                       \
+	X(object_call_script_method, ObjectCallScriptMethod)                                                     \
 	X(callable_custom_create2, CallableCustomCreate2)                                                        \
 	X(classdb_construct_object2, ClassdbConstructObject2)                                                    \
 	X(classdb_get_method_bind, ClassdbGetMethodBind)                                                         \
 	X(classdb_register_extension_class4, ClassdbRegisterExtensionClass4)                                     \
 	X(classdb_register_extension_class_method, ClassdbRegisterExtensionClassMethod)                          \
+	X(classdb_register_extension_class_virtual_method, ClassdbRegisterExtensionClassVirtualMethod)           \
 	X(classdb_register_extension_class_integer_constant, ClassdbRegisterExtensionClassIntegerConstant)       \
 	X(classdb_register_extension_class_property, ClassdbRegisterExtensionClassProperty)                      \
 	X(classdb_register_extension_class_property_group, ClassdbRegisterExtensionClassPropertyGroup)           \

@@ -1,0 +1,72 @@
+#include "recognition/task_watch.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace steadyhand {
+
+void TaskWatch::expect(std::vector<Task> tasks) {
+	tasks_.clear();
+	for (const Task &task : tasks) {
+		tasks_.push_back({ task, std::numeric_limits<double>::infinity() });
+	}
+	first_s_.reset();
+	last_m_.reset();
+	moved_m_ = 0.0;
+}
+
+bool TaskWatch::leaves_other_way(Watched &r_task, const Eigen::Vector3d &tip_m) {
+	const Eigen::Vector3d gone_m = tip_m - r_task.task.start_m;
+	const double distance_m = gone_m.norm();
+	if (distance_m < 0.25 * r_task.task.amplitude_m) {
+		r_task.is_at_start = true;
+	}
+	if (!r_task.is_at_start || distance_m < LEFT_SHARE * r_task.task.amplitude_m) {
+		return false;
+	}
+	r_task.is_at_start = false;
+	const Eigen::Vector3d way = gone_m / distance_m;
+	const bool is_other = way.dot(r_task.task.axis) < SAME_WAY;
+	const bool agrees = r_task.departures == 0 || way.dot(r_task.way_sum.normalized()) > AGREE;
+	if (!is_other || !agrees) {
+		r_task.departures = 0;
+		r_task.way_sum.setZero();
+	}
+	if (is_other) {
+		++r_task.departures;
+		r_task.way_sum += way;
+	}
+	return r_task.departures >= DEPARTURES;
+}
+
+std::optional<TaskDoubt> TaskWatch::look(const HandFrame &frame) {
+	if (is_over_ || tasks_.empty() || !frame.has(Joint::INDEX)) {
+		return std::nullopt;
+	}
+	const Eigen::Vector3d &tip_m = frame.position(Joint::INDEX);
+	const double step_m = last_m_ ? (tip_m - *last_m_).norm() : 0.0;
+	moved_m_ += step_m < LONGEST_STEP_M ? step_m : 0.0;
+	last_m_ = tip_m;
+	first_s_ = first_s_.value_or(frame.t_s);
+	for (std::size_t i = 0; i < tasks_.size(); ++i) {
+		Watched &one = tasks_[i];
+		one.nearest_m = std::min(one.nearest_m, (tip_m - one.task.start_m).norm());
+		if (leaves_other_way(one, tip_m)) {
+			is_over_ = true;
+			return TaskDoubt{ TaskDoubt::Kind::OTHER_WAY, i, one.nearest_m, one.way_sum.normalized() };
+		}
+	}
+	if (frame.t_s - *first_s_ < PATIENCE_S || moved_m_ < MOVED_M) {
+		return std::nullopt;
+	}
+	const auto nearest = std::min_element(tasks_.begin(), tasks_.end(),
+			[](const Watched &one, const Watched &other) { return one.nearest_m < other.nearest_m; });
+	if (nearest->nearest_m < NEAR_M) {
+		return std::nullopt;
+	}
+	is_over_ = true;
+	return TaskDoubt{ TaskDoubt::Kind::FAR, static_cast<std::size_t>(nearest - tasks_.begin()),
+		nearest->nearest_m };
+}
+
+} // namespace steadyhand

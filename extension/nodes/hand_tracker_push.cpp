@@ -1,0 +1,157 @@
+// Frames that a script pushes to a HandTracker, and what is wrong with those that it refuses.
+
+#include "hand_tracker.h"
+
+#include "conversions.h"
+#include "node_label.h"
+
+#include <godot_cpp/classes/os.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace godot {
+
+namespace {
+
+constexpr const char *TIME_FAULT = "the time must be finite, and below 1e12 s";
+/// A hand that has sent older frames alone for this long is lost.
+constexpr double LOST_AFTER_S = 0.25;
+
+bool is_main_thread() {
+	const OS *const os = OS::get_singleton();
+	return os->get_thread_caller_id() == os->get_main_thread_id();
+}
+
+String explain(steadyhand::StreamDoubt p_doubt) {
+	switch (p_doubt) {
+		case steadyhand::StreamDoubt::TIME_STANDS:
+			return "the hand moves and the time stands still: give each frame its own";
+		case steadyhand::StreamDoubt::TOO_RARE:
+			return "more than a second lies between frames: times are in seconds";
+		case steadyhand::StreamDoubt::TOO_FAST:
+			return "the hand is faster than 10 m/s for long: positions are in metres, in a space that goes "
+				   "with the player";
+	}
+	return String();
+}
+
+String type_of(const Variant &p_value) {
+	return Variant::get_type_name(p_value.get_type());
+}
+
+} // namespace
+
+Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, double p_confidence) {
+	if (!is_main_thread()) {
+		return refuse_frame(
+				Refusal::OTHER_THREAD, "call it from the main thread, as by push_frame.call_deferred(...)");
+	}
+	if (source_.is_null() || !source_->is_script()) {
+		const String has = source_.is_null() ? String("it has none")
+											 : String("its ") + source_->get_class() +
+						String(" makes the frames itself");
+		return refuse_frame(Refusal::OTHER_SOURCE, String("set source to a ScriptSource first; ") + has);
+	}
+	if (!stream_ && start_is_due_) {
+		start(); // a script that sets the source and pushes at once
+	}
+	if (!stream_) {
+		return refuse_frame(Refusal::NOT_RUNNING, "start() the tracker first");
+	}
+	if (!(std::abs(p_time_s) <= steadyhand::FARTHEST_S)) {
+		return refuse_frame(Refusal::NO_TIME, TIME_FAULT);
+	}
+	if (clock_set_ && p_time_s < time_s_) {
+		return refuse_older(p_time_s);
+	}
+	steadyhand::DeviceFrame frame;
+	if (const Error error = read_joints(p_joints, frame); error != OK) {
+		return error;
+	}
+	frame.hand.t_s = p_time_s;
+	frame.hand.confidence = std::isfinite(p_confidence) ? std::clamp(p_confidence, 0.0, 1.0) : 0.0;
+	if (!clock_set_) {
+		time_s_ = start_time_s_ = hand_seen_s_ = p_time_s;
+	}
+	clock_set_ = true;
+	refused_from_s_.reset();
+	duration_s_ = p_time_s - start_time_s_;
+	const Watch watch(listeners_);
+	const uint64_t this_run = run_;
+	doubt(frame.hand);
+	const std::shared_ptr<HandStream> stream = stream_;
+	stream->accept(frame);
+	deliver_until(p_time_s);
+	if (goes_on(watch, this_run)) {
+		tell_time(p_time_s);
+	}
+	return OK;
+}
+
+/// Keys are joints of the whole skeleton; the seven of a HandFrame are set there.
+Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFrame &r_frame) {
+	const Array keys = p_joints.keys();
+	const Array values = p_joints.values();
+	for (int64_t i = 0; i < keys.size(); ++i) {
+		const Variant &key = keys[i];
+		if (key.get_type() != Variant::INT) {
+			return refuse_frame(Refusal::NO_JOINTS,
+					String("joints must map HandTracker.JOINT_* to a Vector3; the key '") + key.stringify() +
+							String("' is of type ") + type_of(key));
+		}
+		const int64_t joint = key;
+		if (joint < 0 || joint >= static_cast<int64_t>(steadyhand::SKELETON_JOINT_COUNT)) {
+			return refuse_frame(Refusal::UNKNOWN_JOINT,
+					String("there is no joint ") + itos(joint) +
+							String(": use HandTracker.JOINT_* or XRHandTracker.HAND_JOINT_*, 0..25"));
+		}
+		if (values[i].get_type() != Variant::VECTOR3) {
+			return refuse_frame(Refusal::NO_JOINTS,
+					String("joints must map HandTracker.JOINT_* to a Vector3; that of joint ") + itos(joint) +
+							String(" is of type ") + type_of(values[i]));
+		}
+		r_frame.skeleton.set(
+				static_cast<steadyhand::SkeletonJoint>(joint), to_core(static_cast<Vector3>(values[i])));
+	}
+	r_frame.hand = steadyhand::hand_frame_of(r_frame.skeleton, 0.0);
+	return OK;
+}
+
+/// Of such frames alone a hand is lost, as it is where none come.
+Error HandTracker::refuse_older(double p_time_s) {
+	const Error refused = refuse_frame(Refusal::OLDER,
+			String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
+					String(" s; call start() where a device's clock begins anew"));
+	refused_from_s_ = std::min(p_time_s, refused_from_s_.value_or(p_time_s));
+	if (p_time_s - *refused_from_s_ > LOST_AFTER_S) {
+		set_hand_present(false);
+	}
+	return refused;
+}
+
+Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
+	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(p_refusal));
+	if ((complained_.fetch_or(this_one) & this_one) == 0) {
+		// No other thread may ask a node in the tree for its path.
+		const String label = p_refusal == Refusal::OTHER_THREAD ? String("HandTracker") : node_label(*this);
+		ERR_PRINT(label + String(": push_frame: ") + p_reason + String(" (said once a run)"));
+	}
+	return ERR_INVALID_PARAMETER;
+}
+
+/// Said once a run, as of such frames nothing is ever recognised.
+void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
+	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.look(p_frame);
+	if (!doubt) {
+		return;
+	}
+	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(*doubt));
+	if ((doubted_ & this_one) == 0) {
+		doubted_ |= this_one;
+		WARN_PRINT(node_label(*this) + String(": push_frame: ") + explain(*doubt));
+	}
+}
+
+} // namespace godot
