@@ -150,11 +150,11 @@ func follow_mouse(on: bool) -> void:
 		play_next()
 
 
-## A hand whose frames are pushed to the tracker, in place of the played trials.
-func follow_live() -> void:
+## A live hand in place of the played trials: that of `source`, or one whose frames are pushed.
+func follow_live(source: HandSource = ScriptSource.new()) -> void:
 	_stop()
 	_is_live = true
-	tracker.source = ScriptSource.new()
+	tracker.source = source
 	_record_frames()
 	tracker.start()
 	_begin_live_trial()
@@ -244,7 +244,7 @@ func _positions() -> int:
 ## A live hand's trials from a first block on.
 func _begin_order() -> void:
 	_order.begin(_live_trials, randi())
-	follow_live()
+	follow_live(tracker.source if _is_live else ScriptSource.new())
 
 
 func _stop() -> void:

@@ -39,6 +39,9 @@ void HandTracker::_notification(int p_what) {
 				advance(get_physics_process_delta_time());
 			}
 			break;
+		case NOTIFICATION_PREDELETE:
+			stream_.reset(); // while a source's script can still be told of this node
+			break;
 		default:
 			break;
 	}

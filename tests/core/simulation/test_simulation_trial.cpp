@@ -288,3 +288,43 @@ TEST_SUITE("synthetic trial") {
 				"typing circling wandering");
 	}
 }
+
+TEST_CASE("a placed gesture is the sensor's own, turned and shifted") {
+	for (const char *const gesture : { "horizontal_drag", "vertical_drag", "tap" }) {
+		SyntheticTrialRequest request{ .name = "placed", .gesture = gesture };
+		request.subject = draw_subject(Population::EVALUATE, 3);
+		request.seed = 5;
+		const SyntheticTrial free = make_synthetic_trial(request).value();
+		const Eigen::Vector3d start_m(3.0, -1.0, 2.0), axis = Eigen::Vector3d(1.0, 2.0, -2.0) / 3.0;
+		request.place = { start_m, axis, free.trial.amplitude_m, 0.0 };
+		const SyntheticTrial placed = make_synthetic_trial(request).value();
+		CHECK(placed.trial.start_m == start_m);
+		CHECK(placed.trial.axis == axis);
+		REQUIRE(placed.measured.frames.size() == free.measured.frames.size());
+		for (std::size_t i = 0; i < free.measured.frames.size(); ++i) {
+			const HandFrame &one = free.measured.frames[i], &other = placed.measured.frames[i];
+			REQUIRE(one.t_s == other.t_s);
+			REQUIRE(one.tracked == other.tracked);
+			if (!one.has_all(joint_bits({ Joint::INDEX, Joint::THUMB }))) {
+				continue;
+			}
+			const Eigen::Vector3d from_start = one.position(Joint::INDEX) - free.trial.start_m;
+			const Eigen::Vector3d placed_from_start = other.position(Joint::INDEX) - start_m;
+			// What a rigid motion keeps: the way along the axis, the distance, the hand's own shape.
+			REQUIRE(placed_from_start.dot(axis) ==
+					doctest::Approx(from_start.dot(free.trial.axis)).epsilon(1e-9));
+			REQUIRE(placed_from_start.norm() == doctest::Approx(from_start.norm()).epsilon(1e-9));
+			REQUIRE((other.position(Joint::INDEX) - other.position(Joint::THUMB)).norm() ==
+					doctest::Approx((one.position(Joint::INDEX) - one.position(Joint::THUMB)).norm()));
+		}
+	}
+}
+
+TEST_CASE("a placed gesture has the length and the radius asked for") {
+	SyntheticTrialRequest request{ .name = "placed", .gesture = "zoom" };
+	request.subject = draw_subject(Population::EVALUATE, 3);
+	request.place = { Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d::Zero(), 0.04, 0.02 };
+	const SyntheticTrial made = make_synthetic_trial(request).value();
+	CHECK(made.trial.start_m.x() == 0.02);
+	CHECK(made.trial.amplitude_m == 0.04);
+}

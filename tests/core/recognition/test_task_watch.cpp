@@ -1,0 +1,72 @@
+#include "recognition/task_watch.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double FRAME_S = 0.01;
+
+/// To and fro for `duration_s`, from `from_m` by `way_m` and back each 3 s; how often something is said.
+int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &way_m, double duration_s,
+		std::optional<TaskDoubt> &r_last) {
+	int count = 0;
+	for (double t_s = 0.0; t_s < duration_s; t_s += FRAME_S) {
+		const double share = 0.5 - 0.5 * std::cos(t_s * 2.0 * 3.14159265358979 / 3.0);
+		HandFrame frame;
+		frame.t_s = t_s;
+		frame.set(Joint::INDEX, from_m + share * way_m);
+		if (const auto doubt = r_watch.look(frame)) {
+			++count;
+			r_last = doubt;
+		}
+	}
+	return count;
+}
+
+Task task_at(const Eigen::Vector3d &start_m) {
+	return { start_m, Eigen::Vector3d::UnitX(), 0.2 };
+}
+
+} // namespace
+
+TEST_CASE("a hand that is never near any task is told once") {
+	TaskWatch watch;
+	watch.expect({ task_at({ 5.0, 0.0, 0.0 }), task_at({ 0.5, 0.0, 0.0 }) });
+	std::optional<TaskDoubt> last;
+	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 1);
+	REQUIRE(last);
+	CHECK(last->kind == TaskDoubt::Kind::FAR);
+	CHECK(last->task == 1);
+	CHECK(last->distance_m == doctest::Approx(0.5));
+}
+
+TEST_CASE("a hand that leaves the start another way is told once") {
+	TaskWatch watch;
+	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
+	std::optional<TaskDoubt> last;
+	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { -0.2, 0.0, 0.0 }, 60.0, last) == 1);
+	REQUIRE(last);
+	CHECK(last->kind == TaskDoubt::Kind::OTHER_WAY);
+	CHECK(last->way.isApprox(-Eigen::Vector3d::UnitX()));
+}
+
+TEST_CASE("a hand that rests far away is not told") {
+	TaskWatch watch;
+	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
+	std::optional<TaskDoubt> last;
+	CHECK(doubts(watch, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 60.0, last) == 0);
+}
+
+TEST_CASE("a hand that goes the task's way, or has made a gesture, is not told") {
+	TaskWatch watch;
+	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
+	std::optional<TaskDoubt> last;
+	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.2, 0.05, 0.0 }, 60.0, last) == 0);
+	watch.gesture_started();
+	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
+	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 0);
+}

@@ -1,0 +1,75 @@
+#include "tracking/stream_statistics.h"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+HandFrame frame_at(double t_s, bool is_tracked = true) {
+	HandFrame frame;
+	frame.t_s = t_s;
+	if (is_tracked) {
+		frame.set(Joint::INDEX, Eigen::Vector3d::UnitX());
+	}
+	return frame;
+}
+
+} // namespace
+
+TEST_CASE("the rate is that of the frames, whatever some gaps") {
+	for (const double rate_hz : { 10.0, 60.0, 110.6, 240.0 }) {
+		StreamStatistics statistics;
+		for (int i = 0; i < 400; ++i) {
+			if (i % 50 != 7) {
+				statistics.add(frame_at(i / rate_hz));
+			}
+		}
+		CHECK(statistics.rate_hz() == doctest::Approx(rate_hz).epsilon(1e-6));
+		CHECK(statistics.dropouts() == 0);
+	}
+}
+
+TEST_CASE("nothing is said of a few frames") {
+	StreamStatistics statistics;
+	statistics.add(frame_at(0.0));
+	statistics.add(frame_at(0.01));
+	CHECK(statistics.rate_hz() == 0.0);
+	CHECK(statistics.jitter_s() == 0.0);
+}
+
+TEST_CASE("jitter is the median deviation of the intervals") {
+	std::mt19937 random(4);
+	std::normal_distribution<double> normal(0.0, 0.0005);
+	StreamStatistics statistics;
+	double t_s = 0.0;
+	for (int i = 0; i < 2000; ++i) {
+		t_s += 0.01 + normal(random);
+		statistics.add(frame_at(t_s));
+	}
+	// The median absolute deviation of a normal distribution is 0.6745 standard deviations.
+	CHECK(statistics.jitter_s() == doctest::Approx(0.6745 * 0.0005).epsilon(0.25));
+}
+
+TEST_CASE("empty frames and silence count as one dropout each") {
+	StreamStatistics statistics;
+	double t_s = 0.0;
+	const auto run = [&](int frames, bool is_tracked) {
+		for (int i = 0; i < frames; ++i) {
+			statistics.add(frame_at(t_s += 0.01, is_tracked));
+		}
+	};
+	run(100, true);
+	run(20, false);
+	run(100, true);
+	CHECK(statistics.dropouts() == 1);
+	t_s += 0.3;
+	run(100, true);
+	CHECK(statistics.dropouts() == 2);
+	run(5, false);
+	t_s += 0.5;
+	run(5, true);
+	CHECK(statistics.dropouts() == 3);
+}

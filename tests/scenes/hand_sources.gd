@@ -1,0 +1,314 @@
+extends "support/scene_test.gd"
+## What all sources have in common, sources in GDScript, and mistakes that newcomers make.
+
+const PushedHand := preload("support/pushed_hand.gd")
+const XRHand := preload("support/xr_hand.gd")
+
+const FRAME_S := 0.01
+const INDEX := HandTracker.JOINT_INDEX
+const PLACE := Vector3(0.1, 1.2, -0.3)
+
+
+class Scene:
+	extends Node3D
+	## As a newcomer writes it: the source is set when the scene is ready.
+
+	var tracker := HandTracker.new()
+	var source := SyntheticSource.new()
+
+	func _init() -> void:
+		add_child(tracker)
+
+	func _ready() -> void:
+		tracker.source = source
+
+
+class CountingSource:
+	extends HandSource
+	var refusal := ""
+	var calls: Array[String] = []
+
+	func _start(_tracker: HandTracker) -> String:
+		calls.append("start")
+		return refusal
+
+	func _poll(tracker: HandTracker, time_s: float) -> void:
+		if calls[-1] != "poll":
+			calls.append("poll")
+		tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: Vector3.ONE})
+
+	func _stop(_tracker: HandTracker) -> void:
+		calls.append("stop")
+
+
+func test_a_source_set_in_ready_starts_by_itself() -> void:
+	var scene := Scene.new()
+	root.add_child(scene)
+	await process_frame
+	await process_frame
+	check(scene.tracker.is_running(), "it runs")
+	scene.tracker.source = null
+	check(not scene.tracker.is_running(), "and stops without one")
+	scene.free()
+
+
+func test_a_tracker_without_a_source_says_so() -> void:
+	# expects one error: set "source", e.g. to an XRSource
+	# expects one error: push_frame: set source to a ScriptSource first; it has none
+	# expects one error: push_frame: set source to a ScriptSource first; its SyntheticSource makes
+	var tracker := _tracker(null)
+	check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot start")
+	tracker.push_frame(0.0, {INDEX: PLACE})
+	tracker.source = SyntheticSource.new()
+	tracker.start()
+	tracker.push_frame(0.0, {INDEX: PLACE})
+	tracker.free()
+
+
+func test_frames_pushed_right_after_the_source_is_set() -> void:
+	var tracker := HandTracker.new()
+	root.add_child(tracker)
+	tracker.source = ScriptSource.new()
+	check_equal(tracker.push_frame(1.0, {INDEX: PLACE}), OK, "the first frame is taken")
+	check(tracker.is_joint_tracked(INDEX), "and delivered")
+	await process_frame
+	check(tracker.is_joint_tracked(INDEX), "nothing starts anew after it")
+	tracker.free()
+
+
+func test_joints_are_numbered_as_in_xr_hand_tracker() -> void:
+	var tracker := _tracker(ScriptSource.new())
+	tracker.start()
+	var joints := {}
+	for joint in XRHandTracker.HAND_JOINT_MAX:
+		joints[joint] = Vector3(0.0, 1.0, 0.01 * joint)
+	tracker.push_frame(0.0, joints)
+	check_equal(tracker.get_joint_position(INDEX).z, Vector3(0, 0, 0.1).z, "the index tip")
+	var distal := XRHandTracker.HAND_JOINT_INDEX_FINGER_PHALANX_DISTAL
+	check(tracker.is_joint_tracked(distal as HandTracker.Joint), "all 26 are kept")
+	tracker.free()
+
+
+func test_wrong_joints_are_named_with_key_and_type() -> void:
+	# expects one error: the key 'index' is of type String
+	# expects one error: that of joint 10 is of type Vector2
+	for joints: Dictionary in [{"index": PLACE}, {INDEX: Vector2.ONE}]:
+		var tracker := _tracker(ScriptSource.new())
+		tracker.start()
+		check_equal(tracker.push_frame(0.0, joints), ERR_INVALID_PARAMETER, "%s" % joints)
+		tracker.free()
+
+
+func test_frames_are_typed() -> void:
+	var tracker := _tracker(ScriptSource.new())
+	var frames: Array[HandFrame] = []
+	tracker.frame_received.connect(func(frame: HandFrame) -> void: frames.append(frame))
+	tracker.start()
+	tracker.push_frame(1.0, {INDEX: PLACE, HandTracker.JOINT_PALM: 2.0 * PLACE}, 0.7)
+	tracker.push_frame(1.01, {})
+	check_equal(frames.size(), 2, "one for each")
+	check_equal(frames[0].time, 1.0, "time")
+	check_equal(frames[0].confidence, 0.7, "confidence")
+	check_equal(frames[0].get_joints().keys(), [HandTracker.JOINT_PALM, INDEX], "joints")
+	check_equal(frames[0].get_joint_position(INDEX), PLACE, "position")
+	check(is_nan(frames[0].device_time), "no device, no device's time")
+	check(not frames[1].is_tracked(), "an empty frame")
+	tracker.free()
+
+
+func test_what_no_hand_can_do_stops_at_the_door() -> void:
+	# expects one warning: the source sends positions that are not finite
+	# expects one warning: the source sends all joints at exactly (0, 0, 0)
+	var tracker := _tracker(ScriptSource.new())
+	tracker.start()
+	var bad: Array[Vector3] = [Vector3(NAN, 0, 0), Vector3(0, INF, 0), Vector3.ZERO]
+	for frame in 60:
+		var place := PLACE if frame < 30 else bad[frame % 3]
+		tracker.push_frame(frame * FRAME_S, {INDEX: place, HandTracker.JOINT_PALM: place})
+		if frame >= 30:
+			check(not tracker.is_joint_tracked(INDEX), "%s is no place" % place)
+	check(not tracker.is_hand_tracked(), "the hand is lost")
+	tracker.free()
+
+
+func test_statistics() -> void:
+	var tracker := _tracker(ScriptSource.new())
+	tracker.start()
+	for frame in 300:
+		var is_lost := frame >= 100 and frame < 120
+		tracker.push_frame(frame / 90.0, {} if is_lost else {INDEX: PLACE})
+	check_near(tracker.frame_rate, 90.0, 0.1, "rate")
+	check_near(tracker.frame_jitter, 0.0, 1e-9, "jitter")
+	check_equal(tracker.dropout_count, 1, "dropouts")
+	check(is_nan(tracker.latency), "the latency is not known")
+	tracker.free()
+
+
+func test_a_source_in_gdscript() -> void:
+	# expects one error: plug it in
+	var source := CountingSource.new()
+	source.refusal = "plug it in"
+	var tracker := HandTracker.new()
+	tracker.source = source
+	var reasons: Array[String] = []
+	tracker.failed.connect(func(reason: String) -> void: reasons.append(reason))
+	root.add_child(tracker)
+	check_equal(reasons, ["plug it in"] as Array[String], "a refusal is told")
+	source.refusal = ""
+	tracker.start()
+	await process_frame
+	await process_frame
+	check(tracker.is_joint_tracked(INDEX), "its frames come")
+	tracker.free()
+	check_equal(source.calls, ["start", "start", "poll", "stop"] as Array[String], "the calls")
+
+
+func test_the_source_of_the_docs() -> void:
+	var docs := ProjectSettings.globalize_path("res://").path_join("../docs/new_source.md")
+	var text := FileAccess.get_file_as_string(docs)
+	var code := text.get_slice("```gdscript\n", 1).get_slice("```", 0)
+	var script := GDScript.new()
+	# Another global class of that name would be one too many.
+	script.source_code = code.replace("class_name UdpSource\n", "")
+	check_equal(script.reload(), OK, "it compiles")
+	var source := script.new() as HandSource
+	source.set("port", 39771)
+	var tracker := HandTracker.new()
+	tracker.source = source
+	root.add_child(tracker)
+	var sender := PacketPeerUDP.new()
+	sender.connect_to_host("127.0.0.1", 39771)
+	sender.put_packet('{"t": 1.5, "10": [0.1, 0.2, -0.3]}'.to_utf8_buffer())
+	# expects one error: UdpSource: a packet is no JSON with a "t": nonsense
+	sender.put_packet("nonsense".to_utf8_buffer())
+	for i in 20:
+		await process_frame
+		OS.delay_msec(2)
+	check_equal(tracker.get_time(), 1.5, "the frame's time")
+	check_equal(tracker.get_joint_position(INDEX), Vector3(0.1, 0.2, -0.3), "its joint")
+	tracker.free()
+
+
+func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
+	var name := &"/steadyhand/left"
+	var tracker := _tracker(ScriptSource.new())
+	tracker.publish_name = name
+	tracker.publish_hand = HandTracker.HAND_LEFT
+	check(XRServer.get_tracker(name) == null, "not before it runs")
+	tracker.start()
+	var hand := XRServer.get_tracker(name) as XRHandTracker
+	check_equal(hand.hand, XRPositionalTracker.TRACKER_HAND_LEFT, "the left hand")
+	tracker.push_frame(0.0, {INDEX: PLACE, HandTracker.JOINT_WRIST: PLACE + Vector3(0, 0, 0.18)})
+	check(hand.has_tracking_data, "it is tracked")
+	var tip := XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP
+	check_equal(hand.get_hand_joint_transform(tip).origin, PLACE, "a measured joint")
+	check(_is_measured(hand, tip), "is marked as tracked")
+	var middle := XRHandTracker.HAND_JOINT_INDEX_FINGER_PHALANX_INTERMEDIATE
+	check(not _is_measured(hand, middle), "an inferred one is valid only")
+	check(hand.get_hand_joint_flags(middle) & XRHand.INFERRED != 0, "and it is there")
+	check_equal(hand.get_hand_joint_flags(XRHandTracker.HAND_JOINT_THUMB_TIP), 0, "no thumb")
+	var again := _tracker(XRSource.new())
+	(again.source as XRSource).tracker_name = name
+	again.advance(FRAME_S)
+	check_equal(again.get_joint_position(INDEX), PLACE, "another tracker reads it")
+	again.free()
+	for frame in range(1, 30):
+		tracker.push_frame(frame * FRAME_S, {})
+	check(not hand.has_tracking_data, "a lost hand")
+	tracker.free()
+	check(XRServer.get_tracker(name) == null, "nor after it is freed")
+
+
+func test_a_task_where_no_hand_comes_is_told_once() -> void:
+	# expects one warning: the fingertip has come no nearer to its start than 0.5
+	# expects one warning: the hand leaves its start towards (0.0, 1.0, 0.0)
+	for is_far: bool in [true, false]:
+		var tracker := _tracker(ScriptSource.new())
+		tracker.start()
+		var task := GestureTask.new()
+		task.gesture = &"horizontal_drag"
+		task.position = PLACE + (Vector3(-0.5, 0, 0) if is_far else Vector3.ZERO)
+		var hmm := GestureHMM.new()
+		hmm.models = [load("res://addons/steadyhand/models/horizontal_drag.gesture")]
+		hmm.tracker = tracker
+		hmm.task = task
+		for node: Node in [task, hmm]:
+			root.add_child(node)
+		for frame in 2400:
+			var way := 0.2 * PushedHand.share(absf(fposmod(frame / 150.0, 2.0) - 1.0))
+			var tip := PLACE + Vector3(way if is_far else 0.0, 0.0 if is_far else way, 0.0)
+			tracker.push_frame(frame * FRAME_S, {INDEX: tip})
+		for node: Node in [hmm, task, tracker]:
+			node.free()
+
+
+func test_signals_carry_the_task() -> void:
+	var tracker := _tracker(ScriptSource.new())
+	tracker.start()
+	var task := GestureTask.new()
+	task.position = PLACE
+	var hmm := GestureHMM.new()
+	hmm.models = [load("res://addons/steadyhand/models/horizontal_drag.gesture")]
+	hmm.tracker = tracker
+	hmm.task = task
+	for node: Node in [task, hmm]:
+		root.add_child(node)
+	var tasks: Array[GestureTask] = []
+	hmm.gesture_started.connect(
+		func(_gesture: StringName, at: GestureTask) -> void: tasks.append(at)
+	)
+	hmm.gesture_aborted.connect(
+		func(_gesture: StringName, at: GestureTask) -> void: tasks.append(at)
+	)
+	for frame in 160:
+		var way := 0.2 * PushedHand.share((frame - 100) / 80.0)
+		tracker.push_frame(frame * FRAME_S, {INDEX: PLACE + Vector3(way, 0, 0)})
+	tracker.stop()
+	check_equal(tasks, [task, task] as Array[GestureTask], "started and aborted at the task")
+	for node: Node in [hmm, task, tracker]:
+		node.free()
+
+
+func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
+	for gesture: StringName in [&"horizontal_drag", &"vertical_drag", &"tap"]:
+		var task := GestureTask.new()
+		task.gesture = gesture
+		task.position = Vector3(2.0, 1.0, -3.0)
+		task.rotation = Vector3(0.3, 1.0, -0.2)
+		task.direction = Vector3.DOWN
+		task.amplitude = 0.15
+		root.add_child(task)
+		var source := SyntheticSource.new()
+		source.placement = SyntheticSource.PLACEMENT_TASK
+		source.task_path = ^"../Task"
+		task.name = &"Task"
+		var tracker := _tracker(source)
+		check_equal(tracker.start(), OK, "%s at a task" % gesture)
+		var hmm := GestureHMM.new()
+		hmm.models = [load("res://addons/steadyhand/models/%s.gesture" % gesture)]
+		hmm.tracker = tracker
+		hmm.task = task
+		root.add_child(hmm)
+		while not tracker.is_finished():
+			tracker.advance(FRAME_S)
+		check_equal(hmm.recognised, gesture, "%s: it is made there" % gesture)
+		source.place_at(task)
+		check_equal(source.placement, SyntheticSource.PLACEMENT_FIXED, "place_at() fixes it")
+		check_equal(source.start, task.position, "at the task's start")
+		for node: Node in [hmm, tracker, task]:
+			node.free()
+
+
+func _is_measured(hand: XRHandTracker, joint: int) -> bool:
+	return hand.get_hand_joint_flags(joint) & XRHand.TRACKED == XRHand.TRACKED
+
+
+func _tracker(source: HandSource) -> HandTracker:
+	var tracker := HandTracker.new()
+	tracker.source = source
+	tracker.autostart = false
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	root.add_child(tracker)
+	if source is XRSource:
+		tracker.start()
+	return tracker
