@@ -50,6 +50,7 @@ void GestureTask::_notification(int p_what) {
 void GestureTask::announce_change() {
 	emit_signal("changed");
 	update_configuration_warnings();
+	update_gizmos();
 }
 
 void GestureTask::set_gesture(const StringName &p_gesture) {

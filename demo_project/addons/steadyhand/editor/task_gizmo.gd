@@ -1,0 +1,26 @@
+@tool
+extends EditorNode3DGizmoPlugin
+## Shows each GestureTask in the 3D view: an arrow from its start to its end, or the two circles of a
+## radius.
+
+const TaskShape := preload("task_shape.gd")
+
+
+func _init() -> void:
+	create_material("way", Color(0.2, 0.75, 1.0))
+
+
+func _get_gizmo_name() -> String:
+	return "GestureTask"
+
+
+func _has_gizmo(node: Node3D) -> bool:
+	return node is GestureTask
+
+
+func _redraw(gizmo: EditorNode3DGizmo) -> void:
+	gizmo.clear()
+	var lines := TaskShape.lines(gizmo.get_node_3d() as GestureTask)
+	if not lines.is_empty():
+		gizmo.add_lines(lines, get_material("way", gizmo))
+		gizmo.add_collision_segments(lines)

@@ -1,0 +1,54 @@
+extends CanvasLayer
+## Shows how a HandTracker does: its source, whether the hand is tracked, rate, jitter, dropouts and
+## latency. Add tracker_hud.tscn to a scene and set `tracker`.
+
+@export var tracker: HandTracker:
+	set(value):
+		if tracker != null and tracker.failed.is_connected(_on_failed):
+			tracker.failed.disconnect(_on_failed)
+		tracker = value
+		_failure = ""
+		if tracker != null:
+			tracker.failed.connect(_on_failed)
+			tracker.source_ready.connect(_on_source_ready)
+
+var _failure := ""
+
+@onready var _label: Label = $Panel/Label
+
+
+func _process(_delta: float) -> void:
+	_label.text = describe()
+
+
+func describe() -> String:
+	if tracker == null:
+		return "no tracker"
+	var source := "no source" if tracker.source == null else tracker.source.get_class()
+	var state := "not running"
+	if not _failure.is_empty():
+		state = _failure
+	elif tracker.is_running():
+		state = "hand tracked" if tracker.is_hand_tracked() else "no hand"
+	var latency := "latency unknown"
+	if is_finite(tracker.latency):
+		latency = "latency %.0f ms" % (1e3 * tracker.latency)
+	return (
+		"%s: %s\n%.1f Hz, jitter %.2f ms, %d dropouts, %s"
+		% [
+			source,
+			state,
+			tracker.frame_rate,
+			1e3 * tracker.frame_jitter,
+			tracker.dropout_count,
+			latency
+		]
+	)
+
+
+func _on_failed(reason: String) -> void:
+	_failure = reason
+
+
+func _on_source_ready() -> void:
+	_failure = ""
