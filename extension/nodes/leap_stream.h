@@ -1,0 +1,58 @@
+#pragma once
+
+#include "device_queue.h"
+#include "hand_stream.h"
+#include "leap_source.h"
+
+#include "devices/device_clock.h"
+#include "devices/leap_connection.h"
+#include "devices/leap_hands.h"
+#include "devices/leap_protocol.h"
+
+#include <godot_cpp/classes/web_socket_peer.hpp>
+#include <godot_cpp/variant/packed_byte_array.hpp>
+
+namespace godot {
+
+/// A connection to a Leap or Ultraleap service: asks for frames, and connects again when it ends.
+class LeapStream : public HandStream {
+public:
+	explicit LeapStream(const Ref<LeapSource> &p_source);
+	~LeapStream() override;
+
+	String open() override { return String(); }
+	StreamClock clock() const override { return StreamClock::LIVE; }
+	void poll(double p_now_s) override;
+	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override {
+		return queue_.next(p_until_s, r_frame);
+	}
+	double complete_until_s(double p_now_s) const override { return queue_.complete_until_s(p_now_s); }
+
+private:
+	void connect(double p_now_s);
+	void on_closed(double p_now_s);
+	void read(const PackedByteArray &p_packet, double p_now_s);
+	void on_version(const steadyhand::LeapVersion &p_version);
+	void on_device(const steadyhand::LeapDevice &p_device);
+	void on_frame(const steadyhand::LeapFrame &p_frame, double p_now_s);
+	/// From the device's axes to the scene's.
+	Eigen::Affine3d device_place() const;
+	/// Once until the service is heard again.
+	void fail(const String &p_text);
+	void warn_once(const String &p_text);
+	String url() const;
+
+	Ref<LeapSource> source_;
+	Ref<WebSocketPeer> socket_; ///< null between two attempts
+	int version_ = steadyhand::LEAP_VERSION_WANTED;
+	bool got_version_ = false; ///< of this connection
+	int attempts_ = 0;         ///< in a row that have failed
+	double next_attempt_s_ = 0.0;
+	bool failure_told_ = false;
+	bool warned_ = false; ///< of this connection
+	steadyhand::DeviceClock clock_;
+	steadyhand::LeapHandChooser chooser_;
+	DeviceQueue queue_;
+};
+
+} // namespace godot
