@@ -5,6 +5,7 @@ one fails.
 
 import base64
 import hashlib
+import itertools
 import json
 import os
 import socket
@@ -38,9 +39,7 @@ class Client:
         self.pings = self.fragments = 0
         key = base64.b64encode(os.urandom(16))
         request = f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-        self.sock.sendall(
-            request.encode() + b"Sec-WebSocket-Key: " + key + b"\r\nSec-WebSocket-Version: 13\r\n\r\n"
-        )
+        self.sock.sendall(request.encode() + b"Sec-WebSocket-Key: " + key + b"\r\nSec-WebSocket-Version: 13\r\n\r\n")
         while b"\r\n\r\n" not in self.buffer:
             self.fill()
         head, self.buffer = self.buffer.split(b"\r\n\r\n", 1)
@@ -161,7 +160,7 @@ def check_play(folder: Path, lines: list[str]) -> None:
 def check_deliveries(folder: Path, lines: list[str]) -> None:
     with Stub(folder, lines, "bursts") as stub:
         received = list(Client(stub.port).read())[2:]
-        steps_s = [b[0] - a[0] for a, b in zip(received, received[1:], strict=False)]
+        steps_s = [b[0] - a[0] for a, b in itertools.pairwise(received)]
         check("bursts: every line, three at a time", len(received) == len(lines), len(received))
         check("bursts: a third of the steps are long", abs(sum(s > 0.01 for s in steps_s) - len(lines) / 3) < 12)
     with Stub(folder, lines, "split", "--speed", "0") as stub:
@@ -197,7 +196,7 @@ def check_connections(folder: Path, lines: list[str]) -> None:
 def check_hands(folder: Path, lines: list[str]) -> None:
     with Stub(folder, lines, "stall", "--speed", "0") as stub:
         stamps = [frame["timestamp"] for frame in frames_of(list(Client(stub.port).read()))]
-        longest_s = max(b - a for a, b in zip(stamps, stamps[1:], strict=False)) * 1e-6
+        longest_s = max(b - a for a, b in itertools.pairwise(stamps)) * 1e-6
         check("stall: 1.5 s without frames", abs(longest_s - 1.5) < 0.02, longest_s)
     with Stub(folder, lines, "lost", "--speed", "0") as stub:
         frames = frames_of(list(Client(stub.port).read()))

@@ -98,7 +98,11 @@ def hand_of(tip_m: Vector, time_visible_s: float, hand_id: int, is_left: bool, d
     """The hand and its five pointables, with the fields of that dialect in its order."""
 
     def place(mm: Vector) -> Vector:
-        return (tip_m[0] * 1000.0 + (-mm[0] if is_left else mm[0]), tip_m[1] * 1000.0 + mm[1], tip_m[2] * 1000.0 + mm[2])
+        return (
+            tip_m[0] * 1000.0 + (-mm[0] if is_left else mm[0]),
+            tip_m[1] * 1000.0 + mm[1],
+            tip_m[2] * 1000.0 + mm[2],
+        )
 
     # The original service gives left hands left-handed bases; the bridge makes them of quaternions.
     is_mirrored = is_left and dialect == "orion"

@@ -12,7 +12,7 @@ constexpr double FARTHEST_CLOCK_S = 1e9;
 /// Five times the drift of a poor quartz, 200 ppm, so that the offset follows it.
 constexpr double RISE_S_PER_S = 1e-3;
 
-bool is_usable(double time_s) {
+bool is_time(double time_s) {
 	return std::abs(time_s) <= FARTHEST_CLOCK_S; // false for NaN
 }
 
@@ -42,14 +42,14 @@ double DeviceClock::smallest_offset_s() const {
 }
 
 DeviceClock::Stamp DeviceClock::map(double device_s, double arrival_s) {
-	if (!is_usable(arrival_s)) {
+	if (!is_time(arrival_s)) {
 		return { last_host_s_, false };
 	}
 	arrival_s = has_arrival_ ? std::max(arrival_s, last_arrival_s_) : arrival_s;
 	const double earliest_s = has_arrival_ ? last_host_s_ : -std::numeric_limits<double>::infinity();
 	last_arrival_s_ = arrival_s;
 	has_arrival_ = true;
-	if (!is_usable(device_s)) {
+	if (!is_time(device_s)) {
 		last_host_s_ = arrival_s;
 		return { last_host_s_, false };
 	}

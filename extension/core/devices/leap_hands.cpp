@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <utility>
 
 namespace steadyhand {
 namespace {
@@ -96,7 +97,7 @@ bool LeapHandChooser::is_doubtful(const LeapHand &hand, const Known *known, cons
 }
 
 LeapHandChooser::Known LeapHandChooser::judge(const LeapHand &hand, const LeapFrame &frame) const {
-	const Known now{ hand.id, hand.is_left, palm_m(hand), frame.timestamp_us, std::nullopt };
+	Known now{ hand.id, hand.is_left, palm_m(hand), frame.timestamp_us, std::nullopt };
 	const Known *known = find(hand.id);
 	if (!is_doubtful(hand, known, frame)) {
 		return now;
@@ -135,7 +136,7 @@ const LeapHand *LeapHandChooser::choose(const LeapFrame &frame) {
 			chosen = &hand;
 		}
 	}
-	known_ = next;
+	known_ = std::move(next);
 	if (chosen != nullptr) {
 		chosen_id_ = chosen->id;
 	}

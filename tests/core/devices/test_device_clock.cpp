@@ -169,6 +169,16 @@ TEST_CASE("a sample that comes 20 ms out of order repeats the last stamp") {
 	CHECK(std::abs(stream.last_s - stream.arrival_s) < 1e-9);
 }
 
+TEST_CASE("small steps back that sum up to more than 0.1 s start the clock anew") {
+	Stream stream;
+	stream.run(300);
+	for (int i = 0; i < 6; ++i) {
+		CHECK(stream.restarts == 0);
+		stream.step(-0.02, 0.001);
+	}
+	CHECK(stream.restarts == 1);
+}
+
 TEST_CASE("a delay that grows by 5 ms for good is followed at 1 ms/s") {
 	Stream stream;
 	stream.run(300);

@@ -186,6 +186,15 @@ TEST_CASE("a new hand of the other side at a free place is taken at once") {
 	CHECK(hands.left_id == 3);
 }
 
+TEST_CASE("a new hand close to one of the other side that is still there is taken at once") {
+	Hands hands;
+	hands.see({ hand_at(2, false, RIGHT_PLACE_M) });
+	hands.see({ hand_at(2, false, RIGHT_PLACE_M),
+			hand_at(3, true, RIGHT_PLACE_M + Eigen::Vector3d(-0.03, 0.0, 0.0)) });
+	CHECK(hands.left_id == 3);
+	CHECK(hands.right_id == 2);
+}
+
 TEST_CASE("a right hand that jumps to the left hand's place is not taken") {
 	Hands hands;
 	hands.see_both();
