@@ -8,24 +8,22 @@ namespace steadyhand {
 /// Maps the stamps of a device's own clock to the host's clock, where samples arrive in bursts and late, but
 /// never early.
 ///
-/// host = device + offset, where offset is the smallest (arrival - device) of the last WINDOW_S: that of the
-/// sample that came with the least delay. The constant part of the delay cannot be known; it is part of the
-/// offset.
+/// host = device + offset. The offset is the smallest (arrival - device) of the last WINDOW_S: that of the
+/// sample with the least delay. The constant part of the delay cannot be known; it is part of the offset.
+/// A mapped stamp never decreases and is never after the arrival of its sample.
 ///
-/// - A mapped stamp never decreases and is never after the arrival of its sample.
-/// - Within WINDOW_S a device clock that runs slow by 200 ppm maps up to 1 ms too early. One that runs fast
-/// has no
-///   such error.
-/// - The offset falls at once when a sample comes with less delay, as the first ones do: that sample is
-/// mapped to its
-///   arrival. It rises by no more than 1 ms/s, so that no step of the hand shows it.
-/// - The clock starts anew, and says so once, where the device's clock was set: it goes back by more than
-/// BACK_S, jumps
-///   ahead by more than AHEAD_S, or all samples of a whole window are more than LATE_S later than before.
-///   Without a sample for WINDOW_S it starts anew as well, without saying so.
-/// - A shorter jump ahead lets the offset fall. A shorter step back repeats the last stamp.
+/// Drift: a device clock that runs slow by 200 ppm maps up to 1 ms too early, as the smallest offset is then
+/// the oldest. One that runs fast has no such error.
 ///
-/// No allocation. Stamps may be of any origin; Leap's count microseconds, Liberty's frames of 1/240 s.
+/// Changes of delay: the offset falls at once when a sample comes with less delay, as the first ones do. Such
+/// a sample is mapped to its arrival. The offset rises by no more than 1 ms/s, so that velocities stay right.
+///
+/// A clock that was set: the mapping starts anew, and says so once, where the device's clock goes back by
+/// more than BACK_S, jumps ahead by more than AHEAD_S, or where all samples of a whole window are more than
+/// LATE_S later than before. After WINDOW_S without a sample it starts anew without saying so. A shorter jump
+/// ahead lets the offset fall. A shorter step back repeats the last stamp.
+///
+/// No allocation. Stamps may have any origin; Leap's count microseconds, Liberty's frames of 1/240 s.
 class DeviceClock {
 public:
 	static constexpr double WINDOW_S = 5.0; ///< longer than a stall of the host

@@ -61,7 +61,7 @@ using LeapMessage = std::variant<LeapVersion, LeapDevice, LeapFrame, LeapOther, 
 /// A frame of two hands is 10 to 20 kB. A longer message than this is an error: to parse it would stall the
 /// game.
 inline constexpr std::size_t LEAP_MESSAGE_SIZE_MAX = 256UL * 1024;
-/// Services track two hands, newer ones four. Hands of a frame beyond these are left out.
+/// Services track two hands, some more. Hands of a frame beyond these are left out.
 inline constexpr std::size_t LEAP_HANDS_MAX = 8;
 /// A joint further from the device is a fault of the service, m. Devices see about 1 m.
 inline constexpr double LEAP_FARTHEST_M = 10.0;
@@ -69,7 +69,7 @@ inline constexpr double LEAP_FARTHEST_M = 10.0;
 /// Parses one text message. Never throws; takes any bytes.
 ///
 /// Left out without an error: a joint whose position is not three numbers, is further away than
-/// LEAP_FARTHEST_M or is exactly zero (the inside of the device, which some services send for "none"); a
+/// LEAP_FARTHEST_M or is exactly zero (the top of the device itself, and how trackers report a loss); a
 /// rotation whose basis is no rotation; a hand without a whole-numbered id, a type "left" or "right", or a
 /// palm position; a pointable that is a tool or belongs to no hand of the frame.
 ///
