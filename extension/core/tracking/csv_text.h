@@ -32,7 +32,7 @@ private:
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 /// Cells of a line, without their quotes (one that is doubled there stays so), trimmed of spaces and tabs.
-/// Always at least one.
+/// Always at least one. The time grows linearly with the line's length.
 void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
 
 /// Offset of the first byte that no UTF-8 text holds: a control character other than tab, a malformed or
@@ -56,7 +56,7 @@ void append_cell(std::string &r_out, std::string_view text);
 
 /// "source:line: what is wrong".
 [[nodiscard]] Error error_at(std::string_view source, std::size_t line, std::string_view what);
-/// "source:line: column: what is wrong".
+/// "source:line: column: what is wrong". A long column name is cut after 40 bytes.
 [[nodiscard]] Error error_at(
 		std::string_view source, std::size_t line, std::string_view column, std::string_view what);
 
