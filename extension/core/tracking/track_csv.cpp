@@ -1,5 +1,6 @@
 #include "tracking/track_csv.h"
 
+#include "tracking/clock_jumps.h"
 #include "tracking/csv_text.h"
 
 #include <algorithm>
@@ -81,6 +82,7 @@ public:
 			reading_.error = read_row(line);
 			reading_.is_cut_off = reading_.error && ends_in_line_ && lines_.are_over();
 		}
+		reading_.warnings = close_clock_jumps(reading_.track.frames, source_, header_line_ + 1);
 		return std::move(reading_);
 	}
 
@@ -98,6 +100,7 @@ private:
 				}
 				reading_.track.metadata.push_back(parse_metadata(line));
 			} else if (!trim(line).empty()) {
+				header_line_ = lines_.line_number();
 				return read_header(line);
 			}
 		}
@@ -205,6 +208,7 @@ private:
 	CsvLines lines_;
 	std::string_view source_;
 	bool ends_in_line_;
+	std::size_t header_line_ = 0;
 	Header header_;
 	TrackReading reading_;
 	std::vector<std::string_view> cells_;
