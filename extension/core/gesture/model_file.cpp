@@ -6,7 +6,6 @@
 #include "gesture/task.h"
 #include "tracking/csv_text.h"
 #include "tracking/frame.h"
-#include "tracking/trial_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +124,7 @@ GestureModel model_from_json(const Json &json) {
 	}
 	GestureModel model;
 	model.gesture = text(json, "gesture");
-	if (const std::string_view fault = file_name_fault(model.gesture); !fault.empty()) {
+	if (const std::string_view fault = gesture_name_fault(model.gesture); !fault.empty()) {
 		throw Fault(
 				json["gesture"], "gesture: " + steadyhand::quoted(model.gesture) + " " + std::string(fault));
 	}

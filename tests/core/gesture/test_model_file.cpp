@@ -115,7 +115,11 @@ TEST_CASE("a model file is refused where its gesture has no name that a file may
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = ""; }) == "a.gesture:1: gesture: '' is empty");
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a/b"; }) ==
 			"a.gesture:1: gesture: 'a/b' has a character that no file name may have");
-	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a circle"; }).empty());
+	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "none"; }) ==
+			"a.gesture:1: gesture: 'none' stands for no gesture in results; choose another name");
+	for (const char *const good : { "a circle", "None", "none2" }) {
+		CHECK(error_of([&](Json &r_file) { r_file["gesture"] = good; }).empty());
+	}
 	CHECK(error_of([](Json &r_file) { r_file["reference_deviation"][4] = -3.0; }) ==
 			"a.gesture:1: reference_deviation: less than 0");
 }
