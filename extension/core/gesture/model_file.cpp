@@ -233,7 +233,7 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 	const std::string source(source_name);
 	Json document; // outlives the faults, which point into it
 	try {
-		document = Json::parse(text);
+		json_fields::parse(text, document);
 		return model_from_json(document);
 	} catch (const Json::parse_error &fault) {
 		return Error{ source + ":" + std::to_string(line_at(text, std::max<std::size_t>(fault.byte, 1) - 1)) +

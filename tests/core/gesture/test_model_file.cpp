@@ -124,6 +124,22 @@ TEST_CASE("a model file is refused where its gesture has no name that a file may
 			"a.gesture:1: reference_deviation: less than 0");
 }
 
+TEST_CASE("a model file of 300,000 members in one object is refused at once") {
+	std::string text = "{\n\"a\": [";
+	for (int i = 0; i < 300'000; ++i) {
+		text += (i == 0 ? "{\"k" : ",\"k") + std::to_string(i) + "\": 0";
+	}
+	const Result<GestureModel> read = parse_model(text + "}]}", "a.gesture");
+	REQUIRE_FALSE(read.ok());
+	CHECK(read.error() == "a.gesture:1: an object has more than 64 members");
+}
+
+TEST_CASE("a model file of arrays within arrays is refused") {
+	const std::string deep(300'000, '[');
+	CHECK_FALSE(parse_model(deep, "a.gesture").ok());
+	CHECK_FALSE(parse_model(deep + std::string(300'000, ']'), "a.gesture").ok());
+}
+
 TEST_CASE("a model file is refused where a duration or deviation would make the motion no number") {
 	for (const double mean_s : { 1e-300, -1.0, 1e200 }) {
 		const std::string wanted = "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600";
