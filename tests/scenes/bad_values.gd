@@ -9,8 +9,8 @@ var _folder := DirAccess.create_temp("steadyhand_bad_values")
 
 
 func test_a_curve_of_too_many_samples_is_refused() -> void:
-	# expects one error: count must be in 0..10000000, is 2147483647
-	# expects one error: count must be in 0..10000000, is -1
+	# expects one error: count must be in 0..30000000, is 2147483647
+	# expects one error: count must be in 0..30000000, is -1
 	# expects one error: rate_hz must be above 0 and t0 finite
 	var path := _write("one.csv", "t,index_x,index_y,index_z\n0,0,0,0\n")
 	check_equal(_curve_size(path, 0.0, 2147483647), 0, "two thousand million samples are refused")
