@@ -55,53 +55,6 @@ std::string not_text(char byte) {
 	return "byte 0x" + hex_byte(byte) + " is not text";
 }
 
-/// Whether only blanks stand before the next comma or the end.
-bool ends_cell(std::string_view after) {
-	const std::size_t next = after.find_first_not_of(" \t");
-	return next == std::string_view::npos || after[next] == ',';
-}
-
-/// Finds where the quoted cells of one line end. Once a search has reached the line's end in vain, later
-/// cells do not search again: the work stays linear however many quotes are open.
-class QuotedCells {
-public:
-	/// Length of the quoted cell that text, a rest of the line, starts with, its quotes included; 0 where
-	/// there is none. A doubled quote does not end a cell. If no other quote ends it, a doubled one does:
-	/// no other program writes that.
-	std::size_t length(std::string_view text) {
-		if (!text.starts_with('"')) {
-			return 0;
-		}
-		for (const bool may_be_doubled : { true, false }) {
-			if (const std::size_t end = find_end(text, may_be_doubled); end > 0) {
-				return end;
-			}
-		}
-		return 0;
-	}
-
-private:
-	std::size_t find_end(std::string_view text, bool may_be_doubled) {
-		bool &was_searched = was_searched_[may_be_doubled ? 1 : 0];
-		for (std::size_t run = text.find('"', 1); run != std::string_view::npos;) {
-			const std::size_t after = std::min(text.find_first_not_of('"', run), text.size());
-			const bool is_single = (after - run) % 2 == 1; // beside pairs
-			if ((is_single || !may_be_doubled) && ends_cell(text.substr(after))) {
-				return after;
-			}
-			// The cell's own quote shortens a run right behind it: only that run is new to an earlier search.
-			if (was_searched) {
-				return 0;
-			}
-			run = text.find('"', after);
-		}
-		was_searched = true;
-		return 0;
-	}
-
-	std::array<bool, 2> was_searched_{}; ///< up to the line's end, in vain; [1]: quotes may be doubled
-};
-
 /// At most SHOWN_MAX bytes of text, cut between characters.
 std::string shortened(std::string_view text) {
 	if (text.size() <= SHOWN_MAX) {
@@ -148,20 +101,6 @@ std::string_view trim(std::string_view text) {
 		text.remove_suffix(1);
 	}
 	return text;
-}
-
-void split_cells(std::string_view line, std::vector<std::string_view> &r_cells) {
-	r_cells.clear();
-	QuotedCells quoted_cells;
-	for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(comma + 1)) {
-		line = trim(line);
-		const std::size_t in_quotes = quoted_cells.length(line);
-		comma = line.find(',', in_quotes);
-		r_cells.push_back(trim(in_quotes > 0 ? line.substr(1, in_quotes - 2) : line.substr(0, comma)));
-		if (comma == std::string_view::npos) {
-			return;
-		}
-	}
 }
 
 std::optional<std::size_t> find_not_text(std::string_view line) {
@@ -216,11 +155,17 @@ void append_plain_text(std::string &r_out, std::string_view text) {
 
 void append_cell(std::string &r_out, std::string_view text) {
 	const std::string_view cell = trim(text);
-	const bool is_quoted = cell.starts_with('"') || cell.find(',') != std::string_view::npos;
-	const std::string_view quote = is_quoted ? "\"" : "";
-	r_out += quote;
-	append_plain_text(r_out, cell); // a quote in it is doubled already, as split_cells() leaves it
-	r_out += quote;
+	if (!cell.starts_with('"') && cell.find(',') == std::string_view::npos) {
+		append_plain_text(r_out, cell);
+		return;
+	}
+	std::string plain;
+	append_plain_text(plain, cell);
+	r_out += '"';
+	for (const char character : plain) {
+		r_out.append(character == '"' ? 2 : 1, character);
+	}
+	r_out += '"';
 }
 
 std::string quoted(std::string_view cell) {

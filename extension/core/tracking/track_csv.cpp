@@ -59,7 +59,9 @@ std::pair<std::string, std::string> parse_metadata(std::string_view line) {
 	const std::string_view text = trim(line.substr(1));
 	for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
 			colon = text.find(':', colon + 1)) {
-		if (colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t') {
+		const bool is_separator =
+				colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t';
+		if (is_separator && colon > 0) { // an empty key is a plain comment's
 			return { std::string(trim(text.substr(0, colon))), std::string(trim(text.substr(colon + 1))) };
 		}
 	}
@@ -108,7 +110,7 @@ private:
 	}
 
 	std::optional<Error> read_header(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_header(source_, lines_.line_number(), cells_)) {
 			return wrong;
 		}
@@ -145,7 +147,7 @@ private:
 	}
 
 	std::optional<Error> read_row(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_row(source_, lines_.line_number(), line, cells_, header_.names)) {
 			return wrong;
 		}
@@ -212,6 +214,7 @@ private:
 	Header header_;
 	TrackReading reading_;
 	std::vector<std::string_view> cells_;
+	std::string unescaped_; ///< as split_cells() leaves it
 	double previous_t_s_ = -std::numeric_limits<double>::infinity();
 };
 

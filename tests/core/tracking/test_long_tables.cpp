@@ -42,10 +42,11 @@ constexpr std::string_view TRIALS_HEADER =
 TEST_SUITE("long tables") {
 	TEST_CASE("a line of two million open quotes is split at its commas") {
 		std::vector<std::string_view> cells;
+		std::string unescaped;
 		const std::size_t count = 2'000'000;
 		for (const std::string_view unit : { ",\"a", ",\"\"a", " ,\t\"a\" b", ",\"a\"\"b" }) {
 			const std::string line = "t" + repeated(unit, count);
-			split_cells(line, cells);
+			split_cells(line, cells, unescaped);
 			CHECK(cells.size() == count + 1);
 		}
 	}
