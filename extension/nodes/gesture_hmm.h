@@ -32,11 +32,17 @@ class GestureHMM : public Node, public FrameListener {
 
 public:
 	/// In the order of the core's MotionMode.
-	enum Mode { MODE_PHASE, MODE_PAPER };
+	enum Mode : int64_t { MODE_PHASE, MODE_PAPER };
 	/// In the order of the core's Quality.
-	enum Quality { QUALITY_FAST, QUALITY_BALANCED, QUALITY_ACCURATE };
+	enum Quality : int64_t { QUALITY_FAST, QUALITY_BALANCED, QUALITY_ACCURATE };
 	/// In the order of the core's MotionSource.
-	enum Motion { MOTION_SYNTHESISED, MOTION_MEASURED, MOTION_AVERAGE, MOTION_ONE_EURO, MOTION_KALMAN };
+	enum Motion : int64_t {
+		MOTION_SYNTHESISED,
+		MOTION_MEASURED,
+		MOTION_AVERAGE,
+		MOTION_ONE_EURO,
+		MOTION_KALMAN
+	};
 
 	GestureHMM();
 	~GestureHMM() override;

@@ -91,7 +91,7 @@ std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 		for (const Expected &one : anywhere) {
 			const steadyhand::Task place = core_task(*task, *one.model);
 			const bool is_its = task->get_gesture() == StringName() || task->get_gesture() == one.gesture;
-			if (is_its && place.start_m.allFinite()) {
+			if (is_its && steadyhand::is_place(place.start_m)) {
 				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()), place });
 			}
 		}

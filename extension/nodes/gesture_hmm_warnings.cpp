@@ -9,6 +9,7 @@
 
 #include "gesture/feature.h"
 #include "gesture/gesture_model.h"
+#include "tracking/frame.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/error_macros.hpp>
@@ -223,9 +224,9 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
 						String("' to the radius at its start; it is 0.");
 			}
-		} else if (!place.start_m.allFinite()) {
+		} else if (!steadyhand::is_place(place.start_m)) {
 			return String("Place ") + node_label(p_task) + String(", the task of '") + String(one.gesture) +
-					String("': its global position is not finite.");
+					String("': its global position is not finite or beyond 1e9 m.");
 		} else if (place.axis.isZero()) {
 			return String("Set \"direction\" of the task of '") + String(one.gesture) +
 					String("' to the way the hand moves; it is zero.");

@@ -63,6 +63,9 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
+	// Before any track is read; of other names the trial set has no trials.
+	ERR_FAIL_COND_V_MSG(gesture == steadyhand::NO_GESTURE, Ref<GestureModel>(),
+			"GestureTrainer: the gesture's name 'none' " + to_godot(steadyhand::gesture_name_fault(gesture)));
 	std::vector<const steadyhand::Trial *> wanted;
 	std::set<std::string> gestures;
 	for (const steadyhand::Trial &trial : p_trial_set->core()) {

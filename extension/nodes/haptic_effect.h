@@ -19,9 +19,9 @@ class HapticEffect : public Resource {
 
 public:
 	/// In the order of the core's Drive.
-	enum Drive { DRIVE_CONSTANT, DRIVE_POSITION, DRIVE_VELOCITY, DRIVE_ACCELERATION };
+	enum Drive : int64_t { DRIVE_CONSTANT, DRIVE_POSITION, DRIVE_VELOCITY, DRIVE_ACCELERATION };
 	/// In the order of the core's Trigger.
-	enum Trigger { TRIGGER_ALWAYS, TRIGGER_MOVING, TRIGGER_ARRIVAL };
+	enum Trigger : int64_t { TRIGGER_ALWAYS, TRIGGER_MOVING, TRIGGER_ARRIVAL };
 	/// Numbers that the core reads and the caller keeps.
 	using Tables = std::vector<std::shared_ptr<const std::vector<float>>>;
 

@@ -16,6 +16,15 @@
 
 namespace godot {
 
+namespace {
+
+/// Of a curve: eight hours at 1 kHz, while `./steadyhand evaluate` judges six at most. They take 240 MB.
+constexpr int64_t MOST_SAMPLES = 30'000'000;
+/// Of a table, which has a cell for each pair of them: 8 MB. Nobody reads a larger one.
+constexpr int64_t MOST_GESTURES = 1000;
+
+} // namespace
+
 Dictionary MotionMetrics::compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
 		double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s) {
 	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0), Dictionary(), "MotionMetrics.compare: rate_hz must be above 0");
@@ -48,8 +57,11 @@ Dictionary MotionMetrics::summarise(const PackedFloat64Array &p_values) {
 PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, const String &p_feature,
 		const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count) {
 	PackedFloat64Array curve;
-	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0) || !std::isfinite(p_rate_hz) || p_count < 0, curve,
-			"MotionMetrics.feature_curve: rate_hz must be above 0 and count at least 0");
+	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0) || !std::isfinite(p_rate_hz) || !std::isfinite(p_t0_s), curve,
+			"MotionMetrics.feature_curve: rate_hz must be above 0 and t0 finite");
+	ERR_FAIL_COND_V_MSG(p_count < 0 || p_count > MOST_SAMPLES, curve,
+			String("MotionMetrics.feature_curve: count must be in 0..") + itos(MOST_SAMPLES) +
+					String(", is ") + itos(p_count));
 	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
 	ERR_FAIL_NULL_V_MSG(feature, curve, p_feature + String(": there is no such feature"));
 	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
@@ -105,6 +117,9 @@ Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const Packe
 	for (const PackedStringArray &given : { p_done, p_recognised }) {
 		for (const String &name : given) {
 			if (name != String("none") && !names.has(name)) {
+				ERR_FAIL_COND_V_MSG(names.size() == MOST_GESTURES, Dictionary(),
+						String("MotionMetrics.confusion: more than ") + itos(MOST_GESTURES) +
+								String(" different names; pass names of gestures"));
 				names.push_back(name);
 			}
 		}

@@ -5,6 +5,8 @@
 
 #include <godot_cpp/core/error_macros.hpp>
 
+#include <string>
+
 namespace godot {
 
 steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
@@ -15,6 +17,9 @@ steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
 	steadyhand::TrackReading reading = steadyhand::read_track_csv(text.value(), to_core(p_path));
 	if (reading.error && !reading.is_cut_off) {
 		return *std::move(reading.error);
+	}
+	for (const std::string &warning : reading.warnings) {
+		WARN_PRINT(to_godot(warning));
 	}
 	if (reading.error) {
 		WARN_PRINT(to_godot(reading.error->message) + String(": it was cut off; the ") +

@@ -51,7 +51,24 @@ std::string fault_of(const std::string &p_key, const Variant &p_value) {
 	return {};
 }
 
+/// Of a trial, with the rounds before it: its two tracks take 250 MB.
 constexpr double LONGEST_S = 3600.0;
+/// Two files each; their plan takes 30 MB.
+constexpr double MOST_TRIALS = 100'000.0;
+
+/// Why what is asked for would not fit into memory; empty where it does.
+std::string size_fault(const steadyhand::SyntheticSetOptions &p_options) {
+	const std::size_t gestures = std::max<std::size_t>(p_options.gestures.size(), 1);
+	const double trials = static_cast<double>(p_options.subjects) * p_options.repetitions *
+			static_cast<double>(gestures * p_options.positions.size());
+	if (trials > MOST_TRIALS) {
+		return "subjects, trials_per_subject and gestures: more than 100000 trials; write several sets";
+	}
+	if (p_options.duration_s * (1.0 + p_options.earlier_rounds) > LONGEST_S) {
+		return "duration and earlier_rounds: a trial would last longer than 3600 s";
+	}
+	return {};
+}
 
 /// Error names the option and its value.
 steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionary &p_options) {
@@ -106,6 +123,9 @@ steadyhand::Result<steadyhand::SyntheticSetOptions> read_options(const Dictionar
 	const PackedStringArray gestures = p_options.get("gestures", PackedStringArray());
 	for (const String &gesture : gestures) {
 		options.gestures.push_back(to_core(gesture));
+	}
+	if (std::string fault = size_fault(options); !fault.empty()) {
+		return steadyhand::Error{ std::move(fault) };
 	}
 	return options;
 }

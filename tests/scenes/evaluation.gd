@@ -200,15 +200,24 @@ func test_a_gesture_of_minutes_is_left_out() -> void:
 	)
 
 
-func test_a_record_of_years_is_left_out() -> void:
-	var trials := Rig.write_trials(_path("years"))
-	_end_reference(trials, "1e9")
-	var run := ToolRun.new("evaluate", ["--trials", _path("years"), "--out", _path("years_out")])
+func test_a_record_of_seven_hours_is_left_out() -> void:
+	var trials := Rig.write_trials(_path("hours"))
+	_append_hours(trials, 7)
+	var run := ToolRun.new("evaluate", ["--trials", _path("hours"), "--out", _path("hours_out")])
 	check_equal(run.exit_code, 1, "exit code")
-	var why: Array[String] = ["its reference lasts 10000", trials.get_reference_path(0)]
+	var why: Array[String] = ["its reference lasts 252", trials.get_reference_path(0)]
 	_check_left_out(run, trials.get_trial(0)["trial"], why)
 	check(not run.said.contains("ERROR"), "nothing else is said of it")
-	check_equal(_lines("years_out/results.csv").size(), trials.get_count(), "the others are there")
+	check_equal(_lines("hours_out/results.csv").size(), trials.get_count(), "the others are there")
+
+
+func test_a_reference_with_a_clock_jump_is_judged() -> void:
+	var trials := Rig.write_trials(_path("jump"))
+	_end_reference(trials, "1e9")
+	var run := ToolRun.new("evaluate", ["--trials", _path("jump"), "--out", _path("jump_out")])
+	check_equal(run.exit_code, 0, "exit code")
+	check_equal(run.not_said(["t: the clock jumps by 1e+09 s"]), "", "a warning names the jump")
+	check_equal(_lines("jump_out/results.csv").size(), trials.get_count() + 1, "all trials are there")
 
 
 func test_a_set_without_trials() -> void:
@@ -377,6 +386,16 @@ static func _end_reference(trials: TrialSet, time_s: String) -> void:
 	var lines := FileAccess.get_file_as_string(path).split("\n", false)
 	lines[-1] = time_s + lines[-1].substr(lines[-1].find(","))
 	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
+
+
+## Rows an hour apart behind the reference's last one.
+static func _append_hours(trials: TrialSet, count: int) -> void:
+	var path := trials.get_reference_path(0)
+	var text := FileAccess.get_file_as_string(path)
+	var last := text.split("\n", false)[-1]
+	for hour in range(1, count + 1):
+		text += "%.3f%s\n" % [last.to_float() + 3599.9 * hour, last.substr(last.find(","))]
+	FileAccess.open(path, FileAccess.WRITE).store_string(text)
 
 
 ## A reference that tracks the wrist alone.

@@ -1,9 +1,16 @@
 #include "gesture/gesture_model.h"
 
+#include "tracking/trial_set.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
+
+std::string_view gesture_name_fault(std::string_view gesture) {
+	return gesture == NO_GESTURE ? "stands for no gesture in results; choose another name"
+								 : file_name_fault(gesture);
+}
 
 CurvePoint evaluate(const GestureModel &model, double phase) {
 	if (model.elements.empty()) {

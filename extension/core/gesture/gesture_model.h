@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace steadyhand {
@@ -52,6 +53,10 @@ struct GestureModel {
 	std::vector<PrimitiveMotionElement> elements; ///< one per state, in order
 	Provenance provenance;
 };
+
+/// Why no model may be of a gesture of that name, as the rest of a sentence; empty where one may: the name
+/// must be fit for a file, and it must not be NO_GESTURE.
+[[nodiscard]] std::string_view gesture_name_fault(std::string_view gesture);
 
 /// Value and derivatives with respect to phase of the primitive motion elements at a phase (clamped to 0..1).
 struct CurvePoint {

@@ -54,7 +54,55 @@ std::size_t line_of_value(std::string_view text, std::size_t before) {
 	return line_at(text, i);
 }
 
+/// Goes through a text without keeping it, until an object has more than MOST_MEMBERS members.
+class MemberCounter : public nlohmann::json_sax<Json> {
+public:
+	[[nodiscard]] bool is_exceeded() const { return is_exceeded_; }
+
+	bool start_object(std::size_t /*elements*/) override {
+		members_.push_back(0);
+		return true;
+	}
+	bool key(std::string & /*name*/) override {
+		is_exceeded_ = ++members_.back() > MOST_MEMBERS;
+		return !is_exceeded_;
+	}
+	bool end_object() override {
+		members_.pop_back();
+		return true;
+	}
+	bool null() override { return true; }
+	bool boolean(bool /*value*/) override { return true; }
+	bool number_integer(Json::number_integer_t /*value*/) override { return true; }
+	bool number_unsigned(Json::number_unsigned_t /*value*/) override { return true; }
+	bool number_float(Json::number_float_t /*value*/, const std::string & /*digits*/) override {
+		return true;
+	}
+	bool string(std::string & /*value*/) override { return true; }
+	bool binary(Json::binary_t & /*value*/) override { return true; }
+	bool start_array(std::size_t /*elements*/) override { return true; }
+	bool end_array() override { return true; }
+	/// What it is Json::parse() says.
+	bool parse_error(std::size_t /*place*/, const std::string & /*token*/,
+			const nlohmann::detail::exception & /*fault*/) override {
+		return false;
+	}
+
+private:
+	std::vector<std::size_t> members_; ///< of the objects that are open
+	bool is_exceeded_ = false;
+};
+
 } // namespace
+
+void parse(std::string_view text, Json &r_document) {
+	MemberCounter counter;
+	Json::sax_parse(text, &counter);
+	if (counter.is_exceeded()) {
+		throw Fault(r_document, "an object has more than " + std::to_string(MOST_MEMBERS) + " members");
+	}
+	r_document = Json::parse(text);
+}
 
 std::size_t line_at(std::string_view text, std::size_t place) {
 	const std::string_view passed = text.substr(0, place);

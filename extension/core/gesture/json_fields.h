@@ -19,6 +19,14 @@ struct Fault : std::runtime_error {
 	const Json *place; ///< of the document that is read
 };
 
+/// No object of a file has more members: to find one, an ordered_json goes through all of them, so a file of
+/// many would take quadratic time.
+inline constexpr std::size_t MOST_MEMBERS = 64;
+
+/// Reads `text` into r_document. Throws Json::exception where it is not JSON, and a Fault at r_document where
+/// an object has more than MOST_MEMBERS members.
+void parse(std::string_view text, Json &r_document);
+
 /// From 1: of the character at that place of the text.
 [[nodiscard]] std::size_t line_at(std::string_view text, std::size_t place);
 /// Of a value, in the text that the document was parsed from.

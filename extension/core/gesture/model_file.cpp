@@ -6,7 +6,6 @@
 #include "gesture/task.h"
 #include "tracking/csv_text.h"
 #include "tracking/frame.h"
-#include "tracking/trial_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +124,7 @@ GestureModel model_from_json(const Json &json) {
 	}
 	GestureModel model;
 	model.gesture = text(json, "gesture");
-	if (const std::string_view fault = file_name_fault(model.gesture); !fault.empty()) {
+	if (const std::string_view fault = gesture_name_fault(model.gesture); !fault.empty()) {
 		throw Fault(
 				json["gesture"], "gesture: " + steadyhand::quoted(model.gesture) + " " + std::string(fault));
 	}
@@ -234,7 +233,7 @@ Result<GestureModel> parse_model(std::string_view text, std::string_view source_
 	const std::string source(source_name);
 	Json document; // outlives the faults, which point into it
 	try {
-		document = Json::parse(text);
+		json_fields::parse(text, document);
 		return model_from_json(document);
 	} catch (const Json::parse_error &fault) {
 		return Error{ source + ":" + std::to_string(line_at(text, std::max<std::size_t>(fault.byte, 1) - 1)) +

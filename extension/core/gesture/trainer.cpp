@@ -184,6 +184,9 @@ std::string training_error(const std::string &feature, const TrainingOptions &op
 Result<GestureModel> train(const std::string &gesture, const std::string &feature_name,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
 		std::vector<NormalisedRecording> *r_recordings) {
+	if (const std::string_view fault = gesture_name_fault(gesture); !fault.empty()) {
+		return Error{ "the gesture's name '" + gesture + "' " + std::string(fault) };
+	}
 	if (const std::string fault = training_error(feature_name, options); !fault.empty()) {
 		return Error{ gesture + ": " + fault };
 	}

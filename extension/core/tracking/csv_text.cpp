@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace steadyhand {
@@ -13,7 +14,7 @@ namespace steadyhand {
 namespace {
 
 constexpr std::string_view BYTE_ORDER_MARK = "\xEF\xBB\xBF";
-constexpr std::size_t QUOTED_MAX = 40;
+constexpr std::size_t SHOWN_MAX = 40;
 
 std::string hex_byte(char byte) {
 	constexpr std::string_view DIGITS = "0123456789abcdef";
@@ -54,22 +55,16 @@ std::string not_text(char byte) {
 	return "byte 0x" + hex_byte(byte) + " is not text";
 }
 
-/// Length of the quoted cell that text starts with, its quotes included; 0 where there is none. What another
-/// cell's quotes enclose is no cell's end, nor is a quote that is doubled, but for a cell that would have
-/// none then, as no other program writes it.
-std::size_t quoted_length(std::string_view text) {
-	for (const bool may_be_doubled : { true, false }) {
-		for (std::size_t end = text.find('"', 1); text.starts_with('"') && end != std::string_view::npos;
-				end = text.find('"', end + 1)) {
-			const std::string_view after = text.substr(end + 1);
-			if (may_be_doubled && after.starts_with('"')) {
-				++end;
-			} else if (trim(after).empty() || trim(after).starts_with(',')) {
-				return end + 1;
-			}
-		}
+/// At most SHOWN_MAX bytes of text, cut between characters.
+std::string shortened(std::string_view text) {
+	if (text.size() <= SHOWN_MAX) {
+		return std::string(text);
 	}
-	return 0;
+	std::size_t length = SHOWN_MAX;
+	while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+		--length;
+	}
+	return std::string(text.substr(0, length)) + "...";
 }
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -106,19 +101,6 @@ std::string_view trim(std::string_view text) {
 		text.remove_suffix(1);
 	}
 	return text;
-}
-
-void split_cells(std::string_view line, std::vector<std::string_view> &r_cells) {
-	r_cells.clear();
-	for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(comma + 1)) {
-		line = trim(line);
-		const std::size_t in_quotes = quoted_length(line);
-		comma = line.find(',', in_quotes);
-		r_cells.push_back(trim(in_quotes > 0 ? line.substr(1, in_quotes - 2) : line.substr(0, comma)));
-		if (comma == std::string_view::npos) {
-			return;
-		}
-	}
 }
 
 std::optional<std::size_t> find_not_text(std::string_view line) {
@@ -173,20 +155,26 @@ void append_plain_text(std::string &r_out, std::string_view text) {
 
 void append_cell(std::string &r_out, std::string_view text) {
 	const std::string_view cell = trim(text);
-	const bool is_quoted = cell.starts_with('"') || cell.find(',') != std::string_view::npos;
-	const std::string_view quote = is_quoted ? "\"" : "";
-	r_out += quote;
-	append_plain_text(r_out, cell); // a quote in it is doubled already, as split_cells() leaves it
-	r_out += quote;
+	if (!cell.starts_with('"') && cell.find(',') == std::string_view::npos) {
+		append_plain_text(r_out, cell);
+		return;
+	}
+	std::string plain;
+	append_plain_text(plain, cell);
+	r_out += '"';
+	for (const char character : plain) {
+		r_out.append(character == '"' ? 2 : 1, character);
+	}
+	r_out += '"';
 }
 
 std::string quoted(std::string_view cell) {
 	std::string text = "'";
-	for (const char character : cell.substr(0, QUOTED_MAX)) {
+	for (const char character : cell.substr(0, SHOWN_MAX)) {
 		const bool prints = character >= 0x20 && character < 0x7F;
 		text += prints ? std::string(1, character) : "\\x" + hex_byte(character);
 	}
-	return text + (cell.size() > QUOTED_MAX ? "...'" : "'");
+	return text + (cell.size() > SHOWN_MAX ? "...'" : "'");
 }
 
 Error error_at(std::string_view source, std::size_t line, std::string_view what) {
@@ -194,11 +182,12 @@ Error error_at(std::string_view source, std::size_t line, std::string_view what)
 }
 
 Error error_at(std::string_view source, std::size_t line, std::string_view column, std::string_view what) {
-	return error_at(source, line, std::string(column) + ": " + std::string(what));
+	return error_at(source, line, shortened(column) + ": " + std::string(what));
 }
 
 std::optional<Error> check_header(
 		std::string_view source, std::size_t line, const std::vector<std::string_view> &names) {
+	std::set<std::string_view> seen;
 	for (std::size_t i = 0; i < names.size(); ++i) {
 		if (parse_number(names[i], std::numeric_limits<double>::max())) {
 			return error_at(source, line, "no header line: the first line holds values, " + quoted(names[i]));
@@ -206,8 +195,7 @@ std::optional<Error> check_header(
 		if (const auto offset = find_not_text(names[i])) {
 			return error_at(source, line, "column " + std::to_string(i + 1), not_text(names[i][*offset]));
 		}
-		if (std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i), names[i]) !=
-				names.begin() + static_cast<std::ptrdiff_t>(i)) {
+		if (!seen.insert(names[i]).second) {
 			return error_at(source, line, names[i], "the column comes twice");
 		}
 	}

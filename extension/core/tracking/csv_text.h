@@ -31,9 +31,10 @@ private:
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Cells of a line, without their quotes (one that is doubled there stays so), trimmed of spaces and tabs.
-/// Always at least one.
-void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
+/// Cells of a line, trimmed of spaces and tabs, without the quotes around them; a doubled quote within these
+/// is one. Always at least one. Views point into the line or into r_unescaped, which must outlive them. The
+/// time grows linearly with the line's length.
+void split_cells(std::string_view line, std::vector<std::string_view> &r_cells, std::string &r_unescaped);
 
 /// Offset of the first byte that no UTF-8 text holds: a control character other than tab, a malformed or
 /// overlong sequence, a surrogate.
@@ -47,7 +48,8 @@ void split_cells(std::string_view line, std::vector<std::string_view> &r_cells);
 void append_number(std::string &r_out, double number);
 
 /// Text for one metadata line, or one cell: control characters become spaces, so that what is written can
-/// always be read back. A cell that holds a comma, or begins with a quote, is put in quotes.
+/// always be read back. A cell that holds a comma, or begins with a quote, is put in quotes, and its own
+/// quotes are doubled.
 void append_plain_text(std::string &r_out, std::string_view text);
 void append_cell(std::string &r_out, std::string_view text);
 
@@ -56,7 +58,7 @@ void append_cell(std::string &r_out, std::string_view text);
 
 /// "source:line: what is wrong".
 [[nodiscard]] Error error_at(std::string_view source, std::size_t line, std::string_view what);
-/// "source:line: column: what is wrong".
+/// "source:line: column: what is wrong". A long column name is cut after 40 bytes.
 [[nodiscard]] Error error_at(
 		std::string_view source, std::size_t line, std::string_view column, std::string_view what);
 

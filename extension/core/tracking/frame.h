@@ -33,6 +33,11 @@ inline constexpr double FARTHEST_M = 1e9;
 /// period is lost in rounding, and the count of control instants, whole milliseconds, overflows.
 inline constexpr double FARTHEST_S = 1e12;
 
+/// Whether a point can be a place: finite, and no coordinate beyond FARTHEST_M.
+[[nodiscard]] inline bool is_place(const Eigen::Vector3d &point_m) {
+	return point_m.allFinite() && point_m.cwiseAbs().maxCoeff() <= FARTHEST_M;
+}
+
 /// One moment of a tracked hand. Positions in metres, x right, y up, -z forward (Godot's convention); time in
 /// seconds on the device's own clock.
 struct HandFrame {

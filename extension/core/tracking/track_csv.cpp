@@ -1,5 +1,6 @@
 #include "tracking/track_csv.h"
 
+#include "tracking/clock_jumps.h"
 #include "tracking/csv_text.h"
 
 #include <algorithm>
@@ -58,7 +59,9 @@ std::pair<std::string, std::string> parse_metadata(std::string_view line) {
 	const std::string_view text = trim(line.substr(1));
 	for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
 			colon = text.find(':', colon + 1)) {
-		if (colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t') {
+		const bool is_separator =
+				colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t';
+		if (is_separator && colon > 0) { // an empty key is a plain comment's
 			return { std::string(trim(text.substr(0, colon))), std::string(trim(text.substr(colon + 1))) };
 		}
 	}
@@ -81,6 +84,7 @@ public:
 			reading_.error = read_row(line);
 			reading_.is_cut_off = reading_.error && ends_in_line_ && lines_.are_over();
 		}
+		reading_.warnings = close_clock_jumps(reading_.track.frames, source_, header_line_ + 1);
 		return std::move(reading_);
 	}
 
@@ -98,6 +102,7 @@ private:
 				}
 				reading_.track.metadata.push_back(parse_metadata(line));
 			} else if (!trim(line).empty()) {
+				header_line_ = lines_.line_number();
 				return read_header(line);
 			}
 		}
@@ -105,7 +110,7 @@ private:
 	}
 
 	std::optional<Error> read_header(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_header(source_, lines_.line_number(), cells_)) {
 			return wrong;
 		}
@@ -142,7 +147,7 @@ private:
 	}
 
 	std::optional<Error> read_row(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_row(source_, lines_.line_number(), line, cells_, header_.names)) {
 			return wrong;
 		}
@@ -205,9 +210,11 @@ private:
 	CsvLines lines_;
 	std::string_view source_;
 	bool ends_in_line_;
+	std::size_t header_line_ = 0;
 	Header header_;
 	TrackReading reading_;
 	std::vector<std::string_view> cells_;
+	std::string unescaped_; ///< as split_cells() leaves it
 	double previous_t_s_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -27,14 +27,17 @@ struct TrackReading {
 	Track track;
 	std::optional<Error> error;
 	bool is_cut_off = false; ///< that is the last line, and has no line break
+	/// What was read otherwise than it is written, each "source:line: column: what". The first ten clock
+	/// jumps have one each, all others one together.
+	std::vector<std::string> warnings;
 };
 
 /// For a recording that may be cut off: keeps every frame before the cut. `source_name` stands in the error
-/// message.
+/// message. Clock jumps are closed up, as close_clock_jumps() says.
 [[nodiscard]] TrackReading read_track_csv(std::string_view text, std::string_view source_name);
 
 /// The whole track, or the first error as "source:line: column: what". A file without rows is a track of no
-/// frames.
+/// frames. Clock jumps are closed up without a word; read_track_csv() warns of them.
 [[nodiscard]] Result<Track> parse_track_csv(std::string_view text, std::string_view source_name);
 
 /// Reads back as the same track, to the last bit of every number.

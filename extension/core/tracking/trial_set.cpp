@@ -79,7 +79,7 @@ private:
 	[[nodiscard]] std::string_view cell(std::size_t column) const { return cells_[place_[column]]; }
 
 	std::optional<Error> read_header(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_header(source_, lines_.line_number(), cells_)) {
 			return wrong;
 		}
@@ -95,7 +95,7 @@ private:
 	}
 
 	std::optional<Error> read_row(std::string_view line) {
-		split_cells(line, cells_);
+		split_cells(line, cells_, unescaped_);
 		if (auto wrong = check_row(source_, lines_.line_number(), line, cells_, names_)) {
 			return wrong;
 		}
@@ -220,6 +220,7 @@ private:
 	std::vector<std::string> names_;
 	std::array<std::size_t, COLUMN_COUNT> place_{};
 	std::vector<std::string_view> cells_;
+	std::string unescaped_; ///< as split_cells() leaves it
 	std::set<std::string, std::less<>> seen_;
 	TrialTable table_;
 };

@@ -11,6 +11,9 @@
 
 namespace steadyhand {
 
+/// Stands for no gesture: in a trial where none is made, and in results where none is recognised.
+inline constexpr std::string_view NO_GESTURE = "none";
+
 /// Where the hand is in front of the sensor: where it tracks well, or where range and self-occlusion spoil
 /// it.
 enum class HandPosition : std::uint8_t { STABLE, UNSTABLE };

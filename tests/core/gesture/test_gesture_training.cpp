@@ -207,6 +207,10 @@ TEST_CASE("a model says where its recordings began, which way and how long they 
 TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(format_model(test::trained_drag_model()) == format_model(test::trained_drag_model()));
 	const std::vector<TrainingRecording> drags = test::drag_recordings();
+	CHECK(train("none", "index_along_axis", drags, {}).error() ==
+			"the gesture's name 'none' stands for no gesture in results; choose another name");
+	CHECK(train("a/b", "index_along_axis", drags, {}).error() ==
+			"the gesture's name 'a/b' has a character that no file name may have");
 	CHECK(train("drag", "toe_angle", drags, {}).error() ==
 			"drag: there is no feature 'toe_angle', there are: index_along_axis tips_circumradius "
 			"index_along_circle");

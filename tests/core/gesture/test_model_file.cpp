@@ -115,9 +115,29 @@ TEST_CASE("a model file is refused where its gesture has no name that a file may
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = ""; }) == "a.gesture:1: gesture: '' is empty");
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a/b"; }) ==
 			"a.gesture:1: gesture: 'a/b' has a character that no file name may have");
-	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a circle"; }).empty());
+	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "none"; }) ==
+			"a.gesture:1: gesture: 'none' stands for no gesture in results; choose another name");
+	for (const char *const good : { "a circle", "None", "none2" }) {
+		CHECK(error_of([&](Json &r_file) { r_file["gesture"] = good; }).empty());
+	}
 	CHECK(error_of([](Json &r_file) { r_file["reference_deviation"][4] = -3.0; }) ==
 			"a.gesture:1: reference_deviation: less than 0");
+}
+
+TEST_CASE("a model file of 300,000 members in one object is refused at once") {
+	std::string text = "{\n\"a\": [";
+	for (int i = 0; i < 300'000; ++i) {
+		text += (i == 0 ? "{\"k" : ",\"k") + std::to_string(i) + "\": 0";
+	}
+	const Result<GestureModel> read = parse_model(text + "}]}", "a.gesture");
+	REQUIRE_FALSE(read.ok());
+	CHECK(read.error() == "a.gesture:1: an object has more than 64 members");
+}
+
+TEST_CASE("a model file of arrays within arrays is refused") {
+	const std::string deep(300'000, '[');
+	CHECK_FALSE(parse_model(deep, "a.gesture").ok());
+	CHECK_FALSE(parse_model(deep + std::string(300'000, ']'), "a.gesture").ok());
 }
 
 TEST_CASE("a model file is refused where a duration or deviation would make the motion no number") {

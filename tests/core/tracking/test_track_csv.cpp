@@ -151,7 +151,32 @@ TEST_SUITE("track CSV") {
 			check_same(track, parsed(format_track_csv(track)));
 			CHECK(track.unknown_columns[0].cells[0] == "left, then right");
 		}
+		CHECK(parsed("t,note,next\n1,\"a \"\"b\"\", c\",\"5\"\"\"\n").unknown_columns[0].cells[0] ==
+				"a \"b\", c");
+		CHECK(parsed("t,note,next\n1,\"a \"\"b\"\", c\",\"5\"\"\"\n").unknown_columns[1].cells[0] == "5\"");
 		CHECK(parsed("t,note\n1,\"\"a\"\"\n").unknown_columns[0].cells[0] == "\"a\"");
+	}
+
+	TEST_CASE("any quotes, commas and blanks in cells read back as they are") {
+		std::mt19937_64 engine(5);
+		const std::string alphabet = "\"\"\",, a";
+		for (int i = 0; i < 20000; ++i) {
+			std::string row = "1";
+			for (std::size_t length = engine() % 30; length > 0; --length) {
+				row += alphabet[engine() % alphabet.size()];
+			}
+			const Result<Track> track = parse_track_csv("t,a,b,c\n" + row, "a.csv");
+			if (track) {
+				check_same(track.value(), parsed(format_track_csv(track.value())));
+			}
+		}
+	}
+
+	TEST_CASE("metadata that begins with a colon reads back as it is") {
+		for (const std::string line : { "# : a: b", "# :", "# : : a", "# :: a" }) {
+			const Track track = parsed(line + "\nt\n");
+			check_same(track, parsed(format_track_csv(track)));
+		}
 	}
 
 	TEST_CASE("a track without rows, and one with time alone, are tracks") {

@@ -1,0 +1,95 @@
+// How a line of CSV is split into its cells.
+
+#include "tracking/csv_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace steadyhand {
+
+namespace {
+
+/// Whether only blanks stand before the next comma or the end.
+bool ends_cell(std::string_view after) {
+	const std::size_t next = after.find_first_not_of(" \t");
+	return next == std::string_view::npos || after[next] == ',';
+}
+
+/// Finds where the quoted cells of one line end. Once a search has reached the line's end in vain, later
+/// cells do not search again: the work stays linear however many quotes are open.
+class QuotedCells {
+public:
+	struct Extent {
+		std::size_t length = 0;          ///< of the quoted cell, its quotes included; 0: there is none
+		bool has_doubled_quotes = false; ///< where it has any within
+	};
+
+	/// Of the cell that text, a rest of the line, starts with. A doubled quote does not end it, unless no
+	/// other quote does: no other program writes that.
+	Extent at(std::string_view text) {
+		if (!text.starts_with('"')) {
+			return {};
+		}
+		for (const bool may_be_doubled : { true, false }) {
+			if (const std::size_t end = find_end(text, may_be_doubled); end > 0) {
+				return { end, may_be_doubled };
+			}
+		}
+		return {};
+	}
+
+private:
+	std::size_t find_end(std::string_view text, bool may_be_doubled) {
+		bool &was_searched = was_searched_[may_be_doubled ? 1 : 0];
+		for (std::size_t run = text.find('"', 1); run != std::string_view::npos;) {
+			const std::size_t after = std::min(text.find_first_not_of('"', run), text.size());
+			const bool is_single = (after - run) % 2 == 1; // beside pairs
+			if ((is_single || !may_be_doubled) && ends_cell(text.substr(after))) {
+				return after;
+			}
+			// The cell's own quote shortens a run right behind it: only that run is new to an earlier search.
+			if (was_searched) {
+				return 0;
+			}
+			run = text.find('"', after);
+		}
+		was_searched = true;
+		return 0;
+	}
+
+	std::array<bool, 2> was_searched_{}; ///< up to the line's end, in vain; [1]: quotes may be doubled
+};
+
+/// Text with one quote for each doubled one, at the end of r_out.
+std::string_view unescaped(std::string_view text, std::string &r_out) {
+	if (text.find("\"\"") == std::string_view::npos) {
+		return text;
+	}
+	const std::size_t begin = r_out.size();
+	for (std::size_t i = 0; i < text.size(); i += text.substr(i).starts_with("\"\"") ? 2 : 1) {
+		r_out += text[i];
+	}
+	return std::string_view(r_out).substr(begin);
+}
+
+} // namespace
+
+void split_cells(std::string_view line, std::vector<std::string_view> &r_cells, std::string &r_unescaped) {
+	r_cells.clear();
+	r_unescaped.clear();
+	r_unescaped.reserve(line.size()); // more is never needed: views into it stay valid
+	QuotedCells quoted_cells;
+	for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(comma + 1)) {
+		line = trim(line);
+		const QuotedCells::Extent extent = quoted_cells.at(line);
+		comma = line.find(',', extent.length);
+		const std::string_view inside =
+				extent.length > 0 ? line.substr(1, extent.length - 2) : line.substr(0, comma);
+		r_cells.push_back(trim(extent.has_doubled_quotes ? unescaped(inside, r_unescaped) : inside));
+		if (comma == std::string_view::npos) {
+			return;
+		}
+	}
+}
+
+} // namespace steadyhand
