@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace steadyhand {
 
@@ -56,6 +57,13 @@ struct LibertyUsb::Transfer {
 
 double steady_now_s() {
 	return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+LibertyUsb::LibertyUsb(const LibusbLibrary &library, Receiver receiver) :
+		library_(library), receiver_(std::move(receiver)) {}
+
+LibertyUsb::~LibertyUsb() {
+	close();
 }
 
 std::optional<Error> LibertyUsb::open(bool &r_is_absent) {

@@ -22,9 +22,8 @@ public:
 	using Receiver = std::function<void(std::span<const std::uint8_t> bytes, double host_s)>;
 
 	/// `library` outlives this.
-	LibertyUsb(const LibusbLibrary &library, Receiver receiver) :
-			library_(library), receiver_(std::move(receiver)) {}
-	~LibertyUsb() { close(); }
+	LibertyUsb(const LibusbLibrary &library, Receiver receiver);
+	~LibertyUsb(); ///< as close()
 	LibertyUsb(const LibertyUsb &) = delete;
 	LibertyUsb &operator=(const LibertyUsb &) = delete;
 

@@ -25,6 +25,8 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 			answer.has_restarted = true;
 		}
 		answer.has_rate_fault = measure_rate(host_s);
+	} else {
+		answer.is_new_frame = false;
 	}
 	last_count_ = frame_count;
 	last_host_s_ = host_s;

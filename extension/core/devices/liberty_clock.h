@@ -15,6 +15,7 @@ public:
 
 	struct Answer {
 		double time_s = 0.0;         ///< of the frame on the tracker's clock; never goes back
+		bool is_new_frame = true;    ///< false: another station of the same cycle
 		std::uint32_t lost = 0;      ///< frames that were skipped before this one
 		bool has_restarted = false;  ///< the count went back: the tracker was reset
 		bool has_rate_fault = false; ///< rate_fault() became true with this frame
