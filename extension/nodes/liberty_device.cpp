@@ -23,8 +23,8 @@ constexpr std::size_t TEXT_COUNT = 64;
 
 /// s. How long to wait before the tracker is looked for again: short at first, then as rarely as not to load
 /// the bus.
-constexpr double FIRST_WAIT_S = 0.5;
-constexpr double LONGEST_WAIT_S = 5.0;
+constexpr double FIRST_RETRY_S = 0.5;
+constexpr double LONGEST_RETRY_S = 5.0;
 
 } // namespace
 
@@ -107,7 +107,7 @@ void LibertyDevice::Thread::run(const LibertySettings &settings) {
 		fail("Liberty: " + why_not);
 		return;
 	}
-	double wait_s = FIRST_WAIT_S;
+	double wait_s = FIRST_RETRY_S;
 	bool was_connected = false, is_first = true;
 	std::string last_failure, reported_failure;
 	while (!is_stopping) {
@@ -115,7 +115,7 @@ void LibertyDevice::Thread::run(const LibertySettings &settings) {
 				*library, settings, is_stopping, [this](LibertyEvent &&event) { emit(std::move(event)); });
 		const LibertySession::End end = session.run();
 		if (end.was_streaming) {
-			wait_s = FIRST_WAIT_S;
+			wait_s = FIRST_RETRY_S;
 			was_connected = true;
 			last_failure = reported_failure = end.failure; // the session reported it
 		} else if (!end.failure.empty()) {
@@ -130,7 +130,7 @@ void LibertyDevice::Thread::run(const LibertySettings &settings) {
 		}
 		is_first = false;
 		wait(wait_s);
-		wait_s = std::min(2.0 * wait_s, LONGEST_WAIT_S);
+		wait_s = std::min(2.0 * wait_s, LONGEST_RETRY_S);
 	}
 }
 

@@ -248,7 +248,7 @@ void LibertyUsb::close() {
 	if (submitted_count_ > 0) {
 		// The system may still write into these buffers. To leak them is the lesser harm.
 		for (auto &transfer : transfers_) {
-			static_cast<void>(transfer.release());
+			[[maybe_unused]] Transfer *const leaked = transfer.release();
 		}
 		device_ = nullptr;
 		context_ = nullptr;

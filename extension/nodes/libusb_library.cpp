@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
 
 #ifndef _WIN32
@@ -14,40 +13,40 @@ namespace steadyhand {
 namespace {
 
 #if defined(_WIN32)
-using Handle = HMODULE;
-constexpr std::array NAMES = { "libusb-1.0.dll" };
-constexpr const char *HOW_TO_INSTALL = "Put libusb-1.0.dll beside the program.";
+using LibraryHandle = HMODULE;
+constexpr std::array LIBUSB_NAMES = { "libusb-1.0.dll" };
+constexpr const char *HOW_TO_INSTALL_LIBUSB = "Put libusb-1.0.dll beside the program.";
 
-Handle load(const char *name, std::string &r_why_not) {
-	const Handle handle = LoadLibraryA(name);
+LibraryHandle open_library(const char *name, std::string &r_why_not) {
+	const LibraryHandle handle = LoadLibraryA(name);
 	if (handle == nullptr) {
 		r_why_not = "error " + std::to_string(GetLastError());
 	}
 	return handle;
 }
 
-void *find(Handle handle, const char *symbol) {
+void *find_symbol(LibraryHandle handle, const char *symbol) {
 	return reinterpret_cast<void *>(GetProcAddress(handle, symbol));
 }
 
-void unload(Handle handle) {
+void close_library(LibraryHandle handle) {
 	FreeLibrary(handle);
 }
 #else
-using Handle = void *;
+using LibraryHandle = void *;
 #if defined(__APPLE__)
 // Homebrew's folders, on Apple silicon and on Intel, are not on the loader's path.
-constexpr std::array NAMES = { "libusb-1.0.0.dylib", "/opt/homebrew/lib/libusb-1.0.0.dylib",
+constexpr std::array LIBUSB_NAMES = { "libusb-1.0.0.dylib", "/opt/homebrew/lib/libusb-1.0.0.dylib",
 	"/usr/local/lib/libusb-1.0.0.dylib" };
-constexpr const char *HOW_TO_INSTALL = "Install it with: brew install libusb";
+constexpr const char *HOW_TO_INSTALL_LIBUSB = "Install it with: brew install libusb";
 #else
-constexpr std::array NAMES = { "libusb-1.0.so.0" };
-constexpr const char *HOW_TO_INSTALL =
+constexpr std::array LIBUSB_NAMES = { "libusb-1.0.so.0" };
+constexpr const char *HOW_TO_INSTALL_LIBUSB =
 		"Install the package libusb-1.0-0 (Debian, Ubuntu) or libusb1 (Fedora).";
 #endif
 
-Handle load(const char *name, std::string &r_why_not) {
-	const Handle handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+LibraryHandle open_library(const char *name, std::string &r_why_not) {
+	const LibraryHandle handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
 	if (handle == nullptr) {
 		const char *const why = dlerror();
 		r_why_not = why != nullptr ? why : name;
@@ -55,21 +54,21 @@ Handle load(const char *name, std::string &r_why_not) {
 	return handle;
 }
 
-void *find(Handle handle, const char *symbol) {
+void *find_symbol(LibraryHandle handle, const char *symbol) {
 	return dlsym(handle, symbol);
 }
 
-void unload(Handle handle) {
+void close_library(LibraryHandle handle) {
 	dlclose(handle);
 }
 #endif
 
-Handle load_any(std::string &r_why_not) {
+LibraryHandle open_libusb(std::string &r_why_not) {
 	if (const char *const given = std::getenv("STEADYHAND_LIBUSB"); given != nullptr && *given != '\0') {
-		return load(given, r_why_not);
+		return open_library(given, r_why_not);
 	}
-	for (const char *const name : NAMES) {
-		if (const Handle handle = load(name, r_why_not)) {
+	for (const char *const name : LIBUSB_NAMES) {
+		if (const LibraryHandle handle = open_library(name, r_why_not)) {
 			return handle;
 		}
 	}
@@ -77,20 +76,19 @@ Handle load_any(std::string &r_why_not) {
 }
 
 template <class Function>
-bool bind(Handle handle, const char *symbol, Function &r_function, std::string &r_why_not) {
-	void *const found = find(handle, symbol);
+bool bind_symbol(LibraryHandle handle, const char *symbol, Function &r_function, std::string &r_why_not) {
+	void *const found = find_symbol(handle, symbol);
 	if (found == nullptr) {
 		r_why_not = std::string("it has no ") + symbol;
 		return false;
 	}
-	static_assert(sizeof found == sizeof r_function);
-	std::memcpy(&r_function, &found, sizeof found);
+	r_function = reinterpret_cast<Function>(found);
 	return true;
 }
 
-bool bind_all(Handle handle, LibusbLibrary &r_library, std::string &r_why_not) {
+bool bind_libusb(LibraryHandle handle, LibusbLibrary &r_library, std::string &r_why_not) {
 	const auto have = [&](const char *symbol, auto &r_function) {
-		return bind(handle, symbol, r_function, r_why_not);
+		return bind_symbol(handle, symbol, r_function, r_why_not);
 	};
 	LibusbLibrary &l = r_library;
 	return have("libusb_init", l.init) && have("libusb_exit", l.exit) &&
@@ -111,26 +109,26 @@ bool bind_all(Handle handle, LibusbLibrary &r_library, std::string &r_why_not) {
 }
 
 // Neither has a destructor that does anything: nothing happens when the extension is unloaded.
-constinit std::mutex mutex;
-constinit LibusbLibrary library{};
-constinit bool is_loaded = false;
+constinit std::mutex libusb_mutex;
+constinit LibusbLibrary loaded_libusb{};
+constinit bool is_libusb_loaded = false;
 
 } // namespace
 
 const LibusbLibrary *LibusbLibrary::get(std::string &r_why_not) {
-	const std::lock_guard lock(mutex);
-	if (is_loaded) {
-		return &library;
+	const std::lock_guard lock(libusb_mutex);
+	if (is_libusb_loaded) {
+		return &loaded_libusb;
 	}
 	std::string why_not;
-	if (const Handle handle = load_any(why_not)) {
-		is_loaded = bind_all(handle, library, why_not);
-		if (is_loaded) {
-			return &library;
+	if (const LibraryHandle handle = open_libusb(why_not)) {
+		is_libusb_loaded = bind_libusb(handle, loaded_libusb, why_not);
+		if (is_libusb_loaded) {
+			return &loaded_libusb;
 		}
-		unload(handle);
+		close_library(handle);
 	}
-	r_why_not = "cannot load libusb-1.0 (" + why_not + "). " + HOW_TO_INSTALL;
+	r_why_not = "cannot load libusb-1.0 (" + why_not + "). " + HOW_TO_INSTALL_LIBUSB;
 	return nullptr;
 }
 

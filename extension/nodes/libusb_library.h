@@ -1,5 +1,8 @@
 #pragma once
 
+#if defined(_WIN32) && !defined(NOMINMAX)
+#define NOMINMAX // libusb.h includes windows.h, whose macros would replace std::min and std::max
+#endif
 #include <libusb.h>
 
 #include <string>

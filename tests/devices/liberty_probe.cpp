@@ -43,9 +43,9 @@ int main(int argc, char **argv) {
 		return 2;
 	}
 	using Clock = std::chrono::steady_clock;
-	const auto end = Clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
+	const auto end = Clock::now() + std::chrono::duration<double>(std::strtod(argv[1], nullptr));
 	LibertySettings settings;
-	settings.rate_hz = argc > 2 ? std::atoi(argv[2]) : settings.rate_hz;
+	settings.rate_hz = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : settings.rate_hz;
 	LibertyDevice device;
 	LibertyEvent event;
 	device.start(settings);

@@ -28,7 +28,7 @@ namespace {
 bool read_options(char **&r_word, SimulatedUsbOptions &r_options) {
 	for (; *r_word != nullptr && std::string_view(*r_word).starts_with("--"); ++r_word) {
 		const std::string_view name = *r_word;
-		const auto number = [&r_word] { return *++r_word != nullptr ? std::atof(*r_word) : 0.0; };
+		const auto number = [&r_word] { return *++r_word != nullptr ? std::strtod(*r_word, nullptr) : 0.0; };
 		SimulatedFaults &faults = r_options.faults;
 		if (name == "--rate") {
 			faults.rate_hz = number();

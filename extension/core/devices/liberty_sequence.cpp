@@ -65,9 +65,8 @@ std::vector<LibertyStep> liberty_start_steps(const LibertySettings &settings) {
 	// Binary records are short, exact and have a length; it comes first as answers look different without it.
 	steps.push_back(setting("f1\r", "switch to binary records"));
 	// The first command with an answer: it proves that the tracker listens, and says which sensors there are.
-	steps.push_back({ "\x15"
-					  "0\r",
-			Then::STATION_MAP, ANSWER_S, ANSWER_TIMEOUT_S, "read which sensors are plugged in" });
+	steps.push_back({ std::string("\x15") + "0\r", Then::STATION_MAP, ANSWER_S, ANSWER_TIMEOUT_S,
+			"read which sensors are plugged in" });
 	// Centimetres, as the parser expects; the default of inches would scale all positions by 2.54.
 	steps.push_back(setting("U1\r", "switch to centimetres"));
 	// The rate is set although 240 Hz is the default: another may be stored in the tracker.

@@ -29,9 +29,9 @@ TEST_CASE("Liberty: the worked record reads as in the manual") {
 }
 
 TEST_CASE("Liberty: a turn in the source frame is the same turn in Godot's axes") {
-	// T maps source to Godot axes: Godot x is source y, y is -z, z is -x.
-	Eigen::Matrix3d T;
-	T << 0, 1, 0, 0, 0, -1, -1, 0, 0;
+	// Godot's x is the source's y, y is -z, z is -x.
+	Eigen::Matrix3d godot_of_source;
+	godot_of_source << 0, 1, 0, 0, 0, -1, -1, 0, 0;
 	const Eigen::Quaterniond source(0.5, -0.1, 0.7, 0.5);
 	const Eigen::Quaterniond unit = source.normalized();
 	Bytes bytes = record(3, 7, 1.0F, 2.0F, 3.0F);
@@ -41,9 +41,9 @@ TEST_CASE("Liberty: a turn in the source frame is the same turn in Godot's axes"
 	}
 	const std::vector<Read> messages = read_all(bytes);
 	REQUIRE(messages.size() == 1);
-	const Eigen::Matrix3d expected = T * unit.toRotationMatrix() * T.transpose();
+	const Eigen::Matrix3d expected = godot_of_source * unit.toRotationMatrix() * godot_of_source.transpose();
 	CHECK(messages[0].record.rotation.toRotationMatrix().isApprox(expected, 1e-6));
-	CHECK(messages[0].record.position_m.isApprox(T * Eigen::Vector3d(0.01, 0.02, 0.03), 1e-6));
+	CHECK(messages[0].record.position_m.isApprox(godot_of_source * Eigen::Vector3d(0.01, 0.02, 0.03), 1e-6));
 }
 
 TEST_CASE("Liberty: a station counts if it is detected and active, in either order") {

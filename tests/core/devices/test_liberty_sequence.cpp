@@ -20,11 +20,8 @@ std::vector<std::string> written(const std::vector<LibertyStep> &steps) {
 } // namespace
 
 TEST_CASE("Liberty: the start-up writes these commands in this order") {
-	const std::vector<std::string> expected = { "\rp", "f1\r",
-		"\x15"
-		"0\r",
-		"U1\r", "R4\r", "h*,1.0000,0.0000,0.0000\r", "X0,1,0,0\r", "Y0,1,0,0\r", "@B0\r", "O*,8,9,11,3,7\r",
-		"Q0\r", "c\r" };
+	const std::vector<std::string> expected = { "\rp", "f1\r", std::string("\x15") + "0\r", "U1\r", "R4\r",
+		"h*,1.0000,0.0000,0.0000\r", "X0,1,0,0\r", "Y0,1,0,0\r", "@B0\r", "O*,8,9,11,3,7\r", "Q0\r", "c\r" };
 	CHECK(written(liberty_start_steps({})) == expected);
 	CHECK(written(liberty_stop_steps()) == std::vector<std::string>{ "p" });
 }
