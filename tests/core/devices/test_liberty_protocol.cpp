@@ -157,6 +157,40 @@ TEST_CASE("Liberty: time stamps that look like a header are read as numbers") {
 	CHECK(messages[0].record.frame_count == 0x00280000);
 }
 
+TEST_CASE("Liberty: a damaged stream gives finite poses and loses nothing for long") {
+	std::mt19937 random(23);
+	LibertyParser parser;
+	for (int round = 0; round < 3000; ++round) {
+		Bytes stream;
+		for (std::uint32_t frame = 0; frame < 4; ++frame) {
+			stream = stream + record(1 + frame % 2, frame, 10, 20, 30);
+		}
+		for (std::uint32_t i = random() % 4; i > 0; --i) { // changed, lost and doubled bytes
+			const auto place = stream.begin() + static_cast<std::ptrdiff_t>(random() % stream.size());
+			switch (random() % 3) {
+				case 0:
+					*place = static_cast<std::uint8_t>(random());
+					break;
+				case 1:
+					stream.erase(place);
+					break;
+				default:
+					stream.insert(place, *place);
+					break;
+			}
+		}
+		for (const Read &message : read_all(parser, stream, 1 + random() % 100)) {
+			CHECK(message.record.position_m.allFinite());
+			CHECK(message.record.rotation.norm() == doctest::Approx(1.0));
+		}
+		// The longest frame that a changed length can announce, and the records that show that there is none.
+		const std::vector<Read> after = read_all(parser, record(3, 7, 1, 2, 3) + record(4, 8, 1, 2, 3), 96);
+		REQUIRE_FALSE(after.empty());
+		CHECK(after.back().record.station == 4);
+		CHECK(parser.waiting_bytes() == 0);
+	}
+}
+
 TEST_CASE("Liberty: endless garbage is skipped without growth, then a record is read") {
 	std::mt19937 random(11);
 	LibertyParser parser;
