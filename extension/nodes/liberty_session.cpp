@@ -181,10 +181,9 @@ void LibertySession::handle(const LibertyMessage &message, double host_s) {
 			break;
 		case LibertyMessage::Kind::REFUSAL:
 			if (step_ != nullptr) {
-				tell(Kind::WARNING,
-						std::string(PREFIX) + "cannot " + std::string(step_->aim) + ": " +
-								text.substr(PREFIX.size()),
-						host_s);
+				std::string what(PREFIX);
+				what.append("cannot ").append(step_->aim).append(": ").append(text, PREFIX.size());
+				tell(Kind::WARNING, std::move(what), host_s);
 			} else {
 				tell_seldom(REFUSALS, Kind::WARNING, text, host_s);
 			}

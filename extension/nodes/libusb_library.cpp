@@ -79,7 +79,8 @@ template <class Function>
 bool bind_symbol(LibraryHandle handle, const char *symbol, Function &r_function, std::string &r_why_not) {
 	void *const found = find_symbol(handle, symbol);
 	if (found == nullptr) {
-		r_why_not = std::string("it has no ") + symbol;
+		r_why_not = "it has no ";
+		r_why_not += symbol;
 		return false;
 	}
 	r_function = reinterpret_cast<Function>(found);

@@ -7,6 +7,7 @@
 //   --garbage            random bytes between records
 //   --flip               report mirror images for a second of each round
 //   --silent             answer nothing
+//   --refuse LETTER      refuse the commands that start with LETTER
 //   --streaming          stream from the start, as after a crash
 //   --stations N         N sensors (default 1)
 //   --unplug-after S     unplug the tracker S seconds after the start
@@ -32,6 +33,8 @@ bool read_options(char **&r_word, SimulatedUsbOptions &r_options) {
 		SimulatedFaults &faults = r_options.faults;
 		if (name == "--rate") {
 			faults.rate_hz = number();
+		} else if (name == "--refuse") {
+			faults.refused = *++r_word != nullptr ? **r_word : '\0';
 		} else if (name == "--stations") {
 			faults.station_count = static_cast<int>(number());
 		} else if (name == "--unplug-after") {

@@ -71,7 +71,9 @@ void SimulatedLiberty::obey(const std::string &command, double now_s) {
 	if (faults_.silent) {
 		return;
 	}
-	if (command == "P") {
+	if (!command.empty() && command[0] == faults_.refused) {
+		refuse(command[0], 3, "Invalid Parameter");
+	} else if (command == "P") {
 		if (!is_streaming_) {
 			transfers_.push_back(frame());
 		}

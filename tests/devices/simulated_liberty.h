@@ -15,6 +15,7 @@ struct SimulatedFaults {
 	bool flip = false;      ///< the mirror image of the position, for a second of each round
 	bool silent = false;    ///< no answer at all
 	bool streaming = false; ///< from the start, as a program left it that crashed
+	char refused = '\0';    ///< commands with this first letter are refused as of an invalid parameter
 	int station_count = 1;
 };
 

@@ -214,6 +214,10 @@ CASES = [
          ["--split", "--garbage", "--stations", "3"], partial(streams, seconds=1.2, stations=3)),
     Case("a stream that a crash left is stopped first", "address", 2.5,
          ["--streaming", "--split"], partial(streams, seconds=1.0)),
+    Case("a refused setting is a warning", "address", 2.0, ["--refuse", "H"],
+         lambda session: only(session, "warning", [
+             "Liberty: cannot set the hemisphere: command 'H' failed with error 3: invalid parameter. The tracker says "
+             '"Invalid Parameter"....']) + only(session, "connected", ["Liberty: 240 Hz, stations 1."])),
     Case("no sensor is a warning", "address", 2.0, ["--stations", "0"],
          lambda session: only(session, "warning", ["Liberty: no sensor is plugged in. Plug one..."])),
     Case("a stop while it starts ends at once", "thread", 0.4, [], lambda session: only(session, "failure", [])),
