@@ -4,6 +4,7 @@
 #include "live_clock.h"
 #include "xr_joints.h"
 
+#include <godot_cpp/classes/tls_options.hpp>
 #include <godot_cpp/classes/xr_pose.hpp>
 #include <godot_cpp/classes/xr_positional_tracker.hpp>
 #include <godot_cpp/classes/xr_server.hpp>
@@ -140,13 +141,17 @@ void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	}
 }
 
-void LeapStream::on_version(const steadyhand::LeapVersion &) {
+void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 	got_version_ = true;
 	attempts_ = 0;
 	failure_told_ = false;
 	const auto mounting = static_cast<steadyhand::LeapMounting>(source_->get_mounting());
 	for (const std::string_view request : steadyhand::leap_greeting(mounting)) {
 		socket_->send_text(to_godot(request));
+	}
+	if (p_version.version < steadyhand::LEAP_VERSION_WANTED) {
+		warn_once(String("the service speaks version ") + itos(p_version.version) +
+				String(" of the protocol, which tells no left from right; install a newer one (V2 or later)"));
 	}
 	announce(StreamEvent::Kind::READY);
 }

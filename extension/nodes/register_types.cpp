@@ -11,6 +11,8 @@
 #include "haptic_effect.h"
 #include "haptic_stream.h"
 #include "haptic_synth.h"
+#include "leap_source.h"
+#include "liberty_source.h"
 #include "motion_metrics.h"
 #include "recorded_source.h"
 #include "script_source.h"
@@ -71,6 +73,8 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(RecordedSource);
 		GDREGISTER_CLASS(SyntheticSource);
 		GDREGISTER_CLASS(XRSource);
+		GDREGISTER_CLASS(LeapSource);
+		GDREGISTER_CLASS(LibertySource);
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);

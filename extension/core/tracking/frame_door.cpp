@@ -6,10 +6,6 @@
 namespace steadyhand {
 namespace {
 
-bool is_place(const Eigen::Vector3d &position_m) {
-	return position_m.allFinite() && position_m.cwiseAbs().maxCoeff() <= FARTHEST_M;
-}
-
 /// m; of the tracked joint that is farthest from the origin.
 double reach_m(const HandFrame &hand) {
 	double most_m = 0.0;

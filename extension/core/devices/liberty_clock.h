@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace steadyhand {
+
+/// The tracker's time from its frame count, which is more exact than its time stamps of whole milliseconds.
+/// Also watches the rate at which frames arrive.
+class LibertyClock {
+public:
+	/// `rate_hz` is the rate that the tracker was set to.
+	explicit LibertyClock(double rate_hz) : rate_hz_(rate_hz) {}
+
+	struct Answer {
+		double time_s = 0.0;         ///< of the frame on the tracker's clock; never goes back
+		bool is_new_frame = true;    ///< false: another station of the same cycle
+		std::uint32_t lost = 0;      ///< frames that were skipped before this one
+		bool has_restarted = false;  ///< the count went back: the tracker was reset
+		bool has_rate_fault = false; ///< rate_fault() became true with this frame
+	};
+
+	/// A record's frame count and its arrival on the host's clock, s. The stations of one cycle share a count
+	/// and get the same time.
+	[[nodiscard]] Answer update(std::uint32_t frame_count, double host_s);
+
+	/// Frames a second on the host's clock, over the last complete WINDOW_S. Not a number before.
+	[[nodiscard]] double measured_rate_hz() const { return measured_hz_; }
+	/// The measured rate differs by more than RATE_TOLERANCE from the configured one.
+	[[nodiscard]] bool rate_fault() const { return has_rate_fault_; }
+	/// rate_fault() as a sentence for the user, with what to do.
+	[[nodiscard]] std::string rate_fault_text() const;
+
+	/// s. Arrivals vary by 20 ms, which is a hundredth of it.
+	static constexpr double WINDOW_S = 2.0;
+	/// Of the configured rate. Both rates of the tracker differ by far more, crystals by far less.
+	static constexpr double RATE_TOLERANCE = 0.05;
+
+private:
+	bool measure_rate(double host_s);
+
+	double rate_hz_;
+	double measured_hz_ = std::numeric_limits<double>::quiet_NaN();
+	bool has_rate_fault_ = false;
+	bool has_frame_ = false;
+	std::uint32_t last_count_ = 0;
+	std::uint64_t frames_ = 0; ///< the count without rollover and resets
+	double last_host_s_ = 0.0;
+	double window_start_s_ = 0.0;
+	std::uint32_t arrived_ = 0; ///< frames since the window's start
+};
+
+} // namespace steadyhand
