@@ -22,7 +22,7 @@ struct LibertyEvent {
 	Kind kind = Kind::NOTE;
 	/// s, arrival on std::chrono::steady_clock, of all kinds.
 	double host_time_s = 0.0;
-	/// s, on the tracker's clock: frame count / rate. Starts near 0 at each connection.
+	/// s, on the tracker's clock (LibertyClock). Starts near 0 at each connection.
 	double device_time_s = std::numeric_limits<double>::quiet_NaN();
 	/// Frames that were skipped before this one; told with each station's record.
 	std::uint32_t lost_frames = 0;

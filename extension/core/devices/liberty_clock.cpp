@@ -10,7 +10,7 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 	Answer answer;
 	if (!has_frame_) {
 		has_frame_ = true;
-		frames_ = frame_count;
+		frames_ = window_frames_ = frame_count;
 		window_start_s_ = host_s;
 	} else if (frame_count != last_count_) {
 		// As the difference is taken modulo 2^32, a rollover is a step of 1 like any other.
@@ -20,7 +20,7 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 			answer.lost = static_cast<std::uint32_t>(step) - 1;
 		} else {
 			// The host's clock says how long the reset took.
-			const double passed = std::max((host_s - last_host_s_) * rate_hz_, 1.0);
+			const double passed = std::max((host_s - last_host_s_) * count_hz_, 1.0);
 			frames_ += static_cast<std::uint64_t>(std::lround(passed));
 			answer.has_restarted = true;
 		}
@@ -30,7 +30,7 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 	}
 	last_count_ = frame_count;
 	last_host_s_ = host_s;
-	answer.time_s = static_cast<double>(frames_) / rate_hz_;
+	answer.time_s = time_s();
 	return answer;
 }
 
@@ -42,6 +42,11 @@ bool LibertyClock::measure_rate(double host_s) {
 		return false;
 	}
 	measured_hz_ = arrived_ / span_s;
+	const double counted_hz = static_cast<double>(frames_ - window_frames_) / span_s;
+	const bool is_other_rate = std::abs(counted_hz / rate_hz_ - 1.0) > COUNT_TOLERANCE;
+	base_s_ = time_s();
+	base_frames_ = window_frames_ = frames_;
+	count_hz_ = is_other_rate ? counted_hz : rate_hz_;
 	window_start_s_ = host_s;
 	arrived_ = 0;
 	const bool had_fault = has_rate_fault_;

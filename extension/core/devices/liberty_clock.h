@@ -11,7 +11,7 @@ namespace steadyhand {
 class LibertyClock {
 public:
 	/// `rate_hz` is the rate that the tracker was set to.
-	explicit LibertyClock(double rate_hz) : rate_hz_(rate_hz) {}
+	explicit LibertyClock(double rate_hz) : rate_hz_(rate_hz), count_hz_(rate_hz) {}
 
 	struct Answer {
 		double time_s = 0.0;         ///< of the frame on the tracker's clock; never goes back
@@ -22,7 +22,8 @@ public:
 	};
 
 	/// A record's frame count and its arrival on the host's clock, s. The stations of one cycle share a count
-	/// and get the same time.
+	/// and get the same time. Time is frame count / rate. A count that runs at another rate than the tracker
+	/// was set to is divided by its measured rate, from the end of the first window on.
 	[[nodiscard]] Answer update(std::uint32_t frame_count, double host_s);
 
 	/// Frames a second on the host's clock, over the last complete WINDOW_S. Not a number before.
@@ -36,19 +37,29 @@ public:
 	static constexpr double WINDOW_S = 2.0;
 	/// Of the configured rate. Both rates of the tracker differ by far more, crystals by far less.
 	static constexpr double RATE_TOLERANCE = 0.05;
+	/// Of the configured rate, for the count itself. No delay of the computer changes a window by so much,
+	/// and the tracker's other rate is half or double.
+	static constexpr double COUNT_TOLERANCE = 0.25;
 
 private:
 	bool measure_rate(double host_s);
+	[[nodiscard]] double time_s() const {
+		return base_s_ + static_cast<double>(frames_ - base_frames_) / count_hz_;
+	}
 
 	double rate_hz_;
+	double count_hz_; ///< of the frame count
 	double measured_hz_ = std::numeric_limits<double>::quiet_NaN();
 	bool has_rate_fault_ = false;
 	bool has_frame_ = false;
 	std::uint32_t last_count_ = 0;
-	std::uint64_t frames_ = 0; ///< the count without rollover and resets
+	std::uint64_t frames_ = 0;      ///< the count without rollover and resets
+	std::uint64_t base_frames_ = 0; ///< since then the count has run at count_hz_
+	double base_s_ = 0.0;           ///< the tracker's time then
 	double last_host_s_ = 0.0;
 	double window_start_s_ = 0.0;
-	std::uint32_t arrived_ = 0; ///< frames since the window's start
+	std::uint64_t window_frames_ = 0; ///< frames_ at the window's start
+	std::uint32_t arrived_ = 0;       ///< frames since the window's start
 };
 
 } // namespace steadyhand

@@ -91,3 +91,28 @@ TEST_CASE("Liberty clock: a deviation of 5 percent is the limit") {
 		CHECK(clock.rate_fault() == (std::abs(rate_hz / 240.0 - 1.0) > 0.05));
 	}
 }
+
+TEST_CASE("Liberty clock: a count at another rate keeps the host's pace after 2 s") {
+	for (const double count_hz : { 10.0, 120.0, 480.0 }) {
+		LibertyClock clock(240.0);
+		double from_s = 0.0, to_s = 0.0, last_s = -1.0;
+		for (std::uint32_t i = 0; i < 20.0 * count_hz; ++i) {
+			const double host_s = i / count_hz;
+			const double time_s = clock.update(i, host_s).time_s;
+			CHECK(time_s > last_s);
+			last_s = time_s;
+			from_s = host_s < 3.0 ? time_s - host_s : from_s;
+			to_s = time_s - host_s;
+		}
+		CHECK(to_s == doctest::Approx(from_s).epsilon(0.01));
+	}
+}
+
+TEST_CASE("Liberty clock: lost frames change the arrival rate but not the time") {
+	LibertyClock clock(240.0);
+	for (std::uint32_t i = 0; i < 2400; i += 2) {
+		CHECK(clock.update(i, i / 240.0).time_s == doctest::Approx(i / 240.0));
+	}
+	CHECK(clock.rate_fault());
+	CHECK(clock.measured_rate_hz() == doctest::Approx(120.0).epsilon(0.01));
+}
