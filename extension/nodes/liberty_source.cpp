@@ -67,6 +67,9 @@ private:
 	/// The manual's, from the middle of a measurement to its record.
 	static constexpr double LATENCY_S = 0.0035;
 
+	/// Of the levels 0 to 2 that the tracker tells.
+	static constexpr int STRONG_DISTORTION = 2;
+
 	void add(const LibertyEvent &p_event, double p_live_from_steady_s) {
 		if (p_event.device_time_s != cycle_.device_time_s) {
 			flush();
@@ -76,6 +79,12 @@ private:
 			cycle_.hand.t_s =
 					clock_.map(p_event.device_time_s, p_event.host_time_s + p_live_from_steady_s).host_s;
 			has_cycle_ = true;
+		}
+		if (p_event.record.distortion >= STRONG_DISTORTION && !distortion_told_) {
+			distortion_told_ = true;
+			announce(StreamEvent::Kind::WARNING,
+					String("LibertySource: the field at station ") + itos(p_event.record.station) +
+							String(" is strongly distorted; move metal away from sensors and source"));
 		}
 		const auto station = static_cast<int64_t>(p_event.record.station) - 1;
 		const PackedInt32Array joints = source_->get_joints();
@@ -107,6 +116,7 @@ private:
 	steadyhand::DeviceClock clock_;
 	steadyhand::DeviceFrame cycle_;
 	bool has_cycle_ = false;
+	bool distortion_told_ = false;
 	DeviceQueue queue_;
 };
 
