@@ -64,9 +64,10 @@ void LeapStream::fail(const String &p_text) {
 	}
 }
 
-void LeapStream::warn_once(const String &p_text) {
-	if (!warned_) {
-		warned_ = true;
+void LeapStream::warn(Topic p_topic, const String &p_text) {
+	const unsigned topic = 1U << static_cast<unsigned>(p_topic);
+	if ((warned_ & topic) == 0) {
+		warned_ |= topic;
 		announce(StreamEvent::Kind::WARNING, String("LeapSource: ") + p_text);
 	}
 }
@@ -75,7 +76,7 @@ void LeapStream::connect(double p_now_s) {
 	socket_.instantiate();
 	socket_->set_inbound_buffer_size(INBOUND_BYTES);
 	socket_->set_max_queued_packets(QUEUED_PACKETS);
-	got_version_ = warned_ = false;
+	got_version_ = false;
 	clock_.clear();
 	chooser_ = steadyhand::LeapHandChooser(side_of(**source_));
 	if (socket_->connect_to_url(url()) != OK) {
@@ -123,7 +124,7 @@ void LeapStream::poll(double p_now_s) {
 
 void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	if (!socket_->was_string_packet()) {
-		warn_once("the service sends binary messages, which no Leap service does; they are left out");
+		warn(Topic::BINARY, "the service sends binary messages, which no Leap service does; they are left out");
 		return;
 	}
 	const std::string_view text(reinterpret_cast<const char *>(p_packet.ptr()),
@@ -136,8 +137,8 @@ void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	} else if (const auto *frame = std::get_if<steadyhand::LeapFrame>(&message)) {
 		on_frame(*frame, p_now_s);
 	} else if (const auto *error = std::get_if<steadyhand::Error>(&message)) {
-		warn_once(String("a message of the service is left out: ") + to_godot(error->message) +
-				String(" (said once a connection)"));
+		warn(Topic::INVALID, String("a message of the service is left out: ") + to_godot(error->message) +
+				String(" (said once a run)"));
 	}
 }
 
@@ -150,7 +151,7 @@ void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 		socket_->send_text(to_godot(request));
 	}
 	if (p_version.version < steadyhand::LEAP_VERSION_WANTED) {
-		warn_once(String("the service speaks version ") + itos(p_version.version) +
+		warn(Topic::VERSION, String("the service speaks version ") + itos(p_version.version) +
 				String(" of the protocol, which tells no left from right; install a newer one (V2 or later)"));
 	}
 	announce(StreamEvent::Kind::READY);
@@ -173,7 +174,7 @@ Eigen::Affine3d LeapStream::device_place() const {
 void LeapStream::on_frame(const steadyhand::LeapFrame &p_frame, double p_now_s) {
 	const steadyhand::DeviceClock::Stamp stamp = clock_.map(p_frame.device_time_s(), p_now_s);
 	if (stamp.restarted) {
-		warn_once("the service's clock was set; frames go on from here");
+		warn(Topic::CLOCK, "the service's clock was set; frames go on from here");
 	}
 	steadyhand::DeviceFrame frame;
 	if (const steadyhand::LeapHand *const hand = chooser_.choose(p_frame)) {

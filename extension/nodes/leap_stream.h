@@ -39,7 +39,9 @@ private:
 	Eigen::Affine3d device_place() const;
 	/// Once until the service is heard again.
 	void fail(const String &p_text);
-	void warn_once(const String &p_text);
+	/// Each topic is warned of once a run.
+	enum class Topic : uint8_t { BINARY, INVALID, CLOCK, VERSION };
+	void warn(Topic p_topic, const String &p_text);
 	String url() const;
 
 	Ref<LeapSource> source_;
@@ -49,7 +51,7 @@ private:
 	int attempts_ = 0;         ///< in a row that have failed
 	double next_attempt_s_ = 0.0;
 	bool failure_told_ = false;
-	bool warned_ = false; ///< of this connection
+	unsigned warned_ = 0; ///< bit i: Topic i
 	steadyhand::DeviceClock clock_;
 	steadyhand::LeapHandChooser chooser_;
 	DeviceQueue queue_;

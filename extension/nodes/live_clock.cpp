@@ -10,18 +10,23 @@ namespace godot {
 
 namespace {
 
-/// The longest frame that the engine does not cut short is a little longer.
-constexpr double FARTHEST_BEHIND_S = 0.1;
-
 struct LiveClock {
 	bool is_set = false;
-	uint64_t frame = 0;
+	uint64_t frame = 0; ///< of the last call
+	double host_s = 0.0;
 	double time_s = 0.0;
 };
 
 LiveClock &live_clock() {
 	static LiveClock clock;
 	return clock;
+}
+
+/// The engine cuts a frame's duration to that of its most physics ticks a frame; a little less is told of a
+/// frame that took longer.
+double longest_frame_s(Engine &p_engine) {
+	const auto ticks = static_cast<double>(p_engine.get_max_physics_steps_per_frame());
+	return 0.9 * ticks / static_cast<double>(p_engine.get_physics_ticks_per_second());
 }
 
 } // namespace
@@ -36,12 +41,13 @@ double live_time_s(double p_frame_s) {
 	const auto frame = static_cast<uint64_t>(engine->get_process_frames());
 	const double host_s = host_time_s();
 	if (!clock.is_set) {
-		clock = { true, frame, host_s };
+		clock = { true, frame, host_s, 0.0 };
 	} else if (frame != clock.frame) {
 		const double scale = engine->get_time_scale();
-		const double passed_s = scale > 0.0 ? p_frame_s / scale : 0.0;
-		clock.time_s = std::max(clock.time_s + passed_s, host_s - FARTHEST_BEHIND_S);
-		clock.frame = frame;
+		const double frame_s = scale > 0.0 ? p_frame_s / scale : 0.0;
+		const double frames_s = frame_s * static_cast<double>(frame - clock.frame);
+		const double passed_s = frame_s < longest_frame_s(*engine) ? 0.0 : host_s - clock.host_s;
+		clock = { true, frame, host_s, clock.time_s + std::max(frames_s, passed_s) };
 	}
 	return clock.time_s;
 }

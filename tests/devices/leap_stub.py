@@ -179,14 +179,17 @@ class Client:
         self.sent += len(data)
 
     def send_split(self, data: bytes) -> None:
-        """Up to four fragments, a ping among them, in TCP writes that end anywhere."""
+        """Up to four fragments, a ping before some, in TCP writes that end anywhere.
+
+        Not among them: Godot 4.6 takes a ping's payload there for a part of the message.
+        """
         cuts = sorted(self.random.randrange(len(data) + 1) for _ in range(self.random.randrange(4)))
         parts = [data[begin:end] for begin, end in itertools.pairwise([0, *cuts, len(data)])]
         stream = b""
+        if self.random.random() < 0.1:
+            stream += frame(PING, b"?")
         for i, part in enumerate(parts):
             stream += frame(CONTINUATION if i else TEXT, part, is_last=i == len(parts) - 1)
-            if i == 0 and self.random.random() < 0.1:
-                stream += frame(PING, b"?")
         ends = sorted(self.random.randrange(len(stream)) for _ in range(self.random.randrange(6)))
         with self.lock:
             for begin, end in itertools.pairwise([0, *ends, len(stream)]):
