@@ -3,7 +3,9 @@ extends "support/scene_test.gd"
 
 const Rig := preload("support/rig.gd")
 
-const TRIAL := {gesture = "horizontal_drag", amplitude_m = 0.2, start = Vector3.ZERO, axis = Vector3.RIGHT}
+const TRIAL := {
+	gesture = "horizontal_drag", amplitude_m = 0.2, start = Vector3.ZERO, axis = Vector3.RIGHT
+}
 
 var _folder := DirAccess.create_temp("steadyhand_bad_values")
 
@@ -93,7 +95,9 @@ func test_numbers_that_are_no_enumerators_are_refused() -> void:
 			_check_keeps(gesture_hmm, property, number)
 		for property: String in ["drive", "trigger"]:
 			_check_keeps(effect, property, number)
-		check_equal(gesture_hmm.call("get_motion_value", number), 0.0, "motion %d has no value" % number)
+		check_equal(
+			gesture_hmm.call("get_motion_value", number), 0.0, "motion %d has no value" % number
+		)
 	gesture_hmm.free()
 
 

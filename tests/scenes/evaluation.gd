@@ -217,7 +217,9 @@ func test_a_reference_with_a_clock_jump_is_judged() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("jump"), "--out", _path("jump_out")])
 	check_equal(run.exit_code, 0, "exit code")
 	check_equal(run.not_said(["t: the clock jumps by 1e+09 s"]), "", "a warning names the jump")
-	check_equal(_lines("jump_out/results.csv").size(), trials.get_count() + 1, "all trials are there")
+	check_equal(
+		_lines("jump_out/results.csv").size(), trials.get_count() + 1, "all trials are there"
+	)
 
 
 func test_a_set_without_trials() -> void:

@@ -46,7 +46,7 @@ struct HandFrame {
 	std::uint8_t tracked =
 			0; ///< bit i set: joint i was seen in this frame, positions_m[i] is valid and finite
 	std::uint8_t inferred = 0; ///< bit i set: joint i is tracked, and the tracker's hand model guessed it
-	double confidence = 1.0; ///< 0..1 as the device reports it; 1 where it reports none
+	double confidence = 1.0;   ///< 0..1 as the device reports it; 1 where it reports none
 
 	[[nodiscard]] bool has(Joint joint) const { return (tracked >> static_cast<unsigned>(joint)) & 1U; }
 	[[nodiscard]] bool has_all(std::uint8_t joints) const { return (tracked & joints) == joints; }

@@ -5,9 +5,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -54,7 +55,9 @@ Frames degraded(const DegradeSettings &settings, double length_s) {
 }
 
 bool same_bits(const Eigen::Vector3d &left, const Eigen::Vector3d &right) {
-	return std::memcmp(left.data(), right.data(), 3 * sizeof(double)) == 0;
+	return std::equal(left.begin(), left.end(), right.begin(), [](double one, double other) {
+		return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+	});
 }
 
 /// All of a frame but the numbers that stand for nothing.
