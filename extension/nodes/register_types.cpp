@@ -1,5 +1,6 @@
 #include "register_types.h"
 
+#include "degraded_source.h"
 #include "gesture_format.h"
 #include "gesture_hmm.h"
 #include "gesture_model.h"
@@ -75,6 +76,7 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(XRSource);
 		GDREGISTER_CLASS(LeapSource);
 		GDREGISTER_CLASS(LibertySource);
+		GDREGISTER_CLASS(DegradedSource);
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);

@@ -299,6 +299,34 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 			node.free()
 
 
+func test_a_degraded_source_adds_what_it_says() -> void:
+	var degraded := DegradedSource.new()
+	# expects one error: a source cannot degrade itself
+	degraded.source = degraded
+	check(degraded.source == null, "not itself")
+	# expects one error: set "source" of the DegradedSource
+	var tracker := _tracker(degraded)
+	check_equal(tracker.start(), ERR_CANT_OPEN, "nothing to degrade")
+	degraded.source = ScriptSource.new()
+	degraded.preset = DegradedSource.PRESET_UNSTABLE
+	check(degraded.drift > 0.0 and degraded.latency > 0.0, "a preset sets the properties")
+	degraded.preset = DegradedSource.PRESET_STABLE
+	degraded.latency = 0.1
+	check_equal(degraded.preset, DegradedSource.PRESET_CUSTOM, "which a change makes its own")
+	# expects one error: its numbers must be finite, and 0 (off) or more
+	degraded.noise = NAN
+	var late := DegradedSource.new()
+	late.source = ScriptSource.new()
+	late.latency = 0.1
+	tracker.source = late
+	tracker.start()
+	for frame in 100:
+		tracker.push_frame(frame * FRAME_S, {INDEX: Vector3(0.001 * frame, 1, 0)})
+	check_near(tracker.get_joint_position(INDEX).x, 0.089, 1e-6, "0.1 s late")
+	check_near(tracker.get_time(), 0.99, 1e-9, "at its own time")
+	tracker.free()
+
+
 func _is_measured(hand: XRHandTracker, joint: int) -> bool:
 	return hand.get_hand_joint_flags(joint) & XRHand.TRACKED == XRHand.TRACKED
 

@@ -55,6 +55,19 @@ func test_synthetic_source() -> void:
 	_end(drag, "SyntheticSource", 0.03)
 
 
+func test_degraded_source() -> void:
+	var drag := SourceDrag.new(self, _folder.get_current_dir(), START)
+	var source := DegradedSource.new()
+	source.source = _synthetic(drag)
+	source.preset = DegradedSource.PRESET_STABLE
+	source.dropouts_per_minute = 40.0
+	source.dropout_duration = 0.08
+	drag.begin(source)
+	drag.step_for(6.0)
+	check(drag.tracker.dropout_count > 0, "%d dropouts" % drag.tracker.dropout_count)
+	_end(drag, "DegradedSource", 0.03)
+
+
 func test_fixed_fps_makes_a_run_repeatable() -> void:
 	var said: Array[String] = []
 	for run in 2:
