@@ -11,10 +11,10 @@ from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
 
-from suites import command, lint, oracles, scenes, unit
+from suites import command, devices, fuzz, lint, oracles, scenes, unit
 from suites.outcome import Outcome
 
-SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "command": command, "lint": lint}
+SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "devices": devices, "fuzz": fuzz, "command": command, "lint": lint}
 BESIDE = ["lint"]
 
 

@@ -53,10 +53,10 @@ public:
 					break;
 				case LibertyEvent::Kind::WARNING:
 				case LibertyEvent::Kind::NOTE:
-					announce(StreamEvent::Kind::WARNING, String("LibertySource: ") + to_godot(event.text));
+					announce(StreamEvent::Kind::WARNING, to_godot(event.text));
 					break;
 				case LibertyEvent::Kind::FAILURE:
-					announce(StreamEvent::Kind::FAILED, String("LibertySource: ") + to_godot(event.text));
+					announce(StreamEvent::Kind::FAILED, to_godot(event.text));
 					break;
 			}
 		}
@@ -83,7 +83,7 @@ private:
 		if (p_event.record.distortion >= STRONG_DISTORTION && !distortion_told_) {
 			distortion_told_ = true;
 			announce(StreamEvent::Kind::WARNING,
-					String("LibertySource: the field at station ") + itos(p_event.record.station) +
+					String("Liberty: the field at station ") + itos(p_event.record.station) +
 							String(" is strongly distorted; move metal away from sensors and source"));
 		}
 		const auto station = static_cast<int64_t>(p_event.record.station) - 1;

@@ -130,9 +130,8 @@ void SyntheticSource::set_seed(int64_t p_seed) {
 }
 
 void SyntheticSource::set_duration(double p_duration_s) {
-	ERR_FAIL_COND_MSG(p_duration_s != 0.0 &&
-					!(p_duration_s >= steadyhand::GESTURE_MIN_S && p_duration_s <= steadyhand::GESTURE_MAX_S),
-			"SyntheticSource: duration must be 0 (as the person does it) or 0.15..4 s");
+	ERR_FAIL_COND_MSG(!(p_duration_s >= 0.0) || !(p_duration_s <= steadyhand::GESTURE_MAX_S),
+			"SyntheticSource: duration must be in 0..4 s; 0: as the person does it");
 	duration_s_ = p_duration_s;
 	emit_changed();
 }
@@ -183,7 +182,7 @@ void SyntheticSource::set_amplitude(double p_amplitude_m) {
 
 void SyntheticSource::set_start_radius(double p_radius_m) {
 	ERR_FAIL_COND_MSG(
-			!(p_radius_m > 0.0) || !(p_radius_m <= 1.0), "SyntheticSource: start_radius must be in 0..1 m");
+			!(p_radius_m > 0.0) || !(p_radius_m <= 1.0), "SyntheticSource: start_radius must be above 0, and at most 1 m");
 	start_radius_m_ = p_radius_m;
 	emit_changed();
 }

@@ -5,6 +5,7 @@ cases, so that a leak, an overflow or a race fails them too. Without umockdev th
 """
 
 import math
+import os
 import shutil
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -12,6 +13,7 @@ from dataclasses import dataclass, field
 from functools import partial
 from itertools import pairwise
 
+from suites import scenes
 from suites.outcome import Outcome
 from suites.process import ROOT, run, scons
 
@@ -19,6 +21,13 @@ BUILDS = {"plain": "", "address": "address,undefined", "thread": "thread"}
 KILL_S = 30
 # The thread sanitizer's symbolizer dies under umockdev's preload: addr2line reads the offsets of a report.
 SANITIZERS = {"UBSAN_OPTIONS": "print_stacktrace=1", "TSAN_OPTIONS": "symbolize=0"}
+GODOT_CASES = {
+    "drag": [],
+    "unplug": ["--unplug-after", "1.5", "--replug-after", "2.5"],
+    "missing": ["--no-device"],
+    "firmware": ["--firmware-missing"],
+    "permission": ["--no-permission"],
+}
 WORKERS = 4  # the programs wait most of the time
 RATE_HZ = 240
 COMMANDS = "(empty) P F1 ^U0 U1 R4 H*,1.0000,0.0000,0.0000 X0,1,0,0 Y0,1,0,0 @B0 O*,8,9,11,3,7 Q0 C P"
@@ -79,6 +88,16 @@ def outcomes() -> Iterator[Outcome]:
             return
     with ThreadPoolExecutor(WORKERS) as pool:
         yield from pool.map(run_case, CASES)
+        yield from pool.map(run_godot, GODOT_CASES.items())
+
+
+def run_godot(case: tuple[str, list[str]]) -> Outcome:
+    """The scene test of LibertySource, in an engine that is the simulator's child."""
+    name, options = case
+    script = "liberty_faults" if options else "liberty_source"
+    simulator = ["umockdev-wrapper", ROOT / "build/devices/liberty_sim", *options]
+    path = ROOT / f"tests/devices/{script}.gd"
+    return scenes.run_script(os.environ["GODOT"], path, simulator, [name], f"devices/LibertySource: {name}")
 
 
 def run_case(case: Case) -> Outcome:

@@ -8,7 +8,7 @@ one warning: TEXT` say the same of a warning, which fails nothing where it is no
 
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from suites.outcome import Outcome
@@ -40,8 +40,13 @@ def outcomes() -> Iterator[Outcome]:
         yield run_script(godot, script)
 
 
-def run_script(godot: str, script: Path) -> Outcome:
-    status, output = run([godot, "--headless", "--path", PROJECT, "--script", script], kill_s=KILL_S)
+def run_script(
+    godot: str, script: Path, wrapper: Sequence = (), arguments: Sequence[str] = (), name: str = ""
+) -> Outcome:
+    """`wrapper`: a program that runs the engine as its child. `arguments`: the script's own."""
+    name = name or f"scenes/{script.stem}"
+    engine = [godot, "--headless", "--path", PROJECT, "--script", script, "--", *arguments]
+    status, output = run([*wrapper, *engine], kill_s=KILL_S)
     ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
     passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
     faults = unexpected(output, script.read_text())
@@ -55,13 +60,13 @@ def run_script(godot: str, script: Path) -> Outcome:
     if len(ends) != 1:
         faults.append(f"{len(ends)} END lines")
     elif passed + failed == 0 and "\nSKIP " in output and not faults:
-        return Outcome(f"scenes/{script.stem}", skipped=1)
+        return Outcome(name, skipped=1)
     elif passed + failed == 0:
         faults.append("no test was run")
     if status != 0 and failed == 0:
         faults.append(f"exit status {status}")
     text = "\n".join([output, *(f"-> {fault}" for fault in faults)])
-    return Outcome(f"scenes/{script.stem}", passed, failed + len(faults), output=text)
+    return Outcome(name, passed, failed + len(faults), output=text)
 
 
 def unexpected(output: str, script: str) -> list[str]:
