@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from suites import reference
 from suites.outcome import Outcome
 from suites.process import ROOT, run, scons
 
@@ -33,6 +34,7 @@ def outcomes() -> Iterator[Outcome]:
     if status != 0:
         yield Outcome.of("scenes: the add-on is built and imported", False, output)
         return
+    yield reference.outcome(godot, PROJECT)
     scripts = sorted((ROOT / "tests/scenes").glob("*.gd"))
     if not scripts:
         yield Outcome.of("scenes: there are some", False)

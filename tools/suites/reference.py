@@ -1,0 +1,36 @@
+"""The class reference of extension/doc_classes: as the classes are, and with a description of everything."""
+
+import re
+import shutil
+import tempfile
+from pathlib import Path
+
+from suites.outcome import Outcome
+from suites.process import ROOT, run
+
+PAGES = ROOT / "extension/doc_classes"
+EMPTY = re.compile(r"<(?:brief_)?description>\s*</|<(?:member|constant) (?![^>]*overrides=)[^>]*(?:/>|>\s*</)")
+
+
+def outcome(godot: str, project: Path) -> Outcome:
+    """Godot's own doctool writes each page anew from the classes, and keeps what is described."""
+    with tempfile.TemporaryDirectory() as folder:
+        shutil.copytree(PAGES, Path(folder, "doc_classes"))
+        _, output = run([godot, "--headless", "--path", project, "--doctool", folder, "--gdextension-docs"])
+        made = {page.name: page.read_text() for page in Path(folder, "doc_classes").glob("*.xml")}
+    kept = {page.name: page.read_text() for page in PAGES.glob("*.xml")}
+    faults = [f"{name} is not in extension/doc_classes" for name in sorted(made.keys() - kept.keys())]
+    faults += [f"{name} is of no class" for name in sorted(kept.keys() - made.keys())]
+    for name in sorted(made.keys() & kept.keys()):
+        faults += [f"{name} is stale: {line}" for line in changed(kept[name], made[name])]
+        faults += [f"{name} lacks a description: {found[0]}" for found in EMPTY.finditer(kept[name])]
+    advice = "godot --doctool extension --gdextension-docs writes the pages anew"
+    return Outcome.of("scenes: the class reference is current", not faults, "\n".join([*faults, advice, output]))
+
+
+def changed(kept: str, made: str) -> list[str]:
+    """Lines, but for white space, of one that the other has not."""
+    before, after = ([line.strip() for line in text.splitlines()] for text in (kept, made))
+    return [line for line in after if line and line not in before] + [
+        line for line in before if line and line not in after
+    ]
