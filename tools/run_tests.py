@@ -14,7 +14,15 @@ from threading import Thread
 from suites import command, devices, fuzz, lint, oracles, scenes, unit
 from suites.outcome import Outcome
 
-SUITES = {"unit": unit, "oracles": oracles, "scenes": scenes, "devices": devices, "fuzz": fuzz, "command": command, "lint": lint}
+SUITES = {
+    "unit": unit,
+    "oracles": oracles,
+    "scenes": scenes,
+    "devices": devices,
+    "fuzz": fuzz,
+    "command": command,
+    "lint": lint,
+}
 BESIDE = ["lint"]
 
 

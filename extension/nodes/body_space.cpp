@@ -11,8 +11,7 @@
 
 namespace godot {
 
-void BodySpace::follow(
-		const Eigen::Vector3d &p_tip_m, std::optional<double> p_head_turn, double p_time_s) {
+void BodySpace::follow(const Eigen::Vector3d &p_tip_m, std::optional<double> p_head_turn, double p_time_s) {
 	const bool is_first = !rest_place_m_;
 	if (is_first || (p_tip_m - *rest_place_m_).norm() > REST_M) {
 		rest_place_m_ = p_tip_m;

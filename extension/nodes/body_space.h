@@ -11,8 +11,8 @@ namespace godot {
 /// hand: nothing moves by it.
 class BodySpace {
 public:
-	/// p_tip_m: a point of the hand in the origin's space, m. p_head_turn: of the head about the vertical from
-	/// the origin's -z, rad; nothing where the head looks too steeply up or down, or is not known.
+	/// p_tip_m: a point of the hand in the origin's space, m. p_head_turn: of the head about the vertical
+	/// from the origin's -z, rad; nothing where the head looks too steeply up or down, or is not known.
 	void follow(const Eigen::Vector3d &p_tip_m, std::optional<double> p_head_turn, double p_time_s);
 	/// From the origin's space.
 	const Eigen::Isometry3d &transform() const { return to_body_; }

@@ -154,8 +154,8 @@ void DegradedSource::_bind_methods() {
 	ADD_GROUP("Dropouts", "");
 	BIND_NUMBER("dropouts_per_minute", dropouts_per_minute, "0,60,0.1,or_greater");
 	BIND_NUMBER("dropout_duration", dropout_s, "0,2,0.01,or_greater,suffix:s");
-	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "silent_dropouts"), "set_silent_dropouts",
-			"get_silent_dropouts");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::BOOL, "silent_dropouts"), "set_silent_dropouts", "get_silent_dropouts");
 	ADD_GROUP("Freezes", "");
 	BIND_NUMBER("freezes_per_minute", freezes_per_minute, "0,60,0.1,or_greater");
 	BIND_NUMBER("freeze_duration", freeze_s, "0,2,0.01,or_greater,suffix:s");

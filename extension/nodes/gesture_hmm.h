@@ -157,10 +157,10 @@ private:
 	int frames_with_hand_ = 0;                    ///< since the recogniser was made
 	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
 	steadyhand::TaskWatch task_watch_;
-	std::vector<ObjectID> watched_tasks_;         ///< by task_watch_
-	bool has_frame_ = false;                      ///< of this tracker
-	bool is_hand_missed_ = false;                 ///< told that none comes
-	double waited_s_ = 0.0;                       ///< for a hand of this tracker
+	std::vector<ObjectID> watched_tasks_; ///< by task_watch_
+	bool has_frame_ = false;              ///< of this tracker
+	bool is_hand_missed_ = false;         ///< told that none comes
+	double waited_s_ = 0.0;               ///< for a hand of this tracker
 
 	/// What is told may free this node with its scene.
 	using Watch = ListenerList<MotionListener>::Watch;

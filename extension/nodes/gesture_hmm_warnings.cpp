@@ -131,8 +131,8 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 	set_process_internal(false);
 	is_hand_missed_ = true;
 	const String label = node_label(*tracker_);
-	const String fix = source.is_valid() ? source->silence_advice()
-										 : String("set its \"source\", e.g. to an XRSource");
+	const String fix =
+			source.is_valid() ? source->silence_advice() : String("set its \"source\", e.g. to an XRSource");
 	const String none = has_frame_ ? String("no hand has come in 20 s: all frames of ") + label + " are empty"
 								   : String("no frame has come in 5 s of ") + label;
 	WARN_PRINT(node_label(*this) + String(": ") + none + String("; ") + fix);
@@ -186,8 +186,9 @@ void GestureHMM::watch_tasks_anew() {
 /// Of a task where no hand comes, or that points where no hand goes; once.
 void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.look(p_frame);
-	const GestureTask *const task =
-			doubt ? Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task])) : nullptr;
+	const GestureTask *const task = doubt
+			? Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task]))
+			: nullptr;
 	if (task == nullptr) {
 		return;
 	}

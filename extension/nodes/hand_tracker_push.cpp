@@ -49,9 +49,9 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 				Refusal::OTHER_THREAD, "call it from the main thread, as by push_frame.call_deferred(...)");
 	}
 	if (source_.is_null() || !source_->is_script()) {
-		const String has = source_.is_null() ? String("it has none")
-											 : String("its ") + source_->get_class() +
-						String(" makes the frames itself");
+		const String has = source_.is_null()
+				? String("it has none")
+				: String("its ") + source_->get_class() + String(" makes the frames itself");
 		return refuse_frame(Refusal::OTHER_SOURCE, String("set source to a ScriptSource first; ") + has);
 	}
 	if (!stream_ && start_is_due_) {

@@ -115,7 +115,8 @@ void HandTracker::tell_time(double p_time_s) {
 	const uint64_t this_run = run_;
 	time_s_ = p_time_s;
 	tell(&FrameListener::on_time_advanced, p_time_s);
-	if (goes_on(watch, this_run) && time_s_ - hand_seen_s_ > (tracked_ != 0 ? SILENT_AFTER_S : LOST_AFTER_S)) {
+	if (goes_on(watch, this_run) &&
+			time_s_ - hand_seen_s_ > (tracked_ != 0 ? SILENT_AFTER_S : LOST_AFTER_S)) {
 		set_hand_present(false);
 	}
 }

@@ -12,8 +12,7 @@ std::unique_ptr<HandStream> LeapSource::make_stream(HandTracker &) {
 }
 
 void LeapSource::set_hand(Hand p_hand) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_hand, HAND_RIGHT), "LeapSource: hand must be HAND_LEFT or HAND_RIGHT");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT), "LeapSource: hand must be HAND_LEFT or HAND_RIGHT");
 	hand_ = p_hand;
 	emit_changed();
 }
@@ -67,7 +66,8 @@ void LeapSource::_bind_methods() {
 			"set_device_transform", "get_device_transform");
 	ADD_GROUP("Service", "");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "address"), "set_address", "get_address");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "port", PROPERTY_HINT_RANGE, "1,65535,1"), "set_port", "get_port");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::INT, "port", PROPERTY_HINT_RANGE, "1,65535,1"), "set_port", "get_port");
 
 	BIND_ENUM_CONSTANT(HAND_LEFT);
 	BIND_ENUM_CONSTANT(HAND_RIGHT);

@@ -124,11 +124,12 @@ void LeapStream::poll(double p_now_s) {
 
 void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	if (!socket_->was_string_packet()) {
-		warn(Topic::BINARY, "the service sends binary messages, which no Leap service does; they are left out");
+		warn(Topic::BINARY,
+				"the service sends binary messages, which no Leap service does; they are left out");
 		return;
 	}
-	const std::string_view text(reinterpret_cast<const char *>(p_packet.ptr()),
-			static_cast<std::size_t>(p_packet.size()));
+	const std::string_view text(
+			reinterpret_cast<const char *>(p_packet.ptr()), static_cast<std::size_t>(p_packet.size()));
 	const steadyhand::LeapMessage message = steadyhand::parse_leap_message(text);
 	if (const auto *version = std::get_if<steadyhand::LeapVersion>(&message)) {
 		on_version(*version);
@@ -137,8 +138,9 @@ void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	} else if (const auto *frame = std::get_if<steadyhand::LeapFrame>(&message)) {
 		on_frame(*frame, p_now_s);
 	} else if (const auto *error = std::get_if<steadyhand::Error>(&message)) {
-		warn(Topic::INVALID, String("a message of the service is left out: ") + to_godot(error->message) +
-				String(" (said once a run)"));
+		warn(Topic::INVALID,
+				String("a message of the service is left out: ") + to_godot(error->message) +
+						String(" (said once a run)"));
 	}
 }
 
@@ -151,8 +153,10 @@ void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 		socket_->send_text(to_godot(request));
 	}
 	if (p_version.version < steadyhand::LEAP_VERSION_WANTED) {
-		warn(Topic::VERSION, String("the service speaks version ") + itos(p_version.version) +
-				String(" of the protocol, which tells no left from right; install a newer one (V2 or later)"));
+		warn(Topic::VERSION,
+				String("the service speaks version ") + itos(p_version.version) +
+						String(" of the protocol, which tells no left from right; install a newer one (V2 or "
+							   "later)"));
 	}
 	announce(StreamEvent::Kind::READY);
 }

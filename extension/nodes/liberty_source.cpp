@@ -178,8 +178,7 @@ void LibertySource::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_rate"), &LibertySource::get_rate);
 	ClassDB::bind_method(D_METHOD("set_hemisphere", "hemisphere"), &LibertySource::set_hemisphere);
 	ClassDB::bind_method(D_METHOD("get_hemisphere"), &LibertySource::get_hemisphere);
-	ClassDB::bind_method(
-			D_METHOD("set_device_transform", "transform"), &LibertySource::set_device_transform);
+	ClassDB::bind_method(D_METHOD("set_device_transform", "transform"), &LibertySource::set_device_transform);
 	ClassDB::bind_method(D_METHOD("get_device_transform"), &LibertySource::get_device_transform);
 
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "joints"), "set_joints", "get_joints");

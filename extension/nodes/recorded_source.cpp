@@ -67,8 +67,8 @@ void RecordedSource::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_loop", "loop"), &RecordedSource::set_loop);
 	ClassDB::bind_method(D_METHOD("get_loop"), &RecordedSource::get_loop);
 
-	ADD_PROPERTY(PropertyInfo(Variant::STRING, "track", PROPERTY_HINT_FILE, "*.csv"), "set_track",
-			"get_track");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::STRING, "track", PROPERTY_HINT_FILE, "*.csv"), "set_track", "get_track");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "loop"), "set_loop", "get_loop");
 }
 

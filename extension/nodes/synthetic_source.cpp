@@ -60,8 +60,8 @@ steadyhand::Result<steadyhand::SyntheticTrial> SyntheticSource::make_trial(
 	request.position = position_ == POSITION_STABLE ? steadyhand::HandPosition::STABLE
 													: steadyhand::HandPosition::UNSTABLE;
 	// Not the people that models are trained on.
-	request.subject = steadyhand::draw_subject(
-			steadyhand::Population::EVALUATE, static_cast<std::uint32_t>(subject_));
+	request.subject =
+			steadyhand::draw_subject(steadyhand::Population::EVALUATE, static_cast<std::uint32_t>(subject_));
 	request.subject.pace = pace_;
 	request.seed = static_cast<std::uint64_t>(seed_);
 	request.duration_s = duration_s_;
@@ -181,8 +181,8 @@ void SyntheticSource::set_amplitude(double p_amplitude_m) {
 }
 
 void SyntheticSource::set_start_radius(double p_radius_m) {
-	ERR_FAIL_COND_MSG(
-			!(p_radius_m > 0.0) || !(p_radius_m <= 1.0), "SyntheticSource: start_radius must be above 0, and at most 1 m");
+	ERR_FAIL_COND_MSG(!(p_radius_m > 0.0) || !(p_radius_m <= 1.0),
+			"SyntheticSource: start_radius must be above 0, and at most 1 m");
 	start_radius_m_ = p_radius_m;
 	emit_changed();
 }
@@ -257,20 +257,20 @@ void SyntheticSource::_bind_methods() {
 			"get_seed");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0,4,0.01,suffix:s"),
 			"set_duration", "get_duration");
-	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "pace", PROPERTY_HINT_RANGE, "0.1,10,0.01"), "set_pace",
-			"get_pace");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "pace", PROPERTY_HINT_RANGE, "0.1,10,0.01"), "set_pace", "get_pace");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "loop"), "set_loop", "get_loop");
 	ADD_GROUP("Placement", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "placement", PROPERTY_HINT_ENUM, "Sensor,Fixed,Task"),
 			"set_placement", "get_placement");
-	ADD_PROPERTY(PropertyInfo(Variant::NODE_PATH, "task_path", PROPERTY_HINT_NODE_PATH_VALID_TYPES,
-						 "GestureTask"),
+	ADD_PROPERTY(
+			PropertyInfo(Variant::NODE_PATH, "task_path", PROPERTY_HINT_NODE_PATH_VALID_TYPES, "GestureTask"),
 			"set_task_path", "get_task_path");
 	ADD_PROPERTY(PropertyInfo(Variant::VECTOR3, "start", PROPERTY_HINT_NONE, "suffix:m"), "set_start",
 			"get_start");
 	ADD_PROPERTY(PropertyInfo(Variant::VECTOR3, "direction"), "set_direction", "get_direction");
-	ADD_PROPERTY(
-			PropertyInfo(Variant::FLOAT, "amplitude", PROPERTY_HINT_RANGE, "0.01,1,0.001,or_greater,suffix:m"),
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "amplitude", PROPERTY_HINT_RANGE,
+						 "0.01,1,0.001,or_greater,suffix:m"),
 			"set_amplitude", "get_amplitude");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "start_radius", PROPERTY_HINT_RANGE,
 						 "0.001,0.3,0.001,or_greater,suffix:m"),

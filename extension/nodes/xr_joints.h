@@ -10,7 +10,8 @@
 
 namespace godot {
 
-/// Godot turns each joint of OpenXR into the bones of its humanoid skeleton: -y along the bone in place of -z.
+/// Godot turns each joint of OpenXR into the bones of its humanoid skeleton: -y along the bone in place of
+/// -z.
 inline Eigen::Quaterniond humanoid_turn() {
 	constexpr double HALF_ROOT = 0.70710678118654752;
 	return { 0.0, 0.0, -HALF_ROOT, HALF_ROOT };

@@ -23,8 +23,7 @@ StringName XRSource::name_of_other_hand() const {
 }
 
 void XRSource::set_hand(Hand p_hand) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_hand, HAND_RIGHT), "XRSource: hand must be HAND_LEFT or HAND_RIGHT");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT), "XRSource: hand must be HAND_LEFT or HAND_RIGHT");
 	hand_ = p_hand;
 	emit_changed();
 }

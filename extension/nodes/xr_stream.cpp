@@ -17,8 +17,8 @@ using steadyhand::SkeletonJoint;
 constexpr double FROZEN_AFTER_S = 0.5;
 /// The interface starts with the session, which takes a headset's runtime some seconds.
 constexpr double SEARCHED_FOR_S = 5.0;
-/// A palm is the other hand's within OTHER_HAND_M of where that was, further than OWN_HAND_M from where it was
-/// itself; what lasts for longer than SWAPPED_FOR_S is no error.
+/// A palm is the other hand's within OTHER_HAND_M of where that was, further than OWN_HAND_M from where it
+/// was itself; what lasts for longer than SWAPPED_FOR_S is no error.
 constexpr double OTHER_HAND_M = 0.05, OWN_HAND_M = 0.15, SWAPPED_FOR_S = 0.5;
 
 bool has_flag(uint64_t p_flags, XRHandTracker::HandJointFlags p_flag) {

@@ -1,6 +1,6 @@
 extends "../scenes/support/scene_test.gd"
-## LibertySource on a USB whose tracker fails. Which way is the argument after `--`: unplug, missing,
-## firmware or permission.
+## LibertySource on a USB whose tracker fails. Which way is the argument after `--`: unplug,
+## missing, firmware or permission.
 
 const SourceDrag := preload("../scenes/support/source_drag.gd")
 

@@ -1,5 +1,6 @@
 extends "../scenes/support/scene_test.gd"
-## LibertySource in real time, on the USB of tests/devices/liberty_sim.cpp, whose child this engine is.
+## LibertySource in real time, on the USB of tests/devices/liberty_sim.cpp, whose child this engine
+## is.
 
 const SourceDrag := preload("../scenes/support/source_drag.gd")
 

@@ -18,7 +18,8 @@ func test_signals_of_a_drag() -> void:
 		func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+			events.append("ended %s" % gesture)
 	)
 	rig.gesture_hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 	check_equal(rig.gesture_hmm.state, -1, "no state before the gesture")
@@ -56,13 +57,16 @@ func test_a_drag_that_is_given_up_is_aborted() -> void:
 		var rig := _make_rig(STABLE)
 		rig.tracker.source = ScriptSource.new()
 		rig.gesture_hmm.gesture_started.connect(
-			func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
+			func(gesture: StringName, _task: GestureTask) -> void:
+				events.append("started %s" % gesture)
 		)
 		rig.gesture_hmm.gesture_aborted.connect(
-			func(gesture: StringName, _task: GestureTask) -> void: events.append("aborted %s" % gesture)
+			func(gesture: StringName, _task: GestureTask) -> void:
+				events.append("aborted %s" % gesture)
 		)
 		rig.gesture_hmm.gesture_ended.connect(
-			func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
+			func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+				events.append("ended %s" % gesture)
 		)
 		var is_probability := true
 		var random := RandomNumberGenerator.new()
@@ -211,7 +215,9 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 	hmm.min_confidence = NAN
 	check_equal(hmm.min_confidence, 0.0, "none of them is taken")
 	var least: Array[float] = []
-	hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: least.append(hmm.confidence))
+	hmm.gesture_started.connect(
+		func(_gesture: StringName, _task: GestureTask) -> void: least.append(hmm.confidence)
+	)
 	for wanted: float in [0.9, 1.0]:
 		hmm.min_confidence = wanted
 		rig.record(0, 2400)

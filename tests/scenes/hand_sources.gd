@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## What all sources have in common, sources in GDScript, and mistakes that newcomers make.
 
 const PushedHand := preload("support/pushed_hand.gd")
+const Rig := preload("support/rig.gd")
 const XRHand := preload("support/xr_hand.gd")
 
 const FRAME_S := 0.01
@@ -229,7 +230,7 @@ func test_a_task_where_no_hand_comes_is_told_once() -> void:
 		task.gesture = &"horizontal_drag"
 		task.position = PLACE + (Vector3(-0.5, 0, 0) if is_far else Vector3.ZERO)
 		var hmm := GestureHMM.new()
-		hmm.models = [load("res://addons/steadyhand/models/horizontal_drag.gesture")]
+		hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
 		hmm.tracker = tracker
 		hmm.task = task
 		for node: Node in [task, hmm]:
@@ -248,7 +249,7 @@ func test_signals_carry_the_task() -> void:
 	var task := GestureTask.new()
 	task.position = PLACE
 	var hmm := GestureHMM.new()
-	hmm.models = [load("res://addons/steadyhand/models/horizontal_drag.gesture")]
+	hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
 	hmm.tracker = tracker
 	hmm.task = task
 	for node: Node in [task, hmm]:
@@ -285,7 +286,7 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 		var tracker := _tracker(source)
 		check_equal(tracker.start(), OK, "%s at a task" % gesture)
 		var hmm := GestureHMM.new()
-		hmm.models = [load("res://addons/steadyhand/models/%s.gesture" % gesture)]
+		hmm.models = [load(Rig.MODEL % gesture) as GestureModel]
 		hmm.tracker = tracker
 		hmm.task = task
 		root.add_child(hmm)

@@ -13,7 +13,9 @@ func test_a_handler_may_free_the_tracker() -> void:
 	for does_push: bool in [false, true]:
 		var rig := _make_rig()
 		var tracker := rig.tracker
-		rig.gesture_hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: tracker.free())
+		rig.gesture_hmm.gesture_started.connect(
+			func(_gesture: StringName, _task: GestureTask) -> void: tracker.free()
+		)
 		if does_push:
 			_push_drag(rig)
 		else:

@@ -13,7 +13,7 @@ func test_the_hud_tells_how_a_tracker_does() -> void:
 	hud.set("tracker", tracker)
 	# expects error: set "source", e.g. to an XRSource
 	tracker.start()
-	_check_says(hud, "no source: set \"source\"")
+	_check_says(hud, 'no source: set "source"')
 	tracker.source = ScriptSource.new()
 	tracker.start()
 	_check_says(hud, "ScriptSource: no hand")

@@ -33,7 +33,9 @@ func test_where_a_vibration_goes() -> void:
 func test_no_value_of_a_slider_is_refused() -> void:
 	var classes := ClassDB.get_inheriters_from_class("HapticEffect")
 	classes.append_array(ClassDB.get_inheriters_from_class("HandSource"))
-	classes.append_array(["HapticDeviceProfile", "HandTracker", "GestureHMM", "GestureTask", "HapticSynth"])
+	classes.append_array(
+		["HapticDeviceProfile", "HandTracker", "GestureHMM", "GestureTask", "HapticSynth"]
+	)
 	for name in classes:
 		var object: Object = ClassDB.instantiate(name)
 		for about in ClassDB.class_get_property_list(name):

@@ -113,7 +113,9 @@ func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
 	hmm.gesture_ended.connect(
 		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: told.append("ended")
 	)
-	hmm.gesture_aborted.connect(func(_gesture: StringName, _task: GestureTask) -> void: told.append("aborted"))
+	hmm.gesture_aborted.connect(
+		func(_gesture: StringName, _task: GestureTask) -> void: told.append("aborted")
+	)
 	_play(hmm, [Vector3.ZERO, Vector3(0.4, 0.0, 0.0)])
 	check(told.has("started at 1"), "the near one's start comes with its end: %s" % [told])
 	var over := told.count("ended") + told.count("aborted")
@@ -231,7 +233,9 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 		var p := smoothstep(60.0, 140.0, frame)
 		var joints := {}
 		for tip in Rig.TIPS.size():
-			joints[Rig.TIPS[tip]] = (0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
+			joints[Rig.TIPS[tip]] = (
+				(0.02 + 0.05 * p) * Vector3.RIGHT.rotated(Vector3.BACK, TAU * tip / 3.0)
+			)
 		hmm.tracker.push_frame(frame * FRAME_S, joints)
 		task.rotation.y = 0.01 * frame
 		task.position = Vector3(0.01 * frame, NAN, 0.0)

@@ -107,7 +107,8 @@ func _play(
 		func(gesture: StringName, _task: GestureTask) -> void: events.append("aborted %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: events.append("ended %s" % gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+			events.append("ended %s" % gesture)
 	)
 	rig.tracker.start()
 	var random := RandomNumberGenerator.new()

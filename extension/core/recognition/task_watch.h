@@ -13,11 +13,12 @@ namespace steadyhand {
 struct TaskDoubt {
 	enum class Kind : std::uint8_t {
 		FAR,      ///< the hand is never near the start of any task
-		OTHER_WAY ///< the hand leaves a task's start again and again, and each time another way than the task's
+		OTHER_WAY ///< the hand leaves a task's start again and again, and each time another way than the
+				  ///< task's
 	};
 	Kind kind;
-	std::size_t task;             ///< the nearest one, or the one that is left
-	double distance_m = 0.0;      ///< FAR: the least distance to its start
+	std::size_t task;                              ///< the nearest one, or the one that is left
+	double distance_m = 0.0;                       ///< FAR: the least distance to its start
 	Eigen::Vector3d way = Eigen::Vector3d::Zero(); ///< OTHER_WAY: unit vector; the mean of what the hand did
 };
 

@@ -18,8 +18,8 @@ Eigen::Quaterniond along(const Eigen::Vector3d &from, const Eigen::Vector3d &to)
 	return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to);
 }
 
-void rotate(HandSkeleton &r_skeleton, std::size_t joint, const Eigen::Vector3d &from,
-		const Eigen::Vector3d &to) {
+void rotate(
+		HandSkeleton &r_skeleton, std::size_t joint, const Eigen::Vector3d &from, const Eigen::Vector3d &to) {
 	const std::uint32_t bit = 1U << joint;
 	if ((r_skeleton.rotated & bit) == 0 && (to - from).squaredNorm() > 0.0) {
 		r_skeleton.rotations[joint] = along(from, to);

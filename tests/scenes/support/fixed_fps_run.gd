@@ -1,5 +1,5 @@
 extends SceneTree
-## A live hand under --fixed-fps: prints the values of its motion, and quits when the drag has ended.
+## A live hand under --fixed-fps: prints the values of its motion, and quits when the drag is over.
 
 const PushedHand := preload("pushed_hand.gd")
 const XRHand := preload("xr_hand.gd")

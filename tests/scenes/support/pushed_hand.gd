@@ -17,8 +17,12 @@ static func tremor(time_s: float) -> Vector3:
 ## `said` is emptied, and gets "started", "aborted" and "ended" from then on.
 static func listen(hmm: GestureHMM, said: Array[String]) -> void:
 	said.clear()
-	hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: said.append("started"))
-	hmm.gesture_aborted.connect(func(_gesture: StringName, _task: GestureTask) -> void: said.append("aborted"))
+	hmm.gesture_started.connect(
+		func(_gesture: StringName, _task: GestureTask) -> void: said.append("started")
+	)
+	hmm.gesture_aborted.connect(
+		func(_gesture: StringName, _task: GestureTask) -> void: said.append("aborted")
+	)
 	hmm.gesture_ended.connect(
 		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: said.append("ended")
 	)

@@ -1,6 +1,6 @@
 extends RefCounted
-## The demo's horizontal drag with a live hand of some source: one trial, from the box's start marker
-## to its stop marker.
+## The demo's horizontal drag with a live hand of some source: one trial, from the box's start
+## marker to its stop marker.
 
 const DragStage := preload("res://scripts/drag_stage.gd")
 const SceneTest := preload("scene_test.gd")

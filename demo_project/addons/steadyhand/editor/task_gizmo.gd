@@ -1,7 +1,7 @@
 @tool
 extends EditorNode3DGizmoPlugin
-## Shows each GestureTask in the 3D view: an arrow from its start to its end, or the two circles of a
-## radius.
+## Shows each GestureTask in the 3D view: an arrow from its start to its end, or the two circles of
+## a radius.
 
 const TaskShape := preload("task_shape.gd")
 
