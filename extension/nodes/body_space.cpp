@@ -1,6 +1,6 @@
 #include "body_space.h"
 
-#include "xr_joints.h"
+#include "geometry_conversions.h"
 
 #include <godot_cpp/classes/xr_pose.hpp>
 #include <godot_cpp/classes/xr_positional_tracker.hpp>

@@ -1,6 +1,6 @@
 #include "hand_publisher.h"
 
-#include "xr_joints.h"
+#include "geometry_conversions.h"
 
 #include "tracking/skeleton_inference.h"
 

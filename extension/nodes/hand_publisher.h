@@ -2,10 +2,19 @@
 
 #include "tracking/hand_skeleton.h"
 
+#include <Eigen/Geometry>
+
 #include <godot_cpp/classes/xr_hand_tracker.hpp>
 #include <godot_cpp/variant/string_name.hpp>
 
 namespace godot {
+
+/// Godot turns each joint of OpenXR into the bones of its humanoid skeleton: -y along the bone in place of
+/// -z.
+inline Eigen::Quaterniond humanoid_turn() {
+	constexpr double HALF_ROOT = 0.70710678118654752;
+	return { 0.0, 0.0, -HALF_ROOT, HALF_ROOT };
+}
 
 /// Offers a hand to the engine as an XRHandTracker of a name of its own, so that XRHandModifier3D and hand
 /// meshes follow any source.

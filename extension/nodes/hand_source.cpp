@@ -71,6 +71,9 @@ void HandSource::_bind_methods() {
 	GDVIRTUAL_BIND(_start, "tracker");
 	GDVIRTUAL_BIND(_poll, "tracker", "time_s");
 	GDVIRTUAL_BIND(_stop, "tracker");
+
+	BIND_ENUM_CONSTANT(HAND_LEFT);
+	BIND_ENUM_CONSTANT(HAND_RIGHT);
 }
 
 } // namespace godot

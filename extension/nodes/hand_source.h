@@ -17,6 +17,8 @@ class HandSource : public Resource {
 	GDCLASS(HandSource, Resource)
 
 public:
+	enum Hand : int64_t { HAND_LEFT, HAND_RIGHT };
+
 	GDVIRTUAL1R(String, _start, HandTracker *)
 	GDVIRTUAL2(_poll, HandTracker *, double)
 	GDVIRTUAL1(_stop, HandTracker *)
@@ -37,3 +39,5 @@ protected:
 };
 
 } // namespace godot
+
+VARIANT_ENUM_CAST(godot::HandSource::Hand);

@@ -193,7 +193,7 @@ void HandTracker::update_processing() {
 void HandTracker::update_publisher() {
 	publisher_.reset();
 	if (is_running() && publish_name_ != StringName()) {
-		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HAND_LEFT);
+		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HandSource::HAND_LEFT);
 	}
 }
 

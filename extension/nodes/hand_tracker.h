@@ -37,7 +37,6 @@ public:
 		JOINT_RING = 20,
 		JOINT_PINKY = 25
 	};
-	enum PublishedHand : int64_t { HAND_LEFT, HAND_RIGHT };
 
 	HandTracker();
 	~HandTracker() override;
@@ -50,8 +49,8 @@ public:
 	bool get_autostart() const { return autostart_; }
 	void set_publish_name(const StringName &p_name);
 	StringName get_publish_name() const { return publish_name_; }
-	void set_publish_hand(PublishedHand p_hand);
-	PublishedHand get_publish_hand() const { return publish_hand_; }
+	void set_publish_hand(HandSource::Hand p_hand);
+	HandSource::Hand get_publish_hand() const { return publish_hand_; }
 
 	Error start();
 	void stop();
@@ -109,7 +108,7 @@ private:
 	UpdateMode update_mode_ = UPDATE_IDLE;
 	bool autostart_ = true;
 	StringName publish_name_;
-	PublishedHand publish_hand_ = HAND_RIGHT;
+	HandSource::Hand publish_hand_ = HandSource::HAND_RIGHT;
 
 	SignalNames names_;
 	ListenerList<FrameListener> listeners_;
@@ -178,4 +177,3 @@ private:
 
 VARIANT_ENUM_CAST(godot::HandTracker::UpdateMode);
 VARIANT_ENUM_CAST(godot::HandTracker::Joint);
-VARIANT_ENUM_CAST(godot::HandTracker::PublishedHand);

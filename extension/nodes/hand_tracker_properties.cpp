@@ -21,9 +21,9 @@ void HandTracker::set_publish_name(const StringName &p_name) {
 	update_publisher();
 }
 
-void HandTracker::set_publish_hand(PublishedHand p_hand) {
+void HandTracker::set_publish_hand(HandSource::Hand p_hand) {
 	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_hand, HAND_RIGHT), "HandTracker: publish_hand must be HAND_LEFT or HAND_RIGHT");
+			!is_enumerator(p_hand, HandSource::HAND_RIGHT), "HandTracker: publish_hand must be HandSource.HAND_LEFT or HAND_RIGHT");
 	publish_hand_ = p_hand;
 	update_publisher();
 }
@@ -112,8 +112,6 @@ void HandTracker::_bind_methods() {
 	BIND_ENUM_CONSTANT(JOINT_MIDDLE);
 	BIND_ENUM_CONSTANT(JOINT_RING);
 	BIND_ENUM_CONSTANT(JOINT_PINKY);
-	BIND_ENUM_CONSTANT(HAND_LEFT);
-	BIND_ENUM_CONSTANT(HAND_RIGHT);
 }
 
 } // namespace godot

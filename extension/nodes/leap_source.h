@@ -11,7 +11,6 @@ class LeapSource : public HandSource {
 	GDCLASS(LeapSource, HandSource)
 
 public:
-	enum Hand : int64_t { HAND_LEFT, HAND_RIGHT };
 	/// In the order of the core's LeapMounting.
 	enum Mounting : int64_t { MOUNTING_DESKTOP, MOUNTING_HMD, MOUNTING_SCREENTOP };
 
@@ -43,5 +42,4 @@ private:
 
 } // namespace godot
 
-VARIANT_ENUM_CAST(godot::LeapSource::Hand);
 VARIANT_ENUM_CAST(godot::LeapSource::Mounting);

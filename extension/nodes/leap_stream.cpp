@@ -1,8 +1,8 @@
 #include "leap_stream.h"
 
 #include "conversions.h"
+#include "geometry_conversions.h"
 #include "live_clock.h"
-#include "xr_joints.h"
 
 #include <godot_cpp/classes/tls_options.hpp>
 #include <godot_cpp/classes/xr_pose.hpp>
@@ -24,13 +24,6 @@ steadyhand::HandSide side_of(const LeapSource &p_source) {
 														: steadyhand::HandSide::RIGHT;
 }
 
-Eigen::Affine3d to_affine(const Transform3D &p_transform) {
-	Eigen::Affine3d affine = Eigen::Affine3d::Identity();
-	affine.linear() = to_core(p_transform.basis);
-	affine.translation() = to_core(p_transform.origin);
-	return affine;
-}
-
 /// In the world; where no headset is tracked, the origin.
 Eigen::Affine3d head_place() {
 	XRServer *const server = XRServer::get_singleton();
@@ -39,7 +32,7 @@ Eigen::Affine3d head_place() {
 	if (pose.is_null() || !pose->get_has_tracking_data()) {
 		return Eigen::Affine3d::Identity();
 	}
-	return to_affine(server->get_world_origin()) * to_affine(pose->get_adjusted_transform());
+	return to_core(server->get_world_origin()) * to_core(pose->get_adjusted_transform());
 }
 
 } // namespace
@@ -171,7 +164,7 @@ void LeapStream::on_device(const steadyhand::LeapDevice &p_device) {
 }
 
 Eigen::Affine3d LeapStream::device_place() const {
-	const Eigen::Affine3d mount = to_affine(source_->get_device_transform());
+	const Eigen::Affine3d mount = to_core(source_->get_device_transform());
 	return source_->get_mounting() == LeapSource::MOUNTING_HMD ? head_place() * mount : mount;
 }
 

@@ -2,10 +2,10 @@
 
 #include "conversions.h"
 #include "device_queue.h"
+#include "geometry_conversions.h"
 #include "liberty_device.h"
 #include "liberty_usb.h"
 #include "live_clock.h"
-#include "xr_joints.h"
 
 #include "devices/device_clock.h"
 
@@ -103,10 +103,7 @@ private:
 			return;
 		}
 		has_cycle_ = false;
-		Eigen::Affine3d place = Eigen::Affine3d::Identity();
-		place.linear() = to_core(source_->get_device_transform().basis);
-		place.translation() = to_core(source_->get_device_transform().origin);
-		move_joints(cycle_.skeleton, place);
+		move_joints(cycle_.skeleton, to_core(source_->get_device_transform()));
 		cycle_.hand = steadyhand::hand_frame_of(cycle_.skeleton, cycle_.hand.t_s);
 		queue_.push(cycle_);
 	}

@@ -61,8 +61,6 @@ void XRSource::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "use_inferred"), "set_use_inferred", "get_use_inferred");
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "tracker_name"), "set_tracker_name", "get_tracker_name");
 
-	BIND_ENUM_CONSTANT(HAND_LEFT);
-	BIND_ENUM_CONSTANT(HAND_RIGHT);
 	BIND_ENUM_CONSTANT(SPACE_WORLD);
 	BIND_ENUM_CONSTANT(SPACE_ORIGIN);
 	BIND_ENUM_CONSTANT(SPACE_BODY);

@@ -9,7 +9,6 @@ class XRSource : public HandSource {
 	GDCLASS(XRSource, HandSource)
 
 public:
-	enum Hand : int64_t { HAND_LEFT, HAND_RIGHT };
 	enum Space : int64_t { SPACE_WORLD, SPACE_ORIGIN, SPACE_BODY };
 
 	void set_hand(Hand p_hand);
@@ -41,5 +40,4 @@ private:
 
 } // namespace godot
 
-VARIANT_ENUM_CAST(godot::XRSource::Hand);
 VARIANT_ENUM_CAST(godot::XRSource::Space);

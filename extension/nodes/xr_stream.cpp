@@ -1,8 +1,10 @@
 #include "xr_stream.h"
 
 #include "conversions.h"
+#include "device_queue.h"
+#include "geometry_conversions.h"
+#include "hand_publisher.h"
 #include "live_clock.h"
-#include "xr_joints.h"
 
 #include <godot_cpp/classes/xr_server.hpp>
 
@@ -127,15 +129,10 @@ void XRStream::to_space(HandSkeleton &r_joints, double p_now_s) {
 	const XRServer *const server = XRServer::get_singleton();
 	const Transform3D reference = server->get_reference_frame();
 	const double scale = server->get_world_scale();
-	Eigen::Affine3d space = Eigen::Affine3d::Identity();
-	space.linear() = scale * to_core(reference.basis);
-	space.translation() = to_core(reference.origin);
+	Eigen::Affine3d space = to_core(reference);
+	space.linear() *= scale;
 	if (source_->get_space() == XRSource::SPACE_WORLD) {
-		const Transform3D origin = server->get_world_origin();
-		Eigen::Affine3d world = Eigen::Affine3d::Identity();
-		world.linear() = to_core(origin.basis);
-		world.translation() = to_core(origin.origin);
-		space = world * space;
+		space = to_core(server->get_world_origin()) * space;
 	} else {
 		// Gestures without a task are as long as the body makes them, whatever the world's scale.
 		space = Eigen::Affine3d(Eigen::Scaling(1.0 / scale)) * space;
@@ -146,15 +143,7 @@ void XRStream::to_space(HandSkeleton &r_joints, double p_now_s) {
 	if (source_->get_space() == XRSource::SPACE_BODY) {
 		space = Eigen::Affine3d(body_.transform()) * space;
 	}
-	const Eigen::Quaterniond turn(space.rotation());
-	for (std::size_t i = 0; i < steadyhand::SKELETON_JOINT_COUNT; ++i) {
-		if (r_joints.has(static_cast<SkeletonJoint>(i))) {
-			r_joints.positions_m[i] = space * r_joints.positions_m[i];
-		}
-		if ((r_joints.rotated >> i & 1U) != 0) {
-			r_joints.rotations[i] = turn * r_joints.rotations[i];
-		}
-	}
+	move_joints(r_joints, space);
 }
 
 void XRStream::poll(double p_now_s) {

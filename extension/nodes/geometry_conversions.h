@@ -2,20 +2,11 @@
 
 #include "conversions.h"
 
-#include "tracking/hand_skeleton.h"
-
 #include <godot_cpp/variant/transform3d.hpp>
 
 #include <Eigen/Geometry>
 
 namespace godot {
-
-/// Godot turns each joint of OpenXR into the bones of its humanoid skeleton: -y along the bone in place of
-/// -z.
-inline Eigen::Quaterniond humanoid_turn() {
-	constexpr double HALF_ROOT = 0.70710678118654752;
-	return { 0.0, 0.0, -HALF_ROOT, HALF_ROOT };
-}
 
 inline Basis to_godot(const Eigen::Matrix3d &p_matrix) {
 	return Basis(to_godot(Eigen::Vector3d(p_matrix.col(0))), to_godot(Eigen::Vector3d(p_matrix.col(1))),
@@ -28,6 +19,13 @@ inline Eigen::Matrix3d to_core(const Basis &p_basis) {
 		matrix.col(axis) = to_core(p_basis.get_column(axis));
 	}
 	return matrix;
+}
+
+inline Eigen::Affine3d to_core(const Transform3D &p_transform) {
+	Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+	transform.linear() = to_core(p_transform.basis);
+	transform.translation() = to_core(p_transform.origin);
+	return transform;
 }
 
 } // namespace godot
