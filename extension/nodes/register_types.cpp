@@ -17,6 +17,7 @@
 #include "recorded_source.h"
 #include "script_source.h"
 #include "synthetic_source.h"
+#include "tracker_alignment.h"
 #include "tracking_survey.h"
 #include "trial_set.h"
 #include "xr_source.h"
@@ -76,6 +77,7 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(LeapSource);
 		GDREGISTER_CLASS(LibertySource);
 		GDREGISTER_CLASS(HandTracker);
+		GDREGISTER_CLASS(TrackerAlignment);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);
 		GDREGISTER_ABSTRACT_CLASS(HapticEffect);
