@@ -87,7 +87,10 @@ func test_the_result_moves_a_liberty() -> void:
 	pair.tracker.source = liberty
 	check_equal(alignment.solve(), OK, "it is solved")
 	check_equal(alignment.apply(), OK, "and applied: %s" % alignment.error_message)
-	check(_is_near(liberty.device_transform, pair.offset), "the source is where it is for the reference")
+	check(
+		_is_near(liberty.device_transform, pair.offset),
+		"the source is where it is for the reference"
+	)
 	check_equal(alignment.apply(), ERR_ALREADY_EXISTS, "not twice")
 	check(_is_near(liberty.device_transform, pair.offset), "it is not moved again")
 	check_equal(alignment.solve(), ERR_INVALID_DATA, "positions from before are forgotten")
@@ -189,7 +192,7 @@ func test_the_panel_guides_and_shows_the_residual() -> void:
 	var panel := (load("res://addons/steadyhand/alignment_panel.tscn") as PackedScene).instantiate()
 	root.add_child(panel)
 	panel.call("begin")
-	_check_says(panel, "Set \"alignment\"")
+	_check_says(panel, 'Set "alignment"')
 	var pair := _pair()
 	panel.set("alignment", pair.alignment)
 	for node: HandTracker in [pair.reference, pair.tracker]:
@@ -204,7 +207,7 @@ func test_the_panel_guides_and_shows_the_residual() -> void:
 	await process_frame
 	await process_frame
 	_check_says(panel, "lag 60.")
-	_check_says(panel, "not applied: the source of \"tracker\"")
+	_check_says(panel, 'not applied: the source of "tracker"')
 	check(not pair.alignment.is_running(), "it stops")
 	for node: Node in [panel, pair]:
 		node.free()

@@ -1,6 +1,6 @@
 extends CanvasLayer
-## Guides a user through the alignment of two trackers and shows the result. Add alignment_panel.tscn to a
-## scene, set `alignment`, and press the button or call begin().
+## Guides a user through the alignment of two trackers and shows the result. Add
+## alignment_panel.tscn to a scene, set `alignment`, and press the button or call begin().
 
 @export var alignment: TrackerAlignment
 ## How long both trackers must see the hand.
@@ -29,7 +29,7 @@ func _process(_delta: float) -> void:
 func begin() -> void:
 	_progress.value = 0.0
 	if alignment == null:
-		_text = "Set \"alignment\" of the panel to a TrackerAlignment."
+		_text = 'Set "alignment" of the panel to a TrackerAlignment.'
 	elif alignment.start() == OK:
 		_text = "Move the hand in all directions for %.0f s, faster and slower." % seconds
 	else:

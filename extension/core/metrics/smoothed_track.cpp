@@ -24,9 +24,9 @@ double median(std::vector<double> &values) {
 }
 
 /// Follows the samples within HALF_WINDOW_S of instants that do not decrease.
-class Window {
+class SampleWindow {
 public:
-	explicit Window(std::span<const TrackSample> samples) : samples_(samples) {}
+	explicit SampleWindow(std::span<const TrackSample> samples) : samples_(samples) {}
 
 	std::span<const TrackSample> around(double t_s) {
 		while (end_ < samples_.size() && samples_[end_].t_s <= t_s + HALF_WINDOW_S) {
@@ -56,7 +56,7 @@ std::vector<TrackSample> without_jumps(std::span<const TrackSample> samples) {
 	std::vector<TrackSample> kept;
 	kept.reserve(samples.size());
 	std::vector<double> values;
-	Window window(samples);
+	SampleWindow window(samples);
 	for (const TrackSample &sample : samples) {
 		const std::span<const TrackSample> near = window.around(sample.t_s);
 		Eigen::Vector3d middle_m;
@@ -81,7 +81,7 @@ std::vector<TrackSample> without_jumps(std::span<const TrackSample> samples) {
 SmoothedTrack smoothed(std::span<const TrackSample> samples, const UniformGrid &grid, std::size_t count) {
 	SmoothedTrack track{ std::vector<Eigen::Vector3d>(count, Eigen::Vector3d::Zero()),
 		std::vector<double>(count), std::vector<std::uint8_t>(count) };
-	Window window(samples);
+	SampleWindow window(samples);
 	for (std::size_t i = 0; i < count; ++i) {
 		const double t_s = grid.time_s(i);
 		const std::span<const TrackSample> near = window.around(t_s);

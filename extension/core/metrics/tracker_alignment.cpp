@@ -12,6 +12,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace steadyhand {
@@ -24,9 +25,9 @@ using Alignment = TrackerAlignment::Alignment;
 constexpr double GRID_HZ = 100.0;
 constexpr int LARGEST_SHIFT = static_cast<int>(TrackerAlignment::LARGEST_LAG_S * GRID_HZ);
 constexpr double LEAST_INSTANTS = TrackerAlignment::LEAST_OVERLAP_S * GRID_HZ;
-/// Speeds above this share of all are cut off: jumps that last make them.
+/// Higher speeds are cut off at it: they come from jumps that last longer than the window.
 constexpr double SPEED_QUANTILE = 0.9;
-/// Peaks lower by less than this are compared by their residuals: steady waving has several.
+/// Peaks lower by less than this are compared by their residuals: steady waving has several peaks.
 constexpr double RIVAL_PEAK = 0.2;
 /// Around the peak of the correlation, which is good to some ms.
 constexpr double REFINED_WITHIN_S = 0.02;
@@ -35,7 +36,7 @@ constexpr double LAG_TOLERANCE_S = 2e-5;
 constexpr double OUTLIER_MEDIANS = 3.0;
 /// No residual below it is an outlier: trackers are not that exact.
 constexpr double NO_OUTLIER_M = 0.001;
-/// Each fit finds the outliers of the next. The first is spoilt by jumps, the third no more.
+/// Each fit finds the outliers that the next one leaves out. Jumps disturb the first two.
 constexpr int FITS = 3;
 
 /// Positions of both trackers at the same moments of the movement, one a column.
