@@ -18,6 +18,7 @@
 #include "recorded_source.h"
 #include "script_source.h"
 #include "synthetic_source.h"
+#include "tracker_alignment.h"
 #include "tracking_survey.h"
 #include "trial_set.h"
 #include "xr_source.h"
@@ -78,6 +79,7 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(LibertySource);
 		GDREGISTER_CLASS(DegradedSource);
 		GDREGISTER_CLASS(HandTracker);
+		GDREGISTER_CLASS(TrackerAlignment);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);
 		GDREGISTER_ABSTRACT_CLASS(HapticEffect);
