@@ -104,11 +104,12 @@ func test_numbers_that_are_no_enumerators_are_refused() -> void:
 func test_a_clock_jump_is_closed_up() -> void:
 	# expects one warning: jump.csv:4: t: the clock jumps by 200000 s
 	var text := "t,index_x,index_y,index_z\n0,0,0,0\n0.1,0,0,0\n200000.1,0,0,0\n200000.2,1,0,0\n"
+	var source := RecordedSource.new()
+	source.track = _write("jump.csv", text)
 	var tracker := HandTracker.new()
-	tracker.source = HandTracker.SOURCE_RECORDED
+	tracker.source = source
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.autostart = false
-	tracker.recording_path = _write("jump.csv", text)
 	root.add_child(tracker)
 	tracker.start()
 	tracker.advance(0.35)

@@ -1,3 +1,4 @@
+#include "base/random.h"
 #include "near.h"
 #include "simulation/sensor.h"
 #include "simulation/sensor_profile.h"
@@ -263,5 +264,26 @@ TEST_CASE("a tracker that shows the hand all over the world takes no place from 
 	for (const TrackingSurvey::Place *place : { &proposal.stable, &proposal.unstable }) {
 		CHECK(std::abs(std::abs(place->position_m.x()) - 0.35) < 1e-3);
 		CHECK(place->seconds == test::near(15.0).epsilon(0.01));
+	}
+}
+
+TEST_CASE("a mouse, whose positions are rounded to pixels, has no two positions") {
+	for (const double pixel_m : { 0.0005, 0.001, 0.002 }) {
+		for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+			Random random(seed);
+			const double pace = random.uniform(0.1, 0.6), phase = random.uniform(0.0, TWO_PI);
+			const auto rounded = [pixel_m](double value) { return std::round(value / pixel_m) * pixel_m; };
+			TrackingSurvey survey;
+			for (int frame = 0; frame < 144 * 60; ++frame) {
+				const double t_s = frame / 144.0;
+				survey.push(t_s,
+						{ rounded(0.25 * std::sin(TWO_PI * pace * t_s + phase)),
+								1.2 + rounded(0.15 * std::sin(TWO_PI * 0.73 * pace * t_s)), -0.3 });
+			}
+			CAPTURE(pixel_m);
+			CAPTURE(seed);
+			const Result<TrackingSurvey::Proposal> proposal = survey.propose();
+			CHECK((!proposal.ok() || !proposal.value().distinct()));
+		}
 	}
 }

@@ -33,6 +33,8 @@ func _init(folder: String, scenario: String, options: PackedStringArray = []) ->
 	var process := OS.execute_with_pipe("python3", arguments)
 	_pid = process["pid"]
 	port = (process["stdio"] as FileAccess).get_line().to_int()
+	if port == 0:
+		push_error("tests/devices/leap_stub.py did not start")
 	start = _first_tip(messages)
 
 
