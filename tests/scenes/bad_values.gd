@@ -67,6 +67,7 @@ func test_a_far_task_is_not_used() -> void:
 	task.position = Vector3(1e30, 0, 0)
 	gesture_hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
 	gesture_hmm.tracker = HandTracker.new()
+	gesture_hmm.tracker.source = ScriptSource.new()
 	gesture_hmm.tracker.update_mode = HandTracker.UPDATE_MANUAL
 	gesture_hmm.task = task
 	for node: Node in [gesture_hmm.tracker, task, gesture_hmm]:
