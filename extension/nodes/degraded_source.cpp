@@ -87,7 +87,8 @@ void DegradedSource::set_preset(Preset p_preset) {
 	preset_ = p_preset;
 	if (p_preset != PRESET_CUSTOM) {
 		const std::uint64_t seed = settings_.seed;
-		settings_ = *steadyhand::degrade_preset(p_preset == PRESET_STABLE ? "stable" : "unstable");
+		settings_ = steadyhand::degrade_preset(p_preset == PRESET_STABLE ? "stable" : "unstable")
+							.value_or(DegradeSettings());
 		settings_.seed = seed;
 	}
 	notify_property_list_changed();

@@ -180,15 +180,17 @@ void GestureHMM::watch_tasks_anew() {
 			watched_tasks_.push_back(one.task);
 		}
 	}
-	task_watch_.expect(std::move(places));
+	task_watch_.expect(places);
 }
 
 /// Of a task where no hand comes, or that points where no hand goes; once.
 void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.look(p_frame);
-	const GestureTask *const task = doubt
-			? Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task]))
-			: nullptr;
+	if (!doubt) {
+		return;
+	}
+	const auto *const task =
+			Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task]));
 	if (task == nullptr) {
 		return;
 	}

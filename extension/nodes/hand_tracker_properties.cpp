@@ -22,8 +22,8 @@ void HandTracker::set_publish_name(const StringName &p_name) {
 }
 
 void HandTracker::set_publish_hand(HandSource::Hand p_hand) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_hand, HandSource::HAND_RIGHT), "HandTracker: publish_hand must be HandSource.HAND_LEFT or HAND_RIGHT");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandSource::HAND_RIGHT),
+			"HandTracker: publish_hand must be HandSource.HAND_LEFT or HAND_RIGHT");
 	publish_hand_ = p_hand;
 	update_publisher();
 }

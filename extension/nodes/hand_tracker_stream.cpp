@@ -33,11 +33,10 @@ String explain(steadyhand::FrameFault p_fault) {
 } // namespace
 
 void HandTracker::advance(double p_seconds) {
-	if (!stream_ || stream_->clock() == StreamClock::GAME) {
-		advance_to(time_s_ + p_seconds);
-	} else if (stream_->is_polled()) {
+	const bool is_pushed = stream_ && stream_->clock() == StreamClock::FRAMES;
+	if (stream_ && stream_->is_polled()) {
 		advance_to(live_s_ + p_seconds);
-	} else if (clock_set_) {
+	} else if (!is_pushed || clock_set_) {
 		advance_to(time_s_ + p_seconds);
 	}
 }

@@ -38,7 +38,7 @@ double host_time_s() {
 double live_time_s(double p_frame_s) {
 	LiveClock &clock = live_clock();
 	Engine *const engine = Engine::get_singleton();
-	const auto frame = static_cast<uint64_t>(engine->get_process_frames());
+	const uint64_t frame = engine->get_process_frames();
 	const double host_s = host_time_s();
 	if (!clock.is_set) {
 		clock = { true, frame, host_s, 0.0 };

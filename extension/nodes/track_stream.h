@@ -3,7 +3,7 @@
 #include "hand_stream.h"
 #include "track_playback.h"
 
-#include <optional>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -30,13 +30,13 @@ public:
 protected:
 	/// p_frames: at least one.
 	void play(std::vector<steadyhand::HandFrame> p_frames) {
-		playback_.emplace(std::move(p_frames), loop_);
+		playback_ = std::make_unique<TrackPlayback>(std::move(p_frames), loop_);
 		announce(StreamEvent::Kind::READY);
 	}
 
 private:
 	bool loop_;
-	std::optional<TrackPlayback> playback_;
+	std::unique_ptr<TrackPlayback> playback_; ///< null before open()
 };
 
 } // namespace godot

@@ -5,7 +5,7 @@
 
 namespace steadyhand {
 
-void TaskWatch::expect(std::vector<Task> tasks) {
+void TaskWatch::expect(const std::vector<Task> &tasks) {
 	tasks_.clear();
 	for (const Task &task : tasks) {
 		tasks_.push_back({ task, std::numeric_limits<double>::infinity() });

@@ -27,7 +27,7 @@ struct TaskDoubt {
 class TaskWatch {
 public:
 	/// Begins anew with these.
-	void expect(std::vector<Task> tasks);
+	void expect(const std::vector<Task> &tasks);
 	void gesture_started() { is_over_ = true; }
 
 	/// Says something once. Allocates nothing.

@@ -1,81 +1,190 @@
 #include "tracking/skeleton_inference.h"
 
 #include <algorithm>
-#include <span>
+#include <cmath>
+#include <optional>
 
 namespace steadyhand {
 namespace {
 
 constexpr std::size_t FINGERS = 5;
-/// Where each finger's metacarpal begins in the order of SkeletonJoint; the tip is its last joint.
+/// Where each finger begins in the order of SkeletonJoint; the tip is its last joint.
 constexpr std::array<std::size_t, FINGERS + 1> FIRST = { 2, 6, 11, 16, 21, 26 };
-/// Shares of the way from wrist to tip of a straight finger (hand proportions of Buryanov & Kotiuk 2010).
-constexpr std::array<double, 4> THUMB_SHARES = { 0.25, 0.55, 0.80, 1.0 };
-constexpr std::array<double, 5> FINGER_SHARES = { 0.15, 0.52, 0.76, 0.89, 1.0 };
+/// An adult's hand (Buryanov & Kotiuk 2010), m: how far the knuckle lies ahead of the wrist and to the side
+/// of the index finger, and from there to the tip.
+struct Finger {
+	double ahead_m, side_m, length_m;
+};
+constexpr std::array<Finger, FINGERS> ADULT = { { { 0.045, 0.045, 0.070 }, { 0.093, 0.027, 0.095 },
+		{ 0.095, 0.006, 0.105 }, { 0.089, -0.014, 0.098 }, { 0.080, -0.032, 0.078 } } };
+constexpr double ADULT_PALM_M = 0.085; ///< from the wrist to the palm's middle
+/// Of the way from wrist to knuckle; of the way from knuckle to tip, at the joints after it.
+constexpr double METACARPAL_SHARE = 0.2;
+constexpr std::array<double, 3> SHARES = { 0.45, 0.75, 1.0 };
+constexpr std::array<double, 2> THUMB_SHARES = { 0.55, 1.0 };
 
-/// Along the bone that ends at `to`: OpenXR's z points back from there.
-Eigen::Quaterniond along(const Eigen::Vector3d &from, const Eigen::Vector3d &to) {
-	return Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), from - to);
+std::size_t index_of(SkeletonJoint joint) {
+	return static_cast<std::size_t>(joint);
 }
 
-void rotate(
-		HandSkeleton &r_skeleton, std::size_t joint, const Eigen::Vector3d &from, const Eigen::Vector3d &to) {
-	const std::uint32_t bit = 1U << joint;
-	if ((r_skeleton.rotated & bit) == 0 && (to - from).squaredNorm() > 0.0) {
-		r_skeleton.rotations[joint] = along(from, to);
-		r_skeleton.rotated |= bit;
+void place(HandSkeleton &r_hand, std::size_t joint, const Eigen::Vector3d &position_m) {
+	if (!r_hand.has(static_cast<SkeletonJoint>(joint))) {
+		r_hand.set(static_cast<SkeletonJoint>(joint), position_m);
+		r_hand.inferred |= 1U << joint;
 	}
 }
 
-void place(HandSkeleton &r_skeleton, std::size_t joint, const Eigen::Vector3d &position_m) {
-	if (!r_skeleton.has(static_cast<SkeletonJoint>(joint))) {
-		r_skeleton.set(static_cast<SkeletonJoint>(joint), position_m);
-		r_skeleton.inferred |= 1U << joint;
+/// Along the bone from `from` to the joint: OpenXR's z points back.
+void rotate(HandSkeleton &r_hand, std::size_t joint, const Eigen::Vector3d &from) {
+	const Eigen::Vector3d back = from - r_hand.positions_m[joint];
+	if ((r_hand.rotated >> joint & 1U) == 0 && back.squaredNorm() > 0.0) {
+		r_hand.rotations[joint] = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), back);
+		r_hand.rotated |= 1U << joint;
+	}
+}
+
+/// Axes of the hand and its size against an adult's.
+struct HandAxes {
+	Eigen::Vector3d wrist_m, ahead, side, dorsal;
+	double scale;
+};
+
+Eigen::Vector3d mean_tip_m(const HandSkeleton &hand) {
+	Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+	int count = 0;
+	for (std::size_t finger = 1; finger < FINGERS; ++finger) {
+		const auto tip = static_cast<SkeletonJoint>(FIRST[finger + 1] - 1);
+		if (hand.has(tip)) {
+			sum += hand.position(tip);
+			++count;
+		}
+	}
+	return count > 0 ? Eigen::Vector3d(sum / count) : sum;
+}
+
+/// From one fingertip to another towards the index finger's side: of the two that are furthest apart there,
+/// and bent alike. Zero where there are no two.
+Eigen::Vector3d across_m(const HandSkeleton &hand, const Eigen::Vector3d &ahead) {
+	constexpr double BENT_ALIKE_M = 0.03;
+	Eigen::Vector3d best = Eigen::Vector3d::Zero();
+	double most = 0.0;
+	for (std::size_t one = 1; one < FINGERS; ++one) {
+		for (std::size_t other = one + 1; other < FINGERS; ++other) {
+			const std::size_t one_tip = FIRST[one + 1] - 1, other_tip = FIRST[other + 1] - 1;
+			if (!hand.has(static_cast<SkeletonJoint>(one_tip)) ||
+					!hand.has(static_cast<SkeletonJoint>(other_tip))) {
+				continue;
+			}
+			const Eigen::Vector3d way = hand.positions_m[one_tip] - hand.positions_m[other_tip];
+			const double apart_m = ADULT[one].side_m - ADULT[other].side_m;
+			const double quality = apart_m / (1.0 + std::abs(way.dot(ahead)) / BENT_ALIKE_M);
+			if (quality > most) {
+				most = quality;
+				best = way;
+			}
+		}
+	}
+	return best;
+}
+
+std::optional<HandAxes> axes_of(const HandSkeleton &hand) {
+	if (!hand.has(SkeletonJoint::WRIST) || !hand.has(SkeletonJoint::PALM)) {
+		return std::nullopt;
+	}
+	HandAxes axes;
+	axes.wrist_m = hand.position(SkeletonJoint::WRIST);
+	const Eigen::Vector3d palm_m = hand.position(SkeletonJoint::PALM) - axes.wrist_m;
+	axes.scale = palm_m.norm() / ADULT_PALM_M;
+	axes.ahead = palm_m.normalized();
+	const Eigen::Vector3d across = across_m(hand, axes.ahead);
+	axes.side = (across - axes.ahead * axes.ahead.dot(across)).normalized();
+	axes.dorsal = axes.ahead.cross(axes.side); // of a right hand
+	const bool is_sound = axes.scale > 0.0 && axes.side.norm() > 0.5;
+	// Fingers bend to the inner side.
+	if (axes.dorsal.dot(mean_tip_m(hand) - hand.position(SkeletonJoint::PALM)) > 0.0) {
+		axes.dorsal = -axes.dorsal;
+	}
+	return is_sound ? std::optional(axes) : std::nullopt;
+}
+
+/// Half of the angle by which an arc of length 1 turns whose ends are `chord` apart: sin(x) / x = chord.
+double half_turn_of(double chord) {
+	double low = 0.0, high = 3.0;
+	for (int step = 0; step < 40; ++step) {
+		const double x = 0.5 * (low + high);
+		(std::sin(x) / std::max(x, 1e-9) > chord ? low : high) = x;
+	}
+	return low;
+}
+
+/// The point at a share of an even bend from `from` to `to`, `length_m` long, that bulges towards `outward`.
+Eigen::Vector3d bent(const Eigen::Vector3d &from, const Eigen::Vector3d &to, double length_m,
+		const Eigen::Vector3d &outward, double share) {
+	const Eigen::Vector3d way = to - from;
+	const double chord = way.norm() / length_m;
+	const Eigen::Vector3d along = way.normalized();
+	const Eigen::Vector3d out = (outward - along * along.dot(outward)).normalized();
+	if (!(chord < 0.999) || !(chord > 0.0) || !(out.norm() > 0.5)) {
+		return from + share * way;
+	}
+	const double half = half_turn_of(chord), radius_m = 0.5 * length_m / half;
+	const double angle = (2.0 * share - 1.0) * half;
+	return 0.5 * (from + to) + radius_m * std::sin(angle) * along +
+			radius_m * (std::cos(angle) - std::cos(half)) * out;
+}
+
+void infer_finger(HandSkeleton &r_hand, std::size_t finger, const std::optional<HandAxes> &axes,
+		const Eigen::Vector3d &root_m) {
+	const std::size_t tip = FIRST[finger + 1] - 1, knuckle = FIRST[finger] + 1;
+	const Eigen::Vector3d tip_m = r_hand.positions_m[tip];
+	const Finger &adult = ADULT[finger];
+	const Eigen::Vector3d knuckle_m = axes
+			? Eigen::Vector3d(
+					  root_m + axes->scale * (adult.ahead_m * axes->ahead + adult.side_m * axes->side))
+			: Eigen::Vector3d(root_m + 0.5 * (tip_m - root_m));
+	place(r_hand, knuckle, knuckle_m);
+	place(r_hand, FIRST[finger], root_m + METACARPAL_SHARE * (r_hand.positions_m[knuckle] - root_m));
+	const double length_m = axes ? axes->scale * adult.length_m : 0.0;
+	const Eigen::Vector3d outward = axes ? axes->dorsal : Eigen::Vector3d(Eigen::Vector3d::Zero());
+	for (std::size_t joint = knuckle + 1; joint <= tip; ++joint) {
+		const double share = finger == 0 ? THUMB_SHARES[joint - knuckle - 1] : SHARES[joint - knuckle - 1];
+		place(r_hand, joint, bent(r_hand.positions_m[knuckle], tip_m, length_m, outward, share));
+	}
+	for (std::size_t joint = FIRST[finger]; joint <= tip; ++joint) {
+		rotate(r_hand, joint, joint == FIRST[finger] ? root_m : r_hand.positions_m[joint - 1]);
 	}
 }
 
 } // namespace
 
 HandSkeleton infer_skeleton(const DeviceFrame &frame) {
-	HandSkeleton skeleton = frame.skeleton;
+	HandSkeleton hand = frame.skeleton;
 	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {
-		if (frame.hand.has(static_cast<Joint>(i)) && !skeleton.has(SKELETON_OF[i])) {
-			skeleton.set(SKELETON_OF[i], frame.hand.positions_m[i]);
+		if (frame.hand.has(static_cast<Joint>(i)) && !hand.has(SKELETON_OF[i])) {
+			hand.set(SKELETON_OF[i], frame.hand.positions_m[i]);
 		}
 	}
-	const bool has_wrist = skeleton.has(SkeletonJoint::WRIST);
-	if (!has_wrist && !skeleton.has(SkeletonJoint::PALM)) {
-		return skeleton;
+	const bool has_wrist = hand.has(SkeletonJoint::WRIST);
+	if (!has_wrist && !hand.has(SkeletonJoint::PALM)) {
+		return hand;
 	}
-	const Eigen::Vector3d root = skeleton.position(has_wrist ? SkeletonJoint::WRIST : SkeletonJoint::PALM);
-	Eigen::Vector3d tips = Eigen::Vector3d::Zero();
-	int tip_count = 0;
+	const Eigen::Vector3d root_m = hand.position(has_wrist ? SkeletonJoint::WRIST : SkeletonJoint::PALM);
+	const std::optional<HandAxes> axes = axes_of(hand);
+	bool has_finger = false;
 	for (std::size_t finger = 0; finger < FINGERS; ++finger) {
-		const std::size_t tip = FIRST[finger + 1] - 1;
-		if (!skeleton.has(static_cast<SkeletonJoint>(tip))) {
-			continue;
-		}
-		const Eigen::Vector3d tip_m = skeleton.positions_m[tip];
-		tips += tip_m;
-		++tip_count;
-		const auto shares = finger == 0 ? std::span<const double>(THUMB_SHARES) : FINGER_SHARES;
-		for (std::size_t i = 0; i < shares.size(); ++i) {
-			place(skeleton, FIRST[finger] + i, root + shares[i] * (tip_m - root));
-		}
-		for (std::size_t joint = FIRST[finger]; joint <= tip; ++joint) {
-			const bool is_first = joint == FIRST[finger];
-			rotate(skeleton, joint, is_first ? root : skeleton.positions_m[joint - 1],
-					skeleton.positions_m[joint]);
+		if (hand.has(static_cast<SkeletonJoint>(FIRST[finger + 1] - 1))) {
+			infer_finger(hand, finger, axes, root_m);
+			has_finger = true;
 		}
 	}
-	if (tip_count > 0) {
-		const Eigen::Vector3d middle = tips / tip_count;
-		place(skeleton, static_cast<std::size_t>(SkeletonJoint::WRIST), root);
-		place(skeleton, static_cast<std::size_t>(SkeletonJoint::PALM), root + 0.4 * (middle - root));
-		rotate(skeleton, static_cast<std::size_t>(SkeletonJoint::WRIST), root, middle);
-		rotate(skeleton, static_cast<std::size_t>(SkeletonJoint::PALM), root, middle);
+	if (has_finger) {
+		const Eigen::Vector3d ahead_m = mean_tip_m(hand) - root_m;
+		place(hand, index_of(SkeletonJoint::WRIST), root_m);
+		place(hand, index_of(SkeletonJoint::PALM), root_m + 0.4 * ahead_m);
+		rotate(hand, index_of(SkeletonJoint::WRIST), root_m - ahead_m);
+		rotate(hand, index_of(SkeletonJoint::PALM), root_m);
 	}
-	return skeleton;
+	return hand;
 }
 
 } // namespace steadyhand

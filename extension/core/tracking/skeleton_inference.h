@@ -4,10 +4,12 @@
 
 namespace steadyhand {
 
-/// A whole skeleton from what a frame holds, for hand meshes. Joints that `frame` measured stay as they are.
-/// Each other joint lies at a fixed share of the line from the wrist (or else the palm) to its fingertip, and
-/// is marked as inferred. A finger whose tip, or hand whose wrist and palm, is not tracked has no joints.
-/// Rotations, which `frame` does not hold, point along the bone.
+/// A whole skeleton from what a frame holds, for hand meshes. Joints that `frame` measured stay as they are;
+/// the others are marked as inferred. The wrist and the palm give the hand's direction and size, two
+/// tips that are bent alike its side; knuckles lie where they do in a hand of that size. Each finger bends
+/// evenly from knuckle to tip, away from the back of the hand. Where the side is not known fingers are
+/// straight. A finger whose tip, or a hand whose wrist and palm, is not tracked has no joints. Rotations that
+/// `frame` does not hold point along the bone.
 [[nodiscard]] HandSkeleton infer_skeleton(const DeviceFrame &frame);
 
 } // namespace steadyhand

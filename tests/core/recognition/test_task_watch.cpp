@@ -14,7 +14,8 @@ constexpr double FRAME_S = 0.01;
 int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &way_m, double duration_s,
 		std::optional<TaskDoubt> &r_last) {
 	int count = 0;
-	for (double t_s = 0.0; t_s < duration_s; t_s += FRAME_S) {
+	for (int i = 0; i * FRAME_S < duration_s; ++i) {
+		const double t_s = i * FRAME_S;
 		const double share = 0.5 - 0.5 * std::cos(t_s * 2.0 * 3.14159265358979 / 3.0);
 		HandFrame frame;
 		frame.t_s = t_s;

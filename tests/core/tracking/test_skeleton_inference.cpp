@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <bit>
+#include <utility>
 
 using namespace steadyhand;
 
@@ -52,4 +53,27 @@ TEST_CASE("tips without wrist and palm make no fingers") {
 	frame.hand.set(Joint::INDEX, INDEX_TIP);
 	CHECK(infer_skeleton(frame).positioned == HandSkeleton::bit(SkeletonJoint::INDEX_TIP));
 	CHECK(infer_skeleton(DeviceFrame()).positioned == 0);
+}
+
+TEST_CASE("fingers bend evenly, to the inner side, and have their length") {
+	// A right hand that points along -z, palm down, with all tips drawn towards the palm.
+	DeviceFrame frame;
+	frame.hand.set(Joint::WRIST, { 0.0, 1.0, 0.0 });
+	frame.hand.set(Joint::PALM, { 0.0, 1.0, -0.085 });
+	for (const auto &[joint, x] : { std::pair(Joint::INDEX, -0.027), { Joint::MIDDLE, -0.006 },
+				 { Joint::RING, 0.014 }, { Joint::PINKY, 0.032 } }) {
+		frame.hand.set(joint, { x, 0.96, -0.11 });
+	}
+	const HandSkeleton hand = infer_skeleton(frame);
+	const auto at = [&hand](SkeletonJoint joint) { return hand.position(joint); };
+	CHECK((at(SkeletonJoint::INDEX_PROXIMAL) - Eigen::Vector3d(-0.027, 1.0, -0.093)).norm() < 0.003);
+	// Ahead of both ends, as the arc goes out and comes back below.
+	CHECK(at(SkeletonJoint::INDEX_INTERMEDIATE).z() < at(SkeletonJoint::INDEX_TIP).z());
+	CHECK(at(SkeletonJoint::INDEX_INTERMEDIATE).y() > at(SkeletonJoint::INDEX_TIP).y());
+	double length_m = 0.0;
+	for (std::size_t joint = 8; joint <= 10; ++joint) {
+		length_m += (hand.positions_m[joint] - hand.positions_m[joint - 1]).norm();
+	}
+	CHECK(length_m > 0.8 * 0.095); // chords are shorter than the arc
+	CHECK(length_m < 0.095);
 }
