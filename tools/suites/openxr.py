@@ -16,17 +16,22 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from typing import IO
 
 from suites import scenes
 from suites.outcome import Outcome
-from suites.process import ROOT, run, scons
+from suites.process import ROOT, run
 
 TESTS = ROOT / "tests/openxr"
 SCRIPT = TESTS / "xr_source.gd"
 NAME = "openxr/xr_source"
 KILL_S = 90
+GODOT_S = 75
+SERVER_S = 10
 SET_UP_S = 600
+DISPLAYS = range(90, 200)
 NAMESPACES = (["unshare", "--net"], ["unshare", "--map-root-user", "--net"])
 PR_SET_PDEATHSIG = 1
 SIOCSIFFLAGS, IFF_UP_RUNNING = 0x8914, 0x41
@@ -49,9 +54,7 @@ def outcomes() -> Iterator[Outcome]:
         yield skipped(output)
         return
     in_root = output.splitlines()[-1]
-    status, output = scons()
-    if status == 0:
-        status, output = run([ROOT / "tools/import_project.sh", os.environ["GODOT"], scenes.PROJECT])
+    status, output = scenes.build()
     if status != 0:
         yield Outcome.of(f"{NAME}: the add-on is built and imported", False, output)
         return
@@ -76,43 +79,70 @@ def make_project(folder: Path) -> None:
 
 
 def session(in_root: str, project: str) -> None:
-    """Within the namespace: prints what Godot prints. Whoever is ended takes all that it started along."""
-    die_with_parent()
+    """Within the namespace: prints what Godot prints. Whatever ends the session ends all that it started."""
+    die_with_parent(signal.SIGKILL)
     bring_up_loopback()
+    children: list[subprocess.Popen] = []
     with tempfile.TemporaryDirectory(prefix="steadyhand_openxr") as folder:
         environment = {**os.environ, "XDG_RUNTIME_DIR": folder, "XDG_CONFIG_HOME": folder, "XDG_DATA_HOME": folder}
-        reading, writing = os.pipe()
-        start(["Xvfb", "-displayfd", str(writing), "-screen", "0", "320x240x24"], environment, [writing])
-        os.close(writing)
-        environment["DISPLAY"] = ":" + os.read(reading, 16).decode().strip()
-        monado = start([in_root, "monado-service"], {**environment, **MONADO})
-        while not Path(folder, "monado_comp_ipc").is_socket():
-            if monado.poll() is not None:
-                sys.exit("Monado ended")
-            time.sleep(0.05)
-        options = "--rendering-method mobile --rendering-driver vulkan --audio-driver Dummy --xr-mode on"
-        window = ["--no-header", "--resolution", "64x64"]
-        command = [in_root, "godot", *options.split(), *window, "--path", project, "--script", str(SCRIPT)]
-        godot = subprocess.run(command, env=environment, preexec_fn=die_with_parent, check=False)
-    print(f"Godot ended with {godot.returncode}")
+        try:
+            environment["DISPLAY"] = start_screen(children)
+            start_monado(in_root, environment, children)
+            options = "--rendering-method mobile --rendering-driver vulkan --audio-driver Dummy --xr-mode on"
+            godot = [in_root, "godot", *options.split(), "--resolution", "64x64", "--path", project, "--script", SCRIPT]
+            children.append(start(godot, environment, signal.SIGKILL, None))
+            print(f"Godot ended with {children[-1].wait(GODOT_S)}")
+        finally:
+            for child in reversed(children):
+                child.send_signal(signal.SIGTERM if child is children[0] else signal.SIGKILL)
+                child.wait()
 
 
-def start(command: list[str], environment: dict[str, str], descriptors: list[int] = ()) -> subprocess.Popen:
-    log = Path(environment["XDG_RUNTIME_DIR"], Path(command[-1]).name + ".log")
+def start_screen(children: list[subprocess.Popen]) -> str:
+    """Its name. Xvfb's own search for a free one does not see servers of other network namespaces."""
+    for number in DISPLAYS:
+        lock, connection = Path(f"/tmp/.X{number}-lock"), Path(f"/tmp/.X11-unix/X{number}")
+        if lock.exists() or connection.exists():
+            continue
+        command = ["Xvfb", f":{number}", "-screen", "0", "320x240x24"]
+        children[:] = [start(command, os.environ, signal.SIGTERM)]  # it removes its lock
+        if is_there(connection, children[0]):
+            return f":{number}"
+    raise RuntimeError("Xvfb does not start")
+
+
+def start_monado(in_root: str, environment: dict[str, str], children: list[subprocess.Popen]) -> None:
+    log = Path(environment["XDG_RUNTIME_DIR"], "monado.log")
     with log.open("w") as file:
-        return subprocess.Popen(
-            command,
-            env=environment,
-            stdin=subprocess.DEVNULL,
-            stdout=file,
-            stderr=file,
-            pass_fds=descriptors,
-            preexec_fn=die_with_parent,
-        )
+        children.append(start([in_root, "monado-service"], {**environment, **MONADO}, signal.SIGKILL, file))
+    if not is_there(log.with_name("monado_comp_ipc"), children[-1]):
+        raise RuntimeError(f"Monado does not start\n{log.read_text()}")
 
 
-def die_with_parent() -> None:
-    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
+def start(
+    command: list, environment: dict[str, str], end_signal: int, output: IO | int | None = subprocess.DEVNULL
+) -> subprocess.Popen:
+    return subprocess.Popen(
+        command,
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=output,
+        stderr=output,
+        preexec_fn=partial(die_with_parent, end_signal),
+    )
+
+
+def is_there(connection: Path, server: subprocess.Popen) -> bool:
+    until_s = time.monotonic() + SERVER_S
+    while not connection.is_socket():
+        if server.poll() is not None or time.monotonic() > until_s:
+            return False
+        time.sleep(0.05)
+    return True
+
+
+def die_with_parent(end_signal: int) -> None:
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, end_signal)
 
 
 def bring_up_loopback() -> None:

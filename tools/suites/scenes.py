@@ -27,9 +27,7 @@ EXPECTED_ONCE = re.compile(r"^\s*#+ expects one warning: (.+)$", re.MULTILINE)
 
 def outcomes() -> Iterator[Outcome]:
     godot = os.environ["GODOT"]
-    status, output = scons()
-    if status == 0:
-        status, output = run([ROOT / "tools/import_project.sh", godot, PROJECT])
+    status, output = build()
     if status != 0:
         yield Outcome.of("scenes: the add-on is built and imported", False, output)
         return
@@ -40,8 +38,18 @@ def outcomes() -> Iterator[Outcome]:
         yield run_script(godot, script)
 
 
+def build() -> tuple[int, str]:
+    """The add-on, and the demo that imports it."""
+    status, output = scons()
+    return (status, output) if status != 0 else run([ROOT / "tools/import_project.sh", os.environ["GODOT"], PROJECT])
+
+
 def run_script(godot: str, script: Path) -> Outcome:
     status, output = run([godot, "--headless", "--path", PROJECT, "--script", script], kill_s=KILL_S)
+    return outcome_of(f"scenes/{script.stem}", script, status, output)
+
+
+def outcome_of(name: str, script: Path, status: int, output: str) -> Outcome:
     ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
     passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
     faults = unexpected(output, script.read_text())
@@ -55,13 +63,13 @@ def run_script(godot: str, script: Path) -> Outcome:
     if len(ends) != 1:
         faults.append(f"{len(ends)} END lines")
     elif passed + failed == 0 and "\nSKIP " in output and not faults:
-        return Outcome(f"scenes/{script.stem}", skipped=1)
+        return Outcome(name, skipped=1)
     elif passed + failed == 0:
         faults.append("no test was run")
     if status != 0 and failed == 0:
         faults.append(f"exit status {status}")
     text = "\n".join([output, *(f"-> {fault}" for fault in faults)])
-    return Outcome(f"scenes/{script.stem}", passed, failed + len(faults), output=text)
+    return Outcome(name, passed, failed + len(faults), output=text)
 
 
 def unexpected(output: str, script: str) -> list[str]:
