@@ -1,5 +1,5 @@
 extends RefCounted
-## The two hands of Monado's remote driver. A thread of its own sends where they are, 100 times a second.
+## The two hands of Monado's remote driver. A thread sends their positions 100 times a second.
 
 enum Hand { LEFT, RIGHT }
 

@@ -76,7 +76,8 @@ func test_a_dropout_of_one_hand_is_told_once() -> void:
 	check_equal(told, ["right lost", "right restored"] as Array[String], "of %s s" % LOSS_S)
 
 
-## Opens the session and puts the right hand's index tip on the start of the task; what failed, or nothing.
+## Opens the session and finds where the right hand must be for its index tip to be at the task's
+## start. Returns what failed, or nothing.
 func _begin() -> String:
 	var xr := XRServer.find_interface("OpenXR") as OpenXRInterface
 	if xr == null or not xr.is_initialized():
@@ -87,7 +88,8 @@ func _begin() -> String:
 	if reason != "":
 		return reason
 	var folder := (get_script() as Script).resource_path.get_base_dir()
-	_scene = (load(folder.path_join("../scenes/support/no_script.tscn")) as PackedScene).instantiate()
+	var packed := load(folder.path_join("../scenes/support/no_script.tscn")) as PackedScene
+	_scene = packed.instantiate()
 	root.add_child(_scene)
 	_right = _scene.get_node("HandTracker") as HandTracker
 	_hmm = _scene.get_node("GestureHMM") as GestureHMM

@@ -45,13 +45,17 @@ MONADO = {
 
 
 def outcomes() -> Iterator[Outcome]:
+    for program in ("Xvfb", "unshare"):
+        if shutil.which(program) is None:
+            yield skipped(f"no {program}")
+            return
     own_network = next((words for words in NAMESPACES if run([*words, "true"])[0] == 0), None)
-    if own_network is None or shutil.which("Xvfb") is None:
-        yield skipped("no Xvfb" if own_network else "no network namespace of its own")
+    if own_network is None:
+        yield skipped("no network namespace can be made")
         return
     status, output = run([ROOT / "tools/setup_openxr.sh"], kill_s=SET_UP_S)
     if status != 0:
-        yield skipped(output)
+        yield skipped(output.strip().splitlines()[-1])
         return
     in_root = output.splitlines()[-1]
     status, output = scenes.build()
@@ -66,8 +70,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def skipped(reason: str) -> Outcome:
-    print(f"      {NAME}: {reason}", flush=True)
-    return Outcome(NAME, skipped=1)
+    return Outcome(f"{NAME}: {reason}", skipped=1)
 
 
 def make_project(folder: Path) -> None:
