@@ -12,6 +12,8 @@ const REST_S := 1.0
 const DRAG_M := 0.2
 const DRAG_S := 0.8
 const TOLERANCE_M := 0.003
+## Beyond the end while the hand still moves: a late frame makes the motion go too far for a moment.
+const OVERSHOOT_M := 0.01
 const LOSS_S := 0.6
 
 var _hands := MonadoHands.new()
@@ -47,7 +49,8 @@ func test_a_drag_starts_and_ends_once() -> void:
 		_farthest_m = 0.0
 		await _drag()
 		check_equal(_said, ["started", "ended"] as Array[String], "the %s drag" % way)
-		check_near(_farthest_m, DRAG_M, TOLERANCE_M, "its amplitude in m")
+		check_near(_hmm.value, DRAG_M, TOLERANCE_M, "its amplitude in m")
+		check(_farthest_m < DRAG_M + OVERSHOOT_M, "no further than %s m" % _farthest_m)
 		check(_most > 0.1, "it vibrates: %s" % _most)
 
 
