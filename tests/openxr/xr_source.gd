@@ -32,7 +32,9 @@ func _run() -> void:
 	check_equal(reason, "", "hands of an OpenXR runtime")
 	if reason == "":
 		process_frame.connect(_watch)
-	await super()
+		await super()
+	else:
+		await _finish()
 
 
 ## Godot 4.6.3 crashes where it ends an OpenXR session.

@@ -26,6 +26,10 @@ func _run() -> void:
 		var name: String = method["name"]
 		if name.begins_with("test_"):
 			await call(name)
+	await _finish()
+
+
+func _finish() -> void:
 	for i in AUDIO_RELEASE_MIXES:
 		await _audio_mixed()
 	print("END %d passed, %d failed" % [_passed, _failed])
