@@ -28,9 +28,7 @@ EXPECTED_ONCE = re.compile(r"^\s*#+ expects one warning: (.+)$", re.MULTILINE)
 
 def outcomes() -> Iterator[Outcome]:
     godot = os.environ["GODOT"]
-    status, output = scons()
-    if status == 0:
-        status, output = run([ROOT / "tools/import_project.sh", godot, PROJECT])
+    status, output = build()
     if status != 0:
         yield Outcome.of("scenes: the add-on is built and imported", False, output)
         return
@@ -42,13 +40,22 @@ def outcomes() -> Iterator[Outcome]:
         yield run_script(godot, script)
 
 
+def build() -> tuple[int, str]:
+    """The add-on, and the demo that imports it."""
+    status, output = scons()
+    return (status, output) if status != 0 else run([ROOT / "tools/import_project.sh", os.environ["GODOT"], PROJECT])
+
+
 def run_script(
     godot: str, script: Path, wrapper: Sequence = (), arguments: Sequence[str] = (), name: str = ""
 ) -> Outcome:
     """`wrapper`: a program that runs the engine as its child. `arguments`: the script's own."""
-    name = name or f"scenes/{script.stem}"
     engine = [godot, "--headless", "--path", PROJECT, "--script", script, "--", *arguments]
     status, output = run([*wrapper, *engine], kill_s=KILL_S)
+    return outcome_of(name or f"scenes/{script.stem}", script, status, output)
+
+
+def outcome_of(name: str, script: Path, status: int, output: str) -> Outcome:
     ends = [found for line in output.splitlines() if (found := END.match(line.strip()))]
     passed, failed = (int(ends[-1][1]), int(ends[-1][2])) if ends else (0, 0)
     faults = unexpected(output, script.read_text())
