@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the test suites named, or all but those of EXTRA, and closes with `N passed, N failed`; the exit status tells if any failed.
+"""Runs the test suites named, or all but EXTRA, and closes with `N passed, N failed`, which the exit status tells too.
 
 The linters, which most of the time goes to, run beside the rest and yield to it; all else is one after the other.
 """

@@ -97,6 +97,11 @@ private:
 		NO_JOINTS,
 		OTHER_THREAD
 	};
+	/// A hand whose frames are empty for this long is lost, s: shorter dropouts come and go (MRTK #10391).
+	static constexpr double LOST_AFTER_S = 0.1;
+	/// Without any frame, a hand is lost after this, s: slow trackers send 5 to 10 a second.
+	static constexpr double SILENT_AFTER_S = 0.25;
+
 	/// Names that each frame needs: making one takes a lock.
 	struct SignalNames {
 		StringName frame_received = "frame_received";

@@ -16,8 +16,6 @@ namespace godot {
 namespace {
 
 constexpr const char *TIME_FAULT = "the time must be finite, and below 1e12 s";
-/// A hand that has sent older frames alone for this long is lost.
-constexpr double LOST_AFTER_S = 0.25;
 
 bool is_main_thread() {
 	const OS *const os = OS::get_singleton();
@@ -125,7 +123,7 @@ Error HandTracker::refuse_older(double p_time_s) {
 			String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
 					String(" s; call start() where a device's clock begins anew"));
 	refused_from_s_ = std::min(p_time_s, refused_from_s_.value_or(p_time_s));
-	if (p_time_s - *refused_from_s_ > LOST_AFTER_S) {
+	if (p_time_s - *refused_from_s_ > SILENT_AFTER_S) {
 		set_hand_present(false);
 	}
 	return refused;

@@ -14,11 +14,6 @@ namespace godot {
 
 namespace {
 
-/// A hand whose frames are empty for this long is lost: shorter dropouts come and go (MRTK #10391).
-constexpr double LOST_AFTER_S = 0.1;
-/// Without any frame, a hand is lost after this: slow trackers send 5 to 10 a second.
-constexpr double SILENT_AFTER_S = 0.25;
-
 String explain(steadyhand::FrameFault p_fault) {
 	switch (p_fault) {
 		case steadyhand::FrameFault::NOT_FINITE:

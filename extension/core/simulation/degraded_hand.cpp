@@ -1,5 +1,6 @@
 #include "simulation/degraded_hand.h"
 
+#include "simulation/random_direction.h"
 #include "simulation/sensor_profile.h"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace steadyhand {
 
 namespace {
 
-enum Stream : std::uint64_t { DROPOUT, FREEZE, JUMP, DRIFT, NOISE };
+enum DrawnFrom : std::uint64_t { DROPOUT, FREEZE, JUMP, DRIFT, NOISE };
 
 constexpr double MOST_PER_MINUTE = 6000.0;
 constexpr double LONGEST_LATENCY_S = 2.0;
@@ -33,13 +34,6 @@ DegradeSettings sound(DegradeSettings settings) {
 	settings.latency_s = std::min(positive(settings.latency_s), LONGEST_LATENCY_S);
 	settings.drift_s = settings.drift_s > 0.0 ? settings.drift_s : 1.0;
 	return settings;
-}
-
-Eigen::Vector3d random_direction(Random &r_random) {
-	const double x = r_random.normal();
-	const double y = r_random.normal();
-	const double z = r_random.normal();
-	return Eigen::Vector3d(x, y, z).normalized();
 }
 
 /// Calls change(position, joint of the skeleton) for each position of hand and skeleton.

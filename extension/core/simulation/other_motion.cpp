@@ -3,6 +3,7 @@
 #include "signal/minimum_jerk.h"
 #include "simulation/gesture_motion.h"
 #include "simulation/hand_pose.h"
+#include "simulation/random_direction.h"
 
 #include <Eigen/Geometry>
 
@@ -20,13 +21,6 @@ namespace {
 constexpr double MARGIN_S = 0.5;
 constexpr double SEVERITY_UNSTABLE = 0.5; // no way along which it could grow
 constexpr double COS_30_DEG = 0.8660254037844386;
-
-Eigen::Vector3d random_direction(Random &r_random) {
-	const double x = r_random.normal();
-	const double y = r_random.normal();
-	const double z = r_random.normal();
-	return Eigen::Vector3d(x, y, z).normalized();
-}
 
 /// A hand that goes from place to place; rests between where the strokes leave gaps.
 struct Stroke {

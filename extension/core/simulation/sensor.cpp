@@ -1,5 +1,7 @@
 #include "simulation/sensor.h"
 
+#include "simulation/random_direction.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -17,13 +19,6 @@ constexpr double CONFIDENCE_TAU_S = 1.0;
 double skipped_periods(Random &r_random) {
 	const double share = r_random.uniform();
 	return share < 0.70 ? 2.0 : share < 0.92 ? 3.0 : 4.0;
-}
-
-Eigen::Vector3d random_jump(double min_m, double max_m, Random &r_random) {
-	const double x = r_random.normal();
-	const double y = r_random.normal();
-	const double z = r_random.normal();
-	return Eigen::Vector3d(x, y, z).normalized() * r_random.uniform(min_m, max_m);
 }
 
 } // namespace
@@ -108,7 +103,8 @@ HandFrame SimulatedSensor::next(const TrueMotion &motion) {
 
 		if (begins(jump_, severity)) {
 			jump_frames_left_ = 1 + static_cast<int>(random_.index(10));
-			jump_m_ = random_jump(profile_.jump_min_m, profile_.jump_max_m, random_);
+			jump_m_ = random_direction(random_);
+			jump_m_ *= random_.uniform(profile_.jump_min_m, profile_.jump_max_m);
 		}
 		begins(freeze_, severity);
 		if (begins(dropout_, severity)) {

@@ -168,9 +168,8 @@ Result<TrackingSurvey::Proposal> TrackingSurvey::propose() const {
 	const Place near = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) < halfway; });
 	const Place far = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) >= halfway; });
 	const bool has_faults = far.faults_per_s > 0.0;
-	best->contrast = has_faults
-			? (far.unsoundness() - near.unsoundness()) / deviation_of_difference(near, far)
-			: 0.0;
+	best->contrast =
+			has_faults ? (far.unsoundness() - near.unsoundness()) / deviation_of_difference(near, far) : 0.0;
 	return *best;
 }
 

@@ -38,8 +38,8 @@ public:
 		Place unstable;
 		/// Between all that was seen nearer to the one and nearer to the other: how many of its standard
 		/// deviations the difference in unsoundness is. Where tracking is alike everywhere it is seldom
-		/// DISTINCT. 0 where no fault was seen at the less sound one: positions that are rounded, as a mouse's
-		/// are to pixels, shake too, and are tracked alike everywhere.
+		/// DISTINCT. 0 where no fault was seen at the less sound one: positions that are rounded, as a
+		/// mouse's are to pixels, shake too, and are tracked alike everywhere.
 		double contrast = 0.0;
 
 		[[nodiscard]] bool distinct() const { return contrast >= DISTINCT; }
