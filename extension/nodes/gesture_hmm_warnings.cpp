@@ -4,6 +4,7 @@
 
 #include "conversions.h"
 #include "gesture_task.h"
+#include "hand_source.h"
 #include "hand_tracker.h"
 #include "node_label.h"
 

@@ -1,7 +1,5 @@
 #include "hand_source.h"
 
-#include "hand_tracker.h"
-
 #include <godot_cpp/core/class_db.hpp>
 
 #include <optional>
@@ -71,9 +69,6 @@ void HandSource::_bind_methods() {
 	GDVIRTUAL_BIND(_start, "tracker");
 	GDVIRTUAL_BIND(_poll, "tracker", "time_s");
 	GDVIRTUAL_BIND(_stop, "tracker");
-
-	BIND_ENUM_CONSTANT(HAND_LEFT);
-	BIND_ENUM_CONSTANT(HAND_RIGHT);
 }
 
 } // namespace godot

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hand_stream.h"
+#include "hand_tracker.h"
 
 #include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/core/gdvirtual.gen.inc>
@@ -9,16 +10,12 @@
 
 namespace godot {
 
-class HandTracker;
-
 /// Where a HandTracker's frames come from: the settings of a device, a file, a simulation. Several trackers
 /// may have the same one; each opens a HandStream of its own. A script may extend it.
 class HandSource : public Resource {
 	GDCLASS(HandSource, Resource)
 
 public:
-	enum Hand : int64_t { HAND_LEFT, HAND_RIGHT };
-
 	GDVIRTUAL1R(String, _start, HandTracker *)
 	GDVIRTUAL2(_poll, HandTracker *, double)
 	GDVIRTUAL1(_stop, HandTracker *)
@@ -39,5 +36,3 @@ protected:
 };
 
 } // namespace godot
-
-VARIANT_ENUM_CAST(godot::HandSource::Hand);

@@ -1,6 +1,7 @@
 #include "hand_tracker.h"
 
 #include "conversions.h"
+#include "hand_source.h"
 #include "live_clock.h"
 #include "node_label.h"
 #include "written_file.h"
@@ -69,6 +70,10 @@ void HandTracker::set_source(const Ref<HandSource> &p_source) {
 		start_is_due_ = true;
 		call_deferred("_start_if_due");
 	}
+}
+
+Ref<HandSource> HandTracker::get_source() const {
+	return source_;
 }
 
 void HandTracker::on_source_changed() {
@@ -193,7 +198,7 @@ void HandTracker::update_processing() {
 void HandTracker::update_publisher() {
 	publisher_.reset();
 	if (is_running() && publish_name_ != StringName()) {
-		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HandSource::HAND_LEFT);
+		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HAND_LEFT);
 	}
 }
 

@@ -2,7 +2,6 @@
 
 #include "frame_listener.h"
 #include "hand_publisher.h"
-#include "hand_source.h"
 #include "listener_list.h"
 #include "track_recorder.h"
 
@@ -19,6 +18,9 @@
 #include <optional>
 
 namespace godot {
+
+class HandSource; // includes this header: its virtual methods take the tracker
+class HandStream;
 
 /// Hand frames from one source, in the order and with the stamps that the source gives them. Positions are
 /// published in the source's space: the node's transform is not applied.
@@ -37,20 +39,21 @@ public:
 		JOINT_RING = 20,
 		JOINT_PINKY = 25
 	};
+	enum Hand : int64_t { HAND_LEFT, HAND_RIGHT };
 
 	HandTracker();
 	~HandTracker() override;
 
 	void set_source(const Ref<HandSource> &p_source);
-	Ref<HandSource> get_source() const { return source_; }
+	Ref<HandSource> get_source() const;
 	void set_update_mode(UpdateMode p_mode);
 	UpdateMode get_update_mode() const { return update_mode_; }
 	void set_autostart(bool p_autostart) { autostart_ = p_autostart; }
 	bool get_autostart() const { return autostart_; }
 	void set_publish_name(const StringName &p_name);
 	StringName get_publish_name() const { return publish_name_; }
-	void set_publish_hand(HandSource::Hand p_hand);
-	HandSource::Hand get_publish_hand() const { return publish_hand_; }
+	void set_publish_hand(Hand p_hand);
+	Hand get_publish_hand() const { return publish_hand_; }
 
 	Error start();
 	void stop();
@@ -113,7 +116,7 @@ private:
 	UpdateMode update_mode_ = UPDATE_IDLE;
 	bool autostart_ = true;
 	StringName publish_name_;
-	HandSource::Hand publish_hand_ = HandSource::HAND_RIGHT;
+	Hand publish_hand_ = HAND_RIGHT;
 
 	SignalNames names_;
 	ListenerList<FrameListener> listeners_;
@@ -182,3 +185,4 @@ private:
 
 VARIANT_ENUM_CAST(godot::HandTracker::UpdateMode);
 VARIANT_ENUM_CAST(godot::HandTracker::Joint);
+VARIANT_ENUM_CAST(godot::HandTracker::Hand);

@@ -4,6 +4,7 @@
 
 #include "conversions.h"
 #include "hand_frame.h"
+#include "hand_source.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -21,9 +22,9 @@ void HandTracker::set_publish_name(const StringName &p_name) {
 	update_publisher();
 }
 
-void HandTracker::set_publish_hand(HandSource::Hand p_hand) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandSource::HAND_RIGHT),
-			"HandTracker: publish_hand must be HandSource.HAND_LEFT or HAND_RIGHT");
+void HandTracker::set_publish_hand(Hand p_hand) {
+	ERR_FAIL_COND_MSG(
+			!is_enumerator(p_hand, HAND_RIGHT), "HandTracker: publish_hand must be HAND_LEFT or HAND_RIGHT");
 	publish_hand_ = p_hand;
 	update_publisher();
 }
@@ -112,6 +113,8 @@ void HandTracker::_bind_methods() {
 	BIND_ENUM_CONSTANT(JOINT_MIDDLE);
 	BIND_ENUM_CONSTANT(JOINT_RING);
 	BIND_ENUM_CONSTANT(JOINT_PINKY);
+	BIND_ENUM_CONSTANT(HAND_LEFT);
+	BIND_ENUM_CONSTANT(HAND_RIGHT);
 }
 
 } // namespace godot

@@ -3,6 +3,7 @@
 #include "hand_tracker.h"
 
 #include "conversions.h"
+#include "hand_source.h"
 #include "node_label.h"
 
 #include <godot_cpp/classes/os.hpp>

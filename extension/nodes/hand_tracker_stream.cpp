@@ -4,6 +4,7 @@
 
 #include "conversions.h"
 #include "hand_frame.h"
+#include "hand_source.h"
 #include "live_clock.h"
 #include "node_label.h"
 

@@ -11,8 +11,9 @@ std::unique_ptr<HandStream> LeapSource::make_stream(HandTracker &) {
 	return std::make_unique<LeapStream>(Ref<LeapSource>(this));
 }
 
-void LeapSource::set_hand(Hand p_hand) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT), "LeapSource: hand must be HAND_LEFT or HAND_RIGHT");
+void LeapSource::set_hand(HandTracker::Hand p_hand) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandTracker::HAND_RIGHT),
+			"LeapSource: hand must be HAND_LEFT or HAND_RIGHT");
 	hand_ = p_hand;
 	emit_changed();
 }

@@ -14,8 +14,8 @@ public:
 	/// In the order of the core's LeapMounting.
 	enum Mounting : int64_t { MOUNTING_DESKTOP, MOUNTING_HMD, MOUNTING_SCREENTOP };
 
-	void set_hand(Hand p_hand);
-	Hand get_hand() const { return hand_; }
+	void set_hand(HandTracker::Hand p_hand);
+	HandTracker::Hand get_hand() const { return hand_; }
 	void set_mounting(Mounting p_mounting);
 	Mounting get_mounting() const { return mounting_; }
 	void set_device_transform(const Transform3D &p_transform);
@@ -33,7 +33,7 @@ protected:
 	static void _bind_methods();
 
 private:
-	Hand hand_ = HAND_RIGHT;
+	HandTracker::Hand hand_ = HandTracker::HAND_RIGHT;
 	Mounting mounting_ = MOUNTING_DESKTOP;
 	Transform3D device_transform_;
 	String address_ = "127.0.0.1";

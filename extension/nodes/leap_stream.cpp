@@ -20,8 +20,8 @@ constexpr int INBOUND_BYTES = 1 << 20;
 constexpr int QUEUED_PACKETS = 256;
 
 steadyhand::HandSide side_of(const LeapSource &p_source) {
-	return p_source.get_hand() == LeapSource::HAND_LEFT ? steadyhand::HandSide::LEFT
-														: steadyhand::HandSide::RIGHT;
+	return p_source.get_hand() == HandTracker::HAND_LEFT ? steadyhand::HandSide::LEFT
+														 : steadyhand::HandSide::RIGHT;
 }
 
 /// In the world; where no headset is tracked, the origin.

@@ -15,15 +15,16 @@ StringName XRSource::name_of_hand() const {
 	if (tracker_name_ != StringName()) {
 		return tracker_name_;
 	}
-	return hand_ == HAND_LEFT ? "/user/hand_tracker/left" : "/user/hand_tracker/right";
+	return hand_ == HandTracker::HAND_LEFT ? "/user/hand_tracker/left" : "/user/hand_tracker/right";
 }
 
 StringName XRSource::name_of_other_hand() const {
-	return hand_ == HAND_LEFT ? "/user/hand_tracker/right" : "/user/hand_tracker/left";
+	return hand_ == HandTracker::HAND_LEFT ? "/user/hand_tracker/right" : "/user/hand_tracker/left";
 }
 
-void XRSource::set_hand(Hand p_hand) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT), "XRSource: hand must be HAND_LEFT or HAND_RIGHT");
+void XRSource::set_hand(HandTracker::Hand p_hand) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandTracker::HAND_RIGHT),
+			"XRSource: hand must be HAND_LEFT or HAND_RIGHT");
 	hand_ = p_hand;
 	emit_changed();
 }

@@ -11,8 +11,8 @@ class XRSource : public HandSource {
 public:
 	enum Space : int64_t { SPACE_WORLD, SPACE_ORIGIN, SPACE_BODY };
 
-	void set_hand(Hand p_hand);
-	Hand get_hand() const { return hand_; }
+	void set_hand(HandTracker::Hand p_hand);
+	HandTracker::Hand get_hand() const { return hand_; }
 	void set_tracker_name(const StringName &p_name);
 	StringName get_tracker_name() const { return tracker_name_; }
 	void set_space(Space p_space);
@@ -32,7 +32,7 @@ protected:
 	static void _bind_methods();
 
 private:
-	Hand hand_ = HAND_RIGHT;
+	HandTracker::Hand hand_ = HandTracker::HAND_RIGHT;
 	StringName tracker_name_;
 	Space space_ = SPACE_WORLD;
 	bool use_inferred_ = true;

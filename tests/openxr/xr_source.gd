@@ -99,7 +99,7 @@ func _begin() -> String:
 	_right = _scene.get_node("HandTracker") as HandTracker
 	_hmm = _scene.get_node("GestureHMM") as GestureHMM
 	var source := XRSource.new()
-	source.hand = XRSource.HAND_LEFT
+	source.hand = HandTracker.HAND_LEFT
 	_left = HandTracker.new()
 	_left.source = source
 	_scene.add_child(_left)

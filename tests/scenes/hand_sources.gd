@@ -194,7 +194,7 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 	var name := &"/steadyhand/left"
 	var tracker := _tracker(ScriptSource.new())
 	tracker.publish_name = name
-	tracker.publish_hand = HandSource.HAND_LEFT
+	tracker.publish_hand = HandTracker.HAND_LEFT
 	check(XRServer.get_tracker(name) == null, "not before it runs")
 	tracker.start()
 	var hand := XRServer.get_tracker(name) as XRHandTracker

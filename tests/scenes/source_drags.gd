@@ -18,7 +18,7 @@ func test_script_source() -> void:
 		func(time_s: float) -> void:
 			drag.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: _tip(time_s)})
 	)
-	_end(drag, "ScriptSource")
+	_check_end(drag, "ScriptSource")
 
 
 func test_xr_source() -> void:
@@ -26,7 +26,7 @@ func test_xr_source() -> void:
 	hand.register()
 	var drag := _begin(XRSource.new())
 	drag.step_for(DRAG_S, func(time_s: float) -> void: hand.place(_tip(time_s)))
-	_end(drag, "XRSource")
+	_check_end(drag, "XRSource")
 	hand.remove()
 
 
@@ -44,7 +44,7 @@ func test_recorded_source() -> void:
 	source.track = path
 	var drag := _begin(source)
 	drag.step_for(DRAG_S)
-	_end(drag, "RecordedSource")
+	_check_end(drag, "RecordedSource")
 
 
 func test_synthetic_source() -> void:
@@ -52,7 +52,7 @@ func test_synthetic_source() -> void:
 	drag.begin(_synthetic(drag))
 	drag.step_for(6.0)
 	# People go a little too far or too short.
-	_end(drag, "SyntheticSource", 0.03)
+	_check_end(drag, "SyntheticSource", 0.03)
 
 
 func test_degraded_source() -> void:
@@ -65,7 +65,7 @@ func test_degraded_source() -> void:
 	drag.begin(source)
 	drag.step_for(6.0)
 	check(drag.tracker.dropout_count > 0, "%d dropouts" % drag.tracker.dropout_count)
-	_end(drag, "DegradedSource", 0.03)
+	_check_end(drag, "DegradedSource", 0.03)
 
 
 func test_fixed_fps_makes_a_run_repeatable() -> void:
@@ -104,7 +104,7 @@ func _begin(source: HandSource) -> SourceDrag:
 	return drag
 
 
-func _end(drag: SourceDrag, what: String, tolerance_m: float = 0.01) -> void:
+func _check_end(drag: SourceDrag, what: String, tolerance_m: float = 0.01) -> void:
 	drag.check(self, what, tolerance_m)
 	check_equal(drag.failures, [] as Array[String], "%s: no failure" % what)
 	drag.free_scene()

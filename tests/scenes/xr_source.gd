@@ -95,7 +95,7 @@ func test_a_missing_tracker_is_a_failure_told_once() -> void:
 	var tracker := _add_tracker()
 	var reasons: Array[String] = []
 	tracker.failed.connect(func(reason: String) -> void: reasons.append(reason))
-	(tracker.source as XRSource).hand = XRSource.HAND_LEFT
+	(tracker.source as XRSource).hand = HandTracker.HAND_LEFT
 	_steps(tracker, 90 * 12)
 	check_equal(reasons.size(), 1, "failed")
 	tracker.free()
@@ -191,7 +191,7 @@ func test_both_hands_at_once() -> void:
 	left.place(-PLACE)
 	left.register()
 	var trackers: Array[HandTracker] = [_add_tracker(), _add_tracker()]
-	(trackers[1].source as XRSource).hand = XRSource.HAND_LEFT
+	(trackers[1].source as XRSource).hand = HandTracker.HAND_LEFT
 	for tracker in trackers:
 		tracker.advance(STEP_S)
 	check(_index(trackers[0]).is_equal_approx(PLACE), "the right one")
