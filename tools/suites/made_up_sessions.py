@@ -41,7 +41,7 @@ class Made:
     repetitions: int = 4
     practice: int = 1
     r2: dict[tuple[str, str], float] = field(default_factory=lambda: dict(R2))
-    noise: float = 0.02  # of R2, in a trial
+    noise: float = 0.05  # of R2, in a trial
     seed: int = 1
     curves: bool = True  # trial_NNNN.motion.csv of the unstable trials
 
