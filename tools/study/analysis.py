@@ -53,7 +53,7 @@ def one_analysis(read: Sessions, study: str, origin: str) -> Analysis:
     trials = own(read.trials)
     answers = [answer for answer in own(read.answers) if not after_practice(answer)]
     counted = [trial for trial in trials if not trial.practice]
-    notes = [*differing_settings(sessions), *mixed_references(counted)]
+    notes = [*differing_settings(sessions), *mixed_references(counted), *answers_without_condition(answers)]
     return Analysis(study, origin, sessions, counted, answers, len(trials) - len(counted), notes)
 
 
@@ -76,3 +76,8 @@ def differing_settings(sessions: list[Session]) -> list[str]:
 def mixed_references(trials: list[StudyTrial]) -> list[str]:
     kinds = sorted({trial.reference for trial in trials} - {""})
     return [f"Trials have different references: {', '.join(kinds)}."] if len(kinds) > 1 else []
+
+
+def answers_without_condition(answers: list[Answer]) -> list[str]:
+    count = sum(not answer.condition for answer in answers)
+    return [f"{count} answers belong to no condition: no table or test has them."] if count else []

@@ -55,6 +55,7 @@ def figure_8(
         minimum, maximum, text = scales[item]
         draw_panel(panel, shown, post_hoc(results, "answer", measures[item], gesture), 1.0, (minimum, maximum))
         panel.set_title(f"{spoken(item)}\n{textwrap.fill(text, 42)}", fontsize=10)
+    share_top([panel for panel in axes.flat if panel.get_visible()])
     for panel in axes[:, 0]:
         panel.set_ylabel("participant's mean answer")
     finish(figure, path, analysis, f"{spoken(gesture)}: questionnaire {spoken(questionnaire)}", own)
@@ -92,12 +93,20 @@ def draw_panel(
             top = max(top, y + step)
             draw_bracket(axes, places[a], places[b], y, step, text)
         middle = group * (len(motions) + 0.8) + (len(motions) - 1) / 2
-        axes.text(middle, -0.15, position or "no position", transform=axes.get_xaxis_transform(), ha="center", va="top")
+        label = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points", "ha": "center", "va": "top"}
+        axes.annotate(position or "no position", (middle, 0.0), (0, -24), **label)
     axes.set_xticks(list(places.values()), [MOTIONS[motion] for _ in positions for motion in motions], fontsize=9.5)
     axes.set_ylim(low - 0.5 * step, top + 0.5 * step)
     if scale and scale[1] - scale[0] <= 10:
         axes.set_yticks(np.arange(scale[0], scale[1] + 0.5))
     axes.grid(axis="x", visible=False)
+
+
+def share_top(panels: list[Axes]) -> None:
+    """Panels differ in their stars: the scale looks the same in all."""
+    top = max(panel.get_ylim()[1] for panel in panels)
+    for panel in panels:
+        panel.set_ylim(top=top)
 
 
 def extent(values: Iterable[float]) -> tuple[float, float]:
@@ -128,6 +137,7 @@ def draw_bracket(axes: Axes, left: float, right: float, y: float, step: float, t
 def finish(figure: plt.Figure, path: Path, analysis: Analysis, what: str, means: list[Mean]) -> None:
     people = len({one.participant for one in means})
     counted = "1 participant" if people == 1 else f"{people} participants"
+    figure.get_layout_engine().set(wspace=0.06)
     figure.suptitle(f"{analysis.label}: {what} ({counted}, study {analysis.study})", fontsize=12)
     figure.supxlabel(STARS_NOTE, fontsize=9)
     save(figure, path)

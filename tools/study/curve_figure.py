@@ -53,18 +53,21 @@ def motion_file(trial: StudyTrial) -> Path:
 
 def read_motion(path: Path) -> dict[str, np.ndarray]:
     """ValueError names the file and the line."""
+    try:
+        text = path.read_text("utf-8-sig")
+    except UnicodeDecodeError as fault:
+        raise ValueError(f"{path}: this is not UTF-8 text") from fault
     columns = ["t", *DRAWN]
     values: dict[str, list[float]] = {name: [] for name in columns}
-    with path.open(encoding="utf-8-sig", newline="") as file:
-        rows = csv.DictReader(file)
-        if missing := [name for name in columns if name not in (rows.fieldnames or [])]:
-            raise ValueError(f"{path}:1: no column {', '.join(missing)}: see docs/study_files.md")
-        for row in rows:
-            for name in columns:
-                try:
-                    values[name].append(float(row[name]) if row[name] else np.nan)
-                except ValueError as fault:
-                    raise ValueError(f"{path}:{rows.line_num}: {name}: '{row[name]}' is no number") from fault
+    rows = csv.DictReader(text.splitlines())
+    if missing := [name for name in columns if name not in (rows.fieldnames or [])]:
+        raise ValueError(f"{path}:1: no column {', '.join(missing)}: see docs/study_files.md")
+    for row in rows:
+        for name in columns:
+            try:
+                values[name].append(float(row[name]) if row[name] else np.nan)
+            except ValueError as fault:
+                raise ValueError(f"{path}:{rows.line_num}: {name}: '{row[name]}' is not a number") from fault
     if not values["t"]:
         raise ValueError(f"{path}: there is no row after the header")
     return {name: np.array(column) for name, column in values.items()}
@@ -87,10 +90,10 @@ def figure_6(path: Path, analysis: Analysis) -> str:
     axes.set_xlabel("time after the recognised start (s)")
     axes.set_ylabel("motion (cm)")
     axes.legend(handles=[lines[name] for name in LEGEND], loc="lower right", fontsize=9)
-    who = f"{analysis.label}: unstable {spoken(trial.gesture)}, {trial.session.name}, trial {trial.trial}"
-    axes.set_title(who, fontsize=11)
+    who = f"unstable {spoken(trial.gesture)}, {trial.session.name}, trial {trial.trial}"
+    axes.set_title(f"{analysis.label}: {who}", fontsize=11)
     save(figure, path)
     return (
-        f"{who}. It is the median of {chosen.of} trials by the R² of the synthesised motion,"
+        f"{who[0].upper()}{who[1:]}. It is the median of {chosen.of} trials by the R² of the synthesised motion,"
         f" which is {trial.figures[R2]:.3f}."
     )

@@ -85,6 +85,8 @@ def section_html(section: Section) -> Iterator[str]:
 
 
 def table_html(table: Table, label: str) -> Iterator[str]:
+    if not table.rows:
+        return
     title = html.escape(f"{table.title}: {label}")
     columns = [column for column in table.columns if column.heading]
     if table.folded:

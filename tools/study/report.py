@@ -77,25 +77,35 @@ def section_of(analysis: Analysis, out: Path, prefix: str, read: Sessions) -> Se
     for table in (*section.tables, *section.statistics):
         write_csv(out / f"{prefix}_{table.name}.csv", table, {"study": analysis.study, "origin": analysis.origin})
 
-    curves = out / f"{prefix}_curves.png"
-    try:
-        section.pictures.append(Picture(curves, "Curves (as Fig. 6 of the paper). ", figure_6(curves, analysis)))
-    except NoCurves as reason:
-        section.notes.append(str(reason))
-    except (ValueError, UnicodeDecodeError) as fault:
-        read.faults.append(f"{fault}: the figure of curves is left out")
+    draw_curves(section, out / f"{prefix}_curves.png", read)
     for gesture in analysis.gestures:
-        path = out / f"{prefix}_{safe(gesture)}_boxes.png"
+        path = emptied(out / f"{prefix}_{safe(gesture)}_boxes.png")
         if box_figures.figure_7(path, analysis, gesture, means, results):
             title = f"{analysis.label}: R² and T_diff, {spoken(gesture)} (as Fig. 7 of the paper). "
             section.pictures.append(Picture(path, title, BOXES_NOTE))
     for questionnaire in sorted({answer.questionnaire for answer in analysis.answers}):
         for gesture in analysis.gestures:
-            path = out / f"{prefix}_{safe(gesture)}_{safe(questionnaire)}.png"
+            path = emptied(out / f"{prefix}_{safe(gesture)}_{safe(questionnaire)}.png")
             if box_figures.figure_8(path, analysis, questionnaire, gesture, means, results):
                 title = f"{analysis.label}: questionnaire {questionnaire}, {spoken(gesture)} (as Fig. 8 of the paper). "
                 section.pictures.append(Picture(path, title, BOXES_NOTE))
     return section
+
+
+def draw_curves(section: Section, path: Path, read: Sessions) -> None:
+    try:
+        caption = figure_6(emptied(path), section.analysis)
+        section.pictures.append(Picture(path, f"{section.analysis.label}: curves (as Fig. 6 of the paper). ", caption))
+    except NoCurves as reason:
+        section.notes.append(str(reason))
+    except ValueError as fault:
+        read.faults.append(f"{fault}: the figure of curves is left out")
+
+
+def emptied(path: Path) -> Path:
+    """An earlier report's figure must not stay where this report has none."""
+    path.unlink(missing_ok=True)
+    return path
 
 
 BOXES_NOTE = (

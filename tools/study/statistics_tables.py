@@ -113,8 +113,7 @@ def refused_table(of: list[Results]) -> Table:
 
 
 def statistics_tables(of: list[Results]) -> list[Table]:
-    tables = [anova_table(of), post_hoc_table(of), friedman_table(of), normality_table(of), refused_table(of)]
-    return [table for table in tables if table.rows]
+    return [anova_table(of), post_hoc_table(of), friedman_table(of), normality_table(of), refused_table(of)]
 
 
 def stars(p: float) -> str:
