@@ -1,0 +1,359 @@
+"""./steadyhand study on sessions: who counts, what is left out, and the report."""
+
+import contextlib
+import csv
+import io
+import json
+import re
+import shutil
+import tempfile
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+
+from suites import study_statistics
+from suites.made_up_sessions import R2, Made, write_session, write_study
+from suites.outcome import Outcome
+from suites.process import run
+
+SMALL = {"repetitions": 2, "curves": False}
+
+
+def outcomes() -> Iterator[Outcome]:
+    status, output = run(["tools/setup_python.sh", "plots", "signals", "study"])
+    yield Outcome.of("command/study report: pingouin is installed", status == 0, output)
+    if status != 0:
+        return
+    yield from study_statistics.outcomes()
+    for test in (
+        whole_report,
+        two_sessions,
+        separation,
+        left_out_trials,
+        doubles,
+        cut_rows,
+        bad_rows,
+        bad_session_files,
+        one_person,
+        curves_of_the_median,
+        other_inputs,
+    ):
+        with tempfile.TemporaryDirectory(prefix="steadyhand_report") as folder:
+            yield from test(Path(folder))
+
+
+def report(folder: Path, out: Path, *without: str) -> tuple[int, str]:
+    """In this process: the exit code and all that it said."""
+    from study.report import run as run_report
+
+    said = io.StringIO()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        status = run_report([folder], out, list(without))
+    return status, said.getvalue()
+
+
+def whole_report(folder: Path) -> Iterator[Outcome]:
+    """The command itself, on nine made-up people with a known effect."""
+    write_study(folder / "study", 9)
+    status, output = run(["./steadyhand", "study", folder / "study", "--report", folder / "out"])
+    yield Outcome.of("command/study report: sound sessions end with 0", status == 0, output)
+    if status != 0:
+        return
+    line = next((line for line in output.splitlines() if " unstable " in line), "")
+    wanted = ["made-up data (synthetic)", "horizontal drag", " 9 ", " 108 ", "100 %"]
+    yield Outcome.of("command/study report: a short table is printed", all(text in line for text in wanted), output)
+    rows = read(folder / "out/drags_synthetic_curves.csv")
+    means = {(row["position"], row["curve"]): float(row["r2_mean"]) for row in rows}
+    good = all(abs(means[key] - value) < 0.02 for key, value in R2.items())
+    yield Outcome.of("command/study report: means of R2 as they were made", good, f"{means}")
+    anova = {
+        row["effect"]: row
+        for row in read(folder / "out/drags_synthetic_anova.csv")
+        if row["measure"][:9] == "R² at the"
+    }
+    good = float(anova["interaction"]["p"]) < 1e-3 and (anova["interaction"]["df1"], anova["interaction"]["df2"]) == (
+        "2",
+        "16",
+    )
+    yield Outcome.of("command/study report: the planted interaction is found, F(2, 16)", good, f"{anova}")
+    text = (folder / "out/report.html").read_text("utf-8")
+    yield from offline_page(text)
+    titles = re.findall(r"<(?:h2|h3|caption|summary|figcaption)>(.*?)</", text)
+    unnamed = [title for title in titles if "made-up data (synthetic)" not in title]
+    good = len(titles) > 10 and not unnamed and "made-up data (synthetic)" in re.search("<title>(.*?)</", text)[1]
+    yield Outcome.of("command/study report: every title names made-up data", good, f"{unnamed}")
+    figures = text.count("data:image/png;base64,")
+    yield Outcome.of("command/study report: three figures: curves, boxes, answers", figures == 3, f"{figures}")
+
+
+class Tags(HTMLParser):
+    """Open tags, and the addresses that a page loads."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.faults: list[str] = []
+        self.addresses: list[str] = []
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        if tag not in ("meta", "img"):
+            self.open.append(tag)
+        self.addresses += [value or "" for name, value in attributes if name in ("src", "href")]
+
+    def handle_endtag(self, tag: str) -> None:
+        if not self.open or self.open.pop() != tag:
+            self.faults.append(tag)
+
+
+def offline_page(text: str) -> Iterator[Outcome]:
+    tags = Tags()
+    tags.feed(text)
+    good = not tags.faults and not tags.open
+    yield Outcome.of("command/study report: the page's tags are closed", good, f"{tags.faults[:5]} {tags.open}")
+    good = all(address.startswith("data:image/png;base64,") for address in tags.addresses) and "http" not in text
+    yield Outcome.of("command/study report: the page loads nothing else", good, f"{[a[:60] for a in tags.addresses]}")
+
+
+def two_sessions(folder: Path) -> Iterator[Outcome]:
+    """They are one person, with trials of both, although their trial numbers are the same."""
+    for person in ("ann", "bob", "cid"):
+        for session in (1, 2):
+            write_session(folder / "study", Made(person, session, "person", **SMALL))
+    status, output = report(folder / "study", folder / "out")
+    rows = read(folder / "out/drags_person_curves.csv")
+    counts = {(row["people"], row["trials"]) for row in rows}
+    # 3 people x 2 sessions x 3 conditions x 2 repetitions at each position.
+    good = status == 0 and counts == {("3", "36")} and "study: " not in output
+    yield Outcome.of("command/study report: two sessions are one person, exit 0", good, f"{status} {counts}\n{output}")
+    means = read(folder / "out/drags_person_participant_means.csv")
+    n = {row["n"] for row in means if row["measure"] == "r2"}
+    yield Outcome.of("command/study report: a person's mean is over both sessions", n == {"12"}, f"{n}")
+
+
+def separation(folder: Path) -> Iterator[Outcome]:
+    """What the persons' tables say does not change when made-up data is beside them."""
+    write_study(folder / "people", 3, origin="person", **SMALL)
+    report(folder / "people", folder / "alone")
+    shutil.copytree(folder / "people", folder / "mixed/people")
+    flat = dict.fromkeys(R2, 0.5)
+    for origin in ("synthetic", "mouse", "replay"):
+        write_study(folder / f"mixed/{origin}", 4, origin=origin, r2=flat, seed=9, **SMALL)
+    status, output = report(folder / "mixed", folder / "out")
+    yield Outcome.of("command/study report: four origins in one folder, exit 0", status == 0, output)
+    names = sorted(path.name for path in (folder / "alone").glob("drags_person_*.csv"))
+    same = [(folder / "alone" / name).read_bytes() == (folder / "out" / name).read_bytes() for name in names]
+    good = len(names) > 8 and all(same)
+    yield Outcome.of("command/study report: other origins change no table of persons", good, f"{names} {same}")
+    headings = re.findall("<h2>(.*?)</h2>", (folder / "out/report.html").read_text("utf-8"))
+    wanted = ["person", "mouse", "made-up data (synthetic)", "replay"]
+    good = headings == [f"{label}: study drags" for label in wanted]
+    yield Outcome.of("command/study report: one section for each origin, persons first", good, f"{headings}")
+    from study.analysis import Analysis
+    from study.sessions import read_sessions
+
+    sessions = read_sessions([folder / "mixed"], []).sessions
+    try:
+        Analysis("drags", "person", sessions, [], [], 0)
+        good = False
+    except ValueError:
+        good = True
+    yield Outcome.of("command/study report: an analysis of two origins cannot be made", good)
+    path = folder / "mixed/mouse/drags/sub-p01/ses-01/trials.csv"
+    path.write_text(path.read_text().replace(",mouse,", ",person,", 1))
+    status, output = report(folder / "mixed", folder / "out")
+    good = status == 1 and f"{path}:2: origin: 'person' must be 'mouse', as in session.json" in output
+    yield Outcome.of("command/study report: a row of another origin is left out", good, f"{status}\n{output}")
+
+
+def left_out_trials(folder: Path) -> Iterator[Outcome]:
+    """Practice never counts; of wrongly recognised trials R2 and T_diff do not."""
+    write_study(folder / "study", 3, **SMALL)
+    report(folder / "study", folder / "first")
+    path = folder / "study/drags/sub-p01/ses-01/trials.csv"
+    rows = read(path)
+    practice = [row for row in rows if row["practice"] == "1"]
+    for row in practice:
+        row |= {"r2_measured": "-5.0", "recognised": "", "end_value_m": "9.0"}
+    rewrite(path, rows)
+    report(folder / "study", folder / "second")
+    names = [path.name for path in (folder / "first").glob("*.csv")]
+    good = bool(practice) and all(
+        (folder / "first" / name).read_bytes() == (folder / "second" / name).read_bytes() for name in names
+    )
+    yield Outcome.of("command/study report: practice trials change no table", good, f"{len(practice)}")
+
+    first, second = [row for row in rows if row["practice"] == "0" and row["position"] == "stable"][:2]
+    first |= {"recognised": "tap", "r2_measured": "-99.0"}
+    second |= {"recognised": "", "r2_measured": "-99.0", "end_s": ""}
+    rewrite(path, rows)
+    status, output = report(folder / "study", folder / "third")
+    curves = read(folder / "third/drags_synthetic_curves.csv")
+    row = next(row for row in curves if (row["position"], row["curve"]) == ("stable", "measured"))
+    good = status == 0 and (row["trials"], row["not_recognised"]) == ("16", "2") and float(row["r2_mean"]) > 0.9
+    yield Outcome.of("command/study report: R2 of wrongly recognised trials is left out", good, f"{row}\n{output}")
+    row = read(folder / "third/drags_synthetic_recognition.csv")[0]
+    good = (row["right"], row["other"], row["none"], row["others"]) == ("16", "1", "1", "tap: 1")
+    yield Outcome.of("command/study report: recognition counts right, another and none", good, f"{row}")
+
+
+def doubles(folder: Path) -> Iterator[Outcome]:
+    write_study(folder / "study", 3, **SMALL)
+    report(folder / "study", folder / "first")
+    path = folder / "study/drags/sub-p02/ses-01/trials.csv"
+    lines = path.read_text().splitlines(keepends=True)
+    path.write_text("".join([*lines, lines[3]]))
+    status, output = report(folder / "study", folder / "second")
+    told = f"{path}:{len(lines) + 1}: the same participant, session and trial as {path}:4: the first counts"
+    yield Outcome.of("command/study report: a trial twice is named, exit 1", status == 1 and told in output, output)
+    name = "drags_synthetic_curves.csv"
+    good = (folder / "first" / name).read_bytes() == (folder / "second" / name).read_bytes()
+    yield Outcome.of("command/study report: a trial twice counts once", good)
+    path.write_text("".join(lines))
+    copy = folder / "study/copy/sub-p02/ses-01"
+    shutil.copytree(path.parent, copy)
+    status, output = report(folder / "study", folder / "third")
+    more = f"{len(lines) - 2} more rows of these files"
+    good = status == 1 and output.count("the same participant, session and trial") == 2 and more in output
+    yield Outcome.of("command/study report: a copied session is named once a file", good, output)
+
+
+def cut_rows(folder: Path) -> Iterator[Outcome]:
+    write_study(folder / "study", 3, **SMALL)
+    path = folder / "study/drags/sub-p03/ses-01/trials.csv"
+    text = path.read_text()
+    last = text.count("\n")
+    # Cut after 40 letters of the row; at its last cell, which leaves all cells there.
+    for length in (len(text) - 200, len(text) - 1):
+        path.write_text(text[:length])
+        status, output = report(folder / "study", folder / "out")
+        line = path.read_text().count("\n") + 1
+        told = f"{path}:{line}: the line is cut (it has no line end): the row is left out"
+        good = status == 1 and told in output and line == last and "1 of 12 planned trials have no row" in output
+        yield Outcome.of(f"command/study report: a row cut at {length - len(text)} is left out", good, output)
+    path.write_text("".join(text.splitlines(keepends=True)[:-2]))
+    status, output = report(folder / "study", folder / "out")
+    good = status == 0 and f"{path.parent}: 2 of 12 planned trials have no row" in output
+    yield Outcome.of("command/study report: an unfinished session is a note, exit 0", good, f"{status}\n{output}")
+
+
+def bad_rows(folder: Path) -> Iterator[Outcome]:
+    """Each is named with its line; the other rows count."""
+    write_study(folder / "study", 3, **SMALL)
+    path = folder / "study/drags/sub-p01/ses-01/trials.csv"
+    answers = path.with_name("answers.csv")
+    changes = [
+        ("r2_measured", "nan", "r2_measured: 'nan' is no finite number"),
+        ("r2_average", "1.5", "r2_average: 1.5 must be 1 or less"),
+        ("participant", "p02", "participant: 'p02' must be 'p01', as in session.json"),
+        ("session", "2", "session: '2' must be 1, as in session.json"),
+        ("trial", "99", "trial: 99 is not in the plan of session.json"),
+        ("practice", "1", "practice: 1 must be 0, as planned in session.json"),
+        ("position", "odd", "position: 'odd' must be 'stable', as planned in session.json"),
+        ("end_s", "0.5", "end_s: 0.5 must be after onset_s"),
+        ("amplitude_m", "0", "amplitude_m: '0' must be above 0"),
+        ("reference", "film", "reference: 'film' must be one of sensor, truth"),
+        ("aborts", "1.5", "aborts: '1.5' must be a whole number from 0"),
+    ]
+    good_rows = read(path)
+    for column, value, told in changes:
+        rows = [dict(row) for row in good_rows]
+        rows[2][column] = value
+        rewrite(path, rows)
+        from study.sessions import read_sessions
+
+        found = read_sessions([folder / "study"], [])
+        good = len(found.faults) == 1 and f"{path}:4: {told}" in found.faults[0] and len(found.trials) == 41
+        yield Outcome.of(f"command/study report: bad row: {told}", good, f"{found.faults}")
+    rewrite(path, good_rows)
+    rows = read(answers)
+    rows[0]["value"] = "7"
+    rewrite(answers, rows)
+    found = read_sessions([folder / "study"], [])
+    good = found.faults == [f"{answers}:2: value: 7 must be from 0 to 4: the row is left out"]
+    yield Outcome.of("command/study report: an answer beyond its scale is left out", good, f"{found.faults}")
+
+
+def bad_session_files(folder: Path) -> Iterator[Outcome]:
+    write_study(folder / "study", 4, **SMALL)
+    path = folder / "study/drags/sub-p04/ses-01/session.json"
+    data = json.loads(path.read_text())
+    for text, told in (
+        ("{\n", ":2: this is not JSON"),
+        (json.dumps(data | {"version": 2}), ': "version" must be 1, is 2'),
+        (json.dumps(data | {"origin": "robot"}), ': "origin" must be one of person, mouse, synthetic, replay'),
+        (json.dumps(data | {"participant": "a b"}), ': "participant" must be 1 to 32 letters and digits'),
+        (json.dumps(data | {"trials": [{"trial": 1}]}), ': "trials", object 1: '),
+    ):
+        path.write_text(text)
+        status, output = report(folder / "study", folder / "out")
+        people = {row["people"] for row in read(folder / "out/drags_synthetic_curves.csv")}
+        good = status == 1 and f"{path}{told}" in output and people == {"3"}
+        yield Outcome.of(f"command/study report: session.json{told}", good, f"{status}\n{output}")
+    path.unlink()
+    status, output = report(folder / "study", folder / "out")
+    good = status == 1 and f"{path.parent}: session.json is missing: copy the whole folder" in output
+    yield Outcome.of("command/study report: a session without session.json is named", good, output)
+
+
+def one_person(folder: Path) -> Iterator[Outcome]:
+    """Tables and figures are there; each test is refused in one sentence. A participant can be left out."""
+    write_study(folder / "study", 4, **SMALL)
+    status, output = report(folder / "study", folder / "out", "p02", "p03", "p04")
+    reasons = {row["reason"] for row in read(folder / "out/drags_synthetic_refused.csv")}
+    good = status == 0 and reasons == {"The test needs 3 or more people, and there is data of 1 person."}
+    yield Outcome.of("command/study report: one person gives tables, tests are refused", good, f"{reasons}\n{output}")
+    yield Outcome.of("command/study report: --without is told", "participant p03 is left out" in output, output)
+    status, output = report(folder / "study", folder / "out", "p09")
+    good = status == 1 and "--without p09: no session is of this participant" in output
+    yield Outcome.of("command/study report: --without an unknown participant is named", good, output)
+
+
+def curves_of_the_median(folder: Path) -> Iterator[Outcome]:
+    from study.analysis import split
+    from study.curve_figure import choose
+    from study.sessions import read_sessions
+
+    write_study(folder / "study", 3, repetitions=3)
+    rows = [row for path in folder.rglob("trials.csv") for row in read(path)]
+    rows = [row for row in rows if row["position"] == "unstable" and row["practice"] == "0"]
+    middle = sorted(float(row["r2_synthesised"]) for row in rows)[(len(rows) - 1) // 2]
+    chosen = choose(split(read_sessions([folder / "study"], []))[0])
+    good = abs(chosen.trial.figures["r2_synthesised"] - middle) < 1e-12 and chosen.of == len(rows)
+    yield Outcome.of("command/study report: curves are of the median trial", good, f"{chosen}")
+    lines = chosen.path.read_text().splitlines(keepends=True)
+    lines[4] = lines[4].replace(lines[4].split(",")[1], "x", 1)
+    chosen.path.write_text("".join(lines))
+    status, output = report(folder / "study", folder / "out")
+    good = status == 1 and f"{chosen.path}:5: measured: 'x' is not a number" in output
+    yield Outcome.of("command/study report: a bad curve is named, the rest goes on", good, f"{status}\n{output}")
+    for path in folder.rglob("*.motion.csv"):
+        path.unlink()
+    status, output = report(folder / "study", folder / "out")
+    text = (folder / "out/report.html").read_text("utf-8")
+    good = status == 0 and "there are no curves to draw" in text and not list((folder / "out").glob("*curves.png"))
+    yield Outcome.of("command/study report: without curves a note stands there", good, f"{status}\n{output}")
+
+
+def other_inputs(folder: Path) -> Iterator[Outcome]:
+    write_study(folder / "study", 1, **SMALL)
+    (folder / "file").touch()
+    status, output = report(folder / "study", folder / "file")
+    good = status == 2 and f"study: {folder}/file: this is a file: name a folder" in output
+    yield Outcome.of("command/study report: OUT that is a file ends with 2", good, f"{status}\n{output}")
+    for path in folder.rglob("trials.csv"):
+        path.write_text(path.read_text().splitlines()[0] + "\n")
+    status, output = report(folder / "study", folder / "out")
+    good = status == 2 and "no trial that counts" in output and not (folder / "out").exists()
+    yield Outcome.of("command/study report: no trial at all ends with 2", good, f"{status}\n{output}")
+
+
+def read(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def rewrite(path: Path, rows: list[dict[str, str]]) -> None:
+    with path.open("w", encoding="utf-8", newline="") as file:
+        lines = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        lines.writeheader()
+        lines.writerows(rows)
