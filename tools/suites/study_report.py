@@ -30,6 +30,8 @@ def outcomes() -> Iterator[Outcome]:
         two_sessions,
         separation,
         left_out_trials,
+        answers,
+        throughput,
         doubles,
         cut_rows,
         bad_rows,
@@ -194,6 +196,55 @@ def left_out_trials(folder: Path) -> Iterator[Outcome]:
     row = read(folder / "third/drags_synthetic_recognition.csv")[0]
     good = (row["right"], row["other"], row["none"], row["others"]) == ("16", "1", "1", "tap: 1")
     yield Outcome.of("command/study report: recognition counts right, another and none", good, f"{row}")
+
+
+def answers(folder: Path) -> Iterator[Outcome]:
+    """Means of answers; skipped ones and those after practice trials do not count."""
+    write_study(folder / "study", 3, **SMALL)
+    path = folder / "study/drags/sub-p01/ses-01/answers.csv"
+    rows = read(path)
+    asked = next(row for row in rows if row["position"] == "stable" and row["item"] == "smoothness")
+    asked |= {"value": "", "skipped": "1"}
+    # Trial 1 is practice.
+    rows.append(asked | {"after_trial": "1", "value": "0", "skipped": "0"})
+    rewrite(path, rows)
+    status, output = report(folder / "study", folder / "out")
+    table = read(folder / "out/drags_synthetic_answers.csv")
+    key = {"item": "paper/smoothness", "position": "stable", "condition": asked["condition"]}
+    [row] = [row for row in table if key.items() <= row.items()]
+    values = [
+        float(one["value"])
+        for other in ("p02", "p03")
+        for one in read(folder / f"study/drags/sub-{other}/ses-01/answers.csv")
+        if (one["item"], one["position"], one["condition"]) == ("smoothness", "stable", asked["condition"])
+    ]
+    good = (row["people"], row["skipped"]) == ("2", "1") and float(row["mean"]) == sum(values) / 2
+    yield Outcome.of("command/study report: skipped and practice answers do not count", good, f"{row} {values}")
+    refused = read(folder / "out/drags_synthetic_refused.csv")
+    reasons = [row["reason"] for row in refused if row["measure"] == "paper/smoothness" and "ANOVA" in row["test"]]
+    good = status == 0 and len(reasons) == 1 and "Participant p01 has no value" in reasons[0]
+    yield Outcome.of("command/study report: a skipped answer refuses that item's ANOVA", good, f"{refused}\n{output}")
+    rewrite(path, [*rows, rows[0]])
+    status, output = report(folder / "study", folder / "out")
+    good = status == 1 and f"{path}:{len(rows) + 2}: the same participant, session and trial as {path}:2" in output
+    yield Outcome.of("command/study report: an answer twice is named", good, output)
+
+
+def throughput(folder: Path) -> Iterator[Outcome]:
+    """Of one participant as by hand: We = 4.133 SD, IDe = log2(Ae / We + 1), TP = IDe / MT. By --out as by --report."""
+    write_study(folder / "study", 1, **SMALL)
+    path = folder / "study/drags/sub-p01/ses-01/trials.csv"
+    rows = read(path)
+    own = [row for row in rows if (row["practice"], row["position"], row["condition"]) == ("0", "stable", "average")]
+    # SD of 19 and 21 cm is 1.414214 cm: log2(0.2 / 0.05844944 + 1) = 2.144621 bits in 0.5 s.
+    for row, end_m, time_s in zip(own, (0.19, 0.21), (0.4, 0.6), strict=True):
+        row |= {"end_value_m": f"{end_m}", "onset_s": "20.0", "end_s": f"{20.0 + time_s}"}
+    rewrite(path, rows)
+    status, output = run(["./steadyhand", "study", folder / "study", f"--out={folder}/out"])
+    table = read(folder / "out/drags_synthetic_throughput.csv") if status == 0 else []
+    found = [row for row in table if (row["position"], row["condition"]) == ("stable", "average")]
+    good = len(found) == 1 and abs(float(found[0]["throughput_bits_s"]) - 4.289242) < 2e-5
+    yield Outcome.of("command/study report: throughput as by hand", good, f"{status} {found}\n{output}")
 
 
 def doubles(folder: Path) -> Iterator[Outcome]:
