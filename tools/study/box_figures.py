@@ -75,6 +75,9 @@ def draw_panel(
     factor: float,
     scale: tuple[float, float] | None = None,
 ) -> None:
+    if not means:
+        axes.text(0.5, 0.5, "no values", transform=axes.transAxes, ha="center")
+        return
     positions = list(dict.fromkeys(one.position for one in means))
     motions = [one for one in MOTIONS if any(mean.motion == one for mean in means)]
     places: dict[str, float] = {}  # of a cell's name

@@ -84,7 +84,7 @@ def anova(design: Design) -> list[dict]:
     """Two-way repeated-measures ANOVA: position x motion profile. Effects without an error variance are refused."""
     for name, levels in (("position", design.positions), ("motion profile", design.motions)):
         if len(levels) < 2:
-            only = f"'{levels[0] or 'none'}'" if levels else "nothing"
+            only = f"'{levels[0] or 'none'}'" if levels else "no value"
             raise Refused(f"A two-way ANOVA needs 2 or more levels of the {name}, and there is only {only}.")
     cells = list(itertools.product(design.positions, design.motions))
     matrix = design.matrix(cells)

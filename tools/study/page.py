@@ -67,7 +67,7 @@ def section_html(section: Section) -> Iterator[str]:
     people, sessions = len(analysis.participants), len(analysis.sessions)
     yield f'<section class="{"person" if analysis.origin == "person" else "made-up"}">'
     yield f"<h2>{html.escape(analysis.label)}: study {html.escape(analysis.study)}</h2>"
-    who = "participants" if analysis.origin == "person" else f"participants ({html.escape(analysis.label)})"
+    who = "participants" if analysis.origin == "person" else f"participants that are {html.escape(analysis.label)}"
     yield (
         f"<p>{people} {who}, {sessions} sessions, {len(analysis.trials)} trials."
         f" {analysis.practice} practice trials are not counted.</p>"
@@ -91,7 +91,8 @@ def table_html(table: Table, label: str) -> Iterator[str]:
     columns = [column for column in table.columns if column.heading]
     if table.folded:
         yield f"<details><summary>{title} ({len(table.rows)} rows)</summary>"
-    yield f'<div class="wide"><table><caption>{title}</caption><tr>'
+    caption = "" if table.folded else f"<caption>{title}</caption>"
+    yield f'<div class="wide"><table>{caption}<tr>'
     is_text = [any(isinstance(row.get(column.name), str) for row in table.rows) for column in columns]
     kinds = [' class="text"' if text else "" for text in is_text]
     yield "".join(f"<th{kind}>{html.escape(column.heading)}</th>" for column, kind in zip(columns, kinds, strict=True))
