@@ -1,9 +1,5 @@
 """./steadyhand study on sessions: who counts, what is left out, and the report."""
 
-import contextlib
-import csv
-import io
-import json
 import re
 import shutil
 import tempfile
@@ -15,8 +11,8 @@ from suites import study_statistics
 from suites.made_up_sessions import R2, Made, write_session, write_study
 from suites.outcome import Outcome
 from suites.process import run
-
-SMALL = {"repetitions": 2, "curves": False}
+from suites.study_faults import bad_rows, bad_session_files, cut_rows, doubles
+from suites.study_folders import SMALL, read, report, rewrite
 
 
 def outcomes() -> Iterator[Outcome]:
@@ -43,16 +39,6 @@ def outcomes() -> Iterator[Outcome]:
     ):
         with tempfile.TemporaryDirectory(prefix="steadyhand_report") as folder:
             yield from test(Path(folder))
-
-
-def report(folder: Path, out: Path, *without: str) -> tuple[int, str]:
-    """In this process: the exit code and all that it said."""
-    from study.report import run as run_report
-
-    said = io.StringIO()
-    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
-        status = run_report([folder], out, list(without))
-    return status, said.getvalue()
 
 
 def whole_report(folder: Path) -> Iterator[Outcome]:
@@ -277,105 +263,6 @@ def few_values(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/study report: no position refuses the ANOVA alone, exit 0", good, f"{reasons}\n{output}")
 
 
-def doubles(folder: Path) -> Iterator[Outcome]:
-    write_study(folder / "study", 3, **SMALL)
-    report(folder / "study", folder / "first")
-    path = folder / "study/drags/sub-p02/ses-01/trials.csv"
-    lines = path.read_text().splitlines(keepends=True)
-    path.write_text("".join([*lines, lines[3]]))
-    status, output = report(folder / "study", folder / "second")
-    told = f"{path}:{len(lines) + 1}: the same participant, session and trial as {path}:4: the first counts"
-    yield Outcome.of("command/study report: a trial twice is named, exit 1", status == 1 and told in output, output)
-    name = "drags_synthetic_curves.csv"
-    good = (folder / "first" / name).read_bytes() == (folder / "second" / name).read_bytes()
-    yield Outcome.of("command/study report: a trial twice counts once", good)
-    path.write_text("".join(lines))
-    copy = folder / "study/copy/sub-p02/ses-01"
-    shutil.copytree(path.parent, copy)
-    status, output = report(folder / "study", folder / "third")
-    more = f"{len(lines) - 2} more rows of these files"
-    good = status == 1 and output.count("the same participant, session and trial") == 2 and more in output
-    yield Outcome.of("command/study report: a copied session is named once a file", good, output)
-
-
-def cut_rows(folder: Path) -> Iterator[Outcome]:
-    write_study(folder / "study", 3, **SMALL)
-    path = folder / "study/drags/sub-p03/ses-01/trials.csv"
-    text = path.read_text()
-    last = text.count("\n")
-    # Cut after 40 letters of the row; at its last cell, which leaves all cells there.
-    for length in (len(text) - 200, len(text) - 1):
-        path.write_text(text[:length])
-        status, output = report(folder / "study", folder / "out")
-        line = path.read_text().count("\n") + 1
-        told = f"{path}:{line}: the line is cut (it has no line end): the row is left out"
-        good = status == 1 and told in output and line == last and "1 of 12 planned trials have no row" in output
-        yield Outcome.of(f"command/study report: a row cut at {length - len(text)} is left out", good, output)
-    path.write_text("".join(text.splitlines(keepends=True)[:-2]))
-    status, output = report(folder / "study", folder / "out")
-    good = status == 0 and f"{path.parent}: 2 of 12 planned trials have no row" in output
-    yield Outcome.of("command/study report: an unfinished session is a note, exit 0", good, f"{status}\n{output}")
-
-
-def bad_rows(folder: Path) -> Iterator[Outcome]:
-    """Each is named with its line; the other rows count."""
-    write_study(folder / "study", 3, **SMALL)
-    path = folder / "study/drags/sub-p01/ses-01/trials.csv"
-    answers = path.with_name("answers.csv")
-    changes = [
-        ("r2_measured", "nan", "r2_measured: 'nan' is no finite number"),
-        ("r2_average", "1.5", "r2_average: 1.5 must be 1 or less"),
-        ("participant", "p02", "participant: 'p02' must be 'p01', as in session.json"),
-        ("session", "2", "session: '2' must be 1, as in session.json"),
-        ("trial", "99", "trial: 99 is not in the plan of session.json"),
-        ("practice", "1", "practice: 1 must be 0, as planned in session.json"),
-        ("position", "odd", "position: 'odd' must be 'stable', as planned in session.json"),
-        ("end_s", "0.5", "end_s: 0.5 must be after onset_s"),
-        ("amplitude_m", "0", "amplitude_m: '0' must be above 0"),
-        ("reference", "film", "reference: 'film' must be one of sensor, truth"),
-        ("aborts", "1.5", "aborts: '1.5' must be a whole number from 0"),
-    ]
-    good_rows = read(path)
-    for column, value, told in changes:
-        rows = [dict(row) for row in good_rows]
-        rows[2][column] = value
-        rewrite(path, rows)
-        from study.sessions import read_sessions
-
-        found = read_sessions([folder / "study"], [])
-        good = len(found.faults) == 1 and f"{path}:4: {told}" in found.faults[0] and len(found.trials) == 41
-        yield Outcome.of(f"command/study report: bad row: {told}", good, f"{found.faults}")
-    rewrite(path, good_rows)
-    rows = read(answers)
-    rows[0]["value"] = "7"
-    rewrite(answers, rows)
-    found = read_sessions([folder / "study"], [])
-    good = found.faults == [f"{answers}:2: value: 7 must be from 0 to 4: the row is left out"]
-    yield Outcome.of("command/study report: an answer beyond its scale is left out", good, f"{found.faults}")
-
-
-def bad_session_files(folder: Path) -> Iterator[Outcome]:
-    write_study(folder / "study", 4, **SMALL)
-    path = folder / "study/drags/sub-p04/ses-01/session.json"
-    data = json.loads(path.read_text())
-    for text, told in (
-        ("{\n", ":2: this is not JSON"),
-        (json.dumps(data | {"version": 2}), ': "version" must be 1, is 2'),
-        (json.dumps(data | {"origin": "robot"}), ': "origin" must be one of person, mouse, synthetic, replay'),
-        (json.dumps(data | {"participant": "a b"}), ': "participant" must be 1 to 32 letters and digits'),
-        (json.dumps(data | {"trials": [{"trial": 1}]}), ': "trials", object 1: '),
-    ):
-        path.write_text(text)
-        status, output = report(folder / "study", folder / "out")
-        people = {row["people"] for row in read(folder / "out/drags_synthetic_curves.csv")}
-        good = status == 1 and f"{path}{told}" in output and people == {"3"}
-        yield Outcome.of(f"command/study report: session.json{told}", good, f"{status}\n{output}")
-    path.unlink()
-    status, output = report(folder / "study", folder / "out")
-    good = status == 1 and f"{path.parent}: session.json is missing: copy the whole folder" in output
-    yield Outcome.of("command/study report: a session without session.json is named", good, output)
-
-
 def one_person(folder: Path) -> Iterator[Outcome]:
     """Tables and figures are there; each test is refused in one sentence. A participant can be left out."""
     write_study(folder / "study", 4, **SMALL)
@@ -426,15 +313,3 @@ def other_inputs(folder: Path) -> Iterator[Outcome]:
     status, output = report(folder / "study", folder / "out")
     good = status == 2 and "no trial that counts" in output and not (folder / "out").exists()
     yield Outcome.of("command/study report: no trial at all ends with 2", good, f"{status}\n{output}")
-
-
-def read(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
-
-
-def rewrite(path: Path, rows: list[dict[str, str]]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        lines = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        lines.writeheader()
-        lines.writerows(rows)
