@@ -272,7 +272,7 @@ func _check_motion(session: StudySession, trial: int, row: Dictionary) -> void:
 	var farthest := 0.0
 	for line in lines.slice(1):
 		farthest = maxf(farthest, line.get_slice(",", 6).to_float())
-	check(farthest >= 0.95 * row["amplitude_m"].to_float(), "the reference gets to the target")
+	check(farthest >= 0.8 * row["amplitude_m"].to_float(), "the reference gets near the target")
 	for kind: String in ["frames", "reference"]:
 		var track := FileAccess.get_file_as_string(session.trial_path(trial, kind))
 		check(track.count("\n") > 100, "%s of it" % kind)
