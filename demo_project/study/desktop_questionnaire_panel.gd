@@ -1,6 +1,7 @@
 extends QuestionnairePanel
 ## Buttons on the screen. Number keys and arrow keys choose, Enter confirms, S skips the item.
 
+const PANEL_STYLE := preload("panel_style.tres")
 const WIDTH := 760
 ## More answers than this are chosen with a slider.
 const MOST_BUTTONS := 11
@@ -25,6 +26,7 @@ func _ready() -> void:
 	centre.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_layer.add_child(centre)
 	var panel := PanelContainer.new()
+	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
 	centre.add_child(panel)
 	var rows := VBoxContainer.new()
 	rows.custom_minimum_size = Vector2(WIDTH, 0)
@@ -35,6 +37,8 @@ func _ready() -> void:
 	_scale.alignment = BoxContainer.ALIGNMENT_CENTER
 	_chosen.horizontal_alignment = HORIZONTAL_ALIGNMENT_CENTER
 	var actions := HBoxContainer.new()
+	_scale.add_theme_constant_override("separation", 10)
+	actions.add_theme_constant_override("separation", 10)
 	actions.alignment = BoxContainer.ALIGNMENT_CENTER
 	_confirm.text = "Confirm (Enter)"
 	_confirm.focus_mode = Control.FOCUS_NONE

@@ -48,6 +48,7 @@ func run_session(participant_id: String) -> Error:
 		hand.free()
 		return opened
 	_form.visible = false
+	_participant.release_focus()
 	runner = StudyRunner.new()
 	add_child(runner)
 	var view := StudyView.new()
@@ -56,8 +57,11 @@ func run_session(participant_id: String) -> Error:
 	view.follow(runner)
 	opened = runner.begin(session, hand, DesktopPanel.new())
 	if opened != OK:
-		_message.text = "The hand's source cannot be opened: see the log."
+		_message.text = "The hand's source cannot be opened. The log says why."
 		_form.visible = true
+		view.free()
+		runner.free()
+		runner = null
 	return opened
 
 

@@ -326,9 +326,10 @@ func _tell_trouble(path: String) -> Error:
 
 static func _machine() -> Dictionary:
 	var xr := XRServer.primary_interface
+	var screen_hz := DisplayServer.screen_get_refresh_rate()
 	return {
 		os = "%s %s" % [OS.get_name(), OS.get_version()],
 		processor = OS.get_processor_name(),
 		xr_runtime = "" if xr == null else str(xr.get_system_info().get("XRRuntimeName", xr.name)),
-		screen_hz = DisplayServer.screen_get_refresh_rate(),
+		screen_hz = screen_hz if screen_hz > 0.0 else null,
 	}

@@ -1,6 +1,7 @@
 extends CanvasLayer
 ## What the participant reads: the task, what to do, how far the session is. Never the condition.
 
+const PANEL_STYLE := preload("panel_style.tres")
 const TITLES: Dictionary[String, String] = {
 	"horizontal_drag": "Horizontal drag",
 	"vertical_drag": "Vertical drag",
@@ -27,6 +28,7 @@ var _begun_trials := 0
 
 func _init() -> void:
 	var panel := PanelContainer.new()
+	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
 	panel.position = Vector2(24, 24)
 	add_child(panel)
 	var rows := VBoxContainer.new()
@@ -65,7 +67,7 @@ func _process(_delta: float) -> void:
 			_instruction.text = "Please answer for the last trials."
 		StudyRunner.State.PAUSED:
 			_title.text = "Pause"
-			_instruction.text = "P: continue. The last trial is made again."
+			_instruction.text = "Press P to continue. A trial that was under way comes again."
 		StudyRunner.State.COMPLETE:
 			_title.text = "Thank you"
 			_instruction.text = "The session is complete."

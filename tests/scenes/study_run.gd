@@ -5,6 +5,7 @@ const Columns := preload("res://study/study_columns.gd")
 const Conditions := preload("res://scripts/conditions.gd")
 const DesktopPanel := preload("res://study/desktop_questionnaire_panel.gd")
 const StudyHand := preload("res://study/study_hand.gd")
+const StudyScene := preload("res://study/study_scene.gd")
 const StudyTrialLog := preload("res://study/study_trial_log.gd")
 const StudyView := preload("res://study/study_view.gd")
 const SyntheticHand := preload("res://study/synthetic_study_hand.gd")
@@ -179,6 +180,88 @@ func test_a_person_is_led_through_a_session() -> void:
 	check_equal(answers[1]["skipped"], "1", "skipped")
 
 
+func test_a_persons_trial_is_compared_with_a_reference_sensor() -> void:
+	var session := StudySession.new()
+	session.start(_root.path_join("sensor"), "ann", _protocol(), "person")
+	var runner := StudyRunner.new()
+	root.add_child(runner)
+	runner.vibration_bus = &""
+	var hand := StudyHand.new(ScriptSource.new(), ScriptSource.new())
+	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
+	hand.reference.update_mode = HandTracker.UPDATE_MANUAL
+	runner.begin(session, hand, DesktopPanel.new())
+	# The reference sees the hand 30 ms earlier than the tracker, whose frames are held for 10 ms.
+	_drag(runner, 1e-6 * Time.get_ticks_usec(), 0.03)
+	var began_ms := Time.get_ticks_msec()
+	while session.count_finished() == 0 and Time.get_ticks_msec() - began_ms < 20000:
+		await process_frame
+	runner.free()
+	var row := TrialRows.read(session.folder)[0]
+	check_equal(row["reference"], "sensor", "reference")
+	check_near(row["lag_measured"].to_float(), 0.035, 0.003, "lag of the measured motion")
+	check_near(row["t_diff_measured"].to_float(), -0.03, 0.006, "it ends later")
+	check(row["r2_measured"].to_float() > 0.99, "R2 of the measured motion")
+
+
+func test_a_trial_without_a_gesture_ends_at_its_limit() -> void:
+	var protocol := _protocol()
+	protocol.trial_limit_s = 0.1
+	var session := StudySession.new()
+	session.start(_root.path_join("limit"), "ann", protocol, "person")
+	var runner := StudyRunner.new()
+	root.add_child(runner)
+	runner.vibration_bus = &""
+	runner.begin(session, StudyHand.new(ScriptSource.new()), DesktopPanel.new())
+	var began_ms := Time.get_ticks_msec()
+	while session.count_finished() == 0 and Time.get_ticks_msec() - began_ms < 20000:
+		await process_frame
+	runner.free()
+	var row := TrialRows.read(session.folder)[0]
+	for column: String in ["recognised", "onset_s", "end_s", "end_value_m"]:
+		check_equal(row[column], "", "no %s" % column)
+
+
+func test_amplitudes_and_widths_reach_the_task() -> void:
+	var protocol := _protocol()
+	protocol.gestures = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
+	protocol.positions = ["stable"]
+	protocol.conditions = ["synthesised"]
+	protocol.practice_trials = 0
+	protocol.amplitudes_m = [0.04, 0.06]
+	protocol.widths_m = [0.005, 0.02]
+	var session := StudySession.new()
+	session.start(_root.path_join("widths"), "p01", protocol, "synthetic")
+	_make_steps(session, 1000)
+	var rows := TrialRows.read(session.folder)
+	check_equal(rows.size(), 4 * 4 * 2, "a row for each trial")
+	for i in rows.size():
+		for column: String in ["amplitude_m", "width_m"]:
+			var planned: float = session.trials[i][column]
+			check_near(rows[i][column].to_float(), planned, 1e-5, "trial %d: %s" % [i + 1, column])
+
+
+func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
+	# expects one error: Participant 'a b': an id must be
+	var scene := (load("res://study/study_scene.tscn") as PackedScene).instantiate() as StudyScene
+	scene.study_folder = _root.path_join("scene")
+	root.add_child(scene)
+	check(scene.run_session("a b") != OK, "a bad id is refused")
+	check_equal(scene.run_session("p01"), OK, "a session starts")
+	check_equal(scene.runner.state, StudyRunner.State.MAKING, "with a trial")
+	check_equal(scene.session.origin, "mouse", "made with the mouse")
+	var folder := scene.session.folder
+	for key: Key in [KEY_P, KEY_P]:
+		var event := InputEventKey.new()
+		event.pressed = true
+		event.keycode = key
+		root.push_input(event)
+		await process_frame
+	check_equal(scene.runner.state, StudyRunner.State.MAKING, "P pauses and continues")
+	scene.free()
+	var again := StudySession.new()
+	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
+
+
 func test_a_pause_drops_the_trial_under_way() -> void:
 	var session := StudySession.new()
 	session.start(_root.path_join("pause"), "ann", _protocol(), "person")
@@ -187,7 +270,7 @@ func test_a_pause_drops_the_trial_under_way() -> void:
 	runner.vibration_bus = &""
 	var hand := StudyHand.new(ScriptSource.new())
 	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
-	runner.begin(session, hand, QuestionnairePanel.new())
+	runner.begin(session, hand, DesktopPanel.new())
 	check_equal(runner.state, StudyRunner.State.MAKING, "a trial is under way")
 	runner.pause()
 	check_equal(session.count_finished(), 0, "it does not count")
@@ -245,17 +328,25 @@ func _protocol() -> StudyProtocol:
 
 
 ## Pushes a drag along the task, and a rest; the time of its last frame.
-func _drag(runner: StudyRunner, from_s: float) -> float:
+## `ahead_s`: how much earlier the reference sees it, where there is one.
+func _drag(runner: StudyRunner, from_s: float, ahead_s: float = 0.0) -> float:
 	var task := runner.task_scene.task
 	var time_s := from_s
 	for frame in 330:
 		time_s += 0.01
-		var p := clampf((frame - 100) / 80.0, 0.0, 1.0)
-		var way := task.amplitude * p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
-		var tremor := 1e-4 * Vector3(sin(55.0 * time_s), sin(62.0 * time_s), sin(71.0 * time_s))
-		var place := task.get_start() + task.get_axis() * way + tremor
-		runner.hand.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: place})
+		var seen := {HandTracker.JOINT_INDEX: _place(task, time_s - from_s, time_s)}
+		var before := {HandTracker.JOINT_INDEX: _place(task, time_s - from_s + ahead_s, time_s)}
+		if runner.hand.reference != null:
+			runner.hand.reference.push_frame(time_s, before)
+		runner.hand.tracker.push_frame(time_s, seen)
 	return time_s
+
+
+func _place(task: GestureTask, passed_s: float, time_s: float) -> Vector3:
+	var p := clampf((passed_s - 1.0) / 0.8, 0.0, 1.0)
+	var way := task.amplitude * p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
+	var tremor := 1e-4 * Vector3(sin(55.0 * time_s), sin(62.0 * time_s), sin(71.0 * time_s))
+	return task.get_start() + task.get_axis() * way + tremor
 
 
 func _check_motion(session: StudySession, trial: int, row: Dictionary) -> void:
