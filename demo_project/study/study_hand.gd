@@ -40,7 +40,10 @@ func open(participant_id: String) -> Error:
 
 ## What session.json says of it.
 func get_settings() -> Dictionary:
-	return {source = _describe(_source), reference = "sensor" if reference != null else ""}
+	var settings := _node_settings()
+	settings["source"] = _describe(_source)
+	settings["reference"] = "" if reference == null else "sensor"
+	return settings
 
 
 ## Whether play() makes a whole trial at once.
@@ -71,6 +74,18 @@ func now_s() -> float:
 ## Lets simulated time pass.
 func wait(_seconds: float) -> void:
 	pass
+
+
+## The task scenes keep these as they are.
+static func _node_settings() -> Dictionary:
+	var settings := {sensor_latency_s = _default(&"sensor_latency")}
+	settings["mode"] = "phase" if _default(&"mode") == GestureHMM.MODE_PHASE else "paper"
+	settings["quality"] = ["fast", "balanced", "accurate"][_default(&"quality")]
+	return settings
+
+
+static func _default(property: StringName) -> Variant:
+	return ClassDB.class_get_property_default_value(&"GestureHMM", property)
 
 
 static func _describe(source: HandSource) -> String:

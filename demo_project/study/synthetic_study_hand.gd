@@ -34,7 +34,11 @@ func open(_participant_id: String) -> Error:
 
 
 func get_settings() -> Dictionary:
-	return {source = "SyntheticSource", reference = "truth", subject = subject}
+	var settings := _node_settings()
+	settings["source"] = "SyntheticSource"
+	settings["reference"] = "truth"
+	settings["subject"] = subject
+	return settings
 
 
 func is_simulated() -> bool:

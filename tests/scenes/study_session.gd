@@ -29,6 +29,7 @@ func test_a_new_session_has_plan_and_header() -> void:
 	]:
 		check(saved.has(key), "session.json has %s" % key)
 	check_equal(saved["trials"].size(), 8, "trials in the plan")
+	check_equal(saved["settings"]["mode"], "phase", "settings of the nodes")
 	session.finish_trial(1, {shown_s = 1.5, recognised = "tap"})
 	var lines := _text(session, "trials.csv").split("\n")
 	check_equal(lines[0], ",".join(Columns.TRIALS), "columns of trials.csv")
@@ -185,7 +186,11 @@ func _answer(session: StudySession) -> void:
 
 func _start(study: String, id: String) -> StudySession:
 	var session := StudySession.new()
-	check_equal(session.start(_root.path_join(study), id, _protocol(), "mouse"), OK, "started")
+	check_equal(
+		session.start(_root.path_join(study), id, _protocol(), "mouse", {mode = "phase"}),
+		OK,
+		"started"
+	)
 	return session
 
 
