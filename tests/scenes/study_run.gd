@@ -10,6 +10,7 @@ const StudyTrialLog := preload("res://study/study_trial_log.gd")
 const StudyView := preload("res://study/study_view.gd")
 const SyntheticHand := preload("res://study/synthetic_study_hand.gd")
 const SyntheticPanel := preload("res://study/synthetic_questionnaire_panel.gd")
+const ToolRun := preload("support/tool_run.gd")
 const TrialRows := preload("support/trial_rows.gd")
 const TrialRun := preload("res://tools/trial_run.gd")
 
@@ -260,6 +261,44 @@ func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	scene.free()
 	var again := StudySession.new()
 	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
+
+
+func test_the_command_refuses_what_it_cannot_use() -> void:
+	var out := _root.path_join("refused")
+	var mistakes: Dictionary[String, PackedStringArray] = {
+		"--out is missing": [],
+		"--participants is '0'; it must be a number of participants": ["--participants", "0"],
+		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
+		"this is no StudyProtocol": ["--protocol", out.path_join("none.tres")],
+	}
+	for said in mistakes:
+		var arguments := mistakes[said].duplicate()
+		if said != "--out is missing":
+			arguments.append_array(["--out", out])
+		var tool := ToolRun.new("study", arguments)
+		check_equal(tool.exit_code, 2, "exit code with %s" % [mistakes[said]])
+		check_equal(tool.not_said([said]), "", "the message")
+	check(not DirAccess.dir_exists_absolute(out), "nothing is written")
+
+
+func test_the_command_leaves_complete_sessions_alone() -> void:
+	var protocol := _protocol()
+	protocol.gestures = ["tap"]
+	var path := _root.path_join("protocol.tres")
+	check_equal(ResourceSaver.save(protocol, path), OK, "a protocol is saved")
+	var out := _root.path_join("command")
+	var arguments := ["--out", out, "--protocol", path, "--participants", "2", "--seed", "5"]
+	var first := ToolRun.new("study", PackedStringArray(arguments))
+	check_equal(first.exit_code, 0, "exit code")
+	var table := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
+	check_equal(table.count("\n"), 10, "a header, 8 trials and a practice trial")
+	arguments.append("--resume")
+	var second := ToolRun.new("study", PackedStringArray(arguments))
+	check_equal(second.exit_code, 0, "exit code with --resume")
+	check_equal(second.not_said(["sub-p02/ses-01: complete"]), "", "it says so")
+	var again := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
+	check_equal(again, table, "and changes nothing")
+	check(not DirAccess.dir_exists_absolute(out.path_join("sub-p02/ses-02")), "no new session")
 
 
 func test_a_pause_drops_the_trial_under_way() -> void:
