@@ -7,12 +7,10 @@ extends RefCounted
 signal trouble(message: String)
 
 const Columns := preload("study_columns.gd")
-const StudyPlan := preload("study_plan.gd")
+const SessionFile := preload("session_file.gd")
 const StudyTable := preload("study_table.gd")
 const WholeFile := preload("whole_file.gd")
 
-const FORMAT := "steadyhand-session"
-const VERSION := 1
 const SESSION_FILE := "session.json"
 const ID_LENGTH := 32
 const LETTERS_AND_DIGITS := "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
@@ -29,7 +27,6 @@ var protocol: Dictionary = {}
 ## Why nothing could be opened. Empty when all is well.
 var error := ""
 
-var _seed := 0
 var _planned: Array[Dictionary] = []
 var _questionnaires: Dictionary[String, Questionnaire] = {}
 var _finished: Dictionary[int, bool] = {}
@@ -74,28 +71,8 @@ func start(
 	var made := DirAccess.make_dir_recursive_absolute(folder)
 	if made != OK:
 		return _fail("%s: the folder cannot be made: %s" % [folder, error_string(made)])
-	var drawn := StudyPlan.make(wanted, participant_id)
-	var plan := {
-		format = FORMAT,
-		version = VERSION,
-		study = wanted.study_name,
-		participant = participant_id,
-		session = number,
-		origin = given_origin,
-		seed = wanted.seed,
-		protocol = wanted.to_dictionary(),
-		trials = drawn,
-		questionnaires = StudyPlan.make_questionnaires(wanted, drawn),
-		settings = settings,
-		versions =
-		{
-			steadyhand = GestureTrainer.get_version(),
-			godot = Engine.get_version_info()["string"],
-		},
-		machine = _machine(),
-		started = Time.get_datetime_string_from_system(),
-	}
-	if WholeFile.write(folder.path_join(SESSION_FILE), JSON.stringify(plan, "\t") + "\n") != OK:
+	var plan := SessionFile.make(wanted, participant_id, number, given_origin, settings)
+	if SessionFile.write(folder.path_join(SESSION_FILE), plan) != OK:
 		return _fail(_cannot_write(folder.path_join(SESSION_FILE)))
 	return _open()
 
@@ -247,21 +224,13 @@ func _enter(study_folder: String, participant_id: String) -> Error:
 ## Reads the plan and what is finished of it, and takes cut rows off.
 func _open() -> Error:
 	var path := folder.path_join(SESSION_FILE)
-	var saved: Variant = JSON.parse_string(FileAccess.get_file_as_string(path))
-	if not saved is Dictionary or saved.get("format") != FORMAT or saved.get("version") != VERSION:
-		return _fail("%s: this is no session of version %d" % [path, VERSION])
-	origin = saved["origin"]
-	protocol = saved["protocol"]
-	_seed = int(saved["seed"])
-	trials.clear()
-	for trial: Dictionary in saved["trials"]:
-		for key: String in ["trial", "block", "repetition"]:
-			trial[key] = int(trial[key])
-		trials.append(trial)
-	_planned.clear()
-	for entry: Dictionary in saved["questionnaires"]:
-		entry["after_trial"] = int(entry["after_trial"])
-		_planned.append(entry)
+	var plan := SessionFile.read(path)
+	if plan.is_empty():
+		return _fail("%s: this is no session of version %d" % [path, SessionFile.VERSION])
+	origin = plan["origin"]
+	protocol = plan["protocol"]
+	trials.assign(plan["trials"])
+	_planned.assign(plan["questionnaires"])
 	for asked: Dictionary in protocol["questionnaires"]:
 		_questionnaires[asked["name"]] = Questionnaire.from_dictionary(asked)
 	_trials_table = StudyTable.new(folder.path_join("trials.csv"), Columns.TRIALS)
@@ -322,14 +291,3 @@ func _tell_trouble(path: String) -> Error:
 		push_error(message)
 		trouble.emit(message)
 	return ERR_FILE_CANT_WRITE
-
-
-static func _machine() -> Dictionary:
-	var xr := XRServer.primary_interface
-	var screen_hz := DisplayServer.screen_get_refresh_rate()
-	return {
-		os = "%s %s" % [OS.get_name(), OS.get_version()],
-		processor = OS.get_processor_name(),
-		xr_runtime = "" if xr == null else str(xr.get_system_info().get("XRRuntimeName", xr.name)),
-		screen_hz = screen_hz if screen_hz > 0.0 else null,
-	}

@@ -3,7 +3,8 @@ extends "support/scene_test.gd"
 
 const Columns := preload("res://study/study_columns.gd")
 
-var _root := DirAccess.create_temp("steadyhand_study_session").get_current_dir()
+var _folder := DirAccess.create_temp("steadyhand_study_session")
+var _root := _folder.get_current_dir()
 
 
 func test_a_new_session_has_plan_and_header() -> void:
