@@ -120,7 +120,7 @@ func _process(_delta: float) -> void:
 	if state == State.RESTING and time_s >= _rest_end_s:
 		_end_rest()
 		_go_on()
-	elif state == State.ENDING and task_scene.gesture_hmm.time >= _trial_end_s:
+	elif state == State.ENDING and _is_trial_over(time_s):
 		_end_trial()
 		_go_on()
 	elif state == State.MAKING and time_s >= _trial_end_s:
@@ -129,6 +129,11 @@ func _process(_delta: float) -> void:
 	elif state in [State.RESTING, State.ASKING] and time_s - _flushed_s > FLUSH_INTERVAL_S:
 		_flushed_s = time_s
 		session.flush()
+
+
+## The clock of a hand that is lost may stand still.
+func _is_trial_over(time_s: float) -> bool:
+	return task_scene.gesture_hmm.time >= _trial_end_s or time_s >= _trial_end_s + AFTER_S
 
 
 func _exit_tree() -> void:

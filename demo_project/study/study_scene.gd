@@ -55,6 +55,8 @@ func run_session(participant_id: String) -> Error:
 	add_child(view)
 	runner.session = session
 	view.follow(runner)
+	hand.tracker.failed.connect(view.show_notice)
+	hand.tracker.source_ready.connect(func() -> void: view.show_notice(""))
 	opened = runner.begin(session, hand, DesktopPanel.new())
 	if opened != OK:
 		_message.text = "The hand's source cannot be opened. The log says why."

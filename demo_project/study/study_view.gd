@@ -47,8 +47,13 @@ func follow(runner: StudyRunner) -> void:
 	_runner = runner
 	_begun_s = 1e-6 * Time.get_ticks_usec()
 	_begun_trials = runner.session.count_finished()
-	runner.session.trouble.connect(func(message: String) -> void: _notice.text = message)
+	runner.session.trouble.connect(show_notice)
 	runner.trial_started.connect(_on_trial_started)
+
+
+## For whoever runs the study. Empty: none.
+func show_notice(text: String) -> void:
+	_notice.text = text
 
 
 func get_texts() -> PackedStringArray:
