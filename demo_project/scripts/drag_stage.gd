@@ -46,6 +46,14 @@ func target_width() -> float:
 	return width
 
 
+## The start marker keeps its size. The mesh is copied once: both markers share it.
+func set_target_width(width_m: float) -> void:
+	if _stop_marker.mesh == _start_marker.mesh:
+		_stop_marker.mesh = _stop_marker.mesh.duplicate()
+	var narrowest := target_width()
+	(_stop_marker.mesh as BoxMesh).size *= width_m / narrowest
+
+
 func show_motion(value: float) -> float:
 	_box.global_position = _start + _axis * value + box_offset
 	return value / _amplitude

@@ -55,6 +55,11 @@ func target_width() -> float:
 	return NAN
 
 
+## Makes the target as wide as this, m. After place().
+func set_target_width(_width_m: float) -> void:
+	pass
+
+
 ## How far the task has come where a gesture ends at `value` of its motion element, m; further than
 ## its amplitude where the hand went too far.
 func end_value(value: float) -> float:

@@ -36,6 +36,12 @@ func target_width() -> float:
 	return (_surface.mesh as BoxMesh).size.y
 
 
+func set_target_width(width_m: float) -> void:
+	(_surface.mesh as BoxMesh).size.y = width_m
+	var middle := _start + _axis * (_amplitude + 0.5 * width_m)
+	_surface.global_position = middle
+
+
 func show_motion(value: float) -> float:
 	_pointer.global_position = _start + _axis * value
 	return value / _amplitude

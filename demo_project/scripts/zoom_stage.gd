@@ -50,7 +50,12 @@ func begin_stroke() -> void:
 func target_width() -> float:
 	var ring := _target.mesh as TorusMesh
 	var growth := (TARGET_SIZE - 1.0) * (_sphere.mesh as SphereMesh).radius
-	return _amplitude * (ring.outer_radius - ring.inner_radius) / growth
+	return _amplitude * _ring_width(ring) / growth
+
+
+func set_target_width(width_m: float) -> void:
+	var ring := _target.mesh as TorusMesh
+	ring.outer_radius += (width_m - target_width()) / target_width() * _ring_width(ring)
 
 
 ## The sphere stops at its target; the hand does not.
@@ -76,3 +81,7 @@ func show_hand(tracker: HandTracker) -> void:
 		for joint in joints:
 			middle += tracker.get_joint_position(joint) / joints.size()
 		global_position = middle
+
+
+static func _ring_width(ring: TorusMesh) -> float:
+	return ring.outer_radius - ring.inner_radius

@@ -28,7 +28,8 @@ public:
 		if (!made) {
 			return to_godot(made.error());
 		}
-		play(std::move(made.value().measured.frames));
+		steadyhand::SyntheticTrial &trial = made.value();
+		play(std::move((source_->is_true_motion() ? trial.reference : trial.measured).frames));
 		return String();
 	}
 
@@ -147,6 +148,11 @@ void SyntheticSource::set_loop(bool p_loop) {
 	emit_changed();
 }
 
+void SyntheticSource::set_true_motion(bool p_true_motion) {
+	true_motion_ = p_true_motion;
+	emit_changed();
+}
+
 void SyntheticSource::set_placement(Placement p_placement) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_placement, PLACEMENT_TASK),
 			"SyntheticSource: placement must be PLACEMENT_SENSOR, PLACEMENT_FIXED or PLACEMENT_TASK");
@@ -233,6 +239,8 @@ void SyntheticSource::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_pace"), &SyntheticSource::get_pace);
 	ClassDB::bind_method(D_METHOD("set_loop", "loop"), &SyntheticSource::set_loop);
 	ClassDB::bind_method(D_METHOD("get_loop"), &SyntheticSource::get_loop);
+	ClassDB::bind_method(D_METHOD("set_true_motion", "true_motion"), &SyntheticSource::set_true_motion);
+	ClassDB::bind_method(D_METHOD("is_true_motion"), &SyntheticSource::is_true_motion);
 	ClassDB::bind_method(D_METHOD("set_placement", "placement"), &SyntheticSource::set_placement);
 	ClassDB::bind_method(D_METHOD("get_placement"), &SyntheticSource::get_placement);
 	ClassDB::bind_method(D_METHOD("set_task_path", "path"), &SyntheticSource::set_task_path);
@@ -260,6 +268,7 @@ void SyntheticSource::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "pace", PROPERTY_HINT_RANGE, "0.1,10,0.01"), "set_pace", "get_pace");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "loop"), "set_loop", "get_loop");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "true_motion"), "set_true_motion", "is_true_motion");
 	ADD_GROUP("Placement", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "placement", PROPERTY_HINT_ENUM, "Sensor,Fixed,Task"),
 			"set_placement", "get_placement");

@@ -35,6 +35,8 @@ public:
 	double get_pace() const { return pace_; }
 	void set_loop(bool p_loop);
 	bool get_loop() const { return loop_; }
+	void set_true_motion(bool p_true_motion);
+	bool is_true_motion() const { return true_motion_; }
 	void set_placement(Placement p_placement);
 	Placement get_placement() const { return placement_; }
 	void set_task_path(const NodePath &p_path);
@@ -71,6 +73,7 @@ private:
 	double duration_s_ = 0.0; ///< 0: as the person does it
 	double pace_ = 1.0;
 	bool loop_ = false;
+	bool true_motion_ = false;
 	Placement placement_ = PLACEMENT_SENSOR;
 	NodePath task_path_;
 	Vector3 start_m_;

@@ -300,6 +300,30 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 			node.free()
 
 
+func test_a_true_motion_is_the_reference_of_what_the_tracker_sees() -> void:
+	var seen := SyntheticSource.new()
+	seen.gesture = &"tap"
+	seen.position = SyntheticSource.POSITION_UNSTABLE
+	seen.subject = 3
+	var truth := seen.duplicate() as SyntheticSource
+	truth.true_motion = true
+	var ends: Array[Vector3] = []
+	for source: SyntheticSource in [seen, truth]:
+		var tracker := _tracker(source)
+		var frames: Array[HandFrame] = []
+		tracker.frame_received.connect(func(frame: HandFrame) -> void: frames.append(frame))
+		tracker.start()
+		tracker.advance_to(source.get_trial()["end_s"])
+		ends.append(tracker.get_joint_position(HandTracker.JOINT_INDEX))
+		if source.true_motion:
+			var is_whole := frames.all(func(frame: HandFrame) -> bool: return frame.is_tracked())
+			check(is_whole, "the reference has no dropouts")
+			check_near(tracker.frame_rate, 240.0, 1.0, "its rate")
+		tracker.free()
+	check(ends[0].distance_to(ends[1]) > 1e-4, "the simulated tracker errs")
+	check(ends[0].distance_to(ends[1]) < 0.1, "on the same motion")
+
+
 func test_a_degraded_source_adds_what_it_says() -> void:
 	var degraded := DegradedSource.new()
 	# expects one error: a source cannot degrade itself

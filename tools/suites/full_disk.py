@@ -4,7 +4,9 @@ A limit on the size of a file stands in for the disk. It is met after 8192 bytes
 buffer, so that the engine believes it to be written.
 """
 
+import csv
 import os
+import shutil
 import sys
 import tempfile
 from collections.abc import Iterator
@@ -69,6 +71,48 @@ func _vibrate() -> void:
 	quit()
 """
 
+# The limit falls into the middle of a row, and is lifted later: a disk that is full for a while.
+SESSION_SCRIPT = """extends SceneTree
+
+const EACH := 15
+
+var _session := StudySession.new()
+var _told := 0
+
+
+func _initialize() -> void:
+	var protocol := StudyProtocol.new()
+	protocol.gestures = ["tap"]
+	protocol.practice_trials = 0
+	_session.start(OS.get_cmdline_user_args()[0], "ann", protocol, "person")
+	_session.trouble.connect(func(_message: String) -> void: _told += 1)
+	_make("before")
+	var path := _session.folder.path_join("trials.csv")
+	_limit(str(FileAccess.get_file_as_bytes(path).size() + 250))
+	_make("while full")
+	var text := FileAccess.get_file_as_string(path)
+	print("while full: whole rows ", text.ends_with("\\n"), ", at least those before ", text.count("\\n") > EACH)
+	_limit("unlimited")
+	_make("after")
+	print("signals ", _told)
+	quit()
+
+
+func _make(when: String) -> void:
+	var written := 0
+	for i in EACH:
+		var trial: int = _session.next_trial()["trial"]
+		_session.add_event(0.1 * trial, "target_shown", "tap", trial)
+		_session.add_file(_session.trial_path(trial, "motion"), "t\\n%d\\n" % trial)
+		if _session.finish_trial(trial, {recognised = "tap"}) == OK:
+			written += 1
+	print(when, ": written at once ", written)
+
+
+func _limit(bytes: String) -> void:
+	OS.execute("prlimit", ["--pid", str(OS.get_process_id()), "--fsize=%s:unlimited" % bytes])
+"""
+
 
 def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_full_disk") as folder:
@@ -76,6 +120,7 @@ def outcomes() -> Iterator[Outcome]:
         yield from picture(Path(folder))
         yield from evaluation(Path(folder))
         yield from study(Path(folder))
+        yield from session(Path(folder))
 
 
 def godot(script: Path | str, *arguments: Path | str) -> list:
@@ -140,3 +185,26 @@ def study(folder: Path) -> Iterator[Outcome]:
     good = status == 2 and f"cannot write to {out}: File too large" in output and table.read_text() == "as it was"
     yield Outcome.of("command/full disk: a study's table stays as it was", good, f"{status}\n{output}")
     yield Outcome.of("command/full disk: no half of it", not (out / "throughput.csv.part").exists(), output)
+
+
+def session(folder: Path) -> Iterator[Outcome]:
+    """A study's session on a disk that is full for a while."""
+    if shutil.which("prlimit") is None:
+        yield Outcome("command/full disk: a session, prlimit is not installed", skipped=1)
+        return
+    script = folder / "session.gd"
+    script.write_text(SESSION_SCRIPT)
+    command = ["bash", "-c", "trap '' XFSZ; exec \"$@\"", "limited", *godot(script, folder / "sessions")]
+    _, output = run(command, kill_s=60)
+    good = "while full: whole rows true, at least those before true" in output and "after: written at once 15" in output
+    yield Outcome.of("command/full disk: a session has whole rows while the disk is full", good, output)
+    good = output.count("cannot be written. Is the disk full") == 1 and "signals 2" in output
+    yield Outcome.of("command/full disk: a session says so once, and when it is over", good, output)
+    files = folder / "sessions/sub-ann/ses-01"
+    for name, column in (("trials.csv", "trial"), ("events.csv", "trial")):
+        with (files / name).open(newline="") as file:
+            numbers = [row[column] for row in csv.DictReader(file)]
+        good = numbers == [str(number) for number in range(1, 46)]
+        yield Outcome.of(f"command/full disk: every row of {name} is there once", good, f"{numbers}\n{output}")
+    good = len(list(files.glob("trial_*.motion.csv"))) == 45 and not list(files.glob("*.part"))
+    yield Outcome.of("command/full disk: every file of a trial is there", good, output)

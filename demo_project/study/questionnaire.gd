@@ -1,0 +1,91 @@
+class_name Questionnaire
+extends Resource
+## Statements or scales that the participant answers between trials.
+
+enum Kind {
+	## Agreement with statements. A high value is a good one.
+	LIKERT,
+	## Raw NASA Task Load Index: six scales from 0 to 100. A high value is a high load.
+	TASK_LOAD,
+}
+
+@export var name := "questionnaire"
+@export var kind := Kind.LIKERT
+## Names of the items in answers.csv, for example "smoothness".
+@export var items: PackedStringArray = []
+## What the participant reads, one text for each item.
+@export_multiline var texts: PackedStringArray = []
+## The scale of every item. Answers are whole numbers.
+@export var minimum := 0
+@export var maximum := 4
+## Distance between two neighbouring answers.
+@export var step := 1
+## Names of the scale's ends. Empty: the panel shows numbers only.
+@export var minimum_label := ""
+@export var maximum_label := ""
+## Shown after so many trials of the plan, practice trials not counted. 0: once, after the last one.
+@export var after_trials := 5
+
+
+## What is wrong, and how to mend it. Empty when all is well.
+func problems() -> PackedStringArray:
+	var found := PackedStringArray()
+	var where := "Questionnaire '%s'" % name
+	if name.strip_edges().is_empty():
+		found.append("A questionnaire has no name: set 'name'.")
+	if items.is_empty():
+		found.append("%s has no items: add names to 'items'." % where)
+	if items.size() != texts.size():
+		found.append(
+			(
+				"%s: %d items, but %d texts: write one text for each item."
+				% [where, items.size(), texts.size()]
+			)
+		)
+	for item in items:
+		if items.count(item) > 1:
+			found.append("%s: item '%s' comes twice: rename one of them." % [where, item])
+			break
+	if maximum <= minimum:
+		found.append("%s: 'maximum' is %d; it must be above %d." % [where, maximum, minimum])
+	elif step < 1 or (maximum - minimum) % step != 0:
+		found.append(
+			(
+				"%s: 'step' is %d; it must divide the scale %d..%d evenly."
+				% [where, step, minimum, maximum]
+			)
+		)
+	if after_trials < 0:
+		found.append("%s: 'after_trials' is %d; it must be 0 or more." % [where, after_trials])
+	return found
+
+
+func to_dictionary() -> Dictionary:
+	return {
+		name = name,
+		kind = Kind.keys()[kind].to_lower(),
+		items = Array(items),
+		texts = Array(texts),
+		minimum = minimum,
+		maximum = maximum,
+		step = step,
+		minimum_label = minimum_label,
+		maximum_label = maximum_label,
+		after_trials = after_trials,
+	}
+
+
+## From what to_dictionary() returned, also after a way through JSON.
+static func from_dictionary(saved: Dictionary) -> Questionnaire:
+	var made := Questionnaire.new()
+	made.name = saved.get("name", "")
+	made.kind = Kind.get(str(saved.get("kind", "likert")).to_upper(), Kind.LIKERT)
+	made.items = PackedStringArray(saved.get("items", []))
+	made.texts = PackedStringArray(saved.get("texts", []))
+	made.minimum = int(saved.get("minimum", 0))
+	made.maximum = int(saved.get("maximum", 4))
+	made.step = int(saved.get("step", 1))
+	made.minimum_label = saved.get("minimum_label", "")
+	made.maximum_label = saved.get("maximum_label", "")
+	made.after_trials = int(saved.get("after_trials", 0))
+	return made

@@ -1,0 +1,256 @@
+class_name StudyRunner
+extends Node
+## Runs a session trial by trial: tasks, rests, questionnaires, files. Give it a session, a hand and
+## a panel, then call begin(). A person's session goes on by itself; a simulated one by step().
+
+signal trial_started(trial: Dictionary)
+## `figures`: of MotionMetrics.compare() for the condition that drove the trial; may be empty.
+signal trial_ended(trial: Dictionary, figures: Dictionary)
+signal rest_started(seconds: float)
+signal questionnaire_started(asked: Questionnaire)
+## Every trial is made and every questionnaire answered.
+signal completed
+
+enum State { IDLE, RESTING, ASKING, MAKING, ENDING, PAUSED, COMPLETE }
+
+const StudyHand := preload("study_hand.gd")
+const StudyTask := preload("study_task.gd")
+const StudyTrialLog := preload("study_trial_log.gd")
+
+## What follows the end of a gesture is recorded too, s.
+const AFTER_S := 0.5
+## Files are written at least so often between trials, s.
+const FLUSH_INTERVAL_S := 1.0
+
+var state := State.IDLE
+var session: StudySession = null
+var hand: StudyHand = null
+var panel: QuestionnairePanel = null
+## The trial under way or the last one.
+var trial: Dictionary = {}
+## Null before the first trial.
+var task_scene: StudyTask = null
+## Audio bus of the vibration. Empty: it is not played.
+var vibration_bus := &"Vibration"
+
+var _truth: Dictionary = {}
+var _due: Dictionary = {}
+var _unanswered := 0
+var _item_shown_s := 0.0
+var _trial_end_s := INF
+var _rest_end_s := 0.0
+var _rested_before := 0
+var _flushed_s := -INF
+
+
+## `given_hand` and `given_panel` are added to the tree.
+func begin(
+	given_session: StudySession, given_hand: StudyHand, given_panel: QuestionnairePanel
+) -> Error:
+	session = given_session
+	hand = given_hand
+	panel = given_panel
+	for node: Node in [hand, panel]:
+		if node.get_parent() == null:
+			add_child(node)
+	panel.answered.connect(_on_answered)
+	hand.frames_over.connect(func() -> void: task_scene.is_recording = false)
+	panel.skipped.connect(func(item: String) -> void: _on_answered(item, null, 0))
+	var opened := hand.open(session.participant)
+	if opened != OK:
+		return opened
+	session.add_event(hand.now_s(), "run_started", Time.get_datetime_string_from_system())
+	session.flush()
+	if not hand.is_simulated():
+		_go_on()
+	return OK
+
+
+## Makes a simulated session's next rest, questionnaire or trial. False once there is nothing left.
+func step() -> bool:
+	_go_on()
+	match state:
+		State.RESTING:
+			hand.wait(_rest_end_s - hand.now_s())
+			_end_rest()
+		State.MAKING:
+			hand.play()
+			_end_trial()
+	return state != State.COMPLETE
+
+
+## Writes what waits in memory. Also called when the runner leaves the tree.
+func end() -> void:
+	if session == null:
+		return
+	_give_up_trial()
+	session.add_event(hand.now_s(), "run_ended", Time.get_datetime_string_from_system())
+	session.flush()
+	session = null
+	state = State.IDLE
+
+
+## A pause drops the trial under way: it is made again.
+func pause() -> void:
+	if state in [State.IDLE, State.PAUSED, State.COMPLETE]:
+		return
+	_give_up_trial()
+	panel.close()
+	state = State.PAUSED
+	session.add_event(hand.now_s(), "paused")
+	session.flush()
+
+
+func continue_run() -> void:
+	if state != State.PAUSED:
+		return
+	session.add_event(hand.now_s(), "continued")
+	_go_on()
+
+
+## How much of a rest is left, s.
+func get_rest_left() -> float:
+	return maxf(_rest_end_s - hand.now_s(), 0.0) if state == State.RESTING else 0.0
+
+
+func _process(_delta: float) -> void:
+	if session == null or hand.is_simulated():
+		return
+	var time_s := hand.now_s()
+	if state == State.RESTING and time_s >= _rest_end_s:
+		_end_rest()
+		_go_on()
+	elif state == State.ENDING and _is_trial_over(time_s):
+		_end_trial()
+		_go_on()
+	elif state == State.MAKING and time_s >= _trial_end_s:
+		_end_trial()
+		_go_on()
+	elif state in [State.RESTING, State.ASKING] and time_s - _flushed_s > FLUSH_INTERVAL_S:
+		_flushed_s = time_s
+		session.flush()
+
+
+## The clock of a hand that is lost may stand still.
+func _is_trial_over(time_s: float) -> bool:
+	return task_scene.gesture_hmm.time >= _trial_end_s or time_s >= _trial_end_s + AFTER_S
+
+
+func _exit_tree() -> void:
+	end()
+
+
+## Begins what is next: a questionnaire, a rest, a trial, or the end.
+func _go_on() -> void:
+	_due = session.next_questionnaire()
+	if not _due.is_empty():
+		_ask()
+		return
+	var next := session.next_trial()
+	if next.is_empty():
+		_complete()
+	elif next["rest_before_s"] > 0.0 and _rested_before != next["trial"]:
+		_rested_before = next["trial"]
+		_rest(next["rest_before_s"])
+	else:
+		_begin_trial(next)
+
+
+func _rest(seconds: float) -> void:
+	state = State.RESTING
+	_rest_end_s = hand.now_s() + seconds
+	session.add_event(hand.now_s(), "rest_started")
+	session.flush()
+	rest_started.emit(seconds)
+
+
+func _end_rest() -> void:
+	session.add_event(hand.now_s(), "rest_ended")
+
+
+func _ask() -> void:
+	state = State.ASKING
+	var asked: Questionnaire = _due["questionnaire"]
+	_unanswered = _due["items"].size()
+	_item_shown_s = hand.now_s()
+	session.add_event(hand.now_s(), "questionnaire_shown", asked.name)
+	questionnaire_started.emit(asked)
+	panel.ask(asked, _due["items"], session.trials[_due["after_trial"] - 1])
+
+
+## `value`: null where the item was skipped.
+func _on_answered(item: String, value: Variant, changes: int) -> void:
+	var asked: Questionnaire = _due["questionnaire"]
+	var time_s := hand.now_s()
+	var answer := {
+		item = item,
+		text = asked.texts[asked.items.find(item)],
+		value = value,
+		changes = changes,
+		shown_s = _item_shown_s,
+		answered_s = time_s,
+	}
+	_item_shown_s = time_s
+	session.add_answer(_due["after_trial"], asked, answer)
+	session.add_event(time_s, "answered", "%s/%s" % [asked.name, item])
+	session.flush()
+	_unanswered -= 1
+	if _unanswered == 0 and not hand.is_simulated():
+		_go_on()
+
+
+func _begin_trial(next: Dictionary) -> void:
+	trial = next
+	_use_scene(trial["gesture"])
+	_truth = hand.prepare(trial, task_scene.task)
+	var log := StudyTrialLog.new(session, trial["trial"], hand.tracker, hand.reference)
+	var time_s := hand.now_s()
+	state = State.MAKING
+	_trial_end_s = time_s + float(session.protocol["trial_limit_s"])
+	task_scene.begin(trial, time_s, log)
+	trial_started.emit(trial)
+
+
+func _end_trial() -> void:
+	var row := task_scene.finish(_truth)
+	var figures: Dictionary = task_scene.last_figures.get(trial["condition"], {})
+	state = State.IDLE
+	session.finish_trial(trial["trial"], row)
+	trial_ended.emit(trial, figures)
+
+
+func _give_up_trial() -> void:
+	if state in [State.MAKING, State.ENDING] and task_scene != null:
+		task_scene.give_up()
+		state = State.IDLE
+
+
+func _complete() -> void:
+	if state == State.COMPLETE:
+		return
+	state = State.COMPLETE
+	session.flush()
+	completed.emit()
+
+
+## One task's scene is in the tree at a time.
+func _use_scene(gesture: String) -> void:
+	if task_scene != null and task_scene.gesture == gesture:
+		return
+	if task_scene != null:
+		task_scene.free()
+	task_scene = StudyTask.make(gesture, hand.tracker)
+	task_scene.told.connect(
+		func(time_s: float, event: String, value: String) -> void:
+			session.add_event(time_s, event, value, trial["trial"])
+	)
+	task_scene.done.connect(_on_done)
+	add_child(task_scene)
+	task_scene.haptic_synth.bus = vibration_bus
+	task_scene.mouse.active = hand.origin == "mouse"
+
+
+func _on_done(time_s: float) -> void:
+	if state == State.MAKING and not hand.is_simulated():
+		state = State.ENDING
+		_trial_end_s = time_s + AFTER_S

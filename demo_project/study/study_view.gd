@@ -1,0 +1,100 @@
+extends CanvasLayer
+## What the participant reads: the task, what to do, how far the session is. Never the condition.
+
+const PANEL_STYLE := preload("panel_style.tres")
+const TITLES: Dictionary[String, String] = {
+	"horizontal_drag": "Horizontal drag",
+	"vertical_drag": "Vertical drag",
+	"tap": "Tap",
+	"zoom": "Three-finger zoom",
+}
+const INSTRUCTIONS: Dictionary[String, String] = {
+	"horizontal_drag": "Drag the box from the left marker to the right one.",
+	"vertical_drag": "Drag the box from one marker to the other.",
+	"tap": "Tap the surface.",
+	"zoom": "Open thumb, index and middle finger until the sphere fills the ring.",
+}
+
+var _runner: StudyRunner = null
+var _title := Label.new()
+var _instruction := Label.new()
+var _counter := Label.new()
+var _progress := ProgressBar.new()
+var _notice := Label.new()
+## Of the trials in this run: for the time left.
+var _begun_s := NAN
+var _begun_trials := 0
+
+
+func _init() -> void:
+	var panel := PanelContainer.new()
+	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
+	panel.position = Vector2(24, 24)
+	add_child(panel)
+	var rows := VBoxContainer.new()
+	rows.custom_minimum_size = Vector2(360, 0)
+	rows.add_theme_constant_override("separation", 8)
+	panel.add_child(rows)
+	_title.add_theme_font_size_override("font_size", 22)
+	for label: Label in [_instruction, _notice]:
+		label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	for row: Control in [_title, _instruction, _counter, _progress, _notice]:
+		rows.add_child(row)
+
+
+## Follows a runner whose session is open.
+func follow(runner: StudyRunner) -> void:
+	_runner = runner
+	_begun_s = 1e-6 * Time.get_ticks_usec()
+	_begun_trials = runner.session.count_finished()
+	runner.session.trouble.connect(show_notice)
+	runner.trial_started.connect(_on_trial_started)
+
+
+## For whoever runs the study. Empty: none.
+func show_notice(text: String) -> void:
+	_notice.text = text
+
+
+func get_texts() -> PackedStringArray:
+	return [_title.text, _instruction.text, _counter.text, _notice.text]
+
+
+func _process(_delta: float) -> void:
+	if _runner == null or _runner.session == null:
+		return
+	match _runner.state:
+		StudyRunner.State.RESTING:
+			_title.text = "Rest"
+			_instruction.text = "The next trial comes in %.0f s." % _runner.get_rest_left()
+		StudyRunner.State.ASKING:
+			_title.text = "Questions"
+			_instruction.text = "Please answer for the last trials."
+		StudyRunner.State.PAUSED:
+			_title.text = "Pause"
+			_instruction.text = "Press P to continue. A trial that was under way comes again."
+		StudyRunner.State.COMPLETE:
+			_title.text = "Thank you"
+			_instruction.text = "The session is complete."
+	_show_progress()
+
+
+func _on_trial_started(trial: Dictionary) -> void:
+	var gesture: String = trial["gesture"]
+	_title.text = TITLES.get(gesture, gesture.capitalize())
+	if trial["practice"]:
+		_title.text += " (practice)"
+	_instruction.text = INSTRUCTIONS.get(gesture, "Make the gesture.")
+
+
+func _show_progress() -> void:
+	var finished := _runner.session.count_finished()
+	var count := _runner.session.trials.size()
+	_progress.max_value = count
+	_progress.value = finished
+	_counter.text = "Trial %d of %d" % [mini(finished + 1, count), count]
+	var made := finished - _begun_trials
+	if made >= 5 and finished < count:
+		var passed_s := 1e-6 * Time.get_ticks_usec() - _begun_s
+		var left_s := passed_s / made * (count - finished)
+		_counter.text += ", about %d min left" % ceili(left_s / 60.0)

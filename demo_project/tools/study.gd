@@ -1,0 +1,96 @@
+extends "tool.gd"
+## godot --headless --path demo_project --script res://tools/study.gd -- --out DIR
+##     [--participants N] [--protocol FILE] (a StudyProtocol as *.tres; default: the paper's)
+##     [--seed S] [--resume]
+##
+## Simulated participants p01, p02 ... make a whole study through the real nodes, faster than real
+## time; see docs/study_files.md for what is in DIR. With --resume, unfinished sessions go on and
+## complete ones are left as they are; without it each participant gets a new session.
+##
+## Exit code: 0; 2 where nothing could be done or a file could not be written.
+
+const Progress := preload("progress.gd")
+const SyntheticQuestionnairePanel := preload("res://study/synthetic_questionnaire_panel.gd")
+const SyntheticStudyHand := preload("res://study/synthetic_study_hand.gd")
+
+const MOST_PARTICIPANTS := 999
+
+
+func work(arguments: PackedStringArray) -> void:
+	var flag := Array(arguments).find("--resume")
+	if flag >= 0 and (flag + 1 == arguments.size() or arguments[flag + 1].begins_with("--")):
+		arguments.insert(flag + 1, "true")
+	var defaults: Dictionary[String, String] = {
+		participants = "9", protocol = "", out = "", seed = "", resume = "false"
+	}
+	var options := CommandLine.new(arguments, defaults)
+	var out_folder := options.path("out")
+	var count := int(options.number("participants", 1, MOST_PARTICIPANTS, "number of participants"))
+	var protocol_path := options.optional_path("protocol")
+	var resumes := options.choice("resume", ["true", "false"]) == "true"
+	var seed_text := options.text("seed")
+	if not options.error.is_empty():
+		fail(options.error, EXIT_BAD_INPUT)
+		return
+	var protocol := _load(protocol_path)
+	if protocol == null:
+		fail("--protocol is '%s': this is no StudyProtocol" % protocol_path, EXIT_BAD_INPUT)
+		return
+	if not seed_text.is_empty():
+		if not seed_text.is_valid_int():
+			fail("--seed is '%s'; it must be a whole number" % seed_text, EXIT_BAD_INPUT)
+			return
+		protocol.seed = seed_text.to_int()
+	exit_code = 0
+	for index in count:
+		if not _run_participant(index, protocol, out_folder, resumes):
+			exit_code = EXIT_BAD_INPUT
+			return
+
+
+func _load(path: String) -> StudyProtocol:
+	if path.is_empty():
+		return StudyProtocol.paper()
+	return ResourceLoader.load(path) as StudyProtocol if FileAccess.file_exists(path) else null
+
+
+func _run_participant(
+	index: int, protocol: StudyProtocol, out_folder: String, resumes: bool
+) -> bool:
+	var id := "p%02d" % (index + 1)
+	var session := StudySession.new()
+	var hand := SyntheticStudyHand.new()
+	hand.subject = index
+	hand.seed = protocol.seed
+	var opened := ERR_DOES_NOT_EXIST
+	if resumes:
+		opened = session.resume(out_folder, id)
+		if opened == ERR_DOES_NOT_EXIST and not session.trials.is_empty():
+			print("%s: complete" % session.folder)
+			hand.free()
+			return true
+	if opened == ERR_DOES_NOT_EXIST:
+		session = StudySession.new()
+		opened = session.start(out_folder, id, protocol, hand.origin, hand.get_settings())
+	if opened != OK:
+		hand.free()
+		return false
+	print(
+		"%s: trial %d of %d" % [session.folder, session.count_finished() + 1, session.trials.size()]
+	)
+	var panel := SyntheticQuestionnairePanel.new()
+	panel.participant = id
+	panel.seed = protocol.seed
+	var runner := StudyRunner.new()
+	runner.vibration_bus = &""
+	root.add_child(runner)
+	runner.trial_ended.connect(
+		func(_trial: Dictionary, figures: Dictionary) -> void: panel.remember(figures)
+	)
+	var progress := Progress.new(id)
+	runner.begin(session, hand, panel)
+	while runner.step():
+		progress.show(float(session.count_finished()) / session.trials.size())
+	runner.end()
+	runner.free()
+	return session.flush() == OK

@@ -1,0 +1,46 @@
+extends "support/scene_test.gd"
+## The command that lets simulated participants make a study.
+
+const StudySupport := preload("support/study_support.gd")
+const ToolRun := preload("support/tool_run.gd")
+
+var _folder := DirAccess.create_temp("steadyhand_study_command")
+var _root := _folder.get_current_dir()
+
+
+func test_the_command_refuses_what_it_cannot_use() -> void:
+	var out := _root.path_join("refused")
+	var mistakes: Dictionary[String, PackedStringArray] = {
+		"--out is missing": [],
+		"--participants is '0'; it must be a number of participants": ["--participants", "0"],
+		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
+		"this is no StudyProtocol": ["--protocol", out.path_join("none.tres")],
+	}
+	for said in mistakes:
+		var arguments := mistakes[said].duplicate()
+		if said != "--out is missing":
+			arguments.append_array(["--out", out])
+		var tool := ToolRun.new("study", arguments)
+		check_equal(tool.exit_code, 2, "exit code with %s" % [mistakes[said]])
+		check_equal(tool.not_said([said]), "", "the message")
+	check(not DirAccess.dir_exists_absolute(out), "nothing is written")
+
+
+func test_the_command_leaves_complete_sessions_alone() -> void:
+	var protocol := StudySupport.protocol()
+	protocol.gestures = ["tap"]
+	var path := _root.path_join("protocol.tres")
+	check_equal(ResourceSaver.save(protocol, path), OK, "a protocol is saved")
+	var out := _root.path_join("command")
+	var arguments := ["--out", out, "--protocol", path, "--participants", "2", "--seed", "5"]
+	var first := ToolRun.new("study", PackedStringArray(arguments))
+	check_equal(first.exit_code, 0, "exit code")
+	var table := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
+	check_equal(table.count("\n"), 10, "a header, 8 trials and a practice trial")
+	arguments.append("--resume")
+	var second := ToolRun.new("study", PackedStringArray(arguments))
+	check_equal(second.exit_code, 0, "exit code with --resume")
+	check_equal(second.not_said(["sub-p02/ses-01: complete"]), "", "it says so")
+	var again := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
+	check_equal(again, table, "and changes nothing")
+	check(not DirAccess.dir_exists_absolute(out.path_join("sub-p02/ses-02")), "no new session")

@@ -1,0 +1,211 @@
+extends "support/scene_test.gd"
+## The files of a session: new, resumed, cut off, refused.
+
+const Columns := preload("res://study/study_columns.gd")
+
+var _folder := DirAccess.create_temp("steadyhand_study_session")
+var _root := _folder.get_current_dir()
+
+
+func test_a_new_session_has_plan_and_header() -> void:
+	var session := _start("new", "ann")
+	check_equal(session.folder, _root.path_join("new/sub-ann/ses-01"), "folder")
+	var text := FileAccess.get_file_as_string(session.folder.path_join("session.json"))
+	var saved: Dictionary = JSON.parse_string(text)
+	for key: String in [
+		"format",
+		"version",
+		"study",
+		"participant",
+		"session",
+		"origin",
+		"seed",
+		"protocol",
+		"trials",
+		"questionnaires",
+		"settings",
+		"versions",
+		"machine",
+		"started"
+	]:
+		check(saved.has(key), "session.json has %s" % key)
+	check_equal(saved["trials"].size(), 8, "trials in the plan")
+	check_equal(saved["settings"]["mode"], "phase", "settings of the nodes")
+	session.finish_trial(1, {shown_s = 1.5, recognised = "tap"})
+	var lines := _text(session, "trials.csv").split("\n")
+	check_equal(lines[0], ",".join(Columns.TRIALS), "columns of trials.csv")
+	check_equal(lines.size(), 3, "a header and a row")
+	check(lines[1].begins_with("1,1,1,1,ann,1,mouse,0,tap,"), "the plan is in the row")
+
+
+func test_columns_are_those_of_the_documentation() -> void:
+	var text := FileAccess.get_file_as_string(
+		ProjectSettings.globalize_path("res://").path_join("../docs/study_files.md")
+	)
+	for columns: PackedStringArray in [Columns.TRIALS, Columns.ANSWERS]:
+		for column in columns:
+			var name := column
+			for condition: String in ["measured", "average", "synthesised"]:
+				name = (
+					name.trim_suffix("_" + condition) + ("_C" if name.ends_with(condition) else "")
+				)
+			check("`%s`" % name in text, "docs/study_files.md has %s" % column)
+
+
+func test_bad_ids_are_refused() -> void:
+	# expects error: Participant 'ann/b': an id must be 1 to 32 letters (a-z, A-Z) and digits
+	# expects error: Participant 'ann:b': an id must be
+	# expects error: Participant '': an id must be
+	# expects error: Participant 'Ann': there is 'ann' already
+	for id: String in ["ä", "a".repeat(33), "a b", ".."]:
+		check("'%s'" % id in StudySession.id_problem(id), "'%s' is refused" % id)
+	check_equal(StudySession.id_problem("a".repeat(32)), "", "32 letters are not too many")
+	for id: String in ["ann/b", "ann:b", ""]:
+		var session := StudySession.new()
+		var result := session.start(_root.path_join("bad"), id, _protocol(), "mouse")
+		check(result != OK, "'%s' is refused" % id)
+		check("'%s'" % id in session.error, "and the message names it")
+	check(not DirAccess.dir_exists_absolute(_root.path_join("bad")), "nothing is written")
+	_start("case", "ann")
+	var session := StudySession.new()
+	check(
+		session.start(_root.path_join("case"), "Ann", _protocol(), "mouse") != OK, "Ann beside ann"
+	)
+
+
+func test_a_bad_protocol_is_refused() -> void:
+	# expects error: The protocol cannot be used: 'gestures' is empty
+	var protocol := _protocol()
+	protocol.gestures = []
+	var session := StudySession.new()
+	check(session.start(_root.path_join("bad"), "ann", protocol, "mouse") != OK, "refused")
+
+
+func test_a_second_session_gets_the_next_number() -> void:
+	var first := _start("twice", "ann")
+	first.finish_trial(1, {})
+	var before := _text(first, "trials.csv")
+	var second := _start("twice", "ann")
+	check_equal(second.folder.get_file(), "ses-02", "folder")
+	second.finish_trial(1, {})
+	check_equal(_text(first, "trials.csv"), before, "the first one stays as it is")
+
+
+func test_an_unfinished_session_resumes_at_the_first_missing_trial() -> void:
+	var session := _start("resume", "ann")
+	check_equal(session.run, 1, "first run")
+	for trial in [1, 2, 3]:
+		session.finish_trial(trial, {})
+	var resumed := StudySession.new()
+	check_equal(resumed.resume(_root.path_join("resume"), "ann"), OK, "resumed")
+	check_equal(resumed.run, 2, "second run")
+	check_equal(resumed.trials, session.trials, "the plan is the same")
+	check_equal(resumed.next_trial()["trial"], 4, "next trial")
+	for trial in range(4, 9):
+		resumed.finish_trial(trial, {})
+	check(resumed.next_trial().is_empty(), "no trial is left")
+	while not resumed.next_questionnaire().is_empty():
+		_answer(resumed)
+	resumed.flush()
+	check(resumed.is_complete(), "the session is complete")
+	var again := StudySession.new()
+	var result := again.resume(_root.path_join("resume"), "ann")
+	check_equal(result, ERR_DOES_NOT_EXIST, "a complete session is not resumed")
+
+
+func test_unanswered_items_are_asked_again_after_a_crash() -> void:
+	var session := _start("answers", "ann")
+	for trial in [1, 2, 3, 4]:
+		session.finish_trial(trial, {})
+	var due := session.next_questionnaire()
+	check_equal(due["after_trial"], 4, "a questionnaire is due")
+	session.add_answer(4, due["questionnaire"], {item = "synchronisation", value = 3, changes = 0})
+	session.flush()
+	var resumed := StudySession.new()
+	resumed.resume(_root.path_join("answers"), "ann")
+	var left: PackedStringArray = resumed.next_questionnaire()["items"]
+	check_equal(left, PackedStringArray(["smoothness", "completion"]), "the others are left")
+
+
+func test_a_cut_last_row_is_kept_aside() -> void:
+	var session := _start("cut", "ann")
+	for trial in [1, 2]:
+		session.finish_trial(trial, {})
+	var path := session.folder.path_join("trials.csv")
+	var whole := _text(session, "trials.csv")
+	var file := FileAccess.open(path, FileAccess.WRITE)
+	var second := whole.split("\n")[2]
+	file.store_string(whole.substr(0, whole.length() - 12))
+	file.close()
+	var resumed := StudySession.new()
+	check_equal(resumed.resume(_root.path_join("cut"), "ann"), OK, "resumed")
+	check_equal(resumed.next_trial()["trial"], 2, "the cut trial is made again")
+	resumed.finish_trial(2, {})
+	check_equal(_text(resumed, "trials.csv").count("\n"), 3, "a header and two rows")
+	var kept := second.substr(0, second.length() - 11) + "\n"
+	check_equal(_text(resumed, "trials.csv.cut"), kept, "the cut row is in the .cut file")
+
+
+func test_texts_with_commas_quotes_and_line_breaks_stay_one_row() -> void:
+	var session := _start("quotes", "ann")
+	session.add_event(1.0, "answered", 'a, "b"\nc', 1)
+	session.flush()
+	var file := FileAccess.open(session.folder.path_join("events.csv"), FileAccess.READ)
+	file.get_csv_line()
+	var row := file.get_csv_line()
+	check_equal(row[4], 'a, "b" c', "the text")
+	check_equal(row.size(), 5, "cells")
+
+
+func test_rows_wait_in_memory_while_the_file_cannot_be_written() -> void:
+	# expects one error: cannot be written. Is the disk full, or has another program opened the file?
+	var session := _start("waits", "ann")
+	session.finish_trial(1, {})
+	var path := session.folder.path_join("trials.csv")
+	DirAccess.rename_absolute(path, path + ".away")
+	DirAccess.make_dir_absolute(path)
+	var told: Array[String] = []
+	session.trouble.connect(func(message: String) -> void: told.append(message))
+	check(session.finish_trial(2, {}) != OK, "trial 2 has to wait")
+	check(session.finish_trial(3, {}) != OK, "so has trial 3")
+	check_equal(told.size(), 1, "one message")
+	DirAccess.remove_absolute(path)
+	DirAccess.rename_absolute(path + ".away", path)
+	check_equal(session.finish_trial(4, {}), OK, "trial 4 is written")
+	check_equal(told.size(), 2, "a signal that all is well")
+	var lines := _text(session, "trials.csv").split("\n", false)
+	check_equal(lines.size(), 5, "a header and four rows")
+	for i in range(1, 5):
+		check_equal(lines[i].get_slice(",", 0), str(i), "row %d" % i)
+
+
+func _answer(session: StudySession) -> void:
+	var due := session.next_questionnaire()
+	for item: String in due["items"]:
+		session.add_answer(due["after_trial"], due["questionnaire"], {item = item, changes = 0})
+
+
+func _start(study: String, id: String) -> StudySession:
+	var session := StudySession.new()
+	check_equal(
+		session.start(_root.path_join(study), id, _protocol(), "mouse", {mode = "phase"}),
+		OK,
+		"started"
+	)
+	return session
+
+
+func _protocol() -> StudyProtocol:
+	var protocol := StudyProtocol.paper()
+	protocol.gestures = ["tap"]
+	protocol.conditions = ["measured", "synthesised"]
+	protocol.trials_per_cell = 2
+	protocol.block_size = 2
+	protocol.practice_trials = 0
+	protocol.questionnaires[0] = protocol.questionnaires[0].duplicate()
+	protocol.questionnaires[0].after_trials = 4
+	return protocol
+
+
+func _text(session: StudySession, name: String) -> String:
+	return FileAccess.get_file_as_string(session.folder.path_join(name))
