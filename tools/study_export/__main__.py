@@ -18,7 +18,9 @@ BAD_INPUT = 2
 def main() -> int:
     parser = argparse.ArgumentParser(prog="./steadyhand study", description=__doc__)
     parser.add_argument("study", type=Path, metavar="DIR", help="folder of the study, or any folder above its sessions")
-    parser.add_argument("--tidy", type=Path, metavar="OUT.csv", help="write OUT.csv, OUT_answers.csv and OUT_codebook.csv")
+    parser.add_argument(
+        "--tidy", type=Path, metavar="OUT.csv", help="write OUT.csv, OUT_answers.csv and OUT_codebook.csv"
+    )
     parser.add_argument("--bids", type=Path, metavar="OUTDIR", help="write a BIDS dataset into a new folder")
     given = parser.parse_args()
     if not (given.tidy or given.bids):
@@ -29,7 +31,9 @@ def main() -> int:
     trials = sum(len(session.trials) for session in sessions)
     failure = ""
     if not trials and not found.faults:
-        failure = f"{given.study}: no finished trial in it. Name the folder that has sub-NAME/ses-NN/session.json below it"
+        failure = (
+            f"{given.study}: no finished trial in it. Name the folder that has sub-NAME/ses-NN/session.json below it"
+        )
     written = []
     if trials:
         try:

@@ -11,7 +11,7 @@ RATE_HZ = 1000
 NAMES = [column.name for column in MOTION]
 
 
-def write_curves(path: Path, stem: Path, start_s: float, found: Findings) -> None:
+def write_curves(path: Path, stem: Path, task: str, start_s: float, found: Findings) -> None:
     """`start_s`: the first frame of the trial's recording, on the run's clock."""
 
     def parse(cells: dict[str, str], _line: int) -> dict[str, str]:
@@ -26,8 +26,12 @@ def write_curves(path: Path, stem: Path, start_s: float, found: Findings) -> Non
     steps = [round((after - before) * RATE_HZ) for before, after in zip(times, times[1:], strict=False)]
     if any(step != 1 for step in steps):
         place = next(place for place, step in enumerate(steps) if step != 1)
-        found.notes.append(f"{path}: rows are not 1 ms apart after t = {rows[place]['t']}: use the column t of its curves")
-    lines = ("\t".join([f"{t - start_s:.6f}", *(cell(row[n]) for n in NAMES[1:])]) + "\n" for t, row in zip(times, rows))
+        found.notes.append(
+            f"{path}: rows are not 1 ms apart after t = {rows[place]['t']}: use the column t of its curves"
+        )
+    lines = (
+        "\t".join([f"{t - start_s:.6f}", *(cell(row[n]) for n in NAMES[1:])]) + "\n" for t, row in zip(times, rows)
+    )
     # No name and no time in the header of the gzip file: the same session gives the same bytes.
     with open(f"{stem}_stim.tsv.gz", "wb") as raw, gzip.GzipFile("", "wb", mtime=0, fileobj=raw) as file:
         file.writelines(line.encode() for line in lines)
@@ -35,5 +39,11 @@ def write_curves(path: Path, stem: Path, start_s: float, found: Findings) -> Non
     about["t"]["Description"] = "Time from the first frame of the recording of the tracker"
     write_json(
         Path(f"{stem}_stim.json"),
-        {"SamplingFrequency": RATE_HZ, "StartTime": round(times[0] - start_s, 6), "Columns": NAMES, **about},
+        {
+            "TaskName": task,
+            "SamplingFrequency": RATE_HZ,
+            "StartTime": round(times[0] - start_s, 6),
+            "Columns": NAMES,
+            **about,
+        },
     )

@@ -25,7 +25,10 @@ SCANS = [
 PARTICIPANTS = [
     Column("participant_id", "", TEXT, "id of the participant"),
     Column(
-        "origin", "", TEXT, "who made the trials: person, mouse, synthetic or replay; mixed: see the sessions.tsv of each"
+        "origin",
+        "",
+        TEXT,
+        "who made the trials: person, mouse, synthetic or replay; mixed: see the sessions.tsv of each",
     ),
     Column("sessions", "", TEXT, "number of sessions"),
 ]
@@ -63,6 +66,7 @@ def write_session(session: Session, folder: Path, tasks: dict[str, str], found: 
     prefix = session_prefix(session)
     groups: dict[tuple[str, str, str], list[Recording]] = defaultdict(list)
     scans: list[list[str]] = []
+    written: set[tuple[str, str]] = set()
     for trial in session.trials:
         start_s = None
         for system, name, track in tracks(session, trial, found):
@@ -79,17 +83,18 @@ def write_session(session: Session, folder: Path, tasks: dict[str, str], found: 
             continue
         stem = f"{prefix}_task-{tasks[trial['gesture']]}_"
         run = f"run-{trial.count('trial'):04d}"
-        own = [event for event in session.events if event["trial"] and event.count("trial") == trial.count("trial")]
-        own = [event for event in own if event["run"] == trial["run"]]
+        key = (trial["trial"], trial["run"])
+        own = [event for event in session.events if (event["trial"], event["run"]) == key]
+        written.add(key)
         write_events(folder / "motion" / f"{stem}{run}_events.tsv", session, own, start_s)
         curves = session.folder / f"{trial_name(trial)}.motion.csv"
-        write_curves(curves, folder / "motion" / f"{stem}{run}_recording-curves", start_s, found)
+        write_curves(curves, folder / "motion" / f"{stem}{run}_recording-curves", trial["gesture"], start_s, found)
     for (gesture, _, name), recordings in groups.items():
         write_sidecars(recordings, gesture, name, about(session, gesture), found)
     if scans:
         write_tsv(folder / f"{prefix}_scans.tsv", [column.name for column in SCANS], scans)
         write_json(folder / f"{prefix}_scans.json", described(SCANS))
-    write_session_tables(folder / "beh", session, tasks)
+    write_session_tables(folder / "beh", session, tasks, written)
 
 
 def trial_name(trial: Row) -> str:

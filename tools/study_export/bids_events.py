@@ -49,8 +49,8 @@ def write_events(path: Path, session: Session, events: list[Row], start_s: float
         write_tsv(path, [column.name for column in EVENT_COLUMNS], rows)
 
 
-def write_session_tables(folder: Path, session: Session, tasks: dict[str, str]) -> None:
-    """Results of trials, answers, and events outside of trials, into beh/."""
+def write_session_tables(folder: Path, session: Session, tasks: dict[str, str], written: set[tuple[str, str]]) -> None:
+    """Results of trials, answers, and events, into beh/. `written`: trial and run of the events that have a file."""
     prefix = session_prefix(session)
     for gesture, task in tasks.items():
         trials = [trial for trial in session.trials if trial["gesture"] == gesture]
@@ -58,7 +58,7 @@ def write_session_tables(folder: Path, session: Session, tasks: dict[str, str]) 
             write_rows(folder / f"{prefix}_task-{task}_beh.tsv", BEH_TRIALS, trials)
     if session.answers:
         write_rows(folder / f"{prefix}_task-{QUESTIONNAIRES}_beh.tsv", BEH_ANSWERS, session.answers)
-    outside = [event for event in session.events if not event["trial"]]
+    outside = [event for event in session.events if (event["trial"], event["run"]) not in written]
     for run in sorted({event.count("run") for event in outside}):
         events = [event for event in outside if event.count("run") == run]
         starts = [event.number("t_s") for event in events if event["event"] == "run_started"]

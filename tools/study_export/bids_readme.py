@@ -25,7 +25,8 @@ How the study maps to BIDS
   of any analysis.
 - beh/*_task-questionnaires_beh.tsv has the answers. BIDS allows one row for each participant in phenotype/, and a study
   asks after many trials, so that the answers are here.
-- beh/*_task-session_events.tsv has the events outside of trials. Onset 0 is the start of the run of the program.
+- beh/*_task-session_events.tsv has the events outside of trials, and of trials that have no recording. Onset 0 is the
+  start of the program; run N is the column run.
 - sourcedata/ has each session.json: the plan, the protocol, the settings and the machine.
 
 Before you publish

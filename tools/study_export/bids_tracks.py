@@ -62,7 +62,10 @@ def write_recording(track: Path, stem: Path, found: Findings) -> Recording | Non
     write_tsv(
         Path(f"{stem}_motion.tsv"),
         [],
-        ([f"{t - start_s:.6f}", *(frame[n] for n in positions + others)] for t, frame in zip(times, frames, strict=True)),
+        (
+            [f"{t - start_s:.6f}", *(frame[n] for n in positions + others)]
+            for t, frame in zip(times, frames, strict=True)
+        ),
     )
     rows = [["latency", MISSING, "LATENCY", MISSING, "s", MISSING, MISSING]]
     rows += [[n, n[-1], "POS", n[:-2], "m", f"{n[:-2]} of the hand", FRAME] for n in positions]
@@ -94,10 +97,14 @@ def write_sidecars(recordings: list[Recording], task: str, system: str, about: d
     rates = [rate for recording in recordings for rate in recording.median_rate()]
     rate = statistics.median(rates) if rates else 0.0
     if not rates:
-        found.notes.append(f"{recordings[0].stem}: one frame a trial: its sampling frequency is unknown, and written as 0")
+        found.notes.append(
+            f"{recordings[0].stem}: one frame a trial: its sampling frequency is unknown, and written as 0"
+        )
     for recording in recordings:
         duration_s = recording.times[-1] - recording.start_s
-        effective = {"SamplingFrequencyEffective": round((len(recording.times) - 1) / duration_s, 6)} if duration_s else {}
+        effective = (
+            {"SamplingFrequencyEffective": round((len(recording.times) - 1) / duration_s, 6)} if duration_s else {}
+        )
         counts = {f"{kind}ChannelCount": 0 for kind in OTHER_TYPES}
         write_json(
             Path(f"{recording.stem}_motion.json"),

@@ -77,7 +77,8 @@ def read_sessions(root: Path, found: Findings) -> list[Session]:
         return []
     for path in sorted(root.rglob("session.json")):
         if apart := set_apart(path, root):
-            found.notes.append(f"{apart} is left out: it has a no_study.txt")
+            if (note := f"{apart} is left out: it has a no_study.txt") not in found.notes:
+                found.notes.append(note)
             continue
         try:
             session = Session(path.parent, read_about(path))
@@ -116,7 +117,8 @@ def read_rows(session: Session, found: Findings) -> None:
     def rows(name: str, columns: list[Column]) -> list[Row]:
         path = session.folder / name
         if not path.exists():
-            found.notes.append(f"{path}: not there")
+            if name != "answers.csv" or session.about.get("questionnaires"):
+                found.notes.append(f"{path}: not there")
             return []
         return read_table(path, [column.name for column in columns], partial(parse, session, columns), found)
 
@@ -127,6 +129,9 @@ def read_rows(session: Session, found: Findings) -> None:
     planned = {int(trial["trial"]) for trial in session.about.get("trials") or []}
     if missing := planned - done:
         found.notes.append(f"{session.folder}: {len(missing)} of {len(planned)} planned trials have no row yet")
+    for path in sorted(session.folder.glob("trial_*.motion.csv")):
+        if int(re.sub("[^0-9]", "", path.name) or 0) not in done:
+            found.notes.append(f"{path} is left out: trials.csv has no row of this trial, which did not finish")
 
 
 def parse(session: Session, columns: list[Column], cells: dict[str, str], line: int) -> Row:

@@ -10,7 +10,18 @@ from whole_file import whole
 
 STUDY = Column("study", "", TEXT, "name of the study")
 BY_NAME = {column.name: column for column in TRIALS}
-OF_TRIAL = ["participant", "session", "origin", "run", "trial", "block", "repetition", "practice", "gesture", "position"]
+OF_TRIAL = [
+    "participant",
+    "session",
+    "origin",
+    "run",
+    "trial",
+    "block",
+    "repetition",
+    "practice",
+    "gesture",
+    "position",
+]
 OF_TASK = ["condition", "amplitude_m", "width_m", "shown_s", "onset_s", "end_s"]
 OF_RESULT = ["aborts", "losses", "end_value_m", "reference"]
 
