@@ -1,6 +1,5 @@
 """Writes all sessions as one BIDS dataset with motion-BIDS recordings."""
 
-import json
 import shutil
 from collections import defaultdict
 from pathlib import Path
@@ -130,7 +129,7 @@ def about(session: Session, gesture: str) -> dict:
 def write_root(sessions: list[Session], root: Path, tasks: dict[str, str]) -> None:
     studies = sorted({str(session.about.get("study") or "study") for session in sessions})
     versions = sorted({session.version("steadyhand") for session in sessions} - {""})
-    dates = sorted(str(session.about.get("started") or "")[:10] for session in sessions)
+    dates = sorted(session.started[:10] for session in sessions)
     write_json(
         root / "dataset_description.json",
         {
@@ -147,7 +146,7 @@ def write_root(sessions: list[Session], root: Path, tasks: dict[str, str]) -> No
         by_participant[session.participant].append(session)
         source = root / "sourcedata" / session_folder(session) / "session.json"
         source.parent.mkdir(parents=True, exist_ok=True)
-        source.write_text(json.dumps(session.about, indent="\t", ensure_ascii=False) + "\n", encoding="utf-8")
+        source.write_text((session.folder / "session.json").read_text(encoding="utf-8"), encoding="utf-8")
     rows = []
     for participant, own in by_participant.items():
         origins = {session.origin for session in own}
@@ -162,7 +161,5 @@ def write_root(sessions: list[Session], root: Path, tasks: dict[str, str]) -> No
 
 
 def session_row(session: Session) -> list[str]:
-    started = str(session.about.get("started") or "")
-    planned = len(session.about.get("trials") or [])
-    seed = str(session.about.get("seed", ""))
-    return [f"ses-{session.number:02d}", started[:19], session.origin, seed, str(planned), str(len(session.trials))]
+    planned, finished = str(len(session.about["trials"])), str(len(session.trials))
+    return [f"ses-{session.number:02d}", session.started, session.origin, session.seed, planned, finished]

@@ -1,11 +1,12 @@
 """Writes the frames of a tracker as a motion-BIDS recording.
 
-One trial is one BIDS run, because a study records frames in trials only: each recording is then without a break, has its
-own start time, and run N is trial N of the session.
+One trial is one BIDS run, because a study records frames in trials only. Each recording then has no break and its own
+start time, and run N is trial N of the session.
 """
 
 import statistics
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 from study_export.bids_files import MISSING, write_json, write_tsv
@@ -43,7 +44,7 @@ class Recording:
 
     def median_rate(self) -> list[float]:
         """Empty: it has no two frames of different times."""
-        steps = [after - before for before, after in zip(self.times, self.times[1:], strict=False) if after > before]
+        steps = [after - before for before, after in pairwise(self.times) if after > before]
         return [1.0 / statistics.median(steps)] if steps else []
 
 

@@ -61,6 +61,20 @@ class Session:
     def version(self, name: str) -> str:
         return str((self.about.get("versions") or {}).get(name) or "")
 
+    @property
+    def seed(self) -> str:
+        """A large seed may be written as text, because JSON numbers have 53 bits."""
+        seed = self.about.get("seed", "")
+        return str(int(seed)) if isinstance(seed, float) and seed.is_integer() else str(seed)
+
+    @property
+    def started(self) -> str:
+        """Local date and time; empty: unknown."""
+        try:
+            return time_of("started", str(self.about.get("started") or "")).isoformat(timespec="seconds")
+        except ValueError:
+            return ""
+
     def local_time(self, run: int, t_s: float) -> datetime | None:
         """Local date and time of a moment on the clock of a run. None: the run's start was not recorded."""
         for event in self.events:
@@ -108,6 +122,9 @@ def read_about(path: Path) -> dict:
     if isinstance(session, bool) or not isinstance(session, int | float) or session != int(session) or session < 1:
         raise ValueError(f"session: '{session}' must be a whole number from 1")
     about["session"] = int(session)  # Godot writes whole numbers as 1.0
+    plan = about.setdefault("trials", [])
+    if not isinstance(plan, list) or not all(isinstance(trial, dict) and "trial" in trial for trial in plan):
+        raise ValueError("trials: must be a list of objects with a key 'trial'")
     if about.get("origin") not in ORIGINS:
         raise ValueError(f"origin: '{about.get('origin')}' is none of {', '.join(ORIGINS)}")
     return about
@@ -125,8 +142,9 @@ def read_rows(session: Session, found: Findings) -> None:
     session.trials = once_each(session.folder / "trials.csv", rows("trials.csv", TRIALS), found)
     session.answers = rows("answers.csv", ANSWERS)
     session.events = rows("events.csv", EVENTS)
+    note_repeated_answers(session, found)
     done = {trial.count("trial") for trial in session.trials}
-    planned = {int(trial["trial"]) for trial in session.about.get("trials") or []}
+    planned = {int(trial["trial"]) for trial in session.about["trials"]}
     if missing := planned - done:
         found.notes.append(f"{session.folder}: {len(missing)} of {len(planned)} planned trials have no row yet")
     for path in sorted(session.folder.glob("trial_*.motion.csv")):
@@ -144,6 +162,17 @@ def parse(session: Session, columns: list[Column], cells: dict[str, str], line: 
     if cells.get("event") == "run_started" and cells["value"]:
         time_of("value", cells["value"])
     return Row(line, cells)
+
+
+def note_repeated_answers(session: Session, found: Findings) -> None:
+    first: dict[tuple[str, ...], Row] = {}
+    for answer in session.answers:
+        earlier = first.setdefault(tuple(answer[name] for name in ("after_trial", "questionnaire", "item")), answer)
+        if earlier is not answer:
+            found.notes.append(
+                f"{session.folder / 'answers.csv'}:{answer.line}: the question '{answer['item']}' after trial"
+                f" {answer['after_trial']} is already in line {earlier.line}: both rows are exported"
+            )
 
 
 def once_each(path: Path, trials: Iterable[Row], found: Findings) -> list[Row]:

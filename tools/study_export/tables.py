@@ -21,10 +21,13 @@ def read_table(
 ) -> list[Item]:
     """The rows that `parse` accepts. It gets the cells by column, and the line; ValueError refuses the row."""
     try:
-        text, is_cut = decode(path, found)
+        data = path.read_bytes()
     except OSError as fault:
         found.faults.append(f"{path}: cannot be read ({fault.strerror or fault})")
         return []
+    # A byte that is no UTF-8 becomes a surrogate, and its row is refused.
+    text = data.decode("utf-8-sig", errors="surrogateescape")
+    is_cut = not data.endswith((b"\n", b"\r"))
     items: list[Item] = []
     header: list[str] = []
     for line, cells, fault, is_last in records(text):
@@ -52,33 +55,19 @@ def read_table(
     return items
 
 
-def decode(path: Path, found: Findings) -> tuple[str, bool]:
-    """Its text, and whether its last line has no line break."""
-    data = path.read_bytes()
-    is_cut = bool(data) and not data.endswith((b"\n", b"\r"))
-    try:
-        return data.decode("utf-8-sig"), is_cut
-    except UnicodeDecodeError as fault:
-        line = data.count(b"\n", 0, fault.start) + 1
-        if not (is_cut and b"\n" not in data[fault.start :]):
-            found.faults.append(f"{path}:{line}: this is no UTF-8 text. Save the file as UTF-8")
-        return data.decode("utf-8-sig", errors="replace"), is_cut
-
-
 def records(text: str) -> Iterator[tuple[int, list[str], str, bool]]:
-    """Of each record that is not empty: its first line, its cells, what is wrong with it, and whether it is the last."""
+    """Of each record that is not empty: its first line, its cells, what is wrong, and whether that is the last line."""
+    last = len(io.StringIO(text, newline=None).readlines())
     lines = csv.reader(io.StringIO(text, newline=""), strict=True)
-    found: list[tuple[int, list[str], str]] = []
     while True:
         first = lines.line_num + 1
         try:
-            cells = next(lines)
-            if cells:
-                found.append((first, cells, ""))
+            if cells := next(lines):
+                is_text = "".join(cells).encode(errors="replace").decode() == "".join(cells)
+                yield first, cells, "" if is_text else "this is no UTF-8 text", first == last
         except StopIteration:
             break
         except csv.Error as fault:
             is_open = "end of data" in str(fault)
-            found.append((first, [], "a quote is opened here and never closed" if is_open else f"bad quotes ({fault})"))
-    for place, record in enumerate(found):
-        yield *record, place == len(found) - 1
+            reason = "a quote is opened here and never closed" if is_open else f"bad quotes ({fault})"
+            yield first, [], reason, first == last

@@ -4,7 +4,7 @@ import csv
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from study_export.columns import ANSWERS, COUNT, CURVES, FLAG, NUMBER, TEXT, TRIALS, Column
+from study_export.columns import ANSWERS, COUNT, CURVES, FLAG, FLAGS, NUMBER, TEXT, TRIALS, Column
 from study_export.sessions import Row, Session
 from whole_file import whole
 
@@ -62,12 +62,17 @@ def write_tidy(sessions: list[Session], out: Path) -> list[Path]:
     for path, (columns, rows) in tables.items():
         write(path, [column.name for column in columns], rows)
     codebook = [
-        [path.name, column.name, column.unit, TYPES.get(column.kind, column.kind), column.meaning]
+        [path.name, column.name, column.unit, TYPES.get(column.kind, column.kind), values(column), column.meaning]
         for path, (columns, _) in tables.items()
         for column in columns
     ]
-    write(beside(out, "codebook"), ["file", "column", "unit", "type", "meaning"], codebook)
+    write(beside(out, "codebook"), ["file", "column", "unit", "type", "values", "meaning"], codebook)
     return [*tables, beside(out, "codebook")]
+
+
+def values(column: Column) -> str:
+    """The allowed values; empty: any."""
+    return " ".join(FLAGS if column.kind == FLAG else column.levels)
 
 
 def write(path: Path, header: list[str], rows: Iterable[list[str]]) -> None:

@@ -190,7 +190,7 @@ def validator_errors(dataset: Path) -> tuple[int, list[str]]:
     """Without a network: the schema is a part of the validator."""
     result = dataset.with_name("validator.json")
     command = [VALIDATOR, "--max-rows", "-1", "--format", "json", "--outfile", result, dataset]
-    status, output = run(command, DENO_NO_UPDATE_CHECK="1")
+    status, output = run(command, DENO_NO_UPDATE_CHECK="1", DENO_DIR=str(dataset.with_name("deno")))
     try:
         issues = json.loads(result.read_text())["issues"]["issues"]
     except (OSError, ValueError, KeyError):
