@@ -6,7 +6,7 @@ from pathlib import Path
 
 from study_export.bids_curves import write_curves
 from study_export.bids_events import sidecars, write_events, write_session_tables
-from study_export.bids_files import MISSING, described, write_json, write_tsv
+from study_export.bids_files import MISSING, described, header, write_json, write_tsv
 from study_export.bids_names import reference_label, session_folder, session_prefix, task_labels, tracker_label
 from study_export.bids_readme import README
 from study_export.bids_tracks import Recording, write_recording, write_sidecars
@@ -91,7 +91,7 @@ def write_session(session: Session, folder: Path, tasks: dict[str, str], found: 
     for (gesture, _, name), recordings in groups.items():
         write_sidecars(recordings, gesture, name, about(session, gesture), found)
     if scans:
-        write_tsv(folder / f"{prefix}_scans.tsv", [column.name for column in SCANS], scans)
+        write_tsv(folder / f"{prefix}_scans.tsv", header(SCANS), scans)
         write_json(folder / f"{prefix}_scans.json", described(SCANS))
     write_session_tables(folder / "beh", session, tasks, written)
 
@@ -152,9 +152,9 @@ def write_root(sessions: list[Session], root: Path, tasks: dict[str, str]) -> No
         origins = {session.origin for session in own}
         rows.append([f"sub-{participant}", origins.pop() if len(origins) == 1 else "mixed", str(len(own))])
         path = root / f"sub-{participant}" / f"sub-{participant}_sessions"
-        write_tsv(path.with_suffix(".tsv"), [column.name for column in SESSIONS], map(session_row, own))
+        write_tsv(path.with_suffix(".tsv"), header(SESSIONS), map(session_row, own))
         write_json(path.with_suffix(".json"), described(SESSIONS))
-    write_tsv(root / "participants.tsv", [column.name for column in PARTICIPANTS], rows)
+    write_tsv(root / "participants.tsv", header(PARTICIPANTS), rows)
     write_json(root / "participants.json", described(PARTICIPANTS))
     for name, content in sidecars(tasks).items():
         write_json(root / name, content)

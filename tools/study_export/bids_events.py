@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from study_export.bids_files import MISSING, described, write_tsv
+from study_export.bids_files import MISSING, described, header, write_tsv
 from study_export.bids_names import OUTSIDE, QUESTIONNAIRES, session_prefix
 from study_export.columns import ANSWERS, EVENTS, NUMBER, TEXT, TRIALS, Column
 from study_export.sessions import Row, Session
@@ -46,7 +46,7 @@ def write_events(path: Path, session: Session, events: list[Row], start_s: float
         for event in sorted(events, key=lambda event: event.number("t_s"))
     ]
     if rows:
-        write_tsv(path, [column.name for column in EVENT_COLUMNS], rows)
+        write_tsv(path, header(EVENT_COLUMNS), rows)
 
 
 def write_session_tables(folder: Path, session: Session, tasks: dict[str, str], written: set[tuple[str, str]]) -> None:
@@ -67,7 +67,7 @@ def write_session_tables(folder: Path, session: Session, tasks: dict[str, str], 
 
 
 def write_rows(path: Path, columns: list[Column], rows: list[Row]) -> None:
-    write_tsv(path, [column.name for column in columns], ([row[c.name] for c in columns] for row in rows))
+    write_tsv(path, header(columns), ([row[c.name] for c in columns] for row in rows))
 
 
 def sidecars(tasks: dict[str, str]) -> dict[str, dict]:

@@ -17,7 +17,8 @@ How the study maps to BIDS
 - The channel "latency" has the time of each frame in s from the first one, because frames come at uneven times.
 - A point that the tracker did not see in a frame is n/a.
 - SamplingFrequency is the median rate of the session, SamplingFrequencyEffective the mean rate of the file.
-- acq_time in scans.tsv aligns the files of a session. Files with the same number in the column run share a clock.
+- acq_time in scans.tsv aligns the files of a session. Files with the same number in the column program_run share a
+  clock.
 - motion/*_events.tsv has the events of a trial. Onset 0 is the first frame of the tracker, or of the reference if the
   tracker has none.
 - motion/*_recording-curves_stim.tsv.gz has the motion that each filter made of the frames, and the vibration, at 1 kHz.
@@ -26,7 +27,7 @@ How the study maps to BIDS
 - beh/*_task-questionnaires_beh.tsv has the answers. BIDS allows one row for each participant in phenotype/, and a study
   asks after many trials, so that the answers are here.
 - beh/*_task-session_events.tsv has the events outside of trials, and of trials that have no recording. Onset 0 is the
-  start of the program; run N is the column run.
+  start of the program; run N is the column program_run.
 - sourcedata/ has each session.json: the plan, the protocol, the settings and the machine.
 
 Before you publish

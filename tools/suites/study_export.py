@@ -156,7 +156,7 @@ def clocks_and_events(study: Path, dataset: Path) -> Iterator[Outcome]:
         for scan in scans:
             kind = "frames" if f"tracksys-{TRACKERS[session][0]}" in scan["filename"] else "reference"
             first = read(study / session / f"trial_{int(scan['trial']):04d}.{kind}.csv")[0]
-            clock, begun = starts[scan["run"]]
+            clock, begun = starts[scan["program_run"]]
             late = (datetime.fromisoformat(scan["acq_time"]) - begun).total_seconds()
             wrong += [] if abs(late - (float(first["t"]) - clock)) < 2e-6 else [scan["filename"]]
         count = len(read(study / session / "trials.csv")) * len(TRACKERS[session])

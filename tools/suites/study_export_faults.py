@@ -16,6 +16,8 @@ def faults(folder: Path, export: Export) -> Iterator[Outcome]:
     yield from doubled(folder / "doubled", export)
     yield from cut_off(folder / "cut", export)
     yield from bad_cells(folder / "cells", export)
+    yield from open_quote(folder / "quote", export)
+    yield from no_frames(folder / "frames", export)
     yield from bad_sessions(folder / "sessions", export)
     yield from refused(folder / "refused", export)
 
@@ -75,6 +77,27 @@ def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
     yield Outcome.of(
         f"{NAME}: bad cells are named with file and line", status == 1 and not missing, f"{missing}\n{output}"
     )
+
+
+def open_quote(folder: Path, export: Export) -> Iterator[Outcome]:
+    """It takes all rows after it with it, so that it is more than a last row that is cut off."""
+    write_study(folder)
+    path = folder / "sub-ann/ses-01/trials.csv"
+    path.write_text(path.read_text().replace(",tap,", ',"tap,', 1).rstrip("\n"))
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    good = status == 1 and f"{path}:2: a quote is opened here and never closed" in output
+    yield Outcome.of(f"{NAME}: a quote that is never closed is an error", good, output)
+
+
+def no_frames(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    path = folder / "sub-ann/ses-02/trial_0002.frames.csv"
+    path.write_text(path.read_text().splitlines()[0] + "\n")
+    status, output = export(folder, "--bids", folder / "bids")
+    told = f"{path}: no frame" in output and "trial 2 has no frame: BIDS gets its result only" in output
+    results = folder / "bids/sub-ann/ses-02/beh/sub-ann_ses-02_task-horizontalDrag_beh.tsv"
+    kept = [line.split("\t")[0] for line in results.read_text().splitlines()] == ["trial", "2", "4"]
+    yield Outcome.of(f"{NAME}: a trial without frames keeps its result", status == 0 and told and kept, output)
 
 
 def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:

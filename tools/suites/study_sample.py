@@ -55,6 +55,8 @@ def write_session(folder: Path, participant: str, number: int, kind: Kind, draw:
     clock, last_run = 100.0, 0
     for index, (gesture, position, condition) in enumerate(PLAN, start=1):
         run = 2 if index == len(PLAN) else 1
+        if run == 2:  # in run 1 the program ended during this trial
+            events.append([f"{clock:.6f}", "1", str(index), "target_shown", ""])
         if run != last_run:
             clock = 100.0 + 7.0 * run
             begun = started + timedelta(seconds=RUN_GAP_S * run)
