@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
 
-from suites import command, devices, fuzz, lint, openxr, oracles, scenes, unit
+from suites import command, devices, fuzz, lint, openxr, oracles, scenes, study_export, unit
 from suites.outcome import Outcome
 
 SUITES = {
@@ -21,6 +21,7 @@ SUITES = {
     "devices": devices,
     "fuzz": fuzz,
     "command": command,
+    "study_export": study_export,
     "lint": lint,
     "openxr": openxr,
 }

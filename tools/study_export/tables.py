@@ -1,0 +1,73 @@
+"""Reads CSV files whose last row may be cut off, as a crash leaves them."""
+
+import csv
+import io
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+Item = TypeVar("Item")
+
+
+@dataclass
+class Findings:
+    faults: list[str] = field(default_factory=list)  # errors; each names its file, its line, and what to do
+    notes: list[str] = field(default_factory=list)  # what the user should know, and is no error
+
+
+def read_table(
+    path: Path, columns: list[str], parse: Callable[[dict[str, str], int], Item], found: Findings
+) -> list[Item]:
+    """The rows that `parse` accepts. It gets the cells by column, and the line; ValueError refuses the row."""
+    try:
+        data = path.read_bytes()
+    except OSError as fault:
+        found.faults.append(f"{path}: cannot be read ({fault.strerror or fault})")
+        return []
+    # A byte that is no UTF-8 becomes a surrogate, and its row is refused.
+    text = data.decode("utf-8-sig", errors="surrogateescape")
+    is_cut = not data.endswith((b"\n", b"\r"))
+    items: list[Item] = []
+    header: list[str] = []
+    for line, cells, fault, is_last in records(text):
+        if not header:
+            if cells and cells[0].startswith("#"):
+                continue  # metadata of a track
+            missing = [name for name in columns if name not in cells]
+            if fault or missing or len(set(cells)) < len(cells):
+                reason = fault or (f"no column {', '.join(missing)}" if missing else "two columns have the same name")
+                found.faults.append(f"{path}:{line}: {reason}. The file is left out: restore its header line")
+                return []
+            header = cells
+            continue
+        try:
+            if fault or len(cells) != len(header):
+                raise ValueError(fault or f"{len(cells)} cells, the header has {len(header)}")
+            items.append(parse(dict(zip(header, cells, strict=True)), line))
+        except ValueError as reason:
+            if is_last and is_cut:
+                found.notes.append(f"{path}:{line}: the last row is cut off, and is left out ({reason})")
+            else:
+                found.faults.append(f"{path}:{line}: {reason}. The row is left out: correct it")
+    if not header:
+        found.faults.append(f"{path}: no header line. The file is left out: restore its header line")
+    return items
+
+
+def records(text: str) -> Iterator[tuple[int, list[str], str, bool]]:
+    """Of each record that is not empty: its first line, its cells, what is wrong, and whether that is the last line."""
+    last = len(io.StringIO(text, newline=None).readlines())
+    lines = csv.reader(io.StringIO(text, newline=""), strict=True)
+    while True:
+        first = lines.line_num + 1
+        try:
+            if cells := next(lines):
+                is_text = "".join(cells).encode(errors="replace").decode() == "".join(cells)
+                yield first, cells, "" if is_text else "this is no UTF-8 text", first == last
+        except StopIteration:
+            break
+        except csv.Error as fault:
+            is_open = "end of data" in str(fault)
+            reason = "a quote is opened here and never closed" if is_open else f"bad quotes ({fault})"
+            yield first, [], reason, first == last

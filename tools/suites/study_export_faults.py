@@ -1,0 +1,144 @@
+"""What python -m study_export says of damaged sessions, and what it still writes."""
+
+import csv
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from suites.outcome import Outcome
+from suites.study_sample import write_study
+
+NAME = "study_export"
+Export = Callable[..., tuple[int, str]]
+
+
+def faults(folder: Path, export: Export) -> Iterator[Outcome]:
+    yield from doubled(folder / "doubled", export)
+    yield from cut_off(folder / "cut", export)
+    yield from bad_cells(folder / "cells", export)
+    yield from open_quote(folder / "quote", export)
+    yield from no_frames(folder / "frames", export)
+    yield from bad_sessions(folder / "sessions", export)
+    yield from refused(folder / "refused", export)
+
+
+def doubled(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    path = folder / "sub-ann/ses-01/trials.csv"
+    path.write_text(path.read_text() + path.read_text().splitlines()[2] + "\n")
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    named = f"{path}:6: trial 2 is already in line 3" in output
+    yield Outcome.of(f"{NAME}: a trial that is there twice is an error", status == 1 and named, output)
+    yield Outcome.of(f"{NAME}: and counts once", len(rows(folder / "out.csv")) == 48)
+
+
+def cut_off(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    session = folder / "sub-ann/ses-01"
+    for name in ("trials.csv", "answers.csv", "events.csv", "trial_0001.frames.csv", "trial_0001.motion.csv"):
+        path = session / name
+        path.write_text(path.read_text()[: -40 if name == "trials.csv" else -4].rstrip("\n"))
+    answers = session / "answers.csv"
+    answers.write_text(answers.read_text() + '\nann,1,person,1,2,tap,stable,measured,likert,control,"It was')
+    frames = session / "trial_0001.frames.csv"
+    frames.write_text(frames.read_text() + "\n1e9,0.1")
+    status, output = export(folder, "--tidy", folder / "out.csv", "--bids", folder / "bids")
+    told = ["trials.csv:5: the last row is cut off", "answers.csv:6: the last row is cut off"]
+    told += ["frames.csv:", "3 of 4 planned", "trial_0004.motion.csv is left out"]
+    missing = [text for text in told if text not in output and text != "3 of 4 planned"]
+    missing += [] if "1 of 4 planned trials" in output else ["1 of 4 planned trials"]
+    yield Outcome.of(
+        f"{NAME}: cut last rows are left out with a note", status == 0 and not missing, f"{missing}\n{output}"
+    )
+    yield Outcome.of(f"{NAME}: and the other trials are there", len(rows(folder / "out.csv")) == 45)
+
+
+def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    path = folder / "sub-sim1/ses-01/trials.csv"
+    lines = path.read_text().splitlines()
+    lines[1] = lines[1].replace(",0.200000,", ",nan,")
+    lines[2] = lines[2].replace("synthesised", "steady")
+    lines[3] = lines[3].replace("sim1", "sim2")
+    path.write_text("\n".join(lines) + "\n")
+    spreadsheet = folder / "sub-ann/ses-02/trials.csv"
+    spreadsheet.write_text(spreadsheet.read_text().replace(",", ";"))
+    binary = folder / "sub-sim1/ses-02/trials.csv"
+    binary.write_bytes(binary.read_bytes().replace(b"tap", b"t\xfcp", 1))
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    told = [
+        f"{path}:2: amplitude_m: 'nan' is no finite number",
+        f"{path}:3: condition: 'steady' is none of measured, average",
+        f"{path}:4: participant: 'sim2' differs from 'sim1' in session.json",
+        f"{spreadsheet}:1: no column trial, block",
+        f"{binary}:2: this is no UTF-8 text",
+    ]
+    missing = [text for text in told if text not in output]
+    yield Outcome.of(
+        f"{NAME}: bad cells are named with file and line", status == 1 and not missing, f"{missing}\n{output}"
+    )
+
+
+def open_quote(folder: Path, export: Export) -> Iterator[Outcome]:
+    """It takes all rows after it with it, so that it is more than a last row that is cut off."""
+    write_study(folder)
+    path = folder / "sub-ann/ses-01/trials.csv"
+    path.write_text(path.read_text().replace(",tap,", ',"tap,', 1).rstrip("\n"))
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    good = status == 1 and f"{path}:2: a quote is opened here and never closed" in output
+    yield Outcome.of(f"{NAME}: a quote that is never closed is an error", good, output)
+
+
+def no_frames(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    path = folder / "sub-ann/ses-02/trial_0002.frames.csv"
+    path.write_text(path.read_text().splitlines()[0] + "\n")
+    status, output = export(folder, "--bids", folder / "bids")
+    told = f"{path}: no frame" in output and "trial 2 has no frame: BIDS gets its result only" in output
+    results = folder / "bids/sub-ann/ses-02/beh/sub-ann_ses-02_task-horizontalDrag_beh.tsv"
+    kept = [line.split("\t")[0] for line in results.read_text().splitlines()] == ["trial", "2", "4"]
+    yield Outcome.of(f"{NAME}: a trial without frames keeps its result", status == 0 and told and kept, output)
+
+
+def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder / "a")
+    shutil.copytree(folder / "a/sub-ann", folder / "b/sub-ann")
+    about = folder / "a/sub-sim1/ses-01/session.json"
+    about.write_text(about.read_text().replace('"synthetic"', '"robot"'))
+    (folder / "a/sub-sim1/ses-02/session.json").write_text("{")
+    (folder / "a/sub-ann/ses-01/trial_0002.reference.csv").unlink()
+    status, output = export(folder, "--bids", folder / "bids")
+    told = [
+        f"{about}: origin: 'robot' is none of person, mouse",
+        f"{folder}/a/sub-sim1/ses-02/session.json: ",
+        f"participant 'ann', session 1 is also in {folder}/a/sub-ann/ses-01",
+        "trial_0002.reference.csv: not there",
+    ]
+    missing = [text for text in told if text not in output]
+    yield Outcome.of(
+        f"{NAME}: bad sessions are named and left out", status == 1 and not missing, f"{missing}\n{output}"
+    )
+    found = sorted(path.name for path in (folder / "bids").glob("sub-*"))
+    yield Outcome.of(f"{NAME}: and the good ones are exported", found == ["sub-ann"], f"{found}")
+
+
+def refused(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder / "study")
+    (folder / "taken").mkdir()
+    (folder / "taken/mine.txt").touch()
+    status, output = export(folder / "study", "--bids", folder / "taken")
+    kept = [path.name for path in (folder / "taken").iterdir()] == ["mine.txt"]
+    yield Outcome.of(f"{NAME}: a folder that is not empty stays as it is", status == 2 and kept, output)
+    status, output = export(folder / "taken", "--tidy", folder / "none.csv")
+    good = status == 2 and "no finished trial" in output and not (folder / "none.csv").exists()
+    yield Outcome.of(f"{NAME}: a folder without sessions is an error", good, output)
+    for path in (folder / "study").rglob("trials.csv"):
+        path.write_text(path.read_text().replace(",horizontal_drag,", ",t_ap,").replace(",tap,", ",tAp,"))
+    status, output = export(folder / "study", "--bids", folder / "bids")
+    good = status == 2 and "BIDS label 'tAp'" in output and not list(folder.glob("bids*"))
+    yield Outcome.of(f"{NAME}: two gestures with one BIDS label are an error", good, output)
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(newline="") as file:
+        return list(csv.DictReader(file))
