@@ -1,14 +1,13 @@
 """clang-tidy, a folder at a time: most of what it does is to read headers, and the sources of a folder read the same.
 
-A folder's sources are included by one that is made here. Tests have a namespace each, within which their own #includes
-have nothing left to include, but for one that has its own operator new; the others share the project's. The sources of
-a folder that is not clean, or in which two define the same name, are looked at one by one.
+What ships is looked at; tests are compiled with all warnings as errors, and their runs show the rest. A folder's
+sources are included by one that is made here. The sources of a folder that is not clean, or in which two define the
+same name, are looked at one by one.
 """
 
 import hashlib
 import json
 import os
-import re
 import shlex
 import sys
 from collections import defaultdict
@@ -65,21 +64,7 @@ def outcomes(sources: list[Path], headers: list[Path], settings: list[Path]) -> 
 
 def together(sources: list[Path]) -> str:
     """The text of a source that includes these."""
-    if not sources[0].is_relative_to(ROOT / "tests"):
-        return "".join(f'#include "{source}"\n' for source in sources)
-    included = dict.fromkeys(line for source in sources for line in includes(source))
-    last = [source for source in sources if re.search(r"^void \*operator new\(", source.read_text(), re.MULTILINE)]
-    inside = [source for source in sources if source not in last]
-    parts = [f'namespace part_{i} {{\n#include "{source}"\n}}\n' for i, source in enumerate(inside)]
-    return "\n".join([*included, *parts, *(f'#include "{source}"' for source in last)])
-
-
-def includes(source: Path) -> Iterator[str]:
-    """Its #include lines, those of files beside it by their whole path, and the #defines that they may need."""
-    for line in re.findall(r"^#(?:include|define) .*", source.read_text(), re.MULTILINE):
-        beside = re.fullmatch(r'#include "(.*)"', line)
-        is_beside = beside is not None and (source.parent / beside[1]).exists()
-        yield f'#include "{source.parent / beside[1]}"' if is_beside else line
+    return "".join(f'#include "{source}"\n' for source in sources)
 
 
 def as_compiled(made: Path, source: Path, commands: dict[str, dict]) -> dict:

@@ -13,6 +13,7 @@ from suites.outcome import Outcome
 from suites.process import ROOT
 
 PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
+SHIPS = ROOT / "extension"
 VENV = Path(sys.executable).parent
 
 
@@ -29,7 +30,7 @@ def outcomes() -> Iterator[Outcome]:
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
-    yield from clang_tidy.outcomes(cpp, headers, files(".clang-tidy"))
+    yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], headers, files(".clang-tidy"))
 
 
 def one_version() -> Outcome:
