@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Runs the test suites named, or all but EXTRA, and closes with `N passed, N failed`, which the exit status tells too.
 
-The linters, which most of the time goes to, run beside the rest and yield to it; all else is one after the other.
+The linters, which most of the time goes to, run beside the rest and yield to it, and after them what needs no engine.
+All else is one after the other.
 """
 
 import sys
@@ -26,7 +27,7 @@ SUITES = {
     "openxr": openxr,
 }
 EXTRA = ["openxr"]  # fetches 265 MB
-BESIDE = ["lint"]
+BESIDE = ["lint", "fuzz", "study_export"]
 
 
 def main(names: list[str]) -> int:
