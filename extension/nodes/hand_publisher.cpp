@@ -20,7 +20,11 @@ HandPublisher::HandPublisher(const StringName &p_name, bool p_is_left) {
 
 HandPublisher::~HandPublisher() {
 	publish_lost();
-	XRServer::get_singleton()->remove_tracker(tracker_);
+	XRServer *const server = XRServer::get_singleton();
+	const Ref<XRTracker> registered = server->get_tracker(tracker_->get_tracker_name());
+	if (registered.ptr() == tracker_.ptr()) { // an XR interface may have replaced it
+		server->remove_tracker(tracker_);
+	}
 }
 
 void HandPublisher::publish(const steadyhand::DeviceFrame &p_frame) {

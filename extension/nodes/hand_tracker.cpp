@@ -7,6 +7,7 @@
 #include "written_file.h"
 
 #include <godot_cpp/classes/engine.hpp>
+#include <godot_cpp/classes/xr_server.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
 #include <limits>
@@ -197,7 +198,13 @@ void HandTracker::update_processing() {
 
 void HandTracker::update_publisher() {
 	publisher_.reset();
-	if (is_running() && publish_name_ != StringName()) {
+	if (!is_running() || publish_name_ == StringName()) {
+		return;
+	}
+	if (XRServer::get_singleton()->get_tracker(publish_name_).is_valid()) {
+		ERR_PRINT(node_label(*this) + String(": the XRServer has a tracker '") + String(publish_name_) +
+				String("' already; set \"publish_name\" to another name"));
+	} else {
 		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HAND_LEFT);
 	}
 }

@@ -18,6 +18,8 @@ namespace {
 /// A frame of two hands has 10 to 20 kB: this holds those of half a second, and of a game that stalls.
 constexpr int INBOUND_BYTES = 1 << 20;
 constexpr int QUEUED_PACKETS = 256;
+/// A service sends its version at once.
+constexpr double SILENT_AFTER_S = 3.0;
 
 steadyhand::HandSide side_of(const LeapSource &p_source) {
 	return p_source.get_hand() == HandTracker::HAND_LEFT ? steadyhand::HandSide::LEFT
@@ -70,6 +72,7 @@ void LeapStream::connect(double p_now_s) {
 	socket_->set_inbound_buffer_size(INBOUND_BYTES);
 	socket_->set_max_queued_packets(QUEUED_PACKETS);
 	got_version_ = false;
+	connected_s_ = p_now_s;
 	clock_.clear();
 	chooser_ = steadyhand::LeapHandChooser(side_of(**source_));
 	if (socket_->connect_to_url(url()) != OK) {
@@ -112,6 +115,9 @@ void LeapStream::poll(double p_now_s) {
 	}
 	if (socket_->get_ready_state() == WebSocketPeer::STATE_CLOSED) {
 		on_closed(p_now_s);
+	} else if (!got_version_ && p_now_s - connected_s_ > SILENT_AFTER_S) {
+		fail(String("what answers at ") + url() +
+				String(" sends no Leap messages; set \"port\" to the service's"));
 	}
 }
 

@@ -50,6 +50,7 @@ private:
 	bool got_version_ = false; ///< of this connection
 	int attempts_ = 0;         ///< in a row that have failed
 	double next_attempt_s_ = 0.0;
+	double connected_s_ = 0.0; ///< when this connection was begun
 	bool failure_told_ = false;
 	unsigned warned_ = 0; ///< bit i: Topic i
 	steadyhand::DeviceClock clock_;

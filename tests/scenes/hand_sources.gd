@@ -220,6 +220,20 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 	check(XRServer.get_tracker(name) == null, "nor after it is freed")
 
 
+func test_a_name_that_is_taken_is_not_published() -> void:
+	# expects one error: has a tracker '/user/hand_tracker/right' already
+	var hand := XRHand.new()
+	hand.place(PLACE)
+	hand.register()
+	var tracker := _tracker(XRSource.new())
+	tracker.publish_name = XRHand.RIGHT
+	tracker.advance(FRAME_S)
+	check(XRServer.get_tracker(XRHand.RIGHT) == hand.tracker, "the runtime's tracker stays")
+	tracker.free()
+	check(XRServer.get_tracker(XRHand.RIGHT) == hand.tracker, "when the node is freed too")
+	hand.remove()
+
+
 func test_a_task_where_no_hand_comes_is_told_once() -> void:
 	# expects one warning: the fingertip has come no nearer to its start than 0.5
 	# expects one warning: the hand leaves its start towards (0.0, 1.0, 0.0)
