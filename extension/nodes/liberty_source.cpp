@@ -73,7 +73,7 @@ private:
 	void add(const LibertyEvent &p_event, double p_live_from_steady_s) {
 		if (p_event.device_time_s != cycle_.device_time_s) {
 			flush();
-			cycle_ = {};
+			cycle_.skeleton.clear();
 			cycle_.device_time_s = p_event.device_time_s;
 			cycle_.host_time_s = host_time_s();
 			cycle_.hand.t_s =

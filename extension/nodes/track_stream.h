@@ -21,7 +21,7 @@ public:
 	bool begins_round() const override { return playback_->begins_round(); }
 	bool is_finished() const override { return playback_->finished(); }
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override {
-		r_frame = {};
+		r_frame.skeleton.clear();
 		const bool has_next = playback_->next(p_until_s, r_frame.hand);
 		r_frame.device_time_s = r_frame.hand.t_s;
 		return has_next;
