@@ -5,6 +5,7 @@
 #include "live_clock.h"
 #include "node_label.h"
 #include "written_file.h"
+#include "xr_source.h"
 
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/classes/xr_server.hpp>
@@ -201,7 +202,14 @@ void HandTracker::update_publisher() {
 	if (!is_running() || publish_name_ == StringName()) {
 		return;
 	}
-	if (XRServer::get_singleton()->get_tracker(publish_name_).is_valid()) {
+	const auto *const xr_source = Object::cast_to<XRSource>(*source_);
+	if (xr_source != nullptr && xr_source->name_of_hand() == publish_name_) {
+		ERR_PRINT(node_label(*this) +
+				String(": the XRSource would read what the tracker publishes; set \"publish_name\" to "
+					   "another "
+					   "name than '") +
+				String(publish_name_) + String("'"));
+	} else if (XRServer::get_singleton()->get_tracker(publish_name_).is_valid()) {
 		ERR_PRINT(node_label(*this) + String(": the XRServer has a tracker '") + String(publish_name_) +
 				String("' already; set \"publish_name\" to another name"));
 	} else {

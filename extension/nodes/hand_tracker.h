@@ -98,12 +98,15 @@ private:
 		OLDER,
 		UNKNOWN_JOINT,
 		NO_JOINTS,
+		NO_PLACE,
 		OTHER_THREAD
 	};
 	/// A hand whose frames are empty for this long is lost, s: shorter dropouts come and go (MRTK #10391).
 	static constexpr double LOST_AFTER_S = 0.1;
 	/// Without any frame, a hand is lost after this, s: slow trackers send 5 to 10 a second.
 	static constexpr double SILENT_AFTER_S = 0.25;
+	/// A handler may advance the tracker that told it; not without end.
+	static constexpr int DEEPEST_ADVANCE = 8;
 
 	/// Names that each frame needs: making one takes a lock.
 	struct SignalNames {
@@ -138,6 +141,7 @@ private:
 	std::array<Vector3, steadyhand::SKELETON_JOINT_COUNT> positions_m_; ///< last seen ones
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
+	int advancing_ = 0;                    ///< advance_to() that are under way, one in a handler of the other
 	std::optional<double> refused_from_s_; ///< the first stamp of those refused as older since the last frame
 	/// Bit i: of a pushed frame, by Refusal i, in this run; threads that may not push are told by it too.
 	std::atomic<uint8_t> complained_ = 0;
@@ -160,6 +164,7 @@ private:
 	bool tell_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run);
 	void tell_failure(const String &p_reason);
 	void advance_live();
+	void advance_stream(double p_time_s, const Watch &p_watch);
 	void deliver_until(double p_time_s);
 	Error refuse_older(double p_time_s);
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);

@@ -95,7 +95,10 @@ Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFra
 	const Array values = p_joints.values();
 	for (int64_t i = 0; i < keys.size(); ++i) {
 		const Variant &key = keys[i];
-		if (key.get_type() != Variant::INT) {
+		// JSON has numbers of one type only.
+		const bool is_whole = key.get_type() == Variant::FLOAT &&
+				static_cast<double>(key) == std::floor(static_cast<double>(key));
+		if (key.get_type() != Variant::INT && !is_whole) {
 			return refuse_frame(Refusal::NO_JOINTS,
 					String("joints must map HandTracker.JOINT_* to a Vector3; the key '") + key.stringify() +
 							String("' is of type ") + type_of(key));
@@ -107,7 +110,7 @@ Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFra
 							String(": use HandTracker.JOINT_* or XRHandTracker.HAND_JOINT_*, 0..25"));
 		}
 		if (values[i].get_type() != Variant::VECTOR3) {
-			return refuse_frame(Refusal::NO_JOINTS,
+			return refuse_frame(Refusal::NO_PLACE,
 					String("joints must map HandTracker.JOINT_* to a Vector3; that of joint ") + itos(joint) +
 							String(" is of type ") + type_of(values[i]));
 		}

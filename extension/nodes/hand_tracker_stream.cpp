@@ -38,9 +38,7 @@ void HandTracker::advance(double p_seconds) {
 }
 
 void HandTracker::advance_live() {
-	const double frame_s =
-			update_mode_ == UPDATE_PHYSICS ? get_physics_process_delta_time() : get_process_delta_time();
-	advance_to(std::max(live_s_, live_time_s(frame_s)));
+	advance_to(std::max(live_s_, live_time_s(get_process_delta_time())));
 }
 
 void HandTracker::advance_to(double p_time_s) {
@@ -50,10 +48,23 @@ void HandTracker::advance_to(double p_time_s) {
 	constexpr double LONGEST_LOOPED_STEP_S = 3600.0;
 	ERR_FAIL_COND_MSG(stream_->is_looped() && p_time_s - time_s_ > LONGEST_LOOPED_STEP_S,
 			"HandTracker: a track in a loop is advanced by an hour at most");
-	if (p_time_s < time_s_) {
+	ERR_FAIL_COND_MSG(advancing_ >= DEEPEST_ADVANCE,
+			"HandTracker: advance() is called by what it calls, again and again; advance it elsewhere than "
+			"in "
+			"a signal of its own or in _poll()");
+	const Watch watch(listeners_);
+	++advancing_;
+	advance_stream(p_time_s, watch);
+	if (!watch.is_gone()) {
+		--advancing_;
+	}
+}
+
+void HandTracker::advance_stream(double p_time_s, const Watch &p_watch) {
+	if (p_time_s < time_s_ && !stream_->is_polled()) {
 		return;
 	}
-	const Watch watch(listeners_);
+	const Watch &watch = p_watch;
 	const uint64_t this_run = run_;
 	const std::shared_ptr<HandStream> stream = stream_; // who is told may stop the tracker
 	double until_s = p_time_s;

@@ -26,6 +26,10 @@ steadyhand::HandSide side_of(const LeapSource &p_source) {
 														 : steadyhand::HandSide::RIGHT;
 }
 
+bool is_ip_v6(const String &p_address) {
+	return p_address.split(":").size() > 2;
+}
+
 /// In the world; where no headset is tracked, the origin.
 Eigen::Affine3d head_place() {
 	XRServer *const server = XRServer::get_singleton();
@@ -47,9 +51,20 @@ LeapStream::~LeapStream() {
 	}
 }
 
+String LeapStream::open() {
+	const String address = source_->get_address();
+	const bool has_port = address.contains(":") && !is_ip_v6(address);
+	return address.is_empty() || address.contains("/") || has_port
+			? String("LeapSource: \"address\" must be a host name or an IP address alone, without ws:// and "
+					 "without a port; it is '") +
+					address + String("'")
+			: String();
+}
+
 String LeapStream::url() const {
-	return String("ws://") + source_->get_address() + String(":") + itos(source_->get_port()) +
-			to_godot(steadyhand::leap_path(version_));
+	const String address = source_->get_address();
+	return String("ws://") + (is_ip_v6(address) ? String("[") + address + String("]") : address) +
+			String(":") + itos(source_->get_port()) + to_godot(steadyhand::leap_path(version_));
 }
 
 void LeapStream::fail(const String &p_text) {

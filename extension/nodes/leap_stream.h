@@ -20,7 +20,7 @@ public:
 	explicit LeapStream(const Ref<LeapSource> &p_source);
 	~LeapStream() override;
 
-	String open() override { return String(); }
+	String open() override;
 	StreamClock clock() const override { return StreamClock::LIVE; }
 	void poll(double p_now_s) override;
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override {

@@ -24,6 +24,15 @@ class Scene:
 		tracker.source = source
 
 
+class AheadSource:
+	extends HandSource
+	var polls := 0
+
+	func _poll(tracker: HandTracker, time_s: float) -> void:
+		polls += 1
+		tracker.push_frame(time_s + 1000.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
+
+
 class CountingSource:
 	extends HandSource
 	var refusal := ""
@@ -221,16 +230,69 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 
 
 func test_a_name_that_is_taken_is_not_published() -> void:
-	# expects one error: has a tracker '/user/hand_tracker/right' already
+	# expects one error: the XRSource would read what the tracker publishes
+	# expects one error: has a tracker '/user/hand_tracker/left' already
 	var hand := XRHand.new()
 	hand.place(PLACE)
 	hand.register()
 	var tracker := _tracker(XRSource.new())
 	tracker.publish_name = XRHand.RIGHT
-	tracker.advance(FRAME_S)
-	check(XRServer.get_tracker(XRHand.RIGHT) == hand.tracker, "the runtime's tracker stays")
+	var left := XRHand.new(XRHand.LEFT)
+	left.register()
+	tracker.publish_name = XRHand.LEFT
+	check(XRServer.get_tracker(XRHand.LEFT) == left.tracker, "the runtime's tracker stays")
 	tracker.free()
-	check(XRServer.get_tracker(XRHand.RIGHT) == hand.tracker, "when the node is freed too")
+	check(XRServer.get_tracker(XRHand.LEFT) == left.tracker, "when the node is freed too")
+	left.remove()
+	hand.remove()
+
+
+func test_a_tracker_that_advances_itself_without_end_says_so() -> void:
+	# expects error: advance() is called by what it calls, again and again
+	var source := SyntheticSource.new()
+	source.loop = true
+	var tracker := _tracker(source)
+	tracker.frame_received.connect(func(_frame: HandFrame) -> void: tracker.advance(0.1))
+	tracker.start()
+	tracker.advance(0.1)
+	check(tracker.is_running(), "it goes on")
+	tracker.free()
+
+
+func test_a_device_whose_clock_is_ahead_is_polled_on() -> void:
+	var source := AheadSource.new()
+	var tracker := HandTracker.new()
+	tracker.source = source
+	root.add_child(tracker)
+	for frame in 10:
+		await process_frame
+	check(source.polls > 5, "%d polls" % source.polls)
+	tracker.free()
+
+
+func test_live_sources_keep_pace_in_physics_frames_and_pauses() -> void:
+	var hand := XRHand.new()
+	hand.register()
+	var modes: Array[HandTracker.UpdateMode] = [
+		HandTracker.UPDATE_IDLE, HandTracker.UPDATE_PHYSICS, HandTracker.UPDATE_IDLE
+	]
+	Engine.max_fps = 144
+	for i in modes.size():
+		Engine.time_scale = 0.0 if i == 2 else 1.0
+		var tracker := HandTracker.new()
+		tracker.source = XRSource.new()
+		tracker.update_mode = modes[i]
+		root.add_child(tracker)
+		var began_us := Time.get_ticks_usec()
+		var from_s := tracker.get_time()
+		while Time.get_ticks_usec() - began_us < 600000:
+			hand.place(PLACE + PushedHand.tremor(1e-6 * Time.get_ticks_usec()))
+			await process_frame
+		var pace := (tracker.get_time() - from_s) / (1e-6 * (Time.get_ticks_usec() - began_us))
+		check_near(pace, 1.0, 0.1, "mode %d, scale %s" % [modes[i], Engine.time_scale])
+		tracker.free()
+	Engine.time_scale = 1.0
+	Engine.max_fps = 0
 	hand.remove()
 
 

@@ -4,8 +4,9 @@ extends CanvasLayer
 
 @export var tracker: HandTracker:
 	set(value):
-		if tracker != null and tracker.failed.is_connected(_on_failed):
+		if is_instance_valid(tracker):
 			tracker.failed.disconnect(_on_failed)
+			tracker.source_ready.disconnect(_on_source_ready)
 		tracker = value
 		_failure = ""
 		if tracker != null:
@@ -22,8 +23,10 @@ func _process(_delta: float) -> void:
 
 
 func describe() -> String:
-	if tracker == null:
+	if not is_instance_valid(tracker):
 		return "no tracker"
+	if tracker.is_hand_tracked():
+		_failure = ""
 	var source := "no source" if tracker.source == null else tracker.source.get_class()
 	var state := "not running"
 	if not _failure.is_empty():
