@@ -8,3 +8,4 @@ const SCENES: Dictionary[String, String] = {
 	"zoom": "res://scenes/zoom.tscn",
 }
 const MENU := "res://scenes/menu.tscn"
+const STUDY := "res://study/study_scene.tscn"
