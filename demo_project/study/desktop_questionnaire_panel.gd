@@ -17,6 +17,7 @@ var _buttons: Array[Button] = []
 var _slider: HSlider = null
 var _chosen := Label.new()
 var _confirm := Button.new()
+var _skip := Button.new()
 
 
 func _ready() -> void:
@@ -43,14 +44,13 @@ func _ready() -> void:
 	_confirm.text = "Confirm (Enter)"
 	_confirm.focus_mode = Control.FOCUS_NONE
 	_confirm.pressed.connect(confirm)
-	var skip := Button.new()
-	skip.text = "Skip (S)"
-	skip.focus_mode = Control.FOCUS_NONE
-	skip.pressed.connect(skip_item)
+	_skip.text = "Skip (S)"
+	_skip.focus_mode = Control.FOCUS_NONE
+	_skip.pressed.connect(skip_item)
 	for row: Control in [_text, _scale, _chosen, actions]:
 		rows.add_child(row)
 	actions.add_child(_confirm)
-	actions.add_child(skip)
+	actions.add_child(_skip)
 
 
 func ask(asked: Questionnaire, items: PackedStringArray, _trial: Dictionary) -> void:

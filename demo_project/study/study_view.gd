@@ -15,31 +15,34 @@ const INSTRUCTIONS: Dictionary[String, String] = {
 	"zoom": "Open thumb, index and middle finger until the sphere fills the ring.",
 }
 
+const TITLE_SIZE := 22
+const TEXT_SIZE := 16
+
 var _runner: StudyRunner = null
 var _title := Label.new()
 var _instruction := Label.new()
 var _counter := Label.new()
 var _progress := ProgressBar.new()
 var _notice := Label.new()
+var _panel := PanelContainer.new()
+var _rows := VBoxContainer.new()
 ## Of the trials in this run: for the time left.
 var _begun_s := NAN
 var _begun_trials := 0
 
 
 func _init() -> void:
-	var panel := PanelContainer.new()
-	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
-	panel.position = Vector2(24, 24)
-	add_child(panel)
-	var rows := VBoxContainer.new()
-	rows.custom_minimum_size = Vector2(360, 0)
-	rows.add_theme_constant_override("separation", 8)
-	panel.add_child(rows)
-	_title.add_theme_font_size_override("font_size", 22)
+	_panel.add_theme_stylebox_override("panel", PANEL_STYLE)
+	_panel.position = Vector2(24, 24)
+	add_child(_panel)
+	_rows.custom_minimum_size = Vector2(360, 0)
+	_rows.add_theme_constant_override("separation", 8)
+	_panel.add_child(_rows)
+	_title.add_theme_font_size_override("font_size", TITLE_SIZE)
 	for label: Label in [_instruction, _notice]:
 		label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	for row: Control in [_title, _instruction, _counter, _progress, _notice]:
-		rows.add_child(row)
+		_rows.add_child(row)
 
 
 ## Follows a runner whose session is open.
@@ -49,6 +52,15 @@ func follow(runner: StudyRunner) -> void:
 	_begun_trials = runner.session.count_finished()
 	runner.session.trouble.connect(show_notice)
 	runner.trial_started.connect(_on_trial_started)
+
+
+## Larger text on a display of `size` pixels, which the panel fills but for a margin.
+func enlarge(factor: float, size: Vector2) -> void:
+	_panel.theme = Theme.new()
+	_panel.theme.default_font_size = roundi(factor * TEXT_SIZE)
+	_title.add_theme_font_size_override("font_size", roundi(factor * TITLE_SIZE))
+	_rows.add_theme_constant_override("separation", 20)
+	_panel.custom_minimum_size.x = size.x - 2.0 * _panel.position.x
 
 
 ## For whoever runs the study. Empty: none.
