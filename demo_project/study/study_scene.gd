@@ -88,12 +88,13 @@ func run_session(participant_id: String) -> Error:
 	if display == null:
 		add_child(view)
 		panel = DesktopPanel.new()
-		_show_hand(hand.tracker)
 	else:
 		display.viewport.add_child(view)
 		view.enlarge(DISPLAY_TEXT_SCALE, WorldPanel.SIZE)
 		panel = PointingPanel.new(display, hand.tracker)
 		display.viewport.add_child(panel)
+	if rig == null:
+		_show_hand(hand.tracker)
 	view.follow(runner)
 	operator_panel.follow(runner)
 	hand.tracker.failed.connect(view.show_notice)
@@ -130,6 +131,14 @@ func recentre() -> void:
 		rig.recentre()
 
 
+## Shows title, instruction and questionnaires in the scene, not in the window. Before run_session().
+func make_display() -> void:
+	display = WorldPanel.new()
+	display.position = DISPLAY_PLACE
+	display.rotation.x = DISPLAY_TILT
+	add_child(display)
+
+
 func _unhandled_key_input(event: InputEvent) -> void:
 	var key := event as InputEventKey
 	if not key.pressed or key.echo:
@@ -157,10 +166,7 @@ func _enter_headset() -> void:
 	headset.add_child(rig)
 	add_child(headset)
 	get_viewport().disable_3d = true
-	display = WorldPanel.new()
-	display.position = DISPLAY_PLACE
-	display.rotation.x = DISPLAY_TILT
-	add_child(display)
+	make_display()
 	var layer := CanvasLayer.new()
 	layer.layer = -1
 	operator_panel.set_anchors_preset(Control.PRESET_FULL_RECT)
