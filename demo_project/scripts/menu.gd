@@ -8,7 +8,8 @@ const Tasks := preload("tasks.gd")
 func _ready() -> void:
 	for gesture in Tasks.SCENES:
 		_add_button(gesture.capitalize(), Tasks.SCENES[gesture])
-	_add_button("Study", Tasks.STUDY)
+	for title in Tasks.MORE_SCENES:
+		_add_button(title, Tasks.MORE_SCENES[title])
 	(%Buttons.get_child(0) as Button).grab_focus()
 	(%Participant as LineEdit).text = Participant.chosen
 	(%Participant as LineEdit).text_changed.connect(_choose)

@@ -2,19 +2,8 @@ extends CanvasLayer
 ## What the participant reads: the task, what to do, how far the session is. Never the condition.
 
 const PANEL_STYLE := preload("panel_style.tres")
-const TITLES: Dictionary[String, String] = {
-	"horizontal_drag": "Horizontal drag",
-	"vertical_drag": "Vertical drag",
-	"tap": "Tap",
-	"zoom": "Three-finger zoom",
-}
-const INSTRUCTIONS: Dictionary[String, String] = {
-	"horizontal_drag": "Drag the box from the left marker to the right one.",
-	"vertical_drag": "Drag the box from one marker to the other.",
-	"tap": "Tap the surface.",
-	"zoom": "Open thumb, index and middle finger until the sphere fills the ring.",
-}
-
+const THEME := preload("theme.tres")
+const Tasks := preload("res://scripts/tasks.gd")
 const TITLE_SIZE := 22
 const TEXT_SIZE := 16
 
@@ -32,6 +21,7 @@ var _begun_trials := 0
 
 
 func _init() -> void:
+	_panel.theme = THEME
 	_panel.add_theme_stylebox_override("panel", PANEL_STYLE)
 	_panel.position = Vector2(24, 24)
 	add_child(_panel)
@@ -56,7 +46,7 @@ func follow(runner: StudyRunner) -> void:
 
 ## Larger text on a display of `size` pixels, which the panel fills but for a margin.
 func enlarge(factor: float, size: Vector2) -> void:
-	_panel.theme = Theme.new()
+	_panel.theme = THEME.duplicate()
 	_panel.theme.default_font_size = roundi(factor * TEXT_SIZE)
 	_title.add_theme_font_size_override("font_size", roundi(factor * TITLE_SIZE))
 	_rows.add_theme_constant_override("separation", 20)
@@ -75,13 +65,11 @@ func get_texts() -> PackedStringArray:
 func _process(_delta: float) -> void:
 	if _runner == null or _runner.session == null:
 		return
+	visible = _runner.state != StudyRunner.State.ASKING
 	match _runner.state:
 		StudyRunner.State.RESTING:
 			_title.text = "Rest"
 			_instruction.text = "The next trial comes in %.0f s." % _runner.get_rest_left()
-		StudyRunner.State.ASKING:
-			_title.text = "Questions"
-			_instruction.text = "Please answer for the last trials."
 		StudyRunner.State.PAUSED:
 			_title.text = "Pause"
 			_instruction.text = "Press P to continue. A trial that was under way comes again."
@@ -93,10 +81,10 @@ func _process(_delta: float) -> void:
 
 func _on_trial_started(trial: Dictionary) -> void:
 	var gesture: String = trial["gesture"]
-	_title.text = TITLES.get(gesture, gesture.capitalize())
+	_title.text = Tasks.TITLES.get(gesture, gesture.capitalize())
 	if trial["practice"]:
 		_title.text += " (practice)"
-	_instruction.text = INSTRUCTIONS.get(gesture, "Make the gesture.")
+	_instruction.text = Tasks.INSTRUCTIONS.get(gesture, "Make the gesture.")
 
 
 func _show_progress() -> void:
