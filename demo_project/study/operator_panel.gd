@@ -9,6 +9,8 @@ signal skip_pressed
 const Conditions := preload("res://scripts/conditions.gd")
 const PANEL_STYLE := preload("panel_style.tres")
 
+const THEME := preload("theme.tres")
+
 const DRIVING := Color(1.0, 0.83, 0.3)
 const OTHER := Color(0.85, 0.88, 0.9)
 const STATES: Dictionary[StudyRunner.State, String] = {
@@ -29,6 +31,7 @@ var _pause: Button = null
 
 
 func _init() -> void:
+	theme = THEME
 	add_theme_stylebox_override("panel", PANEL_STYLE)
 	var rows := VBoxContainer.new()
 	rows.add_theme_constant_override("separation", 16)
@@ -94,9 +97,12 @@ func _show_session() -> void:
 
 func _show_tracker() -> void:
 	var tracker := _runner.hand.tracker
-	_write("frames", "%.0f Hz, jitter %.1f ms" % [tracker.frame_rate, 1000.0 * tracker.frame_jitter])
+	_write(
+		"frames", "%.0f Hz, jitter %.1f ms" % [tracker.frame_rate, 1000.0 * tracker.frame_jitter]
+	)
 	_write("dropouts", str(tracker.dropout_count))
-	_write("latency", "%.0f ms" % (1000.0 * tracker.latency))
+	var latency := tracker.latency
+	_write("latency", "unknown" if is_nan(latency) else "%.0f ms" % (1000.0 * latency))
 	_write("hand", "tracked" if tracker.is_hand_tracked() else "not tracked")
 
 

@@ -11,6 +11,8 @@ const NEAR_M := 0.1
 const BEHIND_M := 0.06
 ## After a touch the fingertip must come back this far before it touches again, m.
 const RELEASE_M := 0.012
+const TEXT_SIZE := 24
+const QUESTION_SIZE := 34
 const CURSOR_SIZE := 26.0
 const WAITING := Color(1.0, 1.0, 1.0, 0.85)
 const PRESSING := Color(1.0, 0.75, 0.1, 1.0)
@@ -35,6 +37,9 @@ func _init(display: WorldPanel, tracker: HandTracker) -> void:
 
 func _ready() -> void:
 	super()
+	_panel.theme = THEME.duplicate()
+	_panel.theme.default_font_size = TEXT_SIZE
+	_text.add_theme_font_size_override("font_size", QUESTION_SIZE)
 	_confirm.text = "Confirm"
 	_skip.text = "Skip"
 	for button: Button in [_confirm, _skip]:

@@ -207,11 +207,6 @@ func _show_hand(tracker: HandTracker) -> void:
 	runner.add_child(hand_view)
 
 
-func _process(_delta: float) -> void:
-	if display != null and runner != null:
-		view.visible = runner.state != StudyRunner.State.ASKING
-
-
 func _exit_tree() -> void:
 	if rig != null:
 		get_viewport().disable_3d = false
