@@ -1,6 +1,6 @@
 extends Node3D
-## A sensor at the origin of the tracker's frames, and where its range of 250 mm and 500 mm meets the
-## ground. The box lies on the ground, below the sensor's place.
+## A sensor at the origin of the tracker's frames. Rings show where distances of 250 mm and 500 mm
+## from it meet the ground. The box lies on the ground, below the sensor.
 
 const BOX := Vector3(0.08, 0.012, 0.03)
 const BODY := Color(0.1, 0.11, 0.13)

@@ -131,7 +131,7 @@ func recentre() -> void:
 		rig.recentre()
 
 
-## Shows title, instruction and questionnaires in the scene, not in the window. Before run_session().
+## Shows title, instruction and questionnaires in the scene. Call it before run_session().
 func make_display() -> void:
 	display = WorldPanel.new()
 	display.position = DISPLAY_PLACE

@@ -5,8 +5,8 @@ extends "tool.gd"
 ##
 ## A picture of each task's scene, DIR/scene_GESTURE.png, in the middle of the first trial of
 ## --trials (default: a synthetic person's), and of the inspector's previews of the effects,
-## DIR/effects.png. Of the study, DIR/study_*.png: a trial of each gesture, the questionnaire, a rest,
-## the operator's panel, and what the headset shows.
+## DIR/effects.png. Of the study, DIR/study_*.png: a trial of each gesture, the questionnaire, a
+## rest, the operator's panel, and what the headset shows.
 
 const Tasks := preload("res://scripts/tasks.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
