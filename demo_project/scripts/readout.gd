@@ -14,6 +14,7 @@ var _values: Array[Label] = []
 var _titles: Array[Label] = []
 
 @onready var _table: GridContainer = %Values
+@onready var _instruction: Label = %Instruction
 @onready var _status: Label = %Status
 
 
@@ -23,6 +24,10 @@ func _ready() -> void:
 		_values.append(_add_label(""))
 		_values[row].custom_minimum_size.x = 110
 		_values[row].horizontal_alignment = HORIZONTAL_ALIGNMENT_RIGHT
+
+
+func show_instruction(text: String) -> void:
+	_instruction.text = text
 
 
 func show_live(motion: GestureHMM, is_blind: bool) -> void:

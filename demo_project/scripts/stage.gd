@@ -3,10 +3,12 @@ extends Node3D
 ## place. The stage stands where the task is and keeps its own orientation, so that camera and
 ## ground stay upright whatever the task's direction.
 
+const SensorView := preload("sensor_view.gd")
+
 const IDLE := Color(0.5, 0.53, 0.56)
 const STARTED := Color(0.0, 0.35, 0.85)
 const ARRIVED := Color(0.85, 0.1, 0.1)
-const TRACKED := Color(1.0, 0.82, 0.62)
+const TRACKED := Color(0.95, 0.55, 0.3)
 const LOST := Color(0.35, 0.35, 0.35)
 const PLACES: Dictionary[String, Color] = {
 	"stable": Color(0.0, 0.62, 0.45, 0.45),
@@ -20,8 +22,18 @@ const PLACES: Dictionary[String, Color] = {
 ## Whether a task may take several gestures.
 var strokes_add_up := false
 
+var _sensor: SensorView = null
+
 @onready var _fingertips: Array[Node] = $Fingertips.get_children()
 @onready var _hand_place: MeshInstance3D = $HandPlace
+@onready var _ground: Node3D = $Ground
+
+
+func _ready() -> void:
+	# Not before: a scene that inherits another replaces this script.
+	_sensor = SensorView.new()
+	_sensor.visible = false
+	add_child(_sensor)
 
 
 ## Puts everything where the task starts. `position_name`: "stable", "unstable" or empty.
@@ -67,6 +79,9 @@ func end_value(value: float) -> float:
 
 
 func show_hand(tracker: HandTracker) -> void:
+	_sensor.visible = SensorView.suits(tracker.source)
+	if _sensor.visible:
+		_sensor.place(_ground.global_position.y)
 	for i in joints.size():
 		var tip: MeshInstance3D = _fingertips[i]
 		if tracker.is_joint_tracked(joints[i]):

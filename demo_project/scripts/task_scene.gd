@@ -41,6 +41,8 @@ var session_folder := ""
 
 var _synthetic := SyntheticSource.new()
 var _trials: TrialList = null
+## The scene's own, in which synthetic people make the gesture.
+var _axis := Vector3.ZERO
 var _log: TrialLog = null
 var _trial_name := ""
 var _position_name := ""
@@ -76,6 +78,8 @@ func _ready() -> void:
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
 	course = TrialCourse.new(_stage.strokes_add_up)
 	_stage.place(task, "")
+	_readout.show_instruction(Tasks.INSTRUCTIONS.get(String(task.gesture), ""))
+	_axis = task.get_axis()
 	if autoplay:
 		play_next()
 
@@ -197,11 +201,18 @@ func _play_synthetic() -> void:
 	_synthetic.seed += 1
 	_synthetic.subject = _synthetic.seed / TRIALS_PER_SUBJECT
 	_synthetic.position = POSITIONS[_synthetic.seed % POSITIONS.size()]
+	_synthetic.placement = SyntheticSource.PLACEMENT_SENSOR
+	var trial := _synthetic.get_trial()
+	TrialTask.apply(trial, task)
+	if task.start_radius <= 0.0 and not task.get_axis().is_equal_approx(_axis):
+		var middle := task.get_start() + 0.5 * task.amplitude * task.get_axis()
+		task.direction = task.global_basis.inverse() * _axis
+		TrialTask.place_middle(task, middle)
+		_synthetic.place_at(task)
+		trial = _synthetic.get_trial()
 	tracker.source = _synthetic
 	if tracker.start() != OK:
 		return
-	var trial := _synthetic.get_trial()
-	TrialTask.apply(trial, task)
 	_begin_trial("synthetic_%03d" % _synthetic.seed, trial["position"], trial["subject"])
 
 

@@ -2,6 +2,7 @@ extends QuestionnairePanel
 ## Buttons on the screen. Number keys and arrow keys choose, Enter confirms, S skips the item.
 
 const PANEL_STYLE := preload("panel_style.tres")
+const THEME := preload("theme.tres")
 const WIDTH := 760
 ## More answers than this are chosen with a slider.
 const MOST_BUTTONS := 11
@@ -11,12 +12,14 @@ var _items: PackedStringArray = []
 var _value: Variant = null
 var _changes := 0
 var _layer := CanvasLayer.new()
+var _panel := PanelContainer.new()
 var _text := Label.new()
 var _scale := HBoxContainer.new()
 var _buttons: Array[Button] = []
 var _slider: HSlider = null
 var _chosen := Label.new()
 var _confirm := Button.new()
+var _skip := Button.new()
 
 
 func _ready() -> void:
@@ -25,13 +28,13 @@ func _ready() -> void:
 	var centre := CenterContainer.new()
 	centre.set_anchors_preset(Control.PRESET_FULL_RECT)
 	_layer.add_child(centre)
-	var panel := PanelContainer.new()
-	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
-	centre.add_child(panel)
+	_panel.theme = THEME
+	_panel.add_theme_stylebox_override("panel", PANEL_STYLE)
+	centre.add_child(_panel)
 	var rows := VBoxContainer.new()
 	rows.custom_minimum_size = Vector2(WIDTH, 0)
 	rows.add_theme_constant_override("separation", 24)
-	panel.add_child(rows)
+	_panel.add_child(rows)
 	_text.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	_text.add_theme_font_size_override("font_size", 26)
 	_scale.alignment = BoxContainer.ALIGNMENT_CENTER
@@ -43,14 +46,13 @@ func _ready() -> void:
 	_confirm.text = "Confirm (Enter)"
 	_confirm.focus_mode = Control.FOCUS_NONE
 	_confirm.pressed.connect(confirm)
-	var skip := Button.new()
-	skip.text = "Skip (S)"
-	skip.focus_mode = Control.FOCUS_NONE
-	skip.pressed.connect(skip_item)
+	_skip.text = "Skip (S)"
+	_skip.focus_mode = Control.FOCUS_NONE
+	_skip.pressed.connect(skip_item)
 	for row: Control in [_text, _scale, _chosen, actions]:
 		rows.add_child(row)
 	actions.add_child(_confirm)
-	actions.add_child(skip)
+	actions.add_child(_skip)
 
 
 func ask(asked: Questionnaire, items: PackedStringArray, _trial: Dictionary) -> void:

@@ -108,6 +108,17 @@ func continue_run() -> void:
 	_go_on()
 
 
+## Ends a person's rest, or their trial as it is. A questionnaire's item is skipped by its panel.
+func skip() -> void:
+	if hand == null or hand.is_simulated():
+		return
+	if state == State.RESTING:
+		_rest_end_s = hand.now_s()
+	elif state in [State.MAKING, State.ENDING]:
+		session.add_event(hand.now_s(), "skipped", "", trial["trial"])
+		_trial_end_s = -INF
+
+
 ## How much of a rest is left, s.
 func get_rest_left() -> float:
 	return maxf(_rest_end_s - hand.now_s(), 0.0) if state == State.RESTING else 0.0

@@ -2,18 +2,10 @@ extends CanvasLayer
 ## What the participant reads: the task, what to do, how far the session is. Never the condition.
 
 const PANEL_STYLE := preload("panel_style.tres")
-const TITLES: Dictionary[String, String] = {
-	"horizontal_drag": "Horizontal drag",
-	"vertical_drag": "Vertical drag",
-	"tap": "Tap",
-	"zoom": "Three-finger zoom",
-}
-const INSTRUCTIONS: Dictionary[String, String] = {
-	"horizontal_drag": "Drag the box from the left marker to the right one.",
-	"vertical_drag": "Drag the box from one marker to the other.",
-	"tap": "Tap the surface.",
-	"zoom": "Open thumb, index and middle finger until the sphere fills the ring.",
-}
+const THEME := preload("theme.tres")
+const Tasks := preload("res://scripts/tasks.gd")
+const TITLE_SIZE := 22
+const TEXT_SIZE := 16
 
 var _runner: StudyRunner = null
 var _title := Label.new()
@@ -21,25 +13,26 @@ var _instruction := Label.new()
 var _counter := Label.new()
 var _progress := ProgressBar.new()
 var _notice := Label.new()
+var _panel := PanelContainer.new()
+var _rows := VBoxContainer.new()
 ## Of the trials in this run: for the time left.
 var _begun_s := NAN
 var _begun_trials := 0
 
 
 func _init() -> void:
-	var panel := PanelContainer.new()
-	panel.add_theme_stylebox_override("panel", PANEL_STYLE)
-	panel.position = Vector2(24, 24)
-	add_child(panel)
-	var rows := VBoxContainer.new()
-	rows.custom_minimum_size = Vector2(360, 0)
-	rows.add_theme_constant_override("separation", 8)
-	panel.add_child(rows)
-	_title.add_theme_font_size_override("font_size", 22)
+	_panel.theme = THEME
+	_panel.add_theme_stylebox_override("panel", PANEL_STYLE)
+	_panel.position = Vector2(24, 24)
+	add_child(_panel)
+	_rows.custom_minimum_size = Vector2(360, 0)
+	_rows.add_theme_constant_override("separation", 8)
+	_panel.add_child(_rows)
+	_title.add_theme_font_size_override("font_size", TITLE_SIZE)
 	for label: Label in [_instruction, _notice]:
 		label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	for row: Control in [_title, _instruction, _counter, _progress, _notice]:
-		rows.add_child(row)
+		_rows.add_child(row)
 
 
 ## Follows a runner whose session is open.
@@ -49,6 +42,15 @@ func follow(runner: StudyRunner) -> void:
 	_begun_trials = runner.session.count_finished()
 	runner.session.trouble.connect(show_notice)
 	runner.trial_started.connect(_on_trial_started)
+
+
+## Larger text on a display of `size` pixels, which the panel fills but for a margin.
+func enlarge(factor: float, size: Vector2) -> void:
+	_panel.theme = THEME.duplicate()
+	_panel.theme.default_font_size = roundi(factor * TEXT_SIZE)
+	_title.add_theme_font_size_override("font_size", roundi(factor * TITLE_SIZE))
+	_rows.add_theme_constant_override("separation", 20)
+	_panel.custom_minimum_size.x = size.x - 2.0 * _panel.position.x
 
 
 ## For whoever runs the study. Empty: none.
@@ -63,13 +65,11 @@ func get_texts() -> PackedStringArray:
 func _process(_delta: float) -> void:
 	if _runner == null or _runner.session == null:
 		return
+	visible = _runner.state != StudyRunner.State.ASKING
 	match _runner.state:
 		StudyRunner.State.RESTING:
 			_title.text = "Rest"
 			_instruction.text = "The next trial comes in %.0f s." % _runner.get_rest_left()
-		StudyRunner.State.ASKING:
-			_title.text = "Questions"
-			_instruction.text = "Please answer for the last trials."
 		StudyRunner.State.PAUSED:
 			_title.text = "Pause"
 			_instruction.text = "Press P to continue. A trial that was under way comes again."
@@ -81,10 +81,10 @@ func _process(_delta: float) -> void:
 
 func _on_trial_started(trial: Dictionary) -> void:
 	var gesture: String = trial["gesture"]
-	_title.text = TITLES.get(gesture, gesture.capitalize())
+	_title.text = Tasks.TITLES.get(gesture, gesture.capitalize())
 	if trial["practice"]:
 		_title.text += " (practice)"
-	_instruction.text = INSTRUCTIONS.get(gesture, "Make the gesture.")
+	_instruction.text = Tasks.INSTRUCTIONS.get(gesture, "Make the gesture.")
 
 
 func _show_progress() -> void:

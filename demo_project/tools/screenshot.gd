@@ -5,10 +5,13 @@ extends "tool.gd"
 ##
 ## A picture of each task's scene, DIR/scene_GESTURE.png, in the middle of the first trial of
 ## --trials (default: a synthetic person's), and of the inspector's previews of the effects,
-## DIR/effects.png.
+## DIR/effects.png. Of the study, DIR/study_*.png: a trial of each gesture, the questionnaire, a
+## rest, the operator's panel, and what the headset shows.
 
 const Tasks := preload("res://scripts/tasks.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
+
+const StudyScene := preload("res://study/study_scene.gd")
 
 const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
 
@@ -42,6 +45,9 @@ func _draw_all(arguments: PackedStringArray) -> void:
 		await _draw_effects(out_folder)
 		for gesture in Tasks.SCENES:
 			await _draw(gesture, trials_folder, out_folder)
+		for gesture in Tasks.SCENES:
+			await _draw_study(gesture, out_folder)
+		await _draw_headset(out_folder)
 	quit(exit_code)
 
 
@@ -65,6 +71,86 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 		await process_frame
 	_save(out_folder.path_join("scene_%s.png" % gesture), root.get_texture().get_image())
 	scene.free()
+
+
+## A trial; for the first gesture also what comes after it.
+func _draw_study(gesture: String, out_folder: String) -> void:
+	var scene := _open_study(gesture)
+	await _begin_trial(scene, "study_%s" % gesture, out_folder)
+	if gesture == Tasks.SCENES.keys()[0]:
+		scene.operator_window.visible = true
+		for i in SETTLING_FRAMES:
+			await process_frame
+		var image := scene.operator_window.get_texture().get_image()
+		_save(out_folder.path_join("study_operator.png"), image)
+		scene.operator_window.visible = false
+		await _draw_questionnaire_and_rest(scene, "study", out_folder)
+	scene.free()
+
+
+func _draw_headset(out_folder: String) -> void:
+	var scene := _open_study("horizontal_drag")
+	scene.make_display()
+	var camera := Camera3D.new()
+	camera.fov = 75.0
+	camera.near = 0.01
+	scene.add_child(camera)
+	camera.look_at_from_position(StudyScene.SEAT, Vector3(0.0, 0.05, -0.25))
+	camera.current = true
+	await _begin_trial(scene, "study_headset", out_folder)
+	await _draw_questionnaire_and_rest(scene, "study_headset", out_folder)
+	scene.free()
+
+
+## Skips the trial under way, and answers.
+func _draw_questionnaire_and_rest(scene: StudyScene, name: String, out_folder: String) -> void:
+	scene.skip()
+	for i in SETTLING_FRAMES:
+		await process_frame
+	var panel: QuestionnairePanel = scene.runner.panel
+	panel.call("choose", 3)
+	for i in SETTLING_FRAMES:
+		await process_frame
+	_save(out_folder.path_join("%s_questionnaire.png" % name), root.get_texture().get_image())
+	while scene.runner.state == StudyRunner.State.ASKING:
+		panel.call("skip_item")
+	for i in SETTLING_FRAMES:
+		await process_frame
+	_save(out_folder.path_join("%s_rest.png" % name), root.get_texture().get_image())
+
+
+## Of one participant, who makes one gesture and then rests.
+func _open_study(gesture: String) -> StudyScene:
+	var protocol := StudyProtocol.paper()
+	protocol.gestures = [gesture]
+	protocol.practice_trials = 0
+	protocol.rest_after_trials = 1
+	protocol.questionnaires[0] = protocol.questionnaires[0].duplicate()
+	protocol.questionnaires[0].after_trials = 1
+	var source := SyntheticSource.new()
+	source.gesture = gesture
+	var scene := (load(Tasks.STUDY) as PackedScene).instantiate() as StudyScene
+	scene.protocol = protocol
+	scene.source = source
+	scene.study_folder = DirAccess.create_temp("steadyhand_screenshot").get_current_dir()
+	root.add_child(scene)
+	return scene
+
+
+## A simulated hand makes the first trial up to MOMENT.
+func _begin_trial(scene: StudyScene, name: String, out_folder: String) -> void:
+	scene.run_session("p01")
+	var task := scene.runner.task_scene.task
+	var tracker: HandTracker = scene.runner.hand.tracker
+	var hmm := scene.runner.task_scene.gesture_hmm
+	(scene.source as SyntheticSource).place_at(task)
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	tracker.start()
+	while hmm.value < MOMENT * task.amplitude and not tracker.is_finished():
+		tracker.advance(STEP_S)
+	for i in SETTLING_FRAMES:
+		await process_frame
+	_save(out_folder.path_join("%s.png" % name), root.get_texture().get_image())
 
 
 func _draw_effects(out_folder: String) -> void:

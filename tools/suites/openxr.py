@@ -1,4 +1,4 @@
-"""XRSource end to end: Godot in a session of Monado, an OpenXR runtime, whose simulated hands the test moves.
+"""XRSource and the study end to end: Godot in a session of Monado, an OpenXR runtime, whose simulated hands the test moves.
 
 Monado's remote driver takes the hands' places on a TCP port of all interfaces: it runs in a network namespace of its
 own. Xvfb is the screen, lavapipe the graphics card. Where one of them cannot be had the suite is skipped.
@@ -25,8 +25,8 @@ from suites.outcome import Outcome
 from suites.process import ROOT, run
 
 TESTS = ROOT / "tests/openxr"
-SCRIPT = TESTS / "xr_source.gd"
-NAME = "openxr/xr_source"
+NAME = "openxr"
+STUDY = "study_scene"
 KILL_S = 90
 GODOT_S = 75
 SERVER_S = 10
@@ -64,9 +64,10 @@ def outcomes() -> Iterator[Outcome]:
         return
     with tempfile.TemporaryDirectory(prefix="steadyhand_openxr") as folder:
         make_project(Path(folder))
-        session = [*own_network, sys.executable, "-m", "suites.openxr", in_root, folder]
-        status, output = run(session, kill_s=KILL_S, PYTHONPATH=str(ROOT / "tools"))
-    yield scenes.outcome_of(NAME, SCRIPT, status, output)
+        for name, project in (("xr_source", folder), (STUDY, str(scenes.PROJECT))):
+            session = [*own_network, sys.executable, "-m", "suites.openxr", in_root, project, name]
+            status, output = run(session, kill_s=KILL_S, PYTHONPATH=str(ROOT / "tools"))
+            yield scenes.outcome_of(f"{NAME}/{name}", TESTS / f"{name}.gd", status, output)
 
 
 def skipped(reason: str) -> Outcome:
@@ -81,7 +82,7 @@ def make_project(folder: Path) -> None:
     shutil.copy(scenes.PROJECT / ".godot/extension_list.cfg", folder / ".godot")
 
 
-def session(in_root: str, project: str) -> None:
+def session(in_root: str, project: str, name: str) -> None:
     """Within the namespace: prints what Godot prints. Whatever ends the session ends all that it started."""
     die_with_parent(signal.SIGKILL)
     bring_up_loopback()
@@ -92,7 +93,8 @@ def session(in_root: str, project: str) -> None:
             environment["DISPLAY"] = start_screen(children)
             start_monado(in_root, environment, children)
             options = "--rendering-method mobile --rendering-driver vulkan --audio-driver Dummy --xr-mode on"
-            godot = [in_root, "godot", *options.split(), "--resolution", "64x64", "--path", project, "--script", SCRIPT]
+            godot = [in_root, "godot", *options.split(), "--resolution", "64x64", "--path", project]
+            godot += ["--script", TESTS / f"{name}.gd"]
             children.append(start(godot, environment, signal.SIGKILL, None))
             print(f"Godot ended with {children[-1].wait(GODOT_S)}")
         finally:
