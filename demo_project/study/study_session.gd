@@ -245,7 +245,10 @@ func _take_lock() -> Error:
 		if holder > 0 and holder != OS.get_process_id() and _is_running(holder):
 			return _fail(
 				(
-					"%s: process %d writes to this session. Close that program, or remove %s if it is no SteadyHand."
+					(
+						"%s: process %d writes to this session. Close that program,"
+						+ " or remove %s if it is another one."
+					)
 					% [folder, holder, LOCK_FILE]
 				)
 			)
