@@ -294,6 +294,13 @@ func _open() -> Error:
 	for table: StudyTable in [_trials_table, _answers_table, _events_table]:
 		if table.open() != OK:
 			return _fail(_cannot_write(table.path))
+		if not table.has_header():
+			return _fail(
+				(
+					"%s: the first line is not this table's header: restore the file from a back-up"
+					% table.path
+				)
+			)
 	run = 1
 	for row in _trials_table.read():
 		_finished[row["trial"].to_int()] = true

@@ -140,6 +140,22 @@ func test_a_cut_session_file_is_refused() -> void:
 	check(StudySession.new().resume(_root.path_join("half"), "ann") != OK, "refused")
 
 
+func test_a_table_that_a_spreadsheet_saved_is_read_or_refused() -> void:
+	# expects one error: trials.csv: the first line is not this table's header
+	var session := _start("sheet", "ann")
+	session.finish_trial(1, {})
+	var path := session.folder.path_join("trials.csv")
+	var text := _text(session, "trials.csv")
+	FileAccess.open(path, FileAccess.WRITE).store_string("\ufeff" + text.replace("\n", "\r\n"))
+	var again := StudySession.new()
+	check_equal(again.resume(_root.path_join("sheet"), "ann"), OK, "a BOM and CRLF are read")
+	check_equal(again.next_trial()["trial"], 2, "trial 1 is finished")
+	FileAccess.open(path, FileAccess.WRITE).store_string(text.replace(",", ";"))
+	check(
+		StudySession.new().resume(_root.path_join("sheet"), "ann") != OK, "semicolons are refused"
+	)
+
+
 func test_unanswered_items_are_asked_again_after_a_crash() -> void:
 	var session := _start("answers", "ann")
 	for trial in [1, 2, 3, 4]:
