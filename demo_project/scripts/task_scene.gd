@@ -124,7 +124,7 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	TrialTask.apply(trial, task)
 	var started := tracker.start()
 	if started == OK:
-		_begin_trial(trial["trial"], trial["position"], trial.get("subject", ""))
+		_begin_trial(trial["trial"], trial["position"], trial.get("subject", ""), "replay")
 	return started
 
 
@@ -213,10 +213,14 @@ func _play_synthetic() -> void:
 	tracker.source = _synthetic
 	if tracker.start() != OK:
 		return
-	_begin_trial("synthetic_%03d" % _synthetic.seed, trial["position"], trial["subject"])
+	var trial_name := "synthetic_%03d" % _synthetic.seed
+	_begin_trial(trial_name, trial["position"], trial["subject"], "synthetic")
 
 
-func _begin_trial(trial_name: String, position_name: String, participant: String) -> void:
+## `origin`: who makes the trial, as in session.json.
+func _begin_trial(
+	trial_name: String, position_name: String, participant: String, origin: String
+) -> void:
 	_trial_name = trial_name
 	_position_name = position_name
 	course = TrialCourse.new(_stage.strokes_add_up)
@@ -228,6 +232,7 @@ func _begin_trial(trial_name: String, position_name: String, participant: String
 		participant = participant,
 		amplitude_m = task.amplitude,
 		width_m = _stage.target_width(),
+		origin = origin,
 	}
 	_log = TrialLog.new(session_folder, logged)
 	trial_started.emit(trial_name)
@@ -244,7 +249,8 @@ func _begin_live_trial() -> void:
 		gesture_hmm.motion = _order.condition_at(_live_trials, _positions())
 	_live_trials += 1
 	var trial_name := "%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials]
-	_begin_trial(trial_name, position_name, _participant.name)
+	var origin := "mouse" if _mouse.active else "person"
+	_begin_trial(trial_name, position_name, _participant.name, origin)
 
 
 ## At how many places a live hand makes its trials.

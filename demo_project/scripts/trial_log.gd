@@ -9,7 +9,7 @@ const TrialCourse := preload("trial_course.gd")
 ## Columns are added at the end alone: programs that know the first ones go on.
 const TRIALS_HEADER := (
 	"trial,gesture,position,condition,start_s,end_s,duration_s"
-	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s"
+	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s,origin"
 )
 const FLUSH_INTERVAL_S := 1.0
 
@@ -21,7 +21,7 @@ var _complained := false
 
 
 ## `trial`: {trial, gesture, position ("stable", "unstable" or empty), participant (empty: not
-## named), amplitude_m, width_m (NAN: none)}.
+## named), amplitude_m, width_m (NAN: none), origin ("person", "mouse", "synthetic", "replay")}.
 func _init(folder: String, trial: Dictionary) -> void:
 	_folder = folder
 	_trial = trial
@@ -32,7 +32,7 @@ func _init(folder: String, trial: Dictionary) -> void:
 		var reason := error_string(FileAccess.get_open_error())
 		push_error("%s: the trial is not logged: %s" % [path, reason])
 		return
-	for key: String in ["trial", "gesture", "position", "participant"]:
+	for key: String in ["trial", "gesture", "position", "participant", "origin"]:
 		_samples.store_line("# %s: %s" % [key, trial[key]])
 	_samples.store_line(
 		"t,condition,value,%s,progress,state,vibration" % ",".join(Conditions.NAMES)
@@ -76,6 +76,7 @@ func close(condition: String, course: TrialCourse) -> void:
 		row.append(_number(number))
 	for number: float in [course.end_value_m, course.gesture_end_s]:
 		row.append(_number(number))
+	row.append(_trial["origin"])
 	trials.store_csv_line(row)
 	_check(trials)
 

@@ -12,6 +12,8 @@ const StudyTable := preload("study_table.gd")
 const WholeFile := preload("whole_file.gd")
 
 const SESSION_FILE := "session.json"
+## Holds the id of the process that writes to the session.
+const LOCK_FILE := "session.lock"
 const ID_LENGTH := 32
 const LETTERS_AND_DIGITS := "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
@@ -37,6 +39,8 @@ var _events_table: StudyTable = null
 ## Texts of whole files that are not on the disk yet, by path.
 var _pending_files: Dictionary[String, String] = {}
 var _is_in_trouble := false
+## Empty while the session is not open.
+var _lock_path := ""
 
 
 ## Why `id` cannot be a participant's id. Empty when it can.
@@ -221,12 +225,63 @@ func _enter(study_folder: String, participant_id: String) -> Error:
 	return OK
 
 
+## Lets another program open the session. Also done when the object is freed.
+func close() -> void:
+	if not _lock_path.is_empty():
+		DirAccess.remove_absolute(_lock_path)
+		_lock_path = ""
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_PREDELETE and not _lock_path.is_empty():
+		DirAccess.remove_absolute(_lock_path)
+
+
+## A lock of a process that is gone is stale.
+func _take_lock() -> Error:
+	var path := folder.path_join(LOCK_FILE)
+	if FileAccess.file_exists(path):
+		var holder := FileAccess.get_file_as_string(path).strip_edges().to_int()
+		if holder > 0 and holder != OS.get_process_id() and _is_running(holder):
+			return _fail(
+				(
+					(
+						"%s: process %d writes to this session. Close that program,"
+						+ " or remove %s if it is another one."
+					)
+					% [folder, holder, LOCK_FILE]
+				)
+			)
+	if WholeFile.write(path, "%d\n" % OS.get_process_id()) != OK:
+		return _fail(_cannot_write(path))
+	_lock_path = path
+	return OK
+
+
+## OS.is_process_running() knows children of this process only.
+static func _is_running(process_id: int) -> bool:
+	if DirAccess.dir_exists_absolute("/proc/self"):
+		return DirAccess.dir_exists_absolute("/proc/%d" % process_id)
+	if OS.get_name() == "Windows":
+		var listed := []
+		OS.execute("tasklist", ["/NH", "/FI", "PID eq %d" % process_id], listed)
+		return str(process_id) in str(listed)
+	return OS.execute("ps", ["-p", str(process_id)]) == 0
+
+
 ## Reads the plan and what is finished of it, and takes cut rows off.
 func _open() -> Error:
 	var path := folder.path_join(SESSION_FILE)
 	var plan := SessionFile.read(path)
 	if plan.is_empty():
-		return _fail("%s: this is no session of version %d" % [path, SessionFile.VERSION])
+		return _fail(
+			(
+				"%s: this is no session of version %d, or it is cut: restore it from a back-up"
+				% [path, SessionFile.VERSION]
+			)
+		)
+	if _take_lock() != OK:
+		return ERR_INVALID_PARAMETER
 	origin = plan["origin"]
 	protocol = plan["protocol"]
 	trials.assign(plan["trials"])
@@ -239,6 +294,13 @@ func _open() -> Error:
 	for table: StudyTable in [_trials_table, _answers_table, _events_table]:
 		if table.open() != OK:
 			return _fail(_cannot_write(table.path))
+		if not table.has_header():
+			return _fail(
+				(
+					"%s: the first line is not this table's header: restore the file from a back-up"
+					% table.path
+				)
+			)
 	run = 1
 	for row in _trials_table.read():
 		_finished[row["trial"].to_int()] = true

@@ -42,6 +42,14 @@ func open() -> Error:
 	return OK
 
 
+## Whether the file is new or begins with the table's header line.
+func has_header() -> bool:
+	var file := FileAccess.open(path, FileAccess.READ)
+	if _whole == 0 or file == null:
+		return true
+	return file.get_line().strip_edges().trim_prefix("\ufeff") == ",".join(_columns)
+
+
 ## Rows by column; each value is a text.
 func read() -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
@@ -49,6 +57,7 @@ func read() -> Array[Dictionary]:
 	if file == null:
 		return rows
 	var header := file.get_csv_line()
+	header[0] = header[0].trim_prefix("\ufeff")
 	while file.get_position() < _whole:
 		var cells := file.get_csv_line()
 		var row := {}

@@ -10,10 +10,15 @@ var _root := _folder.get_current_dir()
 
 func test_the_command_refuses_what_it_cannot_use() -> void:
 	var out := _root.path_join("refused")
+	var empty := StudySupport.protocol()
+	empty.gestures = []
+	var empty_path := _root.path_join("empty.tres")
+	check_equal(ResourceSaver.save(empty, empty_path), OK, "a protocol without gestures is saved")
 	var mistakes: Dictionary[String, PackedStringArray] = {
 		"--out is missing": [],
 		"--participants is '0'; it must be a number of participants": ["--participants", "0"],
 		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
+		"'gestures' is empty: add one of": ["--protocol", empty_path],
 		"this is no StudyProtocol": ["--protocol", out.path_join("none.tres")],
 	}
 	for said in mistakes:

@@ -12,7 +12,7 @@ const ZoomStage := preload("res://scripts/zoom_stage.gd")
 
 const HEADER := (
 	"trial,gesture,position,condition,start_s,end_s,duration_s"
-	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s"
+	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s,origin"
 )
 ## Of the 4 cm marker, the 4 mm plate, and the ring from 45 to 48 mm about a sphere of 15 mm that
 ## grows by 30 mm while the hand's circle does.
@@ -46,6 +46,7 @@ func test_drags_whose_ends_are_known() -> void:
 	for i in rows.size():
 		var row := rows[i]
 		check_equal(row["participant"], 'Doe, "J"', "drag %d: who made it" % i)
+		check_equal(row["origin"], "person", "a person")
 		check_equal(row["condition"], "measured", "by what")
 		check_equal(row["amplitude_m"], "0.200000", "of how far")
 		check_near(row["end_value_m"].to_float(), ENDS[i], END_ERROR_M, "where it ended")
@@ -67,6 +68,7 @@ func test_played_trials_name_their_subject() -> void:
 		for index in rows.size():
 			var trial := trials.get_trial(index)
 			check_equal(rows[index]["participant"], trial["subject"], "whose trial it is")
+			check_equal(rows[index]["origin"], "replay", "which no person made")
 			var amplitude: float = rows[index]["amplitude_m"].to_float()
 			check_near(amplitude, trial["amplitude_m"], 1e-6, "how far it was to go")
 			check_near(rows[index]["width_m"].to_float(), WIDTHS[gesture], 1e-6, "to what width")

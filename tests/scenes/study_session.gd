@@ -113,6 +113,49 @@ func test_an_unfinished_session_resumes_at_the_first_missing_trial() -> void:
 	check_equal(result, ERR_DOES_NOT_EXIST, "a complete session is not resumed")
 
 
+func test_a_session_of_another_running_program_is_refused() -> void:
+	# expects one error: process 1 writes to this session. Close that program
+	var session := _start("lock", "ann")
+	var path := session.folder.path_join("session.lock")
+	check_equal(_text(session, "session.lock"), "%d\n" % OS.get_process_id(), "the lock")
+	session.finish_trial(1, {})
+	var folder := session.folder
+	session = null
+	check(not FileAccess.file_exists(path), "a closed session has no lock")
+	FileAccess.open(path, FileAccess.WRITE).store_string("1\n")
+	var second := StudySession.new()
+	check(second.resume(_root.path_join("lock"), "ann") != OK, "refused")
+	check(folder in second.error, "the message names the session")
+	check(FileAccess.file_exists(path), "the lock stays")
+	FileAccess.open(path, FileAccess.WRITE).store_string("999999999\n")
+	check_equal(second.resume(_root.path_join("lock"), "ann"), OK, "a stale lock is taken over")
+
+
+func test_a_cut_session_file_is_refused() -> void:
+	# expects one error: this is no session of version 1, or it is cut: restore it from a back-up
+	var session := _start("half", "ann")
+	var path := session.folder.path_join("session.json")
+	var text := _text(session, "session.json")
+	FileAccess.open(path, FileAccess.WRITE).store_string(text.left(text.length() / 2))
+	check(StudySession.new().resume(_root.path_join("half"), "ann") != OK, "refused")
+
+
+func test_a_table_that_a_spreadsheet_saved_is_read_or_refused() -> void:
+	# expects one error: trials.csv: the first line is not this table's header
+	var session := _start("sheet", "ann")
+	session.finish_trial(1, {})
+	var path := session.folder.path_join("trials.csv")
+	var text := _text(session, "trials.csv")
+	FileAccess.open(path, FileAccess.WRITE).store_string("\ufeff" + text.replace("\n", "\r\n"))
+	var again := StudySession.new()
+	check_equal(again.resume(_root.path_join("sheet"), "ann"), OK, "a BOM and CRLF are read")
+	check_equal(again.next_trial()["trial"], 2, "trial 1 is finished")
+	FileAccess.open(path, FileAccess.WRITE).store_string(text.replace(",", ";"))
+	check(
+		StudySession.new().resume(_root.path_join("sheet"), "ann") != OK, "semicolons are refused"
+	)
+
+
 func test_unanswered_items_are_asked_again_after_a_crash() -> void:
 	var session := _start("answers", "ann")
 	for trial in [1, 2, 3, 4]:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from study.logs import read_logs
 from study.rows import Trial
+from study.session_file import ORIGINS
 from study.throughput import Cell, Group, cells, groups
 from whole_file import whole
 
@@ -73,7 +74,8 @@ def table(rows: list[Group]) -> str:
         "gesture": lambda row: row.gesture,
         "position": lambda row: row.position or "-",
         "condition": lambda row: row.condition,
-        "people": lambda row: str(row.participants),
+        "made by": lambda row: ORIGINS[row.origin],
+        "people": lambda row: str(row.participants) if row.origin == "person" else "-",
         "trials": lambda row: str(row.n),
         "no end": lambda row: str(row.without_end),
         "MT, s": lambda row: shown(row.movement_time_s, ".3f"),
@@ -88,7 +90,7 @@ def table(rows: list[Group]) -> str:
 
     def aligned(cells: list[str]) -> str:
         padded = (
-            cell.ljust(width) if place < 3 else cell.rjust(width)
+            cell.ljust(width) if place < 4 else cell.rjust(width)
             for place, (cell, width) in enumerate(zip(cells, widths, strict=True))
         )
         return "  ".join(padded).rstrip()
@@ -98,7 +100,8 @@ def table(rows: list[Group]) -> str:
 
 
 def notes(trials: list[Trial], of: list[Cell]) -> Iterable[str]:
-    if unnamed := sum(not trial.participant for trial in trials):
-        yield f"{unnamed} of {len(trials)} trials name no participant: they are taken for one person's"
+    persons = [trial for trial in trials if trial.origin == "person"]
+    if unnamed := sum(not trial.participant for trial in persons):
+        yield f"{unnamed} of {len(persons)} trials of persons name no participant: they are taken for one person's"
     if without := sum(one.throughput_bits_s is None for one in of):
         yield f"{without} of {len(of)} rows have no throughput: it wants two ends or more that differ, beyond the start"

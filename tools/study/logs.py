@@ -13,6 +13,9 @@ NO_STUDY = "no_study.txt"
 # Of a trial set, which is a trials.csv too.
 SET_COLUMNS = {"start_x", "axis_x", "subject"}
 
+# Origins whose trials are the same in each session.
+PLAYED = ["synthetic", "replay"]
+
 
 @dataclass
 class Line:
@@ -87,7 +90,9 @@ def read_file(path: Path, is_named: bool, logs: Logs) -> None:
 
 
 def read_rows(path: Path, header: list[str], lines: list[Line], logs: Logs) -> None:
-    again: dict[str, list[tuple[int, str]]] = {}  # by the file that has the same rows
+    again: dict[
+        tuple[str, bool], list[tuple[int, str]]
+    ] = {}  # by the file that has the same rows, and if it is a fault
     for line in lines:
         place = f"{path}:{line.number}"
         try:
@@ -99,11 +104,15 @@ def read_rows(path: Path, header: list[str], lines: list[Line], logs: Logs) -> N
         if first == place:
             logs.trials.append(trial)
         else:
-            again.setdefault(first.rpartition(":")[0], []).append((line.number, first))
-    for rows in again.values():
+            other = first.rpartition(":")[0]
+            # A trial that is played in two sessions gives equal rows. A person makes none twice.
+            is_played = trial.origin in PLAYED and other != str(path)
+            again.setdefault((other, not is_played), []).append((line.number, first))
+    for (_, is_fault), rows in again.items():
         number, first = rows[0]
         others = f", and {len(rows) - 1} more rows of these files" if len(rows) > 1 else ""
-        logs.faults.append(f"{path}:{number}: the row of {first} again{others}: counted once")
+        told = logs.faults if is_fault else logs.notes
+        told.append(f"{path}:{number}: the row of {first} again{others}: counted once")
 
 
 def read_lines(path: Path) -> Iterator[Line]:

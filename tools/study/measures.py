@@ -82,6 +82,7 @@ def throughput_cells(trials: Iterable[StudyTrial]) -> list[Cell]:
             trial.onset_s,
             trial.end_s if trial.is_recognised else None,
             trial.end_value_m,
+            trial.session.origin,
         )
         for trial in trials
     )

@@ -19,8 +19,11 @@ NUMBERS = COLUMNS[5:]
 # Of the scenes; a gesture of one's own may have another.
 TASKS = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
 POSITIONS = ["stable", "unstable", ""]
+ORIGINS = ["person", "mouse", "synthetic", "replay"]
 # As demo_project/scripts/conditions.gd has them, which the command suite compares.
 CONDITIONS = ["measured", "average", "one_euro", "kalman", "synthesised"]
+# A log without the column origin is of an earlier version: its trials' names tell.
+NAMED_AFTER = {"live": "person", "mouse": "mouse", "synthetic": "synthetic"}
 # Metres or seconds: eleven days.
 LARGEST = 1e6
 
@@ -37,6 +40,7 @@ class Trial:
     start_s: float | None  # None, as the next two: it never came
     gesture_end_s: float | None
     end_value_m: float | None
+    origin: str = "replay"  # of study.session_file.ORIGINS
 
     @property
     def is_complete(self) -> bool:
@@ -60,7 +64,10 @@ def parse(row: dict[str, str]) -> Trial:
     for name, length_m in lengths.items():
         if length_m is not None and length_m <= 0.0:
             raise ValueError(f"{name}: '{row[name]}' is no length")
-    trial = Trial(*(row[name] for name in COLUMNS[:5]), **numbers)
+    origin = row.get("origin") or NAMED_AFTER.get(row["trial"].rpartition("_")[0], "replay")
+    if origin not in ORIGINS:
+        raise ValueError(f"origin: '{origin}' is none of {', '.join(ORIGINS)}")
+    trial = Trial(*(row[name] for name in COLUMNS[:5]), **numbers, origin=origin)
     if trial.is_complete and trial.movement_time_s <= 0.0:
         raise ValueError(f"gesture_end_s: {row['gesture_end_s']} is not after start_s {row['start_s']}")
     return trial

@@ -22,6 +22,7 @@ class Cell:
     None: there is no such figure. A width wants two ends at least that differ.
     """
 
+    origin: str
     participant: str
     gesture: str
     position: str
@@ -39,12 +40,13 @@ class Cell:
 
 @dataclass(frozen=True)
 class Group:
-    """A task, position and condition: means over the participants that have a throughput in it."""
+    """An origin, task, position and condition: means over the participants that have a throughput in it."""
 
+    origin: str
     gesture: str
     position: str
     condition: str
-    participants: int
+    participants: int  # of persons people; of other origins mice, or simulated or replayed subjects
     n: int  # trials that have an end, of all participants
     without_end: int
     movement_time_s: float | None
@@ -59,12 +61,13 @@ def cells(trials: Iterable[Trial]) -> list[Cell]:
     parts = defaultdict(list)
     for trial in trials:
         task = (trial.gesture, trial.position, trial.condition, trial.amplitude_m, trial.width_m)
-        parts[(trial.participant, *task)].append(trial)
+        parts[(trial.origin, trial.participant, *task)].append(trial)
     # A width may be None, which has no order.
     return [cell(*key, parts[key]) for key in sorted(parts, key=lambda key: (*key[:-1], key[-1] or 0.0))]
 
 
 def cell(
+    origin: str,
     participant: str,
     gesture: str,
     position: str,
@@ -81,18 +84,18 @@ def cell(
     bits = math.log2(way_m / spread_m + 1.0) if spread_m and way_m > 0.0 else None
     rate = bits / time_s if bits is not None else None
     task = (gesture, position, condition, amplitude_m, width_m)
-    return Cell(participant, *task, len(done), len(trials) - len(done), time_s, way_m, spread_m, bits, rate)
+    return Cell(origin, participant, *task, len(done), len(trials) - len(done), time_s, way_m, spread_m, bits, rate)
 
 
 def groups(of: Iterable[Cell]) -> list[Group]:
     """A participant counts once, whatever the number of amplitudes and widths: the mean of means."""
     parts = defaultdict(list)
     for one in of:
-        parts[(one.gesture, one.position, one.condition)].append(one)
+        parts[(one.origin, one.gesture, one.position, one.condition)].append(one)
     return [group(*key, parts[key]) for key in sorted(parts)]
 
 
-def group(gesture: str, position: str, condition: str, of: list[Cell]) -> Group:
+def group(origin: str, gesture: str, position: str, condition: str, of: list[Cell]) -> Group:
     by_participant = defaultdict(list)
     for one in of:
         if one.throughput_bits_s is not None:
@@ -115,4 +118,4 @@ def group(gesture: str, position: str, condition: str, of: list[Cell]) -> Group:
     n = sum(one.n for one in of)
     deviation = statistics.stdev(means("throughput_bits_s")) if len(by_participant) > 1 else None
     without_end = sum(one.without_end for one in of)
-    return Group(gesture, position, condition, len(by_participant), n, without_end, *figures, deviation)
+    return Group(origin, gesture, position, condition, len(by_participant), n, without_end, *figures, deviation)

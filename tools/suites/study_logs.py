@@ -32,7 +32,7 @@ SHARE_INSIDE = 0.96
 
 def outcomes() -> Iterator[Outcome]:
     yield conditions()
-    for test in (by_hand, known_deviation, bad_logs, bad_cells, rows_again, no_study):
+    for test in (by_hand, known_deviation, bad_logs, bad_cells, rows_again, played_twice, no_study):
         with tempfile.TemporaryDirectory(prefix="steadyhand_study") as folder:
             yield from test(Path(folder))
 
@@ -49,8 +49,8 @@ def by_hand(folder: Path) -> Iterator[Outcome]:
     write_log(folder / "logs/second", "Bob", BOB)
     # A trial that never ended, one of another condition that has no spread, and the blank line that an editor leaves.
     with (folder / "logs/second/trials.csv").open("a") as file:
-        file.write("x,tap,stable,synthesised,1.0,,,Bob,0.200000,0.004000,,\n")
-        file.write("y,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n\n")
+        file.write("live_900,tap,stable,synthesised,1.0,,,Bob,0.200000,0.004000,,\n")
+        file.write("live_901,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n\n")
     # A folder that is in another is read once.
     status, output = run(["./steadyhand", "study", folder / "logs", folder / "logs/first", "--out", folder / "out"])
     yield Outcome.of("command/study: exit code", status == 0, output)
@@ -193,6 +193,24 @@ def rows_again(folder: Path) -> Iterator[Outcome]:
     rows = read(folder / "out/throughput.csv") if status == 1 else []
     counts = [(row["n"], row["without_end"]) for row in rows]
     yield Outcome.of("command/study: and count once", counts == [("4", "2")], f"{counts}")
+
+
+def played_twice(folder: Path) -> Iterator[Outcome]:
+    """Two demos play the same trials. None of their subjects is a person; a log of old has no column `origin`."""
+    write_log(folder / "logs/person", "Ann", ANN)
+    for session, added in (("first", ""), ("second", ""), ("third", ",replay")):
+        write_log(folder / f"logs/{session}", "evaluate_0", ANN)
+        path = folder / f"logs/{session}/trials.csv"
+        lines = path.read_text().replace("live_", "evaluate_0_tap_").splitlines()
+        header = lines[0] + (",origin" if added else "")
+        path.write_text("\n".join([header, *(line + added for line in lines[1:]), ""]))
+    status, output = run(["./steadyhand", "study", folder / "logs", "--out", folder / "out"])
+    good = status == 0 and output.count("counted once") == 2
+    yield Outcome.of("command/study: a trial played in two sessions is a note, exit 0", good, f"{status}\n{output}")
+    means = read(folder / "out/throughput_means.csv") if status == 0 else []
+    found = [(row["origin"], row["participants"], row["n"]) for row in means]
+    good = found == [("person", "1", "3"), ("replay", "1", "3")]
+    yield Outcome.of("command/study: played trials are no person's", good, f"{found}")
 
 
 def no_study(folder: Path) -> Iterator[Outcome]:
