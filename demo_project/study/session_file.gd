@@ -64,6 +64,7 @@ static func _machine() -> Dictionary:
 	return {
 		os = "%s %s" % [OS.get_name(), OS.get_version()],
 		processor = OS.get_processor_name(),
-		xr_runtime = "" if xr == null else str(xr.get_system_info().get("XRRuntimeName", xr.get_name())),
+		xr_runtime =
+		"" if xr == null else str(xr.get_system_info().get("XRRuntimeName", xr.get_name())),
 		screen_hz = screen_hz if screen_hz > 0.0 else null,
 	}

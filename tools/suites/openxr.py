@@ -1,4 +1,4 @@
-"""XRSource and the study end to end: Godot in a session of Monado, an OpenXR runtime, whose simulated hands the test moves.
+"""XRSource and the study end to end: Godot in a session of Monado, an OpenXR runtime, whose hands the test moves.
 
 Monado's remote driver takes the hands' places on a TCP port of all interfaces: it runs in a network namespace of its
 own. Xvfb is the screen, lavapipe the graphics card. Where one of them cannot be had the suite is skipped.
