@@ -242,7 +242,8 @@ func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
 	# expects one error: push_frame: the time 1.0 s is before 2.0 s
 	# expects one error: push_frame: the time must be finite
 	# expects one error: push_frame: there is no joint 99
-	# expects one error: push_frame: joints must map HandTracker.JOINT_* to a Vector3
+	# expects one error: the key 'index' is of type String
+	# expects one error: that of joint 10 is of type float
 	for time in 2:
 		check(tracker.push_frame(0.0, {}) != OK, "not started")
 	tracker.start()
