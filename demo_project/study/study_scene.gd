@@ -211,6 +211,7 @@ func _make_hand() -> StudyHand:
 ## The outlet leaves the tree after the runner, whose last event it sends.
 func _send_to_lsl(tracker: HandTracker) -> void:
 	lsl = ClassDB.instantiate(&"LslOutlet")
+	lsl.name = "Outlet"
 	lsl.set("tracker", tracker)
 	lsl.set("source_id", "%s_%s" % [protocol.study_name, session.participant])
 	session.event_added.connect(

@@ -1,13 +1,16 @@
 extends "support/scene_test.gd"
 ## LslOutlet with and without liblsl. STEADYHAND_LSL can name the library.
 
+const StudyScene := preload("res://study/study_scene.gd")
+
 const FRAMES := 20
 const NO_LIBRARY := "/none/liblsl.so"
 
+var _folder := DirAccess.create_temp("steadyhand_lsl")
 var _given := OS.get_environment("STEADYHAND_LSL")
 
 
-# expects one warning: cannot load liblsl
+# expects one warning: LslOutlet '/root/Outlet': cannot load liblsl
 func test_without_liblsl_it_warns_once_and_frames_go_on() -> void:
 	OS.set_environment("STEADYHAND_LSL", NO_LIBRARY)
 	var outlet := _outlet()
@@ -38,6 +41,24 @@ func test_a_freed_tracker_is_forgotten() -> void:
 	outlet.free()
 
 
+func test_the_study_scene_has_an_outlet_where_use_lsl_is_on() -> void:
+	# expects one warning: LslOutlet '/root/Study/Outlet': cannot load liblsl
+	OS.set_environment("STEADYHAND_LSL", NO_LIBRARY)
+	for use_lsl: bool in [false, true]:
+		var scene := (
+			(load("res://study/study_scene.tscn") as PackedScene).instantiate() as StudyScene
+		)
+		scene.study_folder = _folder.get_current_dir().path_join(str(use_lsl))
+		scene.use_lsl = use_lsl
+		root.add_child(scene)
+		check_equal(scene.run_session("p01"), OK, "a session starts")
+		check_equal(scene.lsl != null, use_lsl, "an outlet: %s" % use_lsl)
+		if use_lsl:
+			var outlet := scene.lsl as LslOutlet
+			check(outlet.tracker == scene.runner.hand.tracker, "it has the hand's tracker")
+		scene.free()
+
+
 func test_with_liblsl_frames_and_events_are_sent() -> void:
 	OS.set_environment("STEADYHAND_LSL", _given)
 	if _given.is_empty():
@@ -60,6 +81,7 @@ func _outlet() -> LslOutlet:
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	tracker.source = ScriptSource.new()
 	var outlet := LslOutlet.new()
+	outlet.name = "Outlet"
 	outlet.tracker = tracker
 	root.add_child(tracker)
 	root.add_child(outlet)
