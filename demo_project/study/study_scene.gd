@@ -32,6 +32,8 @@ const OPERATOR_SIZE := Vector2i(480, 640)
 @export var source: HandSource = null
 ## A sensor to compare with. Empty: none.
 @export var reference_source: HandSource = null
+## Sends the hand's frames and the events to the Lab Streaming Layer. Needs liblsl.
+@export var use_lsl := false
 
 var session: StudySession = null
 var runner: StudyRunner = null
@@ -40,6 +42,8 @@ var rig: XRRig = null
 ## Null without a headset.
 var display: WorldPanel = null
 var view: StudyView = null
+## An LslOutlet. Null without `use_lsl`.
+var lsl: Node = null
 var operator_panel := OperatorPanel.new()
 ## The operator's window on the desktop. Null with a headset: the main window serves.
 var operator_window: Window = null
@@ -80,6 +84,8 @@ func run_session(participant_id: String) -> Error:
 		return opened
 	_form.visible = false
 	_participant.release_focus()
+	if use_lsl and ClassDB.class_exists(&"LslOutlet"):
+		_send_to_lsl(hand.tracker)
 	runner = StudyRunner.new()
 	add_child(runner)
 	runner.session = session
@@ -106,6 +112,8 @@ func run_session(participant_id: String) -> Error:
 		view.free()
 		runner.free()
 		runner = null
+		if lsl != null:
+			lsl.free()
 		if is_instance_valid(panel):
 			panel.free()
 	return opened
@@ -198,6 +206,19 @@ func _make_hand() -> StudyHand:
 	if rig != null:
 		return StudyHand.new(rig.right.source.duplicate() as HandSource, reference_source)
 	return MouseStudyHand.new()
+
+
+## The outlet leaves the tree after the runner, whose last event it sends.
+func _send_to_lsl(tracker: HandTracker) -> void:
+	lsl = ClassDB.instantiate(&"LslOutlet")
+	lsl.name = "Outlet"
+	lsl.set("tracker", tracker)
+	lsl.set("source_id", "%s_%s" % [protocol.study_name, session.participant])
+	session.event_added.connect(
+		func(event: String, value: String, trial: int) -> void:
+			lsl.call("push_event", "%s,%s,%s" % [trial if trial > 0 else "", event, value])
+	)
+	add_child(lsl)
 
 
 func _show_hand(tracker: HandTracker) -> void:

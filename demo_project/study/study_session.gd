@@ -5,6 +5,7 @@ extends RefCounted
 
 ## Rows could not be written, or can be again (empty). Show it to whoever runs the study.
 signal trouble(message: String)
+signal event_added(event: String, value: String, trial: int)
 
 const Columns := preload("study_columns.gd")
 const SessionFile := preload("session_file.gd")
@@ -182,6 +183,7 @@ func add_event(time_s: float, event: String, value: String = "", trial: int = 0)
 	_events_table.add(
 		{t_s = time_s, run = run, trial = number_of_trial, event = event, value = value}
 	)
+	event_added.emit(event, value, trial)
 
 
 ## Written with the next flush().

@@ -1,40 +1,18 @@
 #include "libusb_library.h"
 
-#include <array>
-#include <cstdlib>
-#include <mutex>
+#include "run_time_library.h"
 
-#ifndef _WIN32
-#include <dlfcn.h>
-#endif
+#include <array>
+#include <mutex>
 
 namespace steadyhand {
 
 namespace {
 
 #if defined(_WIN32)
-using LibraryHandle = HMODULE;
 constexpr std::array LIBUSB_NAMES = { "libusb-1.0.dll" };
 constexpr const char *HOW_TO_INSTALL_LIBUSB = "Put libusb-1.0.dll beside the program.";
-
-LibraryHandle open_library(const char *name, std::string &r_why_not) {
-	const LibraryHandle handle = LoadLibraryA(name);
-	if (handle == nullptr) {
-		r_why_not = "error " + std::to_string(GetLastError());
-	}
-	return handle;
-}
-
-void *find_symbol(LibraryHandle handle, const char *symbol) {
-	return reinterpret_cast<void *>(GetProcAddress(handle, symbol));
-}
-
-void close_library(LibraryHandle handle) {
-	FreeLibrary(handle);
-}
-#else
-using LibraryHandle = void *;
-#if defined(__APPLE__)
+#elif defined(__APPLE__)
 // Homebrew's folders, on Apple silicon and on Intel, are not on the loader's path.
 constexpr std::array LIBUSB_NAMES = { "libusb-1.0.0.dylib", "/opt/homebrew/lib/libusb-1.0.0.dylib",
 	"/usr/local/lib/libusb-1.0.0.dylib" };
@@ -44,48 +22,6 @@ constexpr std::array LIBUSB_NAMES = { "libusb-1.0.so.0" };
 constexpr const char *HOW_TO_INSTALL_LIBUSB =
 		"Install the package libusb-1.0-0 (Debian, Ubuntu) or libusb1 (Fedora).";
 #endif
-
-LibraryHandle open_library(const char *name, std::string &r_why_not) {
-	const LibraryHandle handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-	if (handle == nullptr) {
-		const char *const why = dlerror();
-		r_why_not = why != nullptr ? why : name;
-	}
-	return handle;
-}
-
-void *find_symbol(LibraryHandle handle, const char *symbol) {
-	return dlsym(handle, symbol);
-}
-
-void close_library(LibraryHandle handle) {
-	dlclose(handle);
-}
-#endif
-
-LibraryHandle open_libusb(std::string &r_why_not) {
-	if (const char *const given = std::getenv("STEADYHAND_LIBUSB"); given != nullptr && *given != '\0') {
-		return open_library(given, r_why_not);
-	}
-	for (const char *const name : LIBUSB_NAMES) {
-		if (const LibraryHandle handle = open_library(name, r_why_not)) {
-			return handle;
-		}
-	}
-	return nullptr;
-}
-
-template <class Function>
-bool bind_symbol(LibraryHandle handle, const char *symbol, Function &r_function, std::string &r_why_not) {
-	void *const found = find_symbol(handle, symbol);
-	if (found == nullptr) {
-		r_why_not = "it has no ";
-		r_why_not += symbol;
-		return false;
-	}
-	r_function = reinterpret_cast<Function>(found);
-	return true;
-}
 
 bool bind_libusb(LibraryHandle handle, LibusbLibrary &r_library, std::string &r_why_not) {
 	const auto have = [&](const char *symbol, auto &r_function) {
@@ -122,7 +58,7 @@ const LibusbLibrary *LibusbLibrary::get(std::string &r_why_not) {
 		return &loaded_libusb;
 	}
 	std::string why_not;
-	if (const LibraryHandle handle = open_libusb(why_not)) {
+	if (const LibraryHandle handle = open_library("STEADYHAND_LIBUSB", LIBUSB_NAMES, why_not)) {
 		is_libusb_loaded = bind_libusb(handle, loaded_libusb, why_not);
 		if (is_libusb_loaded) {
 			return &loaded_libusb;

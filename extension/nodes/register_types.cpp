@@ -14,6 +14,7 @@
 #include "haptic_synth.h"
 #include "leap_source.h"
 #include "liberty_source.h"
+#include "lsl_outlet.h"
 #include "motion_metrics.h"
 #include "recorded_source.h"
 #include "script_source.h"
@@ -80,6 +81,7 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(DegradedSource);
 		GDREGISTER_CLASS(HandTracker);
 		GDREGISTER_CLASS(TrackerAlignment);
+		GDREGISTER_CLASS(LslOutlet);
 		GDREGISTER_CLASS(GestureTask);
 		GDREGISTER_CLASS(GestureHMM);
 		GDREGISTER_ABSTRACT_CLASS(HapticEffect);
