@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## LslOutlet with and without liblsl. STEADYHAND_LSL can name the library.
+## LslOutlet without liblsl, and with it where STEADYHAND_LSL names it.
 
 const StudyScene := preload("res://study/study_scene.gd")
 
