@@ -112,7 +112,7 @@ void HandTracker::deliver_until(double p_time_s) {
 	}
 }
 
-/// Who is told of a frame may have advanced the clock further.
+/// A listener to the frame may already have advanced the clock further.
 void HandTracker::tell_time(double p_time_s) {
 	if (p_time_s < time_s_) {
 		return;

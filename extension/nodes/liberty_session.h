@@ -34,7 +34,7 @@ public:
 private:
 	using Kind = LibertyEvent::Kind;
 
-	/// What is told at most once in REPEAT_S each.
+	/// Subjects of warnings; each is told at most once in REPEAT_S.
 	enum Topic : std::uint8_t { FAULTS, FLIPS, SIZES, REFUSALS, TEXTS, TOPIC_COUNT };
 
 	void receive(std::span<const std::uint8_t> bytes, double host_s);

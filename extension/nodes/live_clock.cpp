@@ -22,8 +22,8 @@ LiveClock &live_clock() {
 	return clock;
 }
 
-/// The engine cuts a frame's duration to that of its most physics ticks a frame; a little less is told of a
-/// frame that took longer.
+/// The engine limits a frame's reported duration to the most physics ticks in one frame. For a longer frame
+/// it reports slightly less than that.
 double longest_frame_s(Engine &p_engine) {
 	const auto ticks = static_cast<double>(p_engine.get_max_physics_steps_per_frame());
 	return 0.9 * ticks / static_cast<double>(p_engine.get_physics_ticks_per_second());

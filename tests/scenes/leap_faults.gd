@@ -1,12 +1,5 @@
-extends "support/scene_test.gd"
-## LeapSource before a service that fails, in real time.
-
-const LeapService := preload("support/leap_service.gd")
-const SourceDrag := preload("support/source_drag.gd")
-
-const PATIENCE_S := 8.0
-
-var _folder := DirAccess.create_temp("steadyhand_leap_faults")
+extends "support/leap_test.gd"
+## LeapSource before a service that fails.
 
 
 func test_bad_messages_are_left_out_and_told_once() -> void:
@@ -63,20 +56,3 @@ func test_a_service_that_is_killed_and_comes_back() -> void:
 	check_equal(drag.failures.size(), 2, "killed: %s" % [drag.failures])
 	check(not drag.tracker.is_hand_tracked(), "the hand is lost")
 	drag.free_scene()
-
-
-func _service(scenario: String, options: PackedStringArray = []) -> LeapService:
-	return LeapService.new(_folder.get_current_dir(), scenario, options)
-
-
-func _source(service: LeapService) -> LeapSource:
-	var source := LeapSource.new()
-	source.port = service.port
-	return source
-
-
-func _drag(service: LeapService) -> SourceDrag:
-	var drag := SourceDrag.new(self, _folder.get_current_dir(), service.start)
-	drag.begin(_source(service))
-	await drag.wait(self, PATIENCE_S)
-	return drag

@@ -1,12 +1,5 @@
-extends "support/scene_test.gd"
-## LeapSource before a stand-in for the service, in real time.
-
-const LeapService := preload("support/leap_service.gd")
-const SourceDrag := preload("support/source_drag.gd")
-
-const PATIENCE_S := 8.0
-
-var _folder := DirAccess.create_temp("steadyhand_leap")
+extends "support/leap_test.gd"
+## LeapSource before a service without faults.
 
 
 func test_a_drag_end_to_end() -> void:
@@ -46,20 +39,3 @@ func test_an_older_service() -> void:
 	check(service.log_text().contains("/v5.json"), "an older version is asked for")
 	drag.free_scene()
 	service.stop()
-
-
-func _service(scenario: String, options: PackedStringArray = []) -> LeapService:
-	return LeapService.new(_folder.get_current_dir(), scenario, options)
-
-
-func _source(service: LeapService) -> LeapSource:
-	var source := LeapSource.new()
-	source.port = service.port
-	return source
-
-
-func _drag(service: LeapService) -> SourceDrag:
-	var drag := SourceDrag.new(self, _folder.get_current_dir(), service.start)
-	drag.begin(_source(service))
-	await drag.wait(self, PATIENCE_S)
-	return drag

@@ -15,8 +15,8 @@
 
 namespace steadyhand {
 
-/// What a DegradedHand does to a sound one. Each field is off at 0, and so is one that is negative or no
-/// number. A fault needs both its rate, 6000 per minute at most, and its duration.
+/// Faults that a DegradedHand adds to a hand without any. Each field is off at 0, and so is one that is
+/// negative or no number. A fault needs both its rate, 6000 per minute at most, and its duration.
 struct DegradeSettings {
 	double dropouts_per_minute = 0.0;
 	double dropout_s = 0.0;           ///< how long a dropout lasts, s
@@ -79,7 +79,7 @@ private:
 	};
 
 	[[nodiscard]] bool is_thinned(double t_s);
-	/// What is seen at t_s - latency_s; null where no frame is that old.
+	/// The hand at the time of `frame` less latency_s, interpolated. Null: no frame is that old.
 	const DeviceFrame *seen(const DeviceFrame &frame);
 	void displace(double t_s, DeviceFrame &r_frame);
 	void add_noise(DeviceFrame &r_frame);
