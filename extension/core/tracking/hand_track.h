@@ -1,0 +1,125 @@
+#pragma once
+
+#include "signal/constant_velocity_state.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace steadyhand {
+
+/// Where a hand can be: position and velocity with their covariance, m and s, under the accelerations and
+/// speeds of real hands.
+class HandTrack {
+public:
+	/// Standard deviation of a hand's acceleration, m/s^2, which keeps over a frame. A 15 cm tap in 0.2 s
+	/// peaks at 22 m/s^2 (5.77 A / T^2, Flash & Hogan 1985).
+	static constexpr double ACCELERATION_M_S2 = 20.0;
+	/// Standard deviation of a hand's velocity, m/s. The fastest gestures peak at 3 m/s.
+	static constexpr double SPEED_M_S = 1.0;
+
+	HandTrack() = default;
+	/// First seen at position_m.
+	HandTrack(double t_s, const Eigen::Vector3d &position_m, const Eigen::Vector3d &velocity_m_s,
+			const Eigen::Vector3d &noise_m) :
+			t_s_(t_s) {
+		for (std::size_t i = 0; i < axes_.size(); ++i) {
+			const auto axis = static_cast<Eigen::Index>(i);
+			axes_[i] = { .position = position_m[axis],
+				.velocity = velocity_m_s[axis],
+				.p00 = noise_m[axis] * noise_m[axis],
+				.p11 = SPEED_M_S * SPEED_M_S };
+		}
+	}
+
+	/// stamp_error_s: by which the stamp may be wrong.
+	void predict(double t_s, double stamp_error_s) {
+		const double dt_s = t_s - t_s_;
+		t_s_ = t_s;
+		step_s_ = dt_s;
+		from_m_ = position_m();
+		for (ConstantVelocityState &axis : axes_) {
+			const double furthest_m = SPEED_M_S * (dt_s + stamp_error_s);
+			const double before = axis.p00;
+			axis.predict(dt_s, ACCELERATION_M_S2 * ACCELERATION_M_S2 * dt_s);
+			axis.p00 += SPEED_M_S * SPEED_M_S * stamp_error_s * stamp_error_s;
+			axis.p00 = std::min(axis.p00, before + furthest_m * furthest_m);
+			axis.p11 = std::min(axis.p11, SPEED_M_S * SPEED_M_S);
+			axis.p01 = std::clamp(axis.p01, -std::sqrt(axis.p00 * axis.p11), std::sqrt(axis.p00 * axis.p11));
+		}
+	}
+	void correct(const Eigen::Vector3d &position_m, const Eigen::Vector3d &noise_m) {
+		for (std::size_t i = 0; i < axes_.size(); ++i) {
+			const auto axis = static_cast<Eigen::Index>(i);
+			axes_[i].correct(position_m[axis], noise_m[axis] * noise_m[axis]);
+		}
+	}
+
+	/// From where the hand could be to position_m. A hand may hit something and stop at once, a frame may
+	/// show it earlier than its stamp says, and later frames catch up: it is anywhere from its last place to
+	/// where it goes on to within late_s, at its present velocity or that of late.
+	[[nodiscard]] Eigen::Vector3d residual_m(const Eigen::Vector3d &position_m, double late_s) const {
+		const Eigen::Vector3d off_m = position_m - from_m_;
+		const double most_s = step_s_ + late_s + behind_s_;
+		const auto left_m = [&](const Eigen::Vector3d &velocity) -> Eigen::Vector3d {
+			return off_m - std::clamp(time_along(velocity, off_m), 0.0, most_s) * velocity;
+		};
+		const Eigen::Vector3d now_m = left_m(velocity_m_s()), late_m = left_m(late_m_s_);
+		return late_m.squaredNorm() < now_m.squaredNorm() ? late_m : now_m;
+	}
+	/// Before correct(): what the reading falls behind the hand, later ones may catch up.
+	void fall_behind(const Eigen::Vector3d &position_m) {
+		const Eigen::Vector3d velocity = velocity_m_s();
+		behind_s_ += step_s_ - time_along(velocity, position_m - from_m_);
+		behind_s_ = std::clamp(behind_s_, 0.0, MOST_BEHIND_S);
+		if (velocity.norm() > late_m_s_.norm() || t_s_ - late_s_ > MOST_BEHIND_S) {
+			late_m_s_ = velocity;
+			late_s_ = t_s_;
+		}
+	}
+	/// Log density, 1/m^3, of a reading at residual_m; spread_m: of an error beside the noise.
+	[[nodiscard]] double log_likelihood(
+			const Eigen::Vector3d &residual_m, const Eigen::Vector3d &noise_m, double spread_m = 0.0) const {
+		double sum = 0.0;
+		for (std::size_t i = 0; i < axes_.size(); ++i) {
+			const auto axis = static_cast<Eigen::Index>(i);
+			const double variance = axes_[i].p00 + noise_m[axis] * noise_m[axis] + spread_m * spread_m;
+			sum -= 0.5 *
+					(residual_m[axis] * residual_m[axis] / variance +
+							std::log(2.0 * std::numbers::pi * variance));
+		}
+		return sum;
+	}
+
+	[[nodiscard]] double t_s() const { return t_s_; }
+	[[nodiscard]] Eigen::Vector3d position_m() const {
+		return { axes_[0].position, axes_[1].position, axes_[2].position };
+	}
+	[[nodiscard]] Eigen::Vector3d velocity_m_s() const {
+		return { axes_[0].velocity, axes_[1].velocity, axes_[2].velocity };
+	}
+
+private:
+	/// A busy computer delivers a frame so late at most, and then those that waited.
+	static constexpr double MOST_BEHIND_S = 0.06;
+
+	double t_s_ = 0.0;
+	double step_s_ = 0.0;                                ///< of the last predict()
+	double late_s_ = 0.0;                                ///< when the hand was fastest of late
+	Eigen::Vector3d late_m_s_ = Eigen::Vector3d::Zero(); ///< its velocity then
+	double behind_s_ = 0.0; ///< by which the last frame may have shown the hand before its stamp
+	std::array<ConstantVelocityState, 3> axes_{};
+	Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero(); ///< before the last predict()
+
+	/// Time that a hand of this velocity needs for its part of off_m; step_s_ at rest.
+	[[nodiscard]] double time_along(const Eigen::Vector3d &velocity, const Eigen::Vector3d &off_m) const {
+		const double square = velocity.squaredNorm();
+		return square > 0.0 ? off_m.dot(velocity) / square : step_s_;
+	}
+};
+
+} // namespace steadyhand

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace steadyhand {
+
+enum class MeasurementStatus : std::uint8_t {
+	TRACKED,    ///< shows where the hand is: a new reading, or a rest without noise
+	REPEATED,   ///< the last reading again, to the last bit: the tracker has not looked since
+	FROZEN,     ///< repeated for too long for a tracker with this noise
+	OUTLIER,    ///< where the hand cannot be
+	REAPPEARED, ///< the first reading after a dropout or a freeze
+};
+
+/// One reading of a tracked point, and how far to trust it.
+struct Measurement {
+	double t_s = 0.0; ///< as the tracker stamped it
+	Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+	double noise_m = 0.0;             ///< standard deviation of white noise per axis, rounding included
+	double outlier_probability = 0.0; ///< that the tracker shows another place than the hand's
+	double freeze_probability = 0.0; ///< that it repeats a reading while the hand goes on; 0 of a new reading
+	MeasurementStatus status = MeasurementStatus::TRACKED;
+	double gap_s = 0.0;  ///< time without news that this reading ended; 0: none
+	double jump_m = 0.0; ///< of an outlier: distance from where a hand could be
+
+	/// A reading that says where the hand is now; its noise and outlier probability say how well.
+	[[nodiscard]] bool has_news() const {
+		return status != MeasurementStatus::REPEATED && status != MeasurementStatus::FROZEN;
+	}
+};
+
+/// What a tracker did wrong so far.
+struct TrackerFaults {
+	std::uint64_t dropouts = 0;
+	std::uint64_t freezes = 0;
+	std::uint64_t jumps = 0;          ///< to another place, and those that return count once
+	std::uint64_t skipped_frames = 0; ///< in intervals too short for a dropout
+};
+
+} // namespace steadyhand

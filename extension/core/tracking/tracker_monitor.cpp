@@ -1,0 +1,210 @@
+#include "tracking/tracker_monitor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace steadyhand {
+
+Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) {
+	retracted_since_s_.reset();
+	Measurement measurement{ .t_s = t_s, .position_m = position_m };
+	const double frame_gap_s = t_s - frame_s_;
+	if (!has_frame_ || frame_gap_s < 0.0 || frame_gap_s > FORGOTTEN_S) {
+		if (frame_gap_s > FORGOTTEN_S && has_frame_) {
+			++faults_.dropouts;
+			measurement.status = MeasurementStatus::REAPPEARED;
+			measurement.gap_s = frame_gap_s;
+		}
+		restart(t_s, position_m);
+	} else if (position_m == position_m_ && frame_gap_s <= overdue_s()) {
+		repeat(measurement);
+	} else {
+		read(measurement, frame_gap_s);
+	}
+	frame_s_ = t_s;
+	measurement.noise_m = noise_m();
+	return measurement;
+}
+
+double TrackerMonitor::noise_m() const {
+	return noise_.deviation_m().norm() / std::sqrt(3.0);
+}
+
+double TrackerMonitor::overdue_s() const {
+	return std::max(DROPOUT_PERIODS * period_s_, LEAST_DROPOUT_S);
+}
+
+void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
+	has_frame_ = true;
+	new_s_ = kept_s_ = t_s;
+	position_m_ = position_m;
+	noise_.interrupt();
+	noise_.push(t_s, position_m);
+	hand_ = HandTrack(t_s, position_m, Eigen::Vector3d::Zero(), noise_.deviation_m());
+	jump_.reset();
+	accepted_.reset();
+	is_frozen_ = false;
+}
+
+void TrackerMonitor::repeat(Measurement &r_measurement) {
+	const double repeated_s = r_measurement.t_s - new_s_;
+	const double chance = std::pow(noise_.repeat_probability(), std::floor(repeated_s / period_s_ + 0.5));
+	const double prior = std::min(FREEZES_PER_S * repeated_s, 0.5);
+	r_measurement.freeze_probability = prior / (prior + (1.0 - prior) * chance);
+	r_measurement.status = MeasurementStatus::REPEATED;
+	if (repeated_s <= FREEZE_PERIODS * period_s_) {
+		return;
+	}
+	if (r_measurement.freeze_probability > 0.5) {
+		r_measurement.status = MeasurementStatus::FROZEN;
+		faults_.freezes += is_frozen_ ? 0 : 1;
+		is_frozen_ = true;
+	} else if (!jump_) {
+		// A hand that rests, before a tracker without noise.
+		r_measurement.status = MeasurementStatus::TRACKED;
+		hand_ = HandTrack(
+				r_measurement.t_s, r_measurement.position_m, Eigen::Vector3d::Zero(), noise_.deviation_m());
+	}
+}
+
+void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
+	const double t_s = r_measurement.t_s;
+	const double dt_s = t_s - new_s_;
+	const bool is_dropout = frame_gap_s > overdue_s();
+	if (is_dropout) {
+		++faults_.dropouts;
+	} else if (dt_s > 1.5 * period_s_ && frame_gap_s == dt_s) {
+		faults_.skipped_frames += static_cast<std::uint64_t>(std::lround(dt_s / period_s_)) - 1;
+	}
+	if (is_dropout || is_frozen_) {
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.gap_s = is_frozen_ ? dt_s : frame_gap_s;
+		is_frozen_ = false;
+	}
+	if (jump_) {
+		judge_jumped(r_measurement);
+	} else {
+		judge(r_measurement, dt_s);
+	}
+	if (t_s - kept_s_ >= BURST_S) {
+		time(t_s);
+		if (r_measurement.status != MeasurementStatus::OUTLIER) {
+			noise_.push(t_s, r_measurement.position_m);
+		}
+		kept_s_ = t_s;
+	}
+	new_s_ = t_s;
+	position_m_ = r_measurement.position_m;
+}
+
+void TrackerMonitor::time(double t_s) {
+	intervals_s_.push(t_s - kept_s_);
+	std::array<double, 8> sorted{};
+	const std::size_t count = intervals_s_.size();
+	for (std::size_t i = 0; i < count; ++i) {
+		sorted[i] = intervals_s_[i];
+	}
+	const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((count - 1) / 2);
+	std::nth_element(sorted.begin(), middle, sorted.begin() + static_cast<std::ptrdiff_t>(count));
+	period_s_ = *middle;
+}
+
+/// With what an uncertain stamp adds to a moving hand: readings are up to a period old where they are made
+/// and read on two clocks.
+Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
+	const Eigen::Vector3d shift_m = hand_.velocity_m_s() * (period_s_ / std::sqrt(12.0));
+	return (noise_.deviation_m().cwiseAbs2() + shift_m.cwiseAbs2()).cwiseSqrt();
+}
+
+void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
+	const HandTrack before = hand_;
+	const Eigen::Vector3d noise_m = reading_noise_m();
+	hand_.predict(r_measurement.t_s, dt_s < BURST_S ? period_s_ : 0.0);
+	const Eigen::Vector3d off_m = hand_.residual_m(r_measurement.position_m, period_s_);
+	const double prior = -std::expm1(-JUMPS_PER_S * std::max(dt_s, BURST_S));
+	const double log_odds = std::log(prior / (1.0 - prior)) + hand_.log_likelihood(off_m, noise_m, JUMP_M) -
+			hand_.log_likelihood(off_m, noise_m);
+	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(-log_odds));
+	if (log_odds <= 0.0) {
+		hand_.fall_behind(r_measurement.position_m);
+		hand_.correct(r_measurement.position_m, noise_m);
+		return;
+	}
+	if (accepted_ && has_returned(r_measurement.position_m, r_measurement.t_s)) {
+		retracted_since_s_ = accepted_->since_s;
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.gap_s = r_measurement.t_s - accepted_->since_s;
+		r_measurement.outlier_probability = 0.0;
+		hand_ = HandTrack(r_measurement.t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
+		accepted_.reset();
+		return;
+	}
+	++faults_.jumps;
+	r_measurement.status = MeasurementStatus::OUTLIER;
+	r_measurement.jump_m = off_m.norm();
+	jump_ = Jump{ .since_s = r_measurement.t_s,
+		.way_m = r_measurement.position_m - hand_.position_m(),
+		.velocity_m_s = (r_measurement.position_m - before.position_m()) / std::max(dt_s, BURST_S),
+		.track = HandTrack(r_measurement.t_s, r_measurement.position_m, before.velocity_m_s(), noise_m) };
+}
+
+void TrackerMonitor::judge_jumped(Measurement &r_measurement) {
+	const double t_s = r_measurement.t_s;
+	const double dt_s = t_s - jump_->track.t_s();
+	const Eigen::Vector3d noise_m = reading_noise_m();
+	const double stamp_error_s = dt_s < BURST_S ? period_s_ : 0.0;
+	const Eigen::Vector3d goes_on_m = jump_->track.position_m() + dt_s * jump_->velocity_m_s;
+	const bool is_second = jump_->readings == 1;
+	hand_.predict(t_s, stamp_error_s);
+	jump_->track.predict(t_s, stamp_error_s);
+	++jump_->readings;
+	const Eigen::Vector3d off_m = hand_.residual_m(r_measurement.position_m, period_s_);
+	const Eigen::Vector3d off_jumped_m = jump_->track.residual_m(r_measurement.position_m, period_s_);
+	const double hand = hand_.log_likelihood(off_m, noise_m);
+	const double jumped = jump_->track.log_likelihood(off_jumped_m, noise_m);
+	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
+	// A hand that made the jump itself goes on at its speed; a tracker that did shows the hand's own.
+	const bool is_motion = is_second && jump_->velocity_m_s.norm() < FASTEST_M_S &&
+			(r_measurement.position_m - goes_on_m).norm() <
+					(r_measurement.position_m - jump_->track.position_m()).norm();
+	if (is_motion) {
+		hand_ = HandTrack(t_s, r_measurement.position_m, jump_->velocity_m_s, noise_m);
+		--faults_.jumps;
+		jump_.reset();
+		return;
+	}
+	if (hand >= std::max(jumped, elsewhere)) {
+		retracted_since_s_ = jump_->since_s;
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - jump_->since_s);
+		hand_.correct(r_measurement.position_m, noise_m);
+		jump_.reset();
+		return;
+	}
+	if (jumped >= elsewhere) {
+		jump_->track.correct(r_measurement.position_m, noise_m);
+	} else {
+		jump_->track = HandTrack(t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
+		jump_->way_m = r_measurement.position_m - hand_.position_m();
+	}
+	if (t_s - jump_->since_s >= LONGEST_JUMP_S) {
+		hand_ = jump_->track;
+		accepted_ = jump_;
+		jump_.reset();
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		return;
+	}
+	r_measurement.status = MeasurementStatus::OUTLIER;
+	r_measurement.jump_m = off_m.norm();
+	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
+}
+
+bool TrackerMonitor::has_returned(const Eigen::Vector3d &position_m, double t_s) const {
+	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
+	const Eigen::Vector3d back_m = hand_.position_m() - accepted_->way_m;
+	return t_s - accepted_->since_s <= LONGEST_RETRACTION_S &&
+			(position_m - back_m).norm() < UNDONE * accepted_->way_m.norm();
+}
+
+} // namespace steadyhand

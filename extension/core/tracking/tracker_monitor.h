@@ -1,0 +1,91 @@
+#pragma once
+
+#include "signal/ring.h"
+#include "tracking/hand_track.h"
+#include "tracking/measurement.h"
+#include "tracking/reading_noise.h"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <optional>
+
+namespace steadyhand {
+
+/// Judges the tracker of one point by its readings alone, in metres and seconds, because trackers say little
+/// about their own errors. Measures period, noise and resolution; finds dropouts, freezes and jumps.
+/// Allocates nothing.
+class TrackerMonitor {
+public:
+	/// A frame in which the point was tracked; position_m is finite. A stamp before the last one, of a clock
+	/// that was set anew, starts over.
+	Measurement push(double t_s, const Eigen::Vector3d &position_m);
+
+	/// Right after the push that found it: the tracker came back from a jump. All frames stamped from this
+	/// one up to the newest, without that, showed another place than the hand's.
+	[[nodiscard]] std::optional<double> retracted_since_s() const { return retracted_since_s_; }
+
+	/// A frame should have come by now: a dropout is under way.
+	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
+	/// Between new readings, median; UNKNOWN_PERIOD_S before the second one.
+	[[nodiscard]] double period_s() const { return period_s_; }
+	/// Standard deviation of white noise per axis, root mean square of the three.
+	[[nodiscard]] double noise_m() const;
+	/// Step between the positions that the tracker can report; 0: finer than can be seen.
+	[[nodiscard]] double resolution_m() const { return noise_.resolution_m(); }
+	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
+
+private:
+	static constexpr double UNKNOWN_PERIOD_S = 1.0 / 30.0; ///< the slowest camera in use
+	/// No hand tracker looks more often: frames closer together waited for each other on the way.
+	static constexpr double BURST_S = 1e-3;
+	static constexpr double DROPOUT_PERIODS = 3.0; ///< loaded trackers skip one or two frames often
+	static constexpr double LEAST_DROPOUT_S = 0.03;
+	static constexpr double FORGOTTEN_S = 1.0;    ///< without a frame: the hand may be anywhere
+	static constexpr double FREEZE_PERIODS = 2.5; ///< so that the third repeated reading is one
+	/// Rates of faults in recordings of trackers, per second (DEVICE_FACTS 4.5).
+	static constexpr double JUMPS_PER_S = 0.3, FREEZES_PER_S = 0.3;
+	/// Standard deviation of a jump per axis, m: 10 to 60 mm of a lost model, 0.3 m to the other hand.
+	static constexpr double JUMP_M = 0.1;
+	static constexpr double FASTEST_M_S = 3.0; ///< the peak of the quickest strokes is at 1.8
+	/// Wrong poses of one to ten frames last up to 90 ms; a tracker that stays longer has moved its origin.
+	static constexpr double LONGEST_JUMP_S = 0.09;
+	/// An accepted jump that is undone sooner was one of the tracker.
+	static constexpr double LONGEST_RETRACTION_S = 0.3;
+
+	/// Where the tracker shows the hand since it jumped.
+	struct Jump {
+		double since_s = 0.0;
+		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from where the hand would have been
+		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< if a hand had made it
+		HandTrack track;
+		int readings = 1;
+	};
+
+	bool has_frame_ = false;
+	double frame_s_ = 0.0; ///< stamp of the newest frame
+	double new_s_ = 0.0;   ///< of the newest reading
+	Eigen::Vector3d position_m_ = Eigen::Vector3d::Zero();
+	double kept_s_ = 0.0; ///< of the newest reading but for those of a burst
+	Ring<double, 8> intervals_s_;
+	double period_s_ = UNKNOWN_PERIOD_S;
+	ReadingNoise noise_;
+	HandTrack hand_;
+	std::optional<Jump> jump_;
+	std::optional<Jump> accepted_;
+	bool is_frozen_ = false;
+	std::optional<double> retracted_since_s_;
+	TrackerFaults faults_;
+
+	[[nodiscard]] double overdue_s() const;
+	[[nodiscard]] Eigen::Vector3d reading_noise_m() const;
+	void restart(double t_s, const Eigen::Vector3d &position_m);
+	void repeat(Measurement &r_measurement);
+	void read(Measurement &r_measurement, double frame_gap_s);
+	void time(double t_s);
+	void judge(Measurement &r_measurement, double dt_s);
+	void judge_jumped(Measurement &r_measurement);
+	[[nodiscard]] bool has_returned(const Eigen::Vector3d &position_m, double t_s) const;
+};
+
+} // namespace steadyhand
