@@ -18,7 +18,7 @@ class HandTrack {
 public:
 	/// Standard deviation of a hand's acceleration, m/s^2, which keeps over a frame. A 15 cm tap in 0.2 s
 	/// peaks at 22 m/s^2 (5.77 A / T^2, Flash & Hogan 1985).
-	static constexpr double ACCELERATION_M_S2 = 20.0;
+	static constexpr double ACCELERATION_M_S2 = 15.0;
 	/// Standard deviation of a hand's velocity, m/s. The fastest gestures peak at 3 m/s.
 	static constexpr double SPEED_M_S = 1.0;
 
@@ -84,15 +84,14 @@ public:
 	/// Log density, 1/m^3, of a reading at residual_m; spread_m: of an error beside the noise.
 	[[nodiscard]] double log_likelihood(
 			const Eigen::Vector3d &residual_m, const Eigen::Vector3d &noise_m, double spread_m = 0.0) const {
-		double sum = 0.0;
+		double distance = 0.0, volume = 1.0;
 		for (std::size_t i = 0; i < axes_.size(); ++i) {
 			const auto axis = static_cast<Eigen::Index>(i);
 			const double variance = axes_[i].p00 + noise_m[axis] * noise_m[axis] + spread_m * spread_m;
-			sum -= 0.5 *
-					(residual_m[axis] * residual_m[axis] / variance +
-							std::log(2.0 * std::numbers::pi * variance));
+			distance += residual_m[axis] * residual_m[axis] / variance;
+			volume *= 2.0 * std::numbers::pi * variance;
 		}
-		return sum;
+		return -0.5 * (distance + std::log(volume));
 	}
 
 	[[nodiscard]] double t_s() const { return t_s_; }

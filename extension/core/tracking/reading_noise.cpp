@@ -89,23 +89,25 @@ void ReadingNoise::measure(Eigen::Index axis) {
 	}
 }
 
-bool ReadingNoise::is_rounded_to(double step_m) const {
+bool ReadingNoise::is_rounded_to(double step_m, std::size_t first) const {
 	constexpr double TOLERANCE = 0.05; // of a step: single precision at 1 m and steps of a micrometre
 	constexpr double MOST_STEPS = 1e6;
 	if (!(step_m > 0.0)) {
 		return false;
 	}
-	for (std::size_t i = 1; i < readings_.size(); ++i) {
-		const Eigen::Array3d steps = (readings_[i].position_m - readings_[i - 1].position_m).array() / step_m;
-		if (((steps - steps.round()).abs() > TOLERANCE || steps.abs() > MOST_STEPS).any()) {
-			return false;
+	for (std::size_t i = first; i < readings_.size(); ++i) {
+		for (const double way_m : readings_[i].position_m - readings_[i - 1].position_m) {
+			const double steps = std::abs(way_m) / step_m;
+			if (steps > MOST_STEPS || std::abs(steps - std::floor(steps + 0.5)) > TOLERANCE) {
+				return false;
+			}
 		}
 	}
 	return true;
 }
 
 void ReadingNoise::look_for_resolution() {
-	if (readings_.size() < WINDOW / 2 || is_rounded_to(resolution_m_)) {
+	if (readings_.size() < WINDOW / 2 || is_rounded_to(resolution_m_, readings_.size() - 1)) {
 		return;
 	}
 	double least_m = std::numeric_limits<double>::infinity();
@@ -114,7 +116,7 @@ void ReadingNoise::look_for_resolution() {
 			least_m = std::abs(step) > 0.0 ? std::min(least_m, std::abs(step)) : least_m;
 		}
 	}
-	resolution_m_ = least_m >= FINEST_M && is_rounded_to(least_m) ? least_m : 0.0;
+	resolution_m_ = least_m >= FINEST_M && is_rounded_to(least_m, 1) ? least_m : 0.0;
 }
 
 Eigen::Vector3d ReadingNoise::deviation_m() const {

@@ -52,7 +52,8 @@ private:
 	template <std::size_t ORDER> void difference(Differences &r_differences) const;
 	void measure(Eigen::Index axis);
 	void look_for_resolution();
-	[[nodiscard]] bool is_rounded_to(double step_m) const;
+	/// All steps from reading `first`, 1 or later, are whole multiples.
+	[[nodiscard]] bool is_rounded_to(double step_m, std::size_t first) const;
 };
 
 } // namespace steadyhand
