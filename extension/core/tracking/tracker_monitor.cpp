@@ -60,12 +60,24 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 		r_measurement.status = MeasurementStatus::FROZEN;
 		faults_.freezes += is_frozen_ ? 0 : 1;
 		is_frozen_ = true;
-	} else if (!jump_) {
-		// A hand that rests, before a tracker without noise.
-		r_measurement.status = MeasurementStatus::TRACKED;
-		hand_ = HandTrack(
-				r_measurement.t_s, r_measurement.position_m, Eigen::Vector3d::Zero(), noise_.deviation_m());
+		return;
 	}
+	// A hand that rests, before a tracker without noise.
+	if (jump_ && r_measurement.t_s - jump_->since_s < LONGEST_JUMP_S) {
+		return;
+	}
+	if (jump_) {
+		accept_jump();
+	}
+	r_measurement.status = MeasurementStatus::TRACKED;
+	hand_.predict(r_measurement.t_s, 0.0);
+	hand_.correct(r_measurement.position_m, noise_.deviation_m());
+}
+
+void TrackerMonitor::accept_jump() {
+	hand_ = jump_->track;
+	accepted_ = jump_;
+	jump_.reset();
 }
 
 void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
@@ -191,10 +203,9 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement) {
 		jump_->way_m = r_measurement.position_m - hand_.position_m();
 	}
 	if (t_s - jump_->since_s >= LONGEST_JUMP_S) {
-		hand_ = jump_->track;
-		accepted_ = jump_;
-		jump_.reset();
 		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - jump_->since_s);
+		accept_jump();
 		return;
 	}
 	r_measurement.status = MeasurementStatus::OUTLIER;

@@ -85,6 +85,7 @@ private:
 	void time(double t_s);
 	void judge(Measurement &r_measurement, double dt_s);
 	void judge_jumped(Measurement &r_measurement);
+	void accept_jump();
 	[[nodiscard]] bool has_returned(const Eigen::Vector3d &position_m, double t_s) const;
 };
 

@@ -170,6 +170,16 @@ TEST_CASE("a tracker that moves its origin is believed again within 0.1 s") {
 	}
 }
 
+TEST_CASE("a mouse that is set elsewhere and rests there is believed again") {
+	TrackerMonitor monitor;
+	Measurement measurement;
+	for (int i = 0; i < 200; ++i) {
+		measurement = monitor.push(i / 60.0, { i < 100 ? 0.0 : 0.5, 1e-3 * std::min(i, 50), 0.0 });
+	}
+	CHECK(measurement.status == MeasurementStatus::TRACKED);
+	CHECK(monitor.faults().jumps == 1);
+}
+
 TEST_CASE("a shift that was accepted and is undone within 0.3 s is retracted") {
 	Random random(7);
 	const MovingHand hand{ .rate_hz = 100.0, .noise_m = 0.1e-3 };
