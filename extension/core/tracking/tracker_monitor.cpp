@@ -67,16 +67,16 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 		return;
 	}
 	if (jump_) {
-		accept_jump();
+		accept_jump(*jump_);
 	}
 	r_measurement.status = MeasurementStatus::TRACKED;
 	hand_.predict(r_measurement.t_s, 0.0);
 	hand_.correct(r_measurement.position_m, noise_.deviation_m());
 }
 
-void TrackerMonitor::accept_jump() {
-	hand_ = jump_->track;
-	accepted_ = jump_;
+void TrackerMonitor::accept_jump(const Jump &jump) {
+	hand_ = jump.track;
+	accepted_ = jump;
 	jump_.reset();
 }
 
@@ -95,7 +95,7 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 		is_frozen_ = false;
 	}
 	if (jump_) {
-		judge_jumped(r_measurement);
+		judge_jumped(r_measurement, *jump_);
 	} else {
 		judge(r_measurement, dt_s);
 	}
@@ -122,8 +122,8 @@ void TrackerMonitor::time(double t_s) {
 	period_s_ = *middle;
 }
 
-/// With what an uncertain stamp adds to a moving hand: readings are up to a period old where they are made
-/// and read on two clocks.
+/// Includes the error of the stamp, which shifts a moving hand: where a camera and its reader have two
+/// clocks, a reading is up to one period old.
 Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
 	constexpr double MOST_UNDERESTIMATED = 1.5; // a deviation from 14 differences, once in a hundred times
 	const Eigen::Vector3d shift_m = hand_.velocity_m_s() * (period_s_ / std::sqrt(12.0));
@@ -145,7 +145,7 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		hand_.correct(r_measurement.position_m, noise_m);
 		return;
 	}
-	if (accepted_ && has_returned(r_measurement.position_m, r_measurement.t_s)) {
+	if (accepted_ && has_returned(*accepted_, r_measurement.position_m, r_measurement.t_s)) {
 		retracted_since_s_ = accepted_->since_s;
 		r_measurement.status = MeasurementStatus::REAPPEARED;
 		r_measurement.gap_s = r_measurement.t_s - accepted_->since_s;
@@ -163,49 +163,49 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		.track = HandTrack(r_measurement.t_s, r_measurement.position_m, before.velocity_m_s(), noise_m) };
 }
 
-void TrackerMonitor::judge_jumped(Measurement &r_measurement) {
+void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double t_s = r_measurement.t_s;
-	const double dt_s = t_s - jump_->track.t_s();
+	const double dt_s = t_s - r_jump.track.t_s();
 	const Eigen::Vector3d noise_m = reading_noise_m();
 	const double stamp_error_s = dt_s < BURST_S ? period_s_ : 0.0;
-	const Eigen::Vector3d goes_on_m = jump_->track.position_m() + dt_s * jump_->velocity_m_s;
-	const bool is_second = jump_->readings == 1;
+	const Eigen::Vector3d goes_on_m = r_jump.track.position_m() + dt_s * r_jump.velocity_m_s;
+	const bool is_second = r_jump.readings == 1;
 	hand_.predict(t_s, stamp_error_s);
-	jump_->track.predict(t_s, stamp_error_s);
-	++jump_->readings;
+	r_jump.track.predict(t_s, stamp_error_s);
+	++r_jump.readings;
 	const Eigen::Vector3d off_m = hand_.residual_m(r_measurement.position_m, period_s_);
-	const Eigen::Vector3d off_jumped_m = jump_->track.residual_m(r_measurement.position_m, period_s_);
+	const Eigen::Vector3d off_jumped_m = r_jump.track.residual_m(r_measurement.position_m, period_s_);
 	const double hand = hand_.log_likelihood(off_m, noise_m);
-	const double jumped = jump_->track.log_likelihood(off_jumped_m, noise_m);
+	const double jumped = r_jump.track.log_likelihood(off_jumped_m, noise_m);
 	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
 	// A hand that made the jump itself goes on at its speed; a tracker that did shows the hand's own.
-	const bool is_motion = is_second && jump_->velocity_m_s.norm() < FASTEST_M_S &&
+	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < FASTEST_M_S &&
 			(r_measurement.position_m - goes_on_m).norm() <
-					(r_measurement.position_m - jump_->track.position_m()).norm();
+					(r_measurement.position_m - r_jump.track.position_m()).norm();
 	if (is_motion) {
-		hand_ = HandTrack(t_s, r_measurement.position_m, jump_->velocity_m_s, noise_m);
+		hand_ = HandTrack(t_s, r_measurement.position_m, r_jump.velocity_m_s, noise_m);
 		--faults_.jumps;
 		jump_.reset();
 		return;
 	}
 	if (hand >= std::max(jumped, elsewhere)) {
-		retracted_since_s_ = jump_->since_s;
+		retracted_since_s_ = r_jump.since_s;
 		r_measurement.status = MeasurementStatus::REAPPEARED;
-		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - jump_->since_s);
+		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
 		hand_.correct(r_measurement.position_m, noise_m);
 		jump_.reset();
 		return;
 	}
 	if (jumped >= elsewhere) {
-		jump_->track.correct(r_measurement.position_m, noise_m);
+		r_jump.track.correct(r_measurement.position_m, noise_m);
 	} else {
-		jump_->track = HandTrack(t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
-		jump_->way_m = r_measurement.position_m - hand_.position_m();
+		r_jump.track = HandTrack(t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
+		r_jump.way_m = r_measurement.position_m - hand_.position_m();
 	}
-	if (t_s - jump_->since_s >= LONGEST_JUMP_S) {
+	if (t_s - r_jump.since_s >= LONGEST_JUMP_S) {
 		r_measurement.status = MeasurementStatus::REAPPEARED;
-		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - jump_->since_s);
-		accept_jump();
+		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
+		accept_jump(r_jump);
 		return;
 	}
 	r_measurement.status = MeasurementStatus::OUTLIER;
@@ -213,11 +213,11 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement) {
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
 }
 
-bool TrackerMonitor::has_returned(const Eigen::Vector3d &position_m, double t_s) const {
+bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
 	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
-	const Eigen::Vector3d back_m = hand_.position_m() - accepted_->way_m;
-	return t_s - accepted_->since_s <= LONGEST_RETRACTION_S &&
-			(position_m - back_m).norm() < UNDONE * accepted_->way_m.norm();
+	const Eigen::Vector3d back_m = hand_.position_m() - jump.way_m;
+	return t_s - jump.since_s <= LONGEST_RETRACTION_S &&
+			(position_m - back_m).norm() < UNDONE * jump.way_m.norm();
 }
 
 } // namespace steadyhand

@@ -84,9 +84,9 @@ private:
 	void read(Measurement &r_measurement, double frame_gap_s);
 	void time(double t_s);
 	void judge(Measurement &r_measurement, double dt_s);
-	void judge_jumped(Measurement &r_measurement);
-	void accept_jump();
-	[[nodiscard]] bool has_returned(const Eigen::Vector3d &position_m, double t_s) const;
+	void judge_jumped(Measurement &r_measurement, Jump &r_jump);
+	void accept_jump(const Jump &jump);
+	[[nodiscard]] bool has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const;
 };
 
 } // namespace steadyhand
