@@ -92,7 +92,7 @@ void ReadingNoise::measure(Eigen::Index axis) {
 bool ReadingNoise::is_rounded_to(double step_m, std::size_t first) const {
 	constexpr double TOLERANCE = 0.05; // of a step: single precision at 1 m and steps of a micrometre
 	constexpr double MOST_STEPS = 1e6;
-	if (!(step_m > 0.0)) {
+	if (!(step_m > 0.0) || !std::isfinite(step_m)) {
 		return false;
 	}
 	for (std::size_t i = first; i < readings_.size(); ++i) {

@@ -152,3 +152,25 @@ TEST_CASE("a frame is overdue after three periods and 30 ms") {
 	CHECK(slow.is_overdue(1.0 + 0.101));
 	CHECK_FALSE(TrackerMonitor().is_overdue(1e9));
 }
+
+TEST_CASE("what no hand and no clock does gives finite numbers") {
+	for (const double far_m : { 1e-9, 1.0, 1e9 }) {
+		for (const double step_s : { 0.0, 1e-12, 0.01, 3600.0 }) {
+			Random random(8);
+			TrackerMonitor monitor;
+			double t_s = 0.0;
+			for (int i = 0; i < 3000; ++i) {
+				// Stamps in pairs; two places for the first half, then noise.
+				t_s += step_s * (i % 2);
+				const Vector3d place_m = i < 1500 ? Vector3d(i % 3 == 0 ? far_m : 0.1, 0.0, -0.3)
+												  : Vector3d(far_m * random.normal(), far_m * (i % 5), 0.0);
+				const Measurement measurement = monitor.push(t_s, place_m);
+				for (const double number : { measurement.noise_m, measurement.outlier_probability,
+							 measurement.freeze_probability, measurement.gap_s, measurement.jump_m,
+							 monitor.period_s(), monitor.resolution_m() }) {
+					REQUIRE(std::isfinite(number));
+				}
+			}
+		}
+	}
+}
