@@ -39,7 +39,8 @@ private:
 	static constexpr double UNKNOWN_PERIOD_S = 1.0 / 30.0; ///< the slowest camera in use
 	/// No hand tracker looks more often: frames closer together waited for each other on the way.
 	static constexpr double BURST_S = 1e-3;
-	static constexpr double DROPOUT_PERIODS = 3.0; ///< loaded trackers skip one or two frames often
+	/// Loaded trackers often skip one or two frames. Half a period more, because stamps jitter.
+	static constexpr double DROPOUT_PERIODS = 3.5;
 	static constexpr double LEAST_DROPOUT_S = 0.03;
 	static constexpr double FORGOTTEN_S = 1.0;    ///< without a frame: the hand may be anywhere
 	static constexpr double FREEZE_PERIODS = 2.5; ///< so that the third repeated reading is one
