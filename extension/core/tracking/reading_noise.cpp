@@ -91,14 +91,13 @@ void ReadingNoise::measure(Eigen::Index axis) {
 
 bool ReadingNoise::is_rounded_to(double step_m, std::size_t first) const {
 	constexpr double TOLERANCE = 0.05; // of a step: single precision at 1 m and steps of a micrometre
-	constexpr double MOST_STEPS = 1e6;
 	if (!(step_m > 0.0) || !std::isfinite(step_m)) {
 		return false;
 	}
 	for (std::size_t i = first; i < readings_.size(); ++i) {
 		for (const double way_m : readings_[i].position_m - readings_[i - 1].position_m) {
 			const double steps = std::abs(way_m) / step_m;
-			if (steps > MOST_STEPS || std::abs(steps - std::floor(steps + 0.5)) > TOLERANCE) {
+			if (std::abs(steps - std::floor(steps + 0.5)) > TOLERANCE) {
 				return false;
 			}
 		}

@@ -10,13 +10,12 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	retracted_since_s_.reset();
 	Measurement measurement{ .t_s = t_s, .position_m = position_m };
 	const double frame_gap_s = t_s - frame_s_;
-	if (!has_frame_ || frame_gap_s < 0.0 || frame_gap_s > FORGOTTEN_S) {
-		if (frame_gap_s > FORGOTTEN_S && has_frame_) {
-			++faults_.dropouts;
-			measurement.status = MeasurementStatus::REAPPEARED;
-			measurement.gap_s = frame_gap_s;
-		}
+	if (!has_frame_ || frame_gap_s < 0.0) {
+		has_frame_ = true;
+		new_s_ = kept_s_ = t_s;
+		position_m_ = position_m;
 		restart(t_s, position_m);
+		noise_.push(t_s, position_m);
 	} else if (position_m == position_m_ && frame_gap_s <= overdue_s()) {
 		repeat(measurement);
 	} else {
@@ -36,11 +35,7 @@ double TrackerMonitor::overdue_s() const {
 }
 
 void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
-	has_frame_ = true;
-	new_s_ = kept_s_ = t_s;
-	position_m_ = position_m;
 	noise_.interrupt();
-	noise_.push(t_s, position_m);
 	hand_ = HandTrack(t_s, position_m, Eigen::Vector3d::Zero(), noise_.deviation_m());
 	jump_.reset();
 	accepted_.reset();
@@ -50,7 +45,7 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 void TrackerMonitor::repeat(Measurement &r_measurement) {
 	const double repeated_s = r_measurement.t_s - new_s_;
 	const double chance = std::pow(noise_.repeat_probability(), std::floor(repeated_s / period_s_ + 0.5));
-	const double prior = std::min(FREEZES_PER_S * repeated_s, 0.5);
+	const double prior = std::min(FAULTS_PER_S * repeated_s, 0.5);
 	r_measurement.freeze_probability = prior / (prior + (1.0 - prior) * chance);
 	r_measurement.status = MeasurementStatus::REPEATED;
 	if (repeated_s <= FREEZE_PERIODS * period_s_) {
@@ -94,7 +89,9 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 		r_measurement.gap_s = is_frozen_ ? dt_s : frame_gap_s;
 		is_frozen_ = false;
 	}
-	if (jump_) {
+	if (frame_gap_s > MEMORY_S) {
+		restart(t_s, r_measurement.position_m);
+	} else if (jump_) {
 		judge_jumped(r_measurement, *jump_);
 	} else {
 		judge(r_measurement, dt_s);
@@ -136,7 +133,7 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	const Eigen::Vector3d noise_m = reading_noise_m();
 	hand_.predict(r_measurement.t_s, dt_s < BURST_S ? period_s_ : 0.0);
 	const Eigen::Vector3d off_m = hand_.residual_m(r_measurement.position_m, period_s_);
-	const double prior = -std::expm1(-JUMPS_PER_S * std::max(dt_s, BURST_S));
+	const double prior = -std::expm1(-FAULTS_PER_S * std::max(dt_s, BURST_S));
 	const double log_odds = std::log(prior / (1.0 - prior)) + hand_.log_likelihood(off_m, noise_m, JUMP_M) -
 			hand_.log_likelihood(off_m, noise_m);
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(-log_odds));
@@ -179,7 +176,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double jumped = r_jump.track.log_likelihood(off_jumped_m, noise_m);
 	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
 	// A hand that made the jump itself goes on at its speed; a tracker that did shows the hand's own.
-	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < FASTEST_M_S &&
+	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * HandTrack::SPEED_M_S &&
 			(r_measurement.position_m - goes_on_m).norm() <
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
 	if (is_motion) {
@@ -216,8 +213,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
 	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
 	const Eigen::Vector3d back_m = hand_.position_m() - jump.way_m;
-	return t_s - jump.since_s <= LONGEST_RETRACTION_S &&
-			(position_m - back_m).norm() < UNDONE * jump.way_m.norm();
+	return t_s - jump.since_s <= MEMORY_S && (position_m - back_m).norm() < UNDONE * jump.way_m.norm();
 }
 
 } // namespace steadyhand

@@ -42,17 +42,16 @@ private:
 	/// Loaded trackers often skip one or two frames. Half a period more, because stamps jitter.
 	static constexpr double DROPOUT_PERIODS = 3.5;
 	static constexpr double LEAST_DROPOUT_S = 0.03;
-	static constexpr double FORGOTTEN_S = 1.0;    ///< without a frame: the hand may be anywhere
 	static constexpr double FREEZE_PERIODS = 2.5; ///< so that the third repeated reading is one
-	/// Rates of faults in recordings of trackers, per second (DEVICE_FACTS 4.5).
-	static constexpr double JUMPS_PER_S = 0.3, FREEZES_PER_S = 0.3;
+	/// Of jumps, and of freezes: recordings of Leap Motion have 0.05 to 0.5 jumps a second.
+	static constexpr double FAULTS_PER_S = 0.3;
 	/// Standard deviation of a jump per axis, m: 10 to 60 mm of a lost model, 0.3 m to the other hand.
 	static constexpr double JUMP_M = 0.1;
-	static constexpr double FASTEST_M_S = 3.0; ///< the peak of the quickest strokes is at 1.8
 	/// Wrong poses of one to ten frames last up to 90 ms; a tracker that stays longer has moved its origin.
 	static constexpr double LONGEST_JUMP_S = 0.09;
-	/// An accepted jump that is undone sooner was one of the tracker.
-	static constexpr double LONGEST_RETRACTION_S = 0.3;
+	/// A jump that is undone within this time was one of the tracker. After a longer gap the hand may be
+	/// anywhere.
+	static constexpr double MEMORY_S = 0.3;
 
 	/// Where the tracker shows the hand since it jumped.
 	struct Jump {
