@@ -80,9 +80,9 @@ struct Bound {
 
 inline constexpr std::string_view EVERY_GROUP = "every group";
 
-/// A correction as quick as a minimum-jerk movement over the whole way in 50 ms, a tenth of a quick gesture's
-/// time: its peak speed, 15 / 8 amplitudes a duration, and its peak acceleration, 10 / sqrt(3) (Flash and
-/// Hogan 1985).
+/// No step: no correction quicker than a minimum-jerk movement over the whole way in a third of the quickest
+/// gesture's 0.15 s. Its peak speed is 15 / 8 amplitudes a duration, its peak acceleration 10 / sqrt(3)
+/// (Flash and Hogan 1985, doi 10.1523/JNEUROSCI.05-07-01688.1985).
 inline constexpr double QUICKEST_S = 0.05;
 inline constexpr double QUICKEST_VALUE_STEP_PERCENT = 100.0 * 1.875 / QUICKEST_S / OUTPUTS_PER_S;
 inline constexpr double QUICKEST_VELOCITY_STEP = 5.7735 / (QUICKEST_S * QUICKEST_S) / OUTPUTS_PER_S;
