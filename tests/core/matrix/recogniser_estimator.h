@@ -1,0 +1,40 @@
+#pragma once
+
+#include "estimator.h"
+#include "recognition/gesture_news.h"
+#include "tracking/frame_door.h"
+
+#include <memory>
+#include <utility>
+
+namespace steadyhand::matrix {
+
+/// `phase` mode as a scene runs it: HandTracker's door, then a GestureRecogniser of one gesture.
+class RecogniserEstimator : public Estimator {
+public:
+	RecogniserEstimator(
+			const std::shared_ptr<const GestureModel> &model, const Task &task, double latency_s) :
+			recogniser_({ model }, task, MotionMode::PHASE, phase_effort(Quality::ACCURATE), latency_s) {}
+
+	void push(const HandFrame &frame) override {
+		DeviceFrame shown;
+		shown.hand = frame;
+		door_.clean(shown);
+		recogniser_.push(shown.hand);
+	}
+
+	Output advance(double t_s) override {
+		recogniser_.advance(t_s);
+		const GestureShown now = shown_by(recogniser_);
+		const GestureNews happened = news(std::exchange(shown_, now), now);
+		const Motion motion = recogniser_.motion(MotionSource::SYNTHESISED);
+		return { motion.value_m, motion.velocity_m_s, happened.started, happened.ended, happened.aborted };
+	}
+
+private:
+	FrameDoor door_;
+	GestureRecogniser recogniser_;
+	GestureShown shown_;
+};
+
+} // namespace steadyhand::matrix
