@@ -14,7 +14,6 @@ LAYERS = [
     "gesture",
     "soundness",
     "motion",
-    "phase",
     "strokes",
     "recognition",
     "haptics",

@@ -128,7 +128,7 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &model
 			trials,
 			[&](const Task &task) {
 				return GestureRecogniser(
-						models, has_task ? std::optional(task) : std::nullopt, mode, phase_effort(quality));
+						models, has_task ? std::optional(task) : std::nullopt, mode, estimator_effort(quality));
 			},
 			outputs);
 }

@@ -35,12 +35,12 @@ std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, con
 } // namespace
 
 GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-		const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort, double latency_s,
+		const std::optional<Task> &task, MotionMode mode, const EstimatorEffort &effort, double latency_s,
 		const StateDecoding &decoding) :
 		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
 
 GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
-		const PhaseEffort &effort, double latency_s, const StateDecoding &decoding) :
+		const EstimatorEffort &effort, double latency_s, const StateDecoding &decoding) :
 		synthesis_{ mode, effort, latency_s, decoding },
 		time_s_(-std::numeric_limits<double>::infinity()) {
 	expect(std::move(gestures));
@@ -102,7 +102,7 @@ void GestureRecogniser::watch_features() {
 		} else {
 			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
 			const StrokeFinder strokes(shares, smallest_m);
-			watched_.push_back({ feature, strokes, strokes, {}, {} });
+			watched_.push_back({ feature, strokes, strokes, {}, {}, {}, {} });
 		}
 	}
 	expect_absence();

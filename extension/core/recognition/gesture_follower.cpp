@@ -5,8 +5,6 @@
 namespace steadyhand {
 namespace {
 
-/// `phase` mode: expected value from which on the gesture is at its end.
-constexpr double ARRIVED_VALUE = 0.9;
 /// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
 /// hang.
 constexpr double LONGEST_GAP_S = 10.0;
@@ -19,16 +17,18 @@ GestureFollower::GestureFollower(
 		model_(&model),
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
 		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_OPEN), decoder_(model.hmm, synthesis.decoding),
-		paper_(model), phase_(model, synthesis.effort, synthesis.latency_s,
-							   follows_rest ? 1.0 : feature_->open_gain_spread, follows_rest) {}
+		paper_(model), phase_(model, task.amplitude_m, synthesis.effort,
+							   synthesis.latency_s, follows_rest ? 1.0 : feature_->open_gain_spread) {}
 
 bool GestureFollower::push(
-		const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes) {
+		const HandFrame &frame, const std::optional<FeaturePlace> &place,
+		const StrokeFinder &strokes, const Measurement &measurement) {
 	if (!clock_started_) {
 		clock_.start(frame.t_s);
 		clock_started_ = true;
 	}
 	place_ = place.value_or(place_);
+	measurement_ = measurement;
 	const std::optional<double> x_m = see(frame, place.has_value(), strokes);
 	if (!x_m) {
 		return false;
@@ -36,9 +36,7 @@ bool GestureFollower::push(
 	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
-		const double x = *x_m / task_.amplitude_m;
-		const FeaturePlace place_now = place_ / task_.amplitude_m;
-		is_elsewhere_ ? phase_.doze(frame.t_s, x, place_now) : phase_.push(frame.t_s, x, place_now);
+		is_elsewhere_ ? phase_.reset() : phase_.push(measurement, *x_m / task_.amplitude_m);
 	}
 	if (is_forgotten_) {
 		is_forgotten_ = false;
@@ -48,28 +46,19 @@ bool GestureFollower::push(
 	return true;
 }
 
-void GestureFollower::advance(double t_s, const StrokeFinder &strokes) {
+void GestureFollower::advance(double t_s, const StrokeFinder &strokes, bool is_overdue) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		release(clock_.next_s());
-		step(clock_.next_s(), strokes);
+		step(clock_.next_s(), strokes, is_overdue);
 		clock_.advance();
 	}
-	release(t_s);
 }
 
-/// What is held of a burst of frames, and due by then.
-void GestureFollower::release(double t_s) {
-	if (follows_phase()) {
-		phase_.release(t_s);
-	}
-}
-
-void GestureFollower::step(double t_s, const StrokeFinder &strokes) {
+void GestureFollower::step(double t_s, const StrokeFinder &strokes, bool is_overdue) {
 	if (!fresh_ && follows_phase()) {
-		phase_.wait(t_s);
+		phase_.wait(t_s, is_overdue);
 	}
 	if (stage_ == Stage::MOVING) {
 		decode(t_s);
@@ -125,9 +114,7 @@ bool GestureFollower::is_at_end(double t_s) const {
 	if (mode_ == MotionMode::PAPER) {
 		return paper_.phase(t_s) >= 1.0;
 	}
-	const PhaseEstimate now = estimate(t_s);
-	// A hand that does something else is where it is.
-	return now.phase + 1.0 - now.moving > ARRIVED_PHASE && now.value > ARRIVED_VALUE;
+	return estimate(t_s).value >= END_LEVEL;
 }
 
 void GestureFollower::forget_frames() {
@@ -135,10 +122,10 @@ void GestureFollower::forget_frames() {
 	phase_.reset();
 }
 
-void GestureFollower::recall(double t_s, double x_m, const FeaturePlace &place) {
+void GestureFollower::recall(double t_s, double x_m) {
 	window_.push(t_s, x_m);
 	if (mode_ == MotionMode::PHASE) {
-		phase_.recall(t_s, x_m / task_.amplitude_m, place / task_.amplitude_m);
+		phase_.push({ .t_s = t_s, .noise_m = measurement_.noise_m }, x_m / task_.amplitude_m);
 	}
 }
 
@@ -148,9 +135,9 @@ void GestureFollower::blend_from(const Motion &before, double t_s, double rate_p
 
 Motion GestureFollower::synthesised(double t_s) const {
 	if (follows_phase()) {
-		const PhaseEstimate now = estimate(t_s);
+		const MotionEstimate now = estimate(t_s);
 		return { task_.amplitude_m * now.value, task_.amplitude_m * now.velocity,
-			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase + now.free_phase,
+			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase,
 			task_.amplitude_m * now.correction };
 	}
 	return stage_ == Stage::RESTING ? Motion{} : paper_.motion(t_s, task_.amplitude_m);

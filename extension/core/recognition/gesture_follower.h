@@ -8,8 +8,9 @@
 #include "motion/motion.h"
 #include "motion/output_blend.h"
 #include "motion/paper_synthesiser.h"
-#include "phase/phase_estimator.h"
+#include "motion/switching_estimator.h"
 #include "strokes/stroke_finder.h"
+#include "tracking/tracker_monitor.h"
 
 #include <array>
 #include <cmath>
@@ -18,11 +19,11 @@
 
 namespace steadyhand {
 
-/// How motion is made of what is seen. effort, latency_s: as PhaseEstimator's; decoding: of the states that
+/// How motion is made of what is seen. effort, latency_s: as SwitchingEstimator's; decoding: of the states that
 /// `paper` mode plays.
 struct Synthesis {
 	MotionMode mode = MotionMode::PHASE;
-	PhaseEffort effort = {};
+	EstimatorEffort effort = {};
 	double latency_s = 0.0;
 	StateDecoding decoding = {};
 };
@@ -46,10 +47,11 @@ public:
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
 	/// must have been done. False where it does not hold what the feature needs. place: the feature's,
-	/// finite; strokes: of the feature, with this frame in it.
-	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes);
-	/// All that is due by t_s; strokes: as of the last frame.
-	void advance(double t_s, const StrokeFinder &strokes);
+	/// finite; strokes: of the feature, with this frame in it; measurement: what its tracker is worth.
+	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes,
+			const Measurement &measurement);
+	/// All that is due by t_s; strokes: as of the last frame; is_overdue: a frame should have come by now.
+	void advance(double t_s, const StrokeFinder &strokes, bool is_overdue);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
@@ -118,9 +120,9 @@ protected:
 		return window_.normalised(task_.amplitude_m, model_->duration_mean_s);
 	}
 	/// Of `phase` mode.
-	[[nodiscard]] PhaseEstimate estimate(double t_s) const { return phase_.at(t_s); }
+	[[nodiscard]] MotionEstimate estimate(double t_s) const { return phase_.at(t_s); }
 	/// The same, without what of it is still blended in.
-	[[nodiscard]] PhaseEstimate expected(double t_s) const { return phase_.expected(t_s); }
+	[[nodiscard]] MotionEstimate expected(double t_s) const { return phase_.expected(t_s); }
 	/// What is put out is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
 
@@ -140,10 +142,9 @@ protected:
 	/// What is put out goes on from `before`, at t_s, and fades to what it is by now; rate: 1/s, of the
 	/// fading.
 	void blend_from(const Motion &before, double t_s, double rate_per_s);
-	/// As if the frames recalled from now on, until catch_up(), had been all so far.
+	/// As if the frames recalled from now on had been all so far.
 	void forget_frames();
-	void recall(double t_s, double x_m, const FeaturePlace &place);
-	void catch_up() { phase_.catch_up(); }
+	void recall(double t_s, double x_m);
 	/// From this frame on the hand is where the gesture does not begin: until it is nearer again, or
 	/// attend(), it is not followed, and shown at 0.
 	void set_elsewhere(bool is_elsewhere) { is_elsewhere_ = is_elsewhere; }
@@ -162,6 +163,7 @@ private:
 	bool clock_started_ = false;
 	bool fresh_ = false; ///< a frame came since the last symbol
 	FeaturePlace place_ = FeaturePlace::Zero();
+	Measurement measurement_;
 
 	Stage stage_ = Stage::RESTING;
 	double stage_began_s_ = -INFINITY;
@@ -172,12 +174,11 @@ private:
 	StateDecoder decoder_;
 	int state_played_ = 0;
 	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
-	PhaseEstimator phase_;
+	SwitchingEstimator phase_;
 	bool is_forgotten_ = false; ///< the hand is, and has not been seen again
 	OutputBlend blend_;         ///< of what would step otherwise, m
 
-	void release(double t_s);
-	void step(double t_s, const StrokeFinder &strokes);
+	void step(double t_s, const StrokeFinder &strokes, bool is_overdue);
 	void enter(Stage stage, double t_s);
 	/// Frames go to the estimator.
 	[[nodiscard]] bool follows_phase() const {

@@ -11,10 +11,37 @@ namespace {
 /// others: nats against that, for each amplitude by which the gesture of several has grown.
 constexpr double PART = 12.0;
 
+/// The point that the tracker's faults are looked for at: of a radius, the circle's centre and that.
+std::optional<Eigen::Vector3d> tracked_point(const Feature &feature, const HandFrame &frame) {
+	const std::optional<FeaturePlace> place =
+			feature.place != nullptr ? feature.place(frame) : std::nullopt;
+	if (place) {
+		return feature.is_radius ? Eigen::Vector3d(place->x(), place->y(), place->w())
+								 : Eigen::Vector3d(place->head<3>());
+	}
+	return feature.place == nullptr && frame.has(Joint::INDEX) ? std::optional(frame.position(Joint::INDEX))
+																	 : std::nullopt;
+}
+
 } // namespace
 
+void GestureRecogniser::WatchedFeature::push(const HandFrame &frame) {
+	place = feature->place != nullptr ? feature->place(frame) : std::nullopt;
+	if (place && !place->allFinite()) {
+		place.reset();
+	}
+	measurement = { .t_s = frame.t_s };
+	if (const std::optional<Eigen::Vector3d> point_m = tracked_point(*feature, frame);
+			point_m && point_m->allFinite()) {
+		measurement = monitor.push(frame.t_s, *point_m);
+	}
+	if (place) {
+		look(frame.t_s, *place);
+	}
+}
+
 /// Of a hand that another was shown for meanwhile nothing was seen.
-void GestureRecogniser::WatchedFeature::push(double t_s, const FeaturePlace &place_m) {
+void GestureRecogniser::WatchedFeature::look(double t_s, const FeaturePlace &place_m) {
 	switch (elsewhere.look(t_s, place_m)) {
 		case ShownElsewhere::Sight::ON_ITS_WAY:
 			break;
@@ -36,17 +63,11 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	// What is due before this frame must not see the stroke that it makes.
 	advance_followers(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
-		watched.place = watched.feature->place != nullptr ? watched.feature->place(frame) : std::nullopt;
-		if (watched.place && !watched.place->allFinite()) {
-			watched.place.reset();
-		}
-		if (watched.place) {
-			watched.push(frame.t_s, *watched.place);
-		}
+		watched.push(frame);
 	}
 	const std::optional<Motion> before = show_nearest(frame.t_s);
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes)) {
+		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes, watched(i).measurement)) {
 			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
 		}
 	}
@@ -96,7 +117,7 @@ void GestureRecogniser::advance_followers(double t_s) {
 
 void GestureRecogniser::step_followers(double t_s) {
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		followers_[i]->advance(t_s, watched(i).strokes);
+		followers_[i]->advance(t_s, watched(i).strokes, watched(i).monitor.is_overdue(t_s));
 	}
 }
 

@@ -26,12 +26,12 @@ struct ExpectedGesture {
 /// allocated but by construction and expect().
 class GestureRecogniser {
 public:
-	/// effort, latency_s: as PhaseEstimator's; decoding: as Synthesis'.
+	/// effort, latency_s: as SwitchingEstimator's; decoding: as Synthesis'.
 	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
-			const PhaseEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
+			const EstimatorEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
 	/// All at one place, or none of them.
 	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-			const std::optional<Task> &task, MotionMode mode, const PhaseEffort &effort = {},
+			const std::optional<Task> &task, MotionMode mode, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, const StateDecoding &decoding = {});
 
 	/// A gesture without a task is shown, and ends, only where its confidence() has come to this: 0..1. Less
@@ -82,8 +82,11 @@ private:
 		StrokeFinder before_elsewhere;
 		ShownElsewhere elsewhere;
 		std::optional<FeaturePlace> place; ///< in the newest frame
+		TrackerMonitor monitor;
+		Measurement measurement; ///< the newest frame's
 
-		void push(double t_s, const FeaturePlace &place_m);
+		void push(const HandFrame &frame);
+		void look(double t_s, const FeaturePlace &place_m);
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it

@@ -149,10 +149,9 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S,
 			[&](double frame_s, const FeaturePlace &place, const FeaturePlace & /*step*/) {
 				if (frame_s < t_s) {
-					recall(frame_s, along(place), place);
+					recall(frame_s, along(place));
 				}
 			});
-	catch_up();
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
 	furthest_ = 0.0;

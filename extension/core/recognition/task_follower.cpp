@@ -154,13 +154,13 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 	if (!strokes_.has_set_out()) {
 		return false;
 	}
-	const PhaseEstimate now = estimate(t_s);
+	const MotionEstimate now = estimate(t_s);
 	// It is rather about to have been elsewhere.
 	if (now.value <= ONSET_VALUE || (now.value < BACK_VALUE && now.phase > HALF_WAY)) {
 		return false;
 	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
-	return now.value > (now.moving > BEGUN && strokes_.heads_along() ? onset : HALF_WAY) ||
+	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALF_WAY) ||
 			(now.value > SEEN_ON_WAY && strokes_.go_the_way(strokes));
 }
 
@@ -170,7 +170,7 @@ bool TaskFollower::has_been_elsewhere(double t_s) const {
 		return false;
 	}
 	// The value that is put out is yet to follow what a frame has changed, the phase is not.
-	const PhaseEstimate now = expected(t_s);
+	const MotionEstimate now = expected(t_s);
 	return now.phase > ARRIVED_PHASE && std::abs(now.value) < BACK_VALUE;
 }
 
@@ -179,12 +179,12 @@ bool TaskFollower::was_nothing(double t_s) {
 		return value() < BACK_VALUE &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
 	}
-	const PhaseEstimate now = estimate(t_s);
-	likely_s_ = now.moving > BEGUN ? t_s : likely_s_;
+	const MotionEstimate now = estimate(t_s);
+	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin =
-			short_end_.furthest() < BACK_VALUE && now.moving > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
-	const bool is_under_way = (now.moving > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
+			short_end_.furthest() < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
 	off_start_s_ = short_end_.furthest() < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
 	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);

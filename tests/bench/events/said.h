@@ -22,7 +22,7 @@ struct Said {
 inline std::vector<Said> follow(const std::vector<ExpectedGesture> &gestures,
 		const std::vector<HandFrame> &frames, double length_s, double min_confidence) {
 	GestureRecogniser recogniser(
-			gestures, MotionMode::PHASE, phase_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
+			gestures, MotionMode::PHASE, estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
 	recogniser.set_min_confidence(min_confidence);
 	std::vector<Said> said;
 	GestureShown shown;

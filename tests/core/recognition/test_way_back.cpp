@@ -205,7 +205,7 @@ TEST_CASE("a hand that goes back at once after a rest is shown back, at any qual
 				const test::Drag back{ .onset_s = 2.6 + rest_s, .duration_s = back_s, .amplitude_m = 0.28 };
 				GestureRecogniser recogniser({ test::shared_drag_model() },
 						Task{ Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), 0.28 }, MotionMode::PHASE,
-						phase_effort(quality));
+						estimator_effort(quality));
 				for (int i = 0; i < static_cast<int>(60.0 * (back.onset_s + 1.5)); ++i) {
 					HandFrame frame;
 					frame.t_s = i / 60.0;

@@ -1,0 +1,152 @@
+#include "motion/gesture_filter.h"
+
+#include "base/parameters.h"
+#include "signal/critically_damped.h"
+#include "signal/minimum_jerk.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace steadyhand {
+namespace {
+
+/// Of the lag, in a gesture of that duration.
+double share_of_lag(double duration_s) {
+	return duration_s / (duration_s + parameters::LAG_SETTLING_S);
+}
+
+} // namespace
+
+ReadingLikelihood::ReadingLikelihood(double error, double variance) {
+	const double normal = (1.0 - parameters::OUTLIERS) * std::exp(-0.5 * error * error / variance) /
+			std::sqrt(2.0 * std::numbers::pi * variance);
+	density = normal + parameters::OUTLIERS * parameters::OUTLIER_DENSITY;
+	share = normal / density;
+}
+
+DampedTransition::DampedTransition(double a, double dt_s) {
+	const double fading = std::exp(-a * dt_s);
+	xx = fading * (1.0 + a * dt_s);
+	xv = fading * dt_s;
+	vx = -fading * a * a * dt_s;
+	vv = fading * (1.0 - a * dt_s);
+	noise_xx = 1.0 - (xx * xx + xv * xv * a * a);
+	noise_xv = -(xx * vx + xv * vv * a * a);
+	noise_vv = a * a - (vx * vx + vv * vv * a * a);
+}
+
+double GestureFilter::deviation(TrackerMode tracker, double gone) {
+	return tracker == TrackerMode::SOUND
+			? parameters::DEVIATION
+			: parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY * std::clamp(gone, 0.0, 1.0);
+}
+
+double GestureFilter::deviation_rate_per_s(TrackerMode tracker) {
+	return tracker == TrackerMode::SOUND ? parameters::DEVIATION_RATE_PER_S
+										 : parameters::LAGGING_ERROR_RATE_PER_S;
+}
+
+GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const HandState &from) :
+		tracker_(tracker) {
+	const auto set = [&](Index i, double mean, double deviation) {
+		mean_(i) = mean;
+		covariance_(i, i) = deviation * deviation;
+	};
+	set(ONSET, onset.t_s, onset.deviation_s);
+	set(LOG_DURATION, onset.log_duration, onset.log_duration_deviation);
+	set(GAIN, 0.0, onset.gain_deviation);
+	set(SHAPE, parameters::SHAPE_MEAN, parameters::SHAPE_SPREAD);
+	if (tracker == TrackerMode::LAGGING) {
+		set(LAG, parameters::LAG_S, parameters::LAG_SPREAD_S);
+	}
+	const double unit = 1.0 / deviation(tracker, 0.0);
+	mean_(DEVIATION) = unit * from.x;
+	mean_(DEVIATION_RATE) = unit * from.v;
+	covariance_(DEVIATION, DEVIATION) = unit * unit * from.xx;
+	covariance_(DEVIATION, DEVIATION_RATE) = covariance_(DEVIATION_RATE, DEVIATION) = unit * unit * from.xv;
+	covariance_(DEVIATION_RATE, DEVIATION_RATE) = unit * unit * from.vv;
+}
+
+void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s) {
+	const double x = mean_(DEVIATION), v = mean_(DEVIATION_RATE);
+	mean_(DEVIATION) = by.xx * x + by.xv * v;
+	mean_(DEVIATION_RATE) = by.vx * x + by.vv * v;
+	const Vector column_x = covariance_.col(DEVIATION), column_v = covariance_.col(DEVIATION_RATE);
+	covariance_.col(DEVIATION) = by.xx * column_x + by.xv * column_v;
+	covariance_.col(DEVIATION_RATE) = by.vx * column_x + by.vv * column_v;
+	const Vector row_x = covariance_.row(DEVIATION), row_v = covariance_.row(DEVIATION_RATE);
+	covariance_.row(DEVIATION) = by.xx * row_x + by.xv * row_v;
+	covariance_.row(DEVIATION_RATE) = by.vx * row_x + by.vv * row_v;
+	covariance_(DEVIATION, DEVIATION) += by.noise_xx;
+	covariance_(DEVIATION, DEVIATION_RATE) += by.noise_xv;
+	covariance_(DEVIATION_RATE, DEVIATION) += by.noise_xv;
+	covariance_(DEVIATION_RATE, DEVIATION_RATE) += by.noise_vv;
+	// As the log duration changes by e, the onset does by -(t - onset) e: the phase stays.
+	const double shift = -std::max(t_s - mean_(ONSET), 0.0);
+	const double walk = parameters::PACE_WALK * parameters::PACE_WALK * std::min(dt_s, 1.0);
+	covariance_(ONSET, ONSET) += walk * shift * shift;
+	covariance_(ONSET, LOG_DURATION) += walk * shift;
+	covariance_(LOG_DURATION, ONSET) += walk * shift;
+	covariance_(LOG_DURATION, LOG_DURATION) += walk;
+}
+
+GestureFilter::Prediction GestureFilter::measured(const ReferenceTable &curve, double t_s) const {
+	const double duration = duration_s(), phase = (t_s - mean_(ONSET)) / duration;
+	const double gone = std::clamp(curve.at(phase).value, 0.0, 1.0);
+	const double late = tracker_ == TrackerMode::LAGGING ? share_of_lag(duration) * gone / duration : 0.0;
+	Prediction p;
+	p.phase = phase - mean_(LAG) * late;
+	const ReferenceTable::Point own = curve.at(p.phase);
+	const Polynomial::Point jerk = minimum_jerk(p.phase);
+	const double f = own.value + mean_(SHAPE) * (jerk.value - own.value);
+	const double slope = (1.0 + mean_(GAIN)) * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
+	const double unit = deviation(tracker_, gone);
+	p.x = (1.0 + mean_(GAIN)) * f + unit * mean_(DEVIATION);
+	p.slope(ONSET) = -slope / duration;
+	p.slope(LOG_DURATION) = -slope * p.phase;
+	p.slope(GAIN) = f;
+	p.slope(SHAPE) = (1.0 + mean_(GAIN)) * (jerk.value - own.value);
+	p.slope(LAG) = -slope * late;
+	p.slope(DEVIATION) = unit;
+	p.covariance = covariance_ * p.slope;
+	p.variance = p.covariance.dot(p.slope);
+	return p;
+}
+
+void GestureFilter::correct(const Prediction &prediction, const ElementReading &reading) {
+	const double error = reading.x - prediction.x, variance = prediction.variance + reading.variance;
+	const ReadingLikelihood likelihood(error, variance);
+	weight *= std::pow(likelihood.density, reading.power);
+	const Vector gain = prediction.covariance / variance;
+	mean_ += likelihood.share * error * gain;
+	covariance_ -= likelihood.reduction(error, variance) * gain * gain.transpose();
+}
+
+void GestureFilter::forget_error(double deviation) {
+	const double unit = deviation / GestureFilter::deviation(tracker_, 0.0);
+	const double rate = deviation_rate_per_s(tracker_);
+	covariance_(DEVIATION, DEVIATION) += unit * unit;
+	covariance_(DEVIATION_RATE, DEVIATION_RATE) += rate * rate;
+}
+
+GestureFilter::Hand GestureFilter::hand(const GestureModel &model, double from_s, double t_s) const {
+	const double rate = 1.0 / duration_s(), phase = (t_s - mean_(ONSET)) * rate;
+	const CurvePoint own = evaluate_onwards(model, phase);
+	const Polynomial::Point jerk = minimum_jerk(phase);
+	const double shape = mean_(SHAPE), way = 1.0 + mean_(GAIN);
+	Hand hand{ way * (own.value + shape * (jerk.value - own.value)),
+		way * rate * (own.slope + shape * (jerk.first - own.slope)),
+		way * rate * rate * (own.curvature + shape * (jerk.second - own.curvature)),
+		std::clamp(phase, 0.0, 1.0) };
+	if (tracker_ == TrackerMode::SOUND) {
+		const double unit = deviation(tracker_, 0.0);
+		const CriticallyDamped d = critically_damped(unit * mean_(DEVIATION), unit * mean_(DEVIATION_RATE),
+				deviation_rate_per_s(tracker_), std::max(t_s - from_s, 0.0));
+		hand.value += d.value;
+		hand.velocity += d.velocity;
+		hand.acceleration += d.acceleration;
+	}
+	return hand;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace steadyhand {
+
+/// Position and velocity of a hand that follows no curve, with their covariance.
+struct HandState {
+	double x = 0.0, v = 0.0;
+	double xx = 0.0, xv = 0.0, vv = 0.0; ///< covariance
+};
+
+/// A hand whose velocity is an Ornstein-Uhlenbeck process, dv = -rate v dt + noise: it comes to rest wherever
+/// it is. speed: stationary standard deviation of the velocity.
+struct HandProcess {
+	double speed;
+	double rate_per_s;
+
+	/// How far one that goes on with a velocity of 1 gets in dt_s.
+	[[nodiscard]] double reach_s(double dt_s) const { return -std::expm1(-rate_per_s * dt_s) / rate_per_s; }
+
+	/// Exact for steps of any length.
+	void predict(HandState &r_hand, double dt_s) const {
+		const double fading = std::exp(-rate_per_s * dt_s), reach = reach_s(dt_s), variance = speed * speed;
+		r_hand.x += reach * r_hand.v;
+		r_hand.v *= fading;
+		r_hand.xx += reach * (2.0 * r_hand.xv + reach * r_hand.vv) +
+				variance * (2.0 * (dt_s - reach) / rate_per_s - reach * reach);
+		r_hand.xv = fading * (r_hand.xv + reach * r_hand.vv) + variance * rate_per_s * reach * reach;
+		r_hand.vv = fading * fading * r_hand.vv + variance * (1.0 - fading * fading);
+	}
+};
+
+/// Moments of a weighted sum of hands.
+class HandMixture {
+public:
+	void add(double weight, const HandState &hand) {
+		weight_ += weight;
+		sum_.x += weight * hand.x;
+		sum_.v += weight * hand.v;
+		sum_.xx += weight * (hand.xx + hand.x * hand.x);
+		sum_.xv += weight * (hand.xv + hand.x * hand.v);
+		sum_.vv += weight * (hand.vv + hand.v * hand.v);
+	}
+	[[nodiscard]] double weight() const { return weight_; }
+	/// Of a sum whose weight is not 0.
+	[[nodiscard]] HandState state() const {
+		const double x = sum_.x / weight_, v = sum_.v / weight_;
+		return { x, v, std::max(sum_.xx / weight_ - x * x, 0.0), sum_.xv / weight_ - x * v,
+			std::max(sum_.vv / weight_ - v * v, 0.0) };
+	}
+
+private:
+	double weight_ = 0.0;
+	HandState sum_;
+};
+
+} // namespace steadyhand

@@ -1,0 +1,384 @@
+#include "motion/switching_estimator.h"
+
+#include "motion/motion.h"
+#include "base/parameters.h"
+#include "signal/minimum_jerk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace steadyhand {
+namespace {
+
+constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
+constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
+
+constexpr double share(TrackerMode tracker) {
+	return tracker == TrackerMode::SOUND ? 1.0 - parameters::LAGGING_SHARE : parameters::LAGGING_SHARE;
+}
+
+/// Probability of a switch within dt_s.
+double switches(double per_s, double dt_s) {
+	return -std::expm1(-per_s * dt_s);
+}
+
+} // namespace
+
+SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m,
+		const EstimatorEffort &effort, double latency_s, double gain_spread) :
+		model_(&model),
+		curve_(model), amplitude_m_(amplitude_m), effort_(effort), latency_s_(latency_s),
+		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
+		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
+	const double step = 2.0 * WIDEST / static_cast<double>(effort.durations - 1);
+	log_duration_deviation_ = 0.55 * step * parameters::LOG_DURATION_SPREAD; // so that neighbours overlap
+	double total = 0.0;
+	for (std::size_t k = 0; k < effort.durations; ++k) {
+		const double z = step * static_cast<double>(k) - WIDEST;
+		log_durations_[k] = std::log(model.duration_mean_s) + parameters::LOG_DURATION_SPREAD * z;
+		duration_weights_[k] = std::exp(-0.5 * z * z);
+		total += duration_weights_[k];
+	}
+	for (double &weight : duration_weights_) {
+		weight /= total;
+	}
+	gestures_.reserve(effort.hypotheses + 2 * TRACKERS.size() * effort.durations);
+}
+
+void SwitchingEstimator::reset() {
+	time_s_ = seen_s_ = NEVER_S;
+	gestures_.clear();
+	has_fault_ = false;
+	faulty_latency_s_ = 0.0;
+	blend_ = {};
+	acceleration_step_ = 0.0;
+}
+
+void SwitchingEstimator::begin(double t_s, double x, double v) {
+	const double noise = parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE;
+	const auto at_rate = [&](const HandProcess &process) {
+		return HandState{ x, v, noise, 0.0, process.speed * process.speed };
+	};
+	gestures_.clear();
+	hold_ = { 0.9, at_rate(hold_process_) };
+	free_ = { 0.1, at_rate(free_process_) };
+	hold_.hand.v = 0.0;
+	time_s_ = next_birth_s_ = t_s;
+}
+
+void SwitchingEstimator::restart(double t_s, double shift) {
+	if (!has_hand()) {
+		return;
+	}
+	change(t_s, [&] {
+		HandMixture shown;
+		shown.add(hold_.weight, hold_.hand);
+		shown.add(free_.weight, free_.hand);
+		for (const GestureFilter &gesture : gestures_) {
+			const GestureFilter::Prediction p = gesture.measured(curve_, time_s_);
+			shown.add(gesture.weight, { p.x, 0.0, p.variance, 0.0, 0.0 });
+		}
+		begin(time_s_, shown.state().x + shift, shown.state().v);
+	});
+}
+
+/// Applies a change at t_s without a step of the output.
+template <class Change> void SwitchingEstimator::change(double t_s, Change apply) {
+	const MotionEstimate before = at(t_s);
+	apply();
+	const MotionEstimate now = expected(t_s);
+	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
+	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
+}
+
+void SwitchingEstimator::push(const Measurement &measurement, double x) {
+	const double t_s = measurement.t_s;
+	if (!has_hand()) {
+		begin(t_s, x, 0.0);
+		seen_s_ = t_s;
+		return;
+	}
+	if (measurement.has_news() && t_s - seen_s_ < LEAST_FRAME_S) {
+		return;
+	}
+	change(t_s, [&] {
+		predict(t_s);
+		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
+		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
+		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
+			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_DROPOUTS);
+		}
+		if (!measurement.has_news() || jumps) {
+			return;
+		}
+		has_fault_ = false;
+		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - seen_s_;
+		const ElementReading reading{ t_s, x,
+			noise * noise + parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE,
+			since_s / (since_s + parameters::ALIKE_S) };
+		const std::size_t known = gestures_.size();
+		if (reappears) {
+			seed(reading, since_s);
+		}
+		correct(reading, known);
+		seen_s_ = t_s;
+		normalise();
+		prune();
+	});
+}
+
+void SwitchingEstimator::wait(double t_s, bool is_overdue) {
+	if (!has_hand() || t_s <= time_s_) {
+		return;
+	}
+	change(t_s, [&] {
+		predict(t_s);
+		if (is_overdue) {
+			count_fault(parameters::LOG_DROPOUTS);
+			normalise();
+		}
+	});
+}
+
+void SwitchingEstimator::predict(double t_s) {
+	const double dt_s = t_s - time_s_;
+	if (dt_s <= 0.0) {
+		return;
+	}
+	time_s_ = t_s;
+	hold_process_.predict(hold_.hand, dt_s);
+	free_process_.predict(free_.hand, dt_s);
+	for (const TrackerMode tracker : TRACKERS) {
+		const DampedTransition transition(GestureFilter::deviation_rate_per_s(tracker), dt_s);
+		for (GestureFilter &gesture : gestures_) {
+			if (gesture.tracker() == tracker) {
+				gesture.predict(transition, dt_s, t_s);
+			}
+		}
+	}
+	switch_modes(dt_s);
+	if (t_s >= next_birth_s_) {
+		give_birth(t_s);
+		prune();
+		next_birth_s_ = t_s + parameters::BIRTH_PERIOD_S;
+	}
+}
+
+/// HOLD and FREE go on from where the tracker shows the hand, be it late or not.
+void SwitchingEstimator::switch_modes(double dt_s) {
+	const double to_free = switches(parameters::GESTURE_TO_FREE_PER_S, dt_s);
+	const double to_hold = switches(parameters::GESTURE_TO_HOLD_PER_S, dt_s);
+	const double hold_to_free = switches(parameters::HOLD_TO_FREE_PER_S, dt_s);
+	const double free_to_hold = switches(parameters::FREE_TO_HOLD_PER_S, dt_s);
+	const auto at_rest = [&](const HandState &hand) {
+		return HandState{ hand.x, 0.0, hand.xx, 0.0, hold_process_.speed * hold_process_.speed };
+	};
+	HandMixture held, freed;
+	held.add(hold_.weight * (1.0 - hold_to_free), hold_.hand);
+	held.add(free_.weight * free_to_hold, at_rest(free_.hand));
+	freed.add(free_.weight * (1.0 - free_to_hold), free_.hand);
+	HandState leaving = hold_.hand;
+	leaving.vv = free_process_.speed * free_process_.speed;
+	freed.add(hold_.weight * hold_to_free, leaving);
+	for (GestureFilter &gesture : gestures_) {
+		const GestureFilter::Prediction p = gesture.measured(curve_, time_s_);
+		const double rate = 1.0 / gesture.duration_s();
+		const HandState shown{ p.x, rate * curve_.at(p.phase).slope, p.variance, 0.0, 0.25 * rate * rate };
+		held.add(gesture.weight * to_hold, at_rest(shown));
+		freed.add(gesture.weight * to_free, shown);
+		gesture.weight *= 1.0 - to_hold - to_free;
+	}
+	hold_ = { held.weight(), held.weight() > 0.0 ? held.state() : hold_.hand };
+	free_ = { freed.weight(), freed.weight() > 0.0 ? freed.state() : free_.hand };
+}
+
+/// Says nothing of a hand that holds still: it is where it was.
+void SwitchingEstimator::count_fault(double log_ratio) {
+	if (std::exchange(has_fault_, true)) {
+		return;
+	}
+	const double factor = std::exp(-log_ratio);
+	const bool is_jump = log_ratio == parameters::LOG_JUMPS;
+	double before = free_.weight, after = factor * free_.weight;
+	for (GestureFilter &gesture : gestures_) {
+		before += gesture.weight;
+		gesture.weight *= gesture.tracker() == TrackerMode::SOUND ? factor : 1.0;
+		after += gesture.weight;
+		if (is_jump && gesture.tracker() == TrackerMode::LAGGING) {
+			gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
+		}
+	}
+	const double scale = after > 0.0 ? before / after : 1.0;
+	free_.weight *= factor * scale;
+	for (GestureFilter &gesture : gestures_) {
+		gesture.weight *= scale;
+	}
+	faulty_latency_s_ = parameters::FAULTY_LATENCY_S;
+}
+
+/// How likely a hand that holds still where this one does begins a gesture, beside one at the start.
+double SwitchingEstimator::nearness() const {
+	const double off = hold_.hand.x / parameters::START_SPREAD;
+	return std::exp(-0.5 * off * off);
+}
+
+void SwitchingEstimator::add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset,
+		const HandState &from) {
+	GestureFilter gesture(tracker, onset, from);
+	gesture.weight = weight;
+	gestures_.push_back(gesture);
+}
+
+void SwitchingEstimator::give_birth(double t_s) {
+	const double begin = hold_.weight * nearness() * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
+	for (const TrackerMode tracker : TRACKERS) {
+		for (std::size_t k = 0; k < effort_.durations; ++k) {
+			const double weight = begin * share(tracker) * duration_weights_[k];
+			if (weight > parameters::LEAST_WEIGHT * hold_.weight) {
+				add(tracker, weight,
+						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
+								gain_spread_ * parameters::GAIN_SPREAD },
+						hold_.hand);
+			}
+		}
+	}
+	hold_.weight -= begin;
+}
+
+/// Of gestures that began while nothing was seen: their curves pass through the reading.
+void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
+	if (reading.x < parameters::START_SPREAD || reading.x >= 1.0 || nearness() < parameters::LEAST_WEIGHT) {
+		return;
+	}
+	const double phase = curve_.phase_of(reading.x), slope = curve_.at(phase).slope;
+	for (const TrackerMode tracker : TRACKERS) {
+		for (std::size_t k = 0; k < effort_.durations; ++k) {
+			const double duration_s = std::exp(log_durations_[k]), elapsed_s = phase * duration_s;
+			const double speed = slope / duration_s, unit = GestureFilter::deviation(tracker, reading.x);
+			if (elapsed_s > gap_s + parameters::BIRTH_PERIOD_S || speed <= 0.0) {
+				continue;
+			}
+			const double error = std::sqrt(unit * unit + reading.variance);
+			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
+			add(tracker,
+					hold_.weight * nearness() * parameters::ONSETS_PER_S * share(tracker) *
+							duration_weights_[k] / speed,
+					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
+							gain_spread_ * parameters::GAIN_SPREAD },
+					{ 0.0, 0.0, unit * unit, 0.0, rate * rate });
+		}
+	}
+}
+
+/// count: of the gestures that the reading has not made.
+void SwitchingEstimator::correct(const ElementReading &reading, std::size_t count) {
+	for (std::size_t i = 0; i < count; ++i) {
+		GestureFilter &gesture = gestures_[i];
+		const GestureFilter::Prediction p = gesture.measured(curve_, reading.t_s);
+		gesture.correct(p, reading);
+		if (gesture.tracker() == TrackerMode::LAGGING) { // no fault came in this time
+			const double seen_s = std::min(reading.t_s - seen_s_, parameters::BIRTH_PERIOD_S);
+			gesture.weight *= std::exp(-parameters::FAULTS_PER_S * std::clamp(p.phase, 0.0, 1.0) * seen_s);
+		}
+	}
+	for (Other *other : { &hold_, &free_ }) {
+		HandState &hand = other->hand;
+		const double error = reading.x - hand.x, variance = hand.xx + reading.variance;
+		const ReadingLikelihood likelihood(error, variance);
+		other->weight *= std::pow(likelihood.density, reading.power);
+		const double gain_x = hand.xx / variance, gain_v = hand.xv / variance;
+		const double reduction = likelihood.reduction(error, variance);
+		hand.x += likelihood.share * error * gain_x;
+		hand.v += likelihood.share * error * gain_v;
+		hand.xx -= reduction * gain_x * gain_x;
+		hand.xv -= reduction * gain_x * gain_v;
+		hand.vv -= reduction * gain_v * gain_v;
+	}
+}
+
+void SwitchingEstimator::normalise() {
+	double total = hold_.weight + free_.weight, sound = 0.0, lagging = 0.0;
+	for (const GestureFilter &gesture : gestures_) {
+		(gesture.tracker() == TrackerMode::SOUND ? sound : lagging) += gesture.weight;
+	}
+	total += sound + lagging;
+	if (!(total > 0.0)) {
+		hold_.weight = total = 1.0;
+	}
+	const double least = parameters::LAGGING_AT_LEAST * (sound + lagging);
+	const double raised = lagging > 0.0 && lagging < least ? least / lagging : 1.0;
+	hold_.weight /= total;
+	free_.weight /= total;
+	for (GestureFilter &gesture : gestures_) {
+		gesture.weight *= (gesture.tracker() == TrackerMode::LAGGING ? raised : 1.0) / total;
+	}
+}
+
+void SwitchingEstimator::prune() {
+	double best = std::max(hold_.weight, free_.weight);
+	for (const GestureFilter &gesture : gestures_) {
+		best = std::max(best, gesture.weight);
+	}
+	std::erase_if(gestures_, [&](const GestureFilter &gesture) {
+		return !(gesture.weight > parameters::LEAST_WEIGHT * best);
+	});
+	if (gestures_.size() > effort_.hypotheses) {
+		const auto last = gestures_.begin() + static_cast<std::ptrdiff_t>(effort_.hypotheses);
+		std::nth_element(gestures_.begin(), last, gestures_.end(),
+				[](const GestureFilter &a, const GestureFilter &b) { return a.weight > b.weight; });
+		gestures_.erase(last, gestures_.end());
+	}
+}
+
+MotionEstimate SwitchingEstimator::expected(double t_s) const {
+	if (!has_hand()) {
+		return {};
+	}
+	MotionEstimate estimate;
+	const double ahead_s = t_s + latency_s_;
+	double total = hold_.weight + free_.weight;
+	for (const GestureFilter &gesture : gestures_) {
+		total += gesture.weight;
+		if (gesture.onset_s() > seen_s_ - parameters::UNSEEN_S) {
+			continue;
+		}
+		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? faulty_latency_s_ : 0.0;
+		const GestureFilter::Hand hand = gesture.hand(*model_, time_s_, ahead_s + late_s);
+		estimate.value += gesture.weight * hand.value;
+		estimate.velocity += gesture.weight * hand.velocity;
+		estimate.acceleration += gesture.weight * hand.acceleration;
+		estimate.phase += gesture.weight * hand.phase;
+		estimate.gesture += gesture.weight;
+	}
+	const auto go_on = [&](const Other &other, const HandProcess &process) {
+		const double dt_s = std::max(ahead_s - time_s_, 0.0), fading = std::exp(-process.rate_per_s * dt_s);
+		const double velocity = other.hand.v * fading;
+		const double value = other.hand.x + process.reach_s(dt_s) * other.hand.v;
+		estimate.value += other.weight * value;
+		estimate.velocity += other.weight * velocity;
+		estimate.acceleration -= other.weight * process.rate_per_s * velocity;
+		estimate.phase += other.weight * minimum_jerk_share(value);
+	};
+	go_on(hold_, hold_process_);
+	go_on(free_, free_process_);
+	estimate.hold = hold_.weight / total;
+	estimate.gesture /= total;
+	estimate.value /= total;
+	estimate.velocity /= total;
+	estimate.acceleration /= total;
+	estimate.phase = std::clamp(estimate.phase / total, 0.0, 1.0);
+	return estimate;
+}
+
+MotionEstimate SwitchingEstimator::at(double t_s) const {
+	MotionEstimate estimate = expected(t_s);
+	const CriticallyDamped missing = blend_.at(t_s);
+	estimate.value += missing.value;
+	estimate.velocity += missing.velocity;
+	estimate.acceleration += missing.acceleration;
+	estimate.correction = missing.acceleration - acceleration_step_ * blend_.share_left(t_s);
+	return estimate;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "motion/estimator_effort.h"
+#include "motion/gesture_filter.h"
+#include "motion/output_blend.h"
+#include "tracking/measurement.h"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace steadyhand {
+
+/// The motion at an instant; values in amplitudes, time in seconds.
+struct MotionEstimate {
+	double value = 0.0;
+	double velocity = 0.0;
+	double acceleration = 0.0;
+	double phase = 0.0;      ///< 0..1, expected
+	double gesture = 0.0;    ///< probability that the hand makes the gesture, or has just made it
+	double hold = 0.0;       ///< probability that it holds still, or rests
+	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
+};
+
+/// `phase` mode: a switching Kalman filter (Bar-Shalom, Li, Kirubarajan 2001, chapter 11) over what the hand
+/// does, HOLD, FREE or the gesture, and over the tracker, which is sound or lags. HOLD and FREE are one filter
+/// each; the gesture is a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over when it
+/// began and how long it takes. What is put out is the mean of all.
+///
+/// Of a faulty tracker only its rates of faults are known: they are likelier before one that lags. Frames that
+/// TrackerMonitor takes for outliers or repetitions change nothing else.
+///
+/// Allocates when made.
+class SwitchingEstimator {
+public:
+	/// model must outlive the estimator. amplitude_m: of the task. latency_s: how old what a frame shows always
+	/// is; the estimate is that much ahead of the frames. gain_spread: how many times as freely as with a task a
+	/// hand may go further than 1, or less far.
+	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
+			double latency_s = 0.0, double gain_spread = 1.0);
+
+	/// A frame; stamps must not decrease. x: the motion element, amplitudes.
+	void push(const Measurement &measurement, double x);
+	/// No frame came until t_s. is_overdue: one should have.
+	void wait(double t_s, bool is_overdue);
+	/// What comes next begins from where the hand is: it holds there. shift: of x from now on.
+	void restart(double t_s, double shift = 0.0);
+	/// As made.
+	void reset();
+
+	/// At t_s, not before the last frame.
+	[[nodiscard]] MotionEstimate at(double t_s) const;
+	/// The same without what is blended in of the last change.
+	[[nodiscard]] MotionEstimate expected(double t_s) const;
+
+private:
+	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
+
+	/// A hand that follows no curve.
+	struct Other {
+		double weight = 0.0;
+		HandState hand;
+	};
+
+	const GestureModel *model_;
+	ReferenceTable curve_;
+	double amplitude_m_;
+	EstimatorEffort effort_;
+	double latency_s_;
+	double gain_spread_;
+	HandProcess hold_process_, free_process_;
+	std::array<double, EstimatorEffort::MOST_DURATIONS> log_durations_{}, duration_weights_{};
+	double log_duration_deviation_ = 0.0;
+
+	double time_s_ = NEVER_S; ///< that all are predicted to
+	double seen_s_ = NEVER_S; ///< when a measurement last said where the hand is
+	double next_birth_s_ = 0.0;
+	Other hold_, free_;
+	std::vector<GestureFilter> gestures_;
+	bool has_fault_ = false; ///< one that goes on
+	double faulty_latency_s_ = 0.0;
+	OutputBlend blend_;
+	double acceleration_step_ = 0.0; ///< of the last change
+
+	[[nodiscard]] bool has_hand() const { return time_s_ > NEVER_S; }
+	void begin(double t_s, double x, double v);
+	void predict(double t_s);
+	void switch_modes(double dt_s);
+	void count_fault(double log_ratio);
+	void give_birth(double t_s);
+	void seed(const ElementReading &reading, double gap_s);
+	void add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset, const HandState &from);
+	void correct(const ElementReading &reading, std::size_t count);
+	void normalise();
+	void prune();
+	[[nodiscard]] double nearness() const;
+	template <class Change> void change(double t_s, Change apply);
+};
+
+} // namespace steadyhand
