@@ -1,7 +1,6 @@
 #pragma once
 
 #include "minimum_jerk_drag.h"
-#include "phase/element_curve.h"
 
 #include <memory>
 #include <utility>
@@ -23,10 +22,6 @@ inline std::shared_ptr<const GestureModel> zoom_model(double closed_m, double gr
 	zoom.feature = "tips_circumradius";
 	zoom.typical_task = { { closed_m, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), growth_m };
 	return std::make_shared<const GestureModel>(std::move(zoom));
-}
-inline const ElementCurve &drag_curve() {
-	static const ElementCurve curve(drag_model());
-	return curve;
 }
 
 } // namespace steadyhand::test

@@ -2,7 +2,6 @@
 #include "core.h"
 
 #include "near.h"
-#include "phase/follow.h"
 #include "recognition/gesture_events.h"
 
 #include <doctest/doctest.h>
