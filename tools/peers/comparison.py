@@ -39,9 +39,10 @@ class TrialFigures:
 def compare_all(trials: Path, evaluation: Path, trained: Trained) -> list[TrialFigures]:
     """trials: a trial set. evaluation: the folder that ./steadyhand evaluate --context scene left of it.
 
-    A trial that was left out there is left out here.
+    A trial that was left out there is left out here, and one of a gesture that no model is of.
     """
-    judged = [trial for trial in read_trials(trials) if curves_path(evaluation, trial).is_file()]
+    evaluated = read_trials(trials, lambda name: curves_path(evaluation, name).is_file())
+    judged = [trial for trial in evaluated if trial.gesture in trained.durations_s]
     progress = Progress(f"predicting {trials.name}")
     rows = []
     with ProcessPoolExecutor(len(os.sched_getaffinity(0))) as pool:
@@ -51,8 +52,8 @@ def compare_all(trials: Path, evaluation: Path, trained: Trained) -> list[TrialF
     return rows
 
 
-def curves_path(evaluation: Path, trial: Trial) -> Path:
-    return evaluation / f"{trial.name}.curves.csv"
+def curves_path(evaluation: Path, name: str) -> Path:
+    return evaluation / f"{name}.curves.csv"
 
 
 def read_curves(path: Path) -> dict[str, np.ndarray]:
@@ -62,7 +63,7 @@ def read_curves(path: Path) -> dict[str, np.ndarray]:
 
 
 def compare_trial(evaluation: Path, trained: Trained, trial: Trial) -> TrialFigures:
-    curves = read_curves(curves_path(evaluation, trial))
+    curves = read_curves(curves_path(evaluation, trial.name))
     errors = {}
     for name, make in trained.makers(trial.gesture).items():
         curves[name], errors[name] = follow(make(), trial, curves["t"])

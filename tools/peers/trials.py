@@ -2,6 +2,7 @@
 
 import csv
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -29,21 +30,22 @@ class Trial:
         return np.interp(times_s, self.reference_t_s, self.reference)
 
 
-def read_trials(folder: Path) -> list[Trial]:
-    """All trials of a gesture. A file that cannot be read ends the program with its path and the reason."""
-    with open_or_exit(folder / "trials.csv") as file:
-        rows = [row for row in csv.DictReader(line for line in file if not line.startswith("#"))]
-    return [read_trial(folder, row) for row in rows if row["gesture"] != "none"]
+def read_trials(folder: Path, is_wanted: Callable[[str], bool] = lambda name: True) -> list[Trial]:
+    """The trials of a gesture whose name is wanted. What cannot be read ends the program with path and reason."""
+    path = folder / "trials.csv"
+    with open_or_exit(path) as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    try:
+        return [read_trial(folder, row) for row in rows if row["gesture"] != "none" and is_wanted(row["trial"])]
+    except (KeyError, TypeError, ValueError) as error:
+        sys.exit(f"{path}: no trial set: {error!r}")
 
 
 def read_trial(folder: Path, row: dict[str, str]) -> Trial:
-    name = row["trial"]
-    tracks = (read_motion(folder / f"{name}.{kind}.csv", row) for kind in ("measured", "reference"))
-    (t_s, value), (reference_t_s, reference) = tracks
+    name, gesture, position = row["trial"], row["gesture"], row["position"]
     amplitude_m, start_s, end_s = (float(row[column]) for column in ("amplitude_m", "start_s", "end_s"))
-    return Trial(
-        name, row["gesture"], row["position"], amplitude_m, start_s, end_s, t_s, value, reference_t_s, reference
-    )
+    measured, reference = (read_motion(folder / f"{name}.{kind}.csv", row) for kind in ("measured", "reference"))
+    return Trial(name, gesture, position, amplitude_m, start_s, end_s, *measured, *reference)
 
 
 def read_motion(path: Path, row: dict[str, str]) -> tuple[np.ndarray, np.ndarray]:

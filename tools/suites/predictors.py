@@ -33,6 +33,7 @@ def outcomes() -> Iterator[Outcome]:
     yield frozen_frames_are_told()
     yield from causality()
     yield refusal()
+    yield unreadable()
     with tempfile.TemporaryDirectory(prefix="steadyhand_predictors") as folder:
         yield from metrics_as_in_core(Path(folder))
 
@@ -169,6 +170,18 @@ def refusal() -> Outcome:
         status, output = run(command, PYTHONPATH=str(ROOT / "tools"))
     good = status == 2 and "is what ridge and ProMP are trained on" in output
     return Outcome.of("predictors/bench predictors: a set to train on is not evaluated", good, f"{status}\n{output}")
+
+
+def unreadable() -> Outcome:
+    with tempfile.TemporaryDirectory(prefix="steadyhand_predictors") as folder:
+        path = Path(folder) / "trials.csv"
+        path.write_text("trial,gesture\na,tap\n")
+        try:
+            told = f"{read_trials(Path(folder))}"
+        except SystemExit as error:
+            told = str(error)
+    good = told.startswith(f"{path}: no trial set: ")
+    return Outcome.of("predictors/trials: a set without its columns gives the path and the reason", good, told)
 
 
 def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
