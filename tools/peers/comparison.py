@@ -1,4 +1,4 @@
-"""Every predictor on every trial of an evaluation, beside what `./steadyhand evaluate` left of it."""
+"""Runs every predictor on every trial, and adds the curves that `./steadyhand evaluate` wrote."""
 
 import os
 from collections.abc import Iterable
@@ -14,7 +14,7 @@ from peers.training import Trained
 from peers.trials import Trial, read_trials
 from results.progress import Progress
 
-# In the order of the table. From TRIAL.curves.csv come those that it has.
+# In the order of the table. `measured`, `one_euro`, `kalman` and `synthesised` are from TRIAL.curves.csv.
 TITLES = {
     "measured": "raw",
     "one_euro": "One Euro",
@@ -24,7 +24,6 @@ TITLES = {
     "promp": "ProMP",
     "synthesised": "**ours**",
 }
-FROM_EVALUATION = ("measured", "one_euro", "kalman", "synthesised")
 
 
 @dataclass(frozen=True)
@@ -37,9 +36,9 @@ class TrialFigures:
 
 
 def compare_all(trials: Path, evaluation: Path, trained: Trained) -> list[TrialFigures]:
-    """trials: a trial set. evaluation: the folder that ./steadyhand evaluate --context scene left of it.
+    """trials: a trial set. evaluation: the --out of ./steadyhand evaluate --context scene on it.
 
-    A trial that was left out there is left out here, and one of a gesture that no model is of.
+    Trials without curves there, and trials of a gesture without a model, are left out.
     """
     evaluated = read_trials(trials, lambda name: curves_path(evaluation, name).is_file())
     judged = [trial for trial in evaluated if trial.gesture in trained.durations_s]

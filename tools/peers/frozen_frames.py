@@ -1,4 +1,4 @@
-"""Tells frames that a tracker repeats while the hand moves: they are no measurements."""
+"""Detects frames that a frozen tracker repeats while the hand moves: they are no measurements."""
 
 HELD_S = 0.03  # as long as two frames of a slow camera may be equal
 MOVING = 0.1  # amplitudes a second

@@ -1,17 +1,17 @@
-"""The minimum-jerk movement that is the most likely one after each frame (maximum a posteriori).
+"""The minimum-jerk movement of largest posterior after each frame (maximum a posteriori).
 
 x(t) = o + A s((t - t0) / T) + noise, s(u) = 10 u^3 - 15 u^4 + 6 u^5 (Flash & Hogan 1985). Gauss-Newton on
-(t0, ln T, A, o), with Huber's weights; from time to time from the best node of a grid over (t0, ln T).
+(t0, ln T, A, o) with Huber weights. Every GRID_EVERY frames it also starts from the best node of a grid.
 """
 
 import numpy as np
 from peers.frozen_frames import FrozenFrames
 from peers.predictor import SENSOR_LATENCY_S
 
-NOISE = 0.02  # of a frame, amplitudes, as of a hand that is no minimum jerk
-HUBER = 1.5  # deviations of the noise from where on it weighs less
-CORRELATION_S = 0.013  # of the noise: more frames within it say no more
-# Of ln T, A and o: means (of ln T: the model's) and deviations. t0 is flat until LATEST_S ahead.
+NOISE = 0.02  # standard deviation of a frame (amplitudes): mostly hands that are no minimum jerk
+HUBER = 1.5  # standard deviations beyond which the cost is linear
+CORRELATION_S = 0.013  # of the noise: a shorter frame interval adds no information
+# Of ln T, A and o: means (ln T: plus the model's) and standard deviations. t0: flat until LATEST_S ahead.
 PRIOR_MEAN = np.array([0.0, 1.0, 0.0])
 PRIOR_DEVIATION = np.array([0.6, 0.05, 0.03])
 LATEST_S = 0.3
@@ -20,8 +20,8 @@ GRID_EVERY = 4  # frames
 GRID_AGO_S = np.arange(-LATEST_S, 2.3, 0.1)
 GRID_LOG_DURATION = np.arange(-1.5, 1.6, 0.5)
 LARGEST_STEP = np.array([0.1, 0.3, 0.1, 0.1])
-RESIDUAL_S, FADE_S = 0.03, 0.1  # the mean residual of so long is added, and fades
-SURELY_BEGUN_S = 0.02
+RESIDUAL_S, FADE_S = 0.03, 0.1  # the mean residual of the last 30 ms is added, and decays
+SURELY_BEGUN_S = 0.02  # a later onset moves nothing ahead of the newest frame
 
 
 def minimum_jerk(u: np.ndarray) -> np.ndarray:

@@ -1,10 +1,11 @@
 """A probabilistic movement primitive (Paraschos et al. 2013) on a grid of phases.
 
-y(t) = mean(u) + modes(u) w + d(t) + noise, u = (t - t0) / T; w ~ N(0, 1), d an Ornstein-Uhlenbeck process. Each
-hypothesis is a cell of the grid over (t0, ln T) before one kind of tracker: sound, where d is the hand's own, or
-faulty, where d is large and the tracker's. Within its cell the curve is taken as linear in (t0, ln T), so that a
-hypothesis is a Kalman filter over x = (w, shift of t0, shift of ln T, d). The hypotheses weigh as their marginal
-likelihoods, and what is predicted is their mean.
+y(t) = mean(u) + modes(u) w + d(t) + noise, u = (t - t0) / T; w ~ N(0, 1); d is an Ornstein-Uhlenbeck process.
+A hypothesis is one cell of a grid over (t0, ln T) and one kind of tracker. With a sound tracker, d is the hand's own
+deviation. With a faulty tracker, d is larger, and it is the tracker's error. In one more hypothesis the hand is free:
+d alone describes a hand that makes another movement. Within a cell the curve is linearised in (t0, ln T): each
+hypothesis is a Kalman filter over x = (w, shift of t0, shift of ln T, d). Its weight is its marginal likelihood. The
+prediction is the weighted mean.
 """
 
 from collections.abc import Iterable
@@ -17,7 +18,7 @@ from peers.trials import Trial
 
 MODES = 2
 PHASES = np.linspace(0.0, 1.0, 101)
-SLOW = 0.05  # of the peak speed: the hand has not begun, or has ended
+SLOW = 0.05  # share of the peak speed: slower is before the onset or after the end
 MARGIN_S = 0.1  # before and after the gesture, where a training hand may begin and end
 
 # The grid, and what is known beforehand.
@@ -27,16 +28,19 @@ LOG_DURATION_STEP = 0.2
 LOG_DURATION_STEPS = np.arange(-6, 7)
 LOG_DURATION_DEVIATION = 0.6
 FAULTY_SHARE = 0.2
-# d by kind of tracker, sound and faulty: standard deviation (amplitudes) and time constant.
-DEVIATION = np.array([0.025, 0.08])
-DEVIATION_S = np.array([0.1, 0.2])
+# Kinds of hypotheses, and d of each: standard deviation (amplitudes) and time constant (s).
+SOUND, FAULTY, FREE = range(3)
+DEVIATION = np.array([0.025, 0.08, 1.0])
+DEVIATION_S = np.array([0.1, 0.2, 1.0])
 NOISE = 0.0035  # of a frame without tracker noise, amplitudes
 NOISE_FRAMES = 18  # from which the tracker's white noise is measured
 OUTLIERS, OUTLIER_DENSITY = 0.01, 0.4  # their share, and their density over all places (1 / amplitudes)
 # What keeps the bank small and open.
 MOST_HYPOTHESES = 300
+MOST_ONSETS = 100  # in a gap: the newest 2 s of it
 LEAST_LOG_WEIGHT = -12.0
-LEAST_REST = 1e-4  # a hand that came back may begin once more
+REST_ROW, FREE_ROW = 0, 1
+LEAST_WEIGHT = np.array([1e-4, 1e-3])  # of these two: a hand that came back may begin once more
 DEVIATES = MODES + 2
 STATE = MODES + 3
 # Of the two shifts within a cell of the grid.
@@ -72,12 +76,12 @@ class Primitive:
 
 
 def train_primitive(trials: Iterable[Trial]) -> Primitive:
-    """From the reference curves of training hands."""
+    """Learns mean and modes from the reference curves of training hands."""
     return Primitive.of(np.array([normalised(trial) for trial in trials]))
 
 
 def normalised(trial: Trial) -> np.ndarray:
-    """The reference over PHASES from its onset to its end, which are where it is slow."""
+    """The reference at PHASES, from 0 at its onset. Onset and end are the slow samples nearest to the peak speed."""
     t_s, value = trial.reference_t_s, trial.reference
     speed = np.gradient(value, t_s)
     inside = np.flatnonzero((t_s > trial.start_s - MARGIN_S) & (t_s < trial.end_s + MARGIN_S))
@@ -91,17 +95,18 @@ def normalised(trial: Trial) -> np.ndarray:
 
 
 class ProMP:
-    """Hypothesis 0 is the hand at rest before a sound tracker; its onset is never."""
+    """Hypothesis REST_ROW is the hand at rest with a sound tracker, FREE_ROW the free hand: their onset is infinite."""
 
     def __init__(self, primitive: Primitive, duration_s: float) -> None:
         """primitive: from train_primitive(). duration_s: the mean of the gesture's model."""
         self.primitive = primitive
-        self.onset_s = np.array([np.inf])
-        self.duration_s = np.array([duration_s])
-        self.faulty = np.array([False])
-        self.log_weight = np.zeros(1)
-        self.mean = np.zeros((1, STATE))
-        self.covariance = np.diag([*np.ones(MODES), *CELL_VARIANCES, DEVIATION[0] ** 2])[None]
+        self.onset_s = np.array([np.inf, np.inf])
+        self.duration_s = np.array([duration_s, duration_s])
+        self.kind = np.array([SOUND, FREE])
+        self.log_weight = np.log([1.0 - LEAST_WEIGHT[FREE_ROW], LEAST_WEIGHT[FREE_ROW]])
+        self.mean = np.zeros((2, STATE))
+        prior = (np.diag([*np.ones(MODES), *CELL_VARIANCES, DEVIATION[kind] ** 2]) for kind in self.kind)
+        self.covariance = np.array(list(prior))
         self.newest_s = None
         self.recent = np.zeros(0)
         self.frozen = FrozenFrames()
@@ -109,7 +114,7 @@ class ProMP:
         prior = np.exp(-0.5 * (log_durations / LOG_DURATION_DEVIATION) ** 2)
         # Those that are born at each onset: duration, tracker and log prior.
         self.born_duration_s = np.tile(duration_s * np.exp(log_durations), 2)
-        self.born_faulty = np.repeat([False, True], len(prior))
+        self.born_kind = np.repeat([SOUND, FAULTY], len(prior))
         self.born_log_prior = np.log(np.outer([1.0 - FAULTY_SHARE, FAULTY_SHARE], prior / prior.sum()).ravel())
 
     def observe(self, t_s: float, value: float) -> None:
@@ -119,8 +124,8 @@ class ProMP:
         self.drift(0.0 if since_s is None else t_s - since_s)
         self.newest_s = t_s
         if since_s is not None:
-            first = int(np.floor(since_s / ONSET_STEP_S)) + 1
-            for step in range(first, int(np.floor(t_s / ONSET_STEP_S)) + 1):
+            first, last = (int(np.floor(at_s / ONSET_STEP_S)) + 1 for at_s in (since_s, t_s))
+            for step in range(max(first, last - MOST_ONSETS), last):
                 self.bear(step * ONSET_STEP_S)
         self.recent = np.append(self.recent, value)[-NOISE_FRAMES:]
         self.update(t_s, value, NOISE**2 + self.white_variance())
@@ -132,42 +137,40 @@ class ProMP:
         weight = np.exp(self.log_weight)
         mean, row = self.linear(times_s[:, None] + SENSOR_LATENCY_S)
         ahead_s = times_s - self.newest_s + SENSOR_LATENCY_S
-        row[..., DEVIATES] = np.where(self.faulty, 0.0, np.exp(-ahead_s[:, None] / DEVIATION_S[0]))
+        row[..., DEVIATES] = np.where(self.kind == FAULTY, 0.0, np.exp(-ahead_s[:, None] / DEVIATION_S[self.kind]))
         by_hypothesis = mean + np.einsum("thk,hk->th", row, self.mean)
-        return np.sum(
-            by_hypothesis * weight, axis=1
-        )  # `@` would add up in an order that depends on how many times_s are
+        # Not `@`: its order of summation, and so the last bit, depends on the number of times.
+        return np.sum(by_hypothesis * weight, axis=1)
 
     def linear(self, t_s: np.ndarray | float) -> tuple[np.ndarray, np.ndarray]:
-        """At t_s, of each hypothesis: y = mean + row x."""
+        """Mean and row of y = mean + row x at t_s, one of each hypothesis."""
         phase = (t_s - self.onset_s) / self.duration_s
         mean, slope, modes = self.primitive.at(phase)
         to_duration = -np.clip(phase, 0.0, 1.0) * slope
         return mean, np.stack([*modes, -slope / self.duration_s, to_duration, np.ones_like(mean)], axis=-1)
 
     def drift(self, dt_s: float) -> None:
-        """d goes back towards 0 and spreads."""
-        kind = self.faulty.astype(int)
-        kept = np.exp(-dt_s / DEVIATION_S[kind])
+        """Predicts d: its mean decays, its variance grows to DEVIATION^2."""
+        kept = np.exp(-dt_s / DEVIATION_S[self.kind])
         self.mean[:, DEVIATES] *= kept
         self.covariance[:, DEVIATES, :] *= kept[:, None]
         self.covariance[:, :, DEVIATES] *= kept[:, None]
-        self.covariance[:, DEVIATES, DEVIATES] += DEVIATION[kind] ** 2 * (1.0 - kept**2)
+        self.covariance[:, DEVIATES, DEVIATES] += DEVIATION[self.kind] ** 2 * (1.0 - kept**2)
 
     def bear(self, onset_s: float) -> None:
-        """The hand at rest sets out at onset_s, by each duration and before each kind of tracker."""
+        """Adds hypotheses of this onset, one for each duration and kind of tracker, with the state of the rest."""
         share = ONSETS_PER_S * ONSET_STEP_S
         count = len(self.born_duration_s)
         self.onset_s = np.append(self.onset_s, np.full(count, onset_s))
         self.duration_s = np.append(self.duration_s, self.born_duration_s)
-        self.faulty = np.append(self.faulty, self.born_faulty)
-        self.log_weight = np.append(self.log_weight, self.log_weight[0] + np.log(share) + self.born_log_prior)
-        self.log_weight[0] += np.log1p(-share)
+        self.kind = np.append(self.kind, self.born_kind)
+        self.log_weight = np.append(self.log_weight, self.log_weight[REST_ROW] + np.log(share) + self.born_log_prior)
+        self.log_weight[REST_ROW] += np.log1p(-share)
         self.mean = np.append(self.mean, np.repeat(self.mean[:1], count, axis=0), axis=0)
         self.covariance = np.append(self.covariance, np.repeat(self.covariance[:1], count, axis=0), axis=0)
 
     def update(self, t_s: float, value: float, variance: float) -> None:
-        """A Kalman step of each hypothesis; to one that takes the frame for an outlier it says nothing."""
+        """One Kalman step of each hypothesis. A hypothesis to which the frame is an outlier keeps its state."""
         mean, row = self.linear(t_s)
         off = value - mean - np.einsum("hk,hk->h", row, self.mean)
         across = np.einsum("hij,hj->hi", self.covariance, row)
@@ -180,16 +183,17 @@ class ProMP:
         self.covariance -= gain[:, :, None] * across[:, None, :]
 
     def white_variance(self) -> float:
-        """Of the tracker's white noise, from what second differences are in the median; a motion has small ones."""
+        """Variance of the tracker's white noise, from the median second difference: that of the motion is small."""
         if len(self.recent) < NOISE_FRAMES // 2:
             return 0.0
         return (1.4826 * np.median(np.abs(np.diff(self.recent, 2)))) ** 2 / 6.0
 
     def prune(self) -> None:
         self.log_weight -= np.logaddexp.reduce(self.log_weight)
-        self.log_weight[0] = max(self.log_weight[0], np.log(LEAST_REST))
-        order = 1 + np.argsort(-self.log_weight[1:])[: MOST_HYPOTHESES - 1]
-        kept = np.append(0, order[self.log_weight[order] > self.log_weight.max() + LEAST_LOG_WEIGHT])
-        for name in ("onset_s", "duration_s", "faulty", "log_weight", "mean", "covariance"):
+        fixed = [REST_ROW, FREE_ROW]
+        self.log_weight[fixed] = np.maximum(self.log_weight[fixed], np.log(LEAST_WEIGHT))
+        order = 2 + np.argsort(-self.log_weight[2:])[: MOST_HYPOTHESES - 2]
+        kept = np.append(fixed, order[self.log_weight[order] > self.log_weight.max() + LEAST_LOG_WEIGHT])
+        for name in ("onset_s", "duration_s", "kind", "log_weight", "mean", "covariance"):
             setattr(self, name, getattr(self, name)[kept])
         self.log_weight -= np.logaddexp.reduce(self.log_weight)

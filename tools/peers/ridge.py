@@ -1,4 +1,4 @@
-"""Ridge regression of the hand's way ahead on its velocity and acceleration.
+"""Ridge regression of the future displacement on velocity and acceleration.
 
 x(t + h) = x(t) + a_h v h + b_h c h^2 / 2, two coefficients a horizon h, fitted to training hands.
 """
@@ -10,7 +10,7 @@ from peers.predictor import SENSOR_LATENCY_S
 from peers.trials import Trial
 
 HORIZONS_S = np.arange(0.01, 0.301, 0.01)
-VELOCITY_S, ACCELERATION_S = 0.06, 0.1  # of the newest frames that each is fitted to
+VELOCITY_S, ACCELERATION_S = 0.06, 0.1  # span of the newest frames that each is fitted to
 FEWEST_FRAMES = 4
 PENALTY = 1e-3  # in shares of the mean square of each regressor
 
@@ -31,22 +31,22 @@ def regressors(of_hand: np.ndarray, horizon_s: float | np.ndarray) -> np.ndarray
 
 
 def train_ridge(trials: Iterable[Trial]) -> np.ndarray:
-    """The coefficients (horizons, 2) that lead from measured frames to the reference."""
-    hands, ways = [], []
+    """Coefficients (HORIZONS_S, 2) that predict later frames of the same tracker: its latency is not learned."""
+    hands, displacements = [], []
     for trial in trials:
         for i in range(FEWEST_FRAMES, len(trial.t_s)):
             ahead_s = trial.t_s[i] + HORIZONS_S
-            if ahead_s[-1] > trial.reference_t_s[-1]:
+            if ahead_s[-1] > trial.t_s[-1]:
                 break
             recent = slice(np.searchsorted(trial.t_s, trial.t_s[i] - ACCELERATION_S), i + 1)
             hands.append(derivatives(trial.t_s[recent], trial.value[recent]))
-            ways.append(trial.reference_at(ahead_s) - trial.value[i])
-    hands, ways = np.array(hands), np.array(ways)
-    return np.array([fit(regressors(hands, h), ways[:, k]) for k, h in enumerate(HORIZONS_S)])
+            displacements.append(np.interp(ahead_s, trial.t_s, trial.value) - trial.value[i])
+    hands, displacements = np.array(hands), np.array(displacements)
+    return np.array([fit(regressors(hands, h), displacements[:, k]) for k, h in enumerate(HORIZONS_S)])
 
 
 def fit(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Of an x that is always 0, the coefficient is 0."""
+    """Two coefficients. That of a column of zeros is 0."""
     squares = x.T @ x
     return np.linalg.lstsq(squares + PENALTY * np.diag(np.diag(squares)), x.T @ y, rcond=None)[0]
 
@@ -69,5 +69,5 @@ class Ridge:
             return np.zeros(len(times_s))
         ahead_s = np.minimum(times_s - self.t_s[-1] + SENSOR_LATENCY_S, HORIZONS_S[-1])
         a, b = (np.interp(ahead_s, HORIZONS_S, column) for column in self.coefficients.T)
-        way = regressors(self.of_hand, ahead_s)
-        return self.value[-1] + a * way[:, 0] + b * way[:, 1]
+        by_velocity, by_acceleration = regressors(self.of_hand, ahead_s).T
+        return self.value[-1] + a * by_velocity + b * by_acceleration

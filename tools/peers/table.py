@@ -10,19 +10,20 @@ from peers.predictor import HORIZONS_S
 
 PREDICTORS = {"hold": "hold", "ridge": "ridge", "minimum_jerk": "minimum jerk", "promp": "ProMP"}
 
-TEXT = """The predictors know the task and the model's mean duration, as ours does. Ridge and ProMP are trained on
-{source}. Each cell: mean R2 at no lag, median T_diff (ms), trials missed. Bold: the best R2 of a row.
+TEXT = """Every predictor knows the task and the mean duration of the gesture's model, as ours does. Ridge and ProMP are
+trained on {source}. Each cell: mean R2 at no lag, median T_diff (ms), trials missed.
+Bold: the best R2 of a row.
 
 {figures}
 
-Root mean square error (mm) of what is predicted at each frame for {horizons} ms ahead, all gestures together:
+Root mean square error (mm) of the predictions {horizons} ms ahead of each frame, all gestures together:
 
 {errors}
 """
 
 
 def as_markdown(sets: dict[str, list[TrialFigures]], source: str) -> str:
-    """sets: by name. source: what was trained on."""
+    """sets: the trials of each set by its name. source: the training trials, in words."""
     horizons = " / ".join(f"{1e3 * horizon_s:.0f}" for horizon_s in HORIZONS_S)
     figures, errors = table(figure_rows(sets)), table(error_rows(sets))
     return TEXT.format(source=source, horizons=horizons, figures=figures, errors=errors)
@@ -52,7 +53,7 @@ def figure_rows(sets: dict[str, list[TrialFigures]]) -> Iterator[list[str]]:
 
 
 def error_rows(sets: dict[str, list[TrialFigures]]) -> Iterator[list[str]]:
-    """Every trial counts as much as any other, whatever its number of frames."""
+    """All trials weigh the same, whatever their number of frames."""
     yield ["trials", *PREDICTORS.values()]
     for name, trials in sets.items():
         for position in sorted({trial.position for trial in trials}):

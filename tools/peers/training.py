@@ -1,4 +1,4 @@
-"""What the trained predictors are trained on: never what is evaluated."""
+"""Trains the predictors, on other trials than those evaluated."""
 
 import json
 from collections.abc import Callable
@@ -25,7 +25,7 @@ SYNTHETIC = {
 
 @dataclass(frozen=True)
 class Trained:
-    """What every predictor is told beforehand; small, so that it can be sent to other processes."""
+    """All that predictors need before a trial. It is small: worker processes get a copy."""
 
     coefficients: np.ndarray  # of Ridge
     primitive: Primitive
@@ -34,9 +34,9 @@ class Trained:
 
     @classmethod
     def of(cls, folder: Path, work: Path) -> "Trained":
-        """From the trial set in the folder; where there is none, from simulated people of the population `train`.
+        """Trains on the trial set in the folder or, without one, on simulated people of the population `train`.
 
-        Only trials at the stable position count: a predictor learns from them how hands move, not how trackers err.
+        Only trials at the stable position are used: predictors learn how hands move, not the faults of a tracker.
         """
         if (folder / "trials.csv").is_file():
             source = f"recorded hands (`{folder.name}`)"

@@ -51,7 +51,7 @@ SET = """## {title}
 
 PREDICTORS = """## Beside other predictors
 
-What filters and published predictors ([method.md](method.md#other-predictors)) make of the same frames, task given.
+Filters and published predictors ([method.md](method.md#other-predictors)) on the same frames, task given.
 {text}"""
 
 SPEED = """## Speed of execution

@@ -97,10 +97,12 @@ def promp_is_gaussian_conditioning() -> Iterator[Outcome]:
     random = np.random.default_rng(3)
     t_s = np.cumsum(random.uniform(0.005, 0.03, size=40))
     seen = minimum_jerk((t_s - 0.1) / 0.6) + random.normal(0.0, 0.01, size=len(t_s))
-    for faulty in (False, True):
+    for kind, name in ((promp.SOUND, "sound"), (promp.FAULTY, "faulty")):
         one = promp.ProMP(some_primitive(), 0.6)
-        one.onset_s, one.faulty = np.array([0.12]), np.array([faulty])
-        deviation, deviation_s = promp.DEVIATION[int(faulty)], promp.DEVIATION_S[int(faulty)]
+        for row in ("duration_s", "log_weight", "mean", "covariance"):
+            setattr(one, row, getattr(one, row)[:1])
+        one.onset_s, one.kind, one.log_weight = np.array([0.12]), np.array([kind]), np.zeros(1)
+        deviation, deviation_s = promp.DEVIATION[kind], promp.DEVIATION_S[kind]
         one.covariance[0, -1, -1] = deviation**2
         prior = one.covariance[0].copy()
         variance = 0.01**2
@@ -119,12 +121,11 @@ def promp_is_gaussian_conditioning() -> Iterator[Outcome]:
         wanted_log = len(t_s) * np.log(1.0 - promp.OUTLIERS) - 0.5 * (
             off @ np.linalg.solve(covariance, off) + determinant
         )
-        kind = "faulty" if faulty else "sound"
         good = np.allclose(one.mean[0], wanted) and np.allclose(one.covariance[0], wanted_covariance)
-        name = f"predictors/ProMP: a hypothesis before a {kind} tracker is a dense Gaussian's posterior"
-        yield Outcome.of(name, good, f"{one.mean[0]} {wanted}")
-        name = f"predictors/ProMP: its weight before a {kind} tracker is the marginal likelihood"
-        yield Outcome.of(name, np.isclose(one.log_weight[0], wanted_log), f"{one.log_weight[0]} {wanted_log}")
+        title = f"predictors/ProMP: a hypothesis with a {name} tracker is a dense Gaussian's posterior"
+        yield Outcome.of(title, good, f"{one.mean[0]} {wanted}")
+        title = f"predictors/ProMP: its weight with a {name} tracker is the marginal likelihood"
+        yield Outcome.of(title, np.isclose(one.log_weight[0], wanted_log), f"{one.log_weight[0]} {wanted_log}")
 
 
 def frozen_frames_are_told() -> Outcome:
