@@ -3,6 +3,7 @@
 import csv
 from collections.abc import Iterator
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 from peers.comparison import TITLES, TrialFigures, groups
@@ -10,23 +11,20 @@ from peers.predictor import HORIZONS_S
 
 PREDICTORS = {"hold": "hold", "ridge": "ridge", "minimum_jerk": "minimum jerk", "promp": "ProMP"}
 
-TEXT = """Every predictor knows the task and the mean duration of the gesture's model, as ours does. Ridge and ProMP are
-trained on {source}. Each cell: mean R2 at no lag, median T_diff (ms), trials missed.
-Bold: the best R2 of a row.
-
-{figures}
-
-Root mean square error (mm) of the predictions {horizons} ms ahead of each frame, all gestures together:
-
-{errors}
-"""
+WIDTH = 120
+FIGURES = (
+    "Every predictor knows the task and the mean duration of the gesture's model, as ours does. Ridge and ProMP are "
+    "trained on {source}. Each cell: mean R2 at no lag, median T_diff (ms), trials missed. Bold: the best R2 of a row."
+)
+ERRORS = "Root mean square error (mm) of the predictions {horizons} ms ahead of each frame, all gestures together:"
 
 
 def as_markdown(sets: dict[str, list[TrialFigures]], source: str) -> str:
     """sets: the trials of each set by its name. source: the training trials, in words."""
     horizons = " / ".join(f"{1e3 * horizon_s:.0f}" for horizon_s in HORIZONS_S)
-    figures, errors = table(figure_rows(sets)), table(error_rows(sets))
-    return TEXT.format(source=source, horizons=horizons, figures=figures, errors=errors)
+    texts = (FIGURES.format(source=source), ERRORS.format(horizons=horizons))
+    tables = (table(figure_rows(sets)), table(error_rows(sets)))
+    return "".join(f"{fill(text, WIDTH)}\n\n{rows}\n\n" for text, rows in zip(texts, tables, strict=True))[:-1]
 
 
 def table(rows: Iterator[list[str]]) -> str:
