@@ -30,7 +30,7 @@ OTHER_HANDS = {
     "lm_digits": "an index finger that writes digits into the air, 10 to 20 cm tall",
     "leapjs_playback": "hands that splay, pinch, clap, wave, paddle, tap on a table, roll, move about",
 }
-SOURCES = ["extension", "models", "demo_project", "tools/results"]
+SOURCES = ["extension", "models", "demo_project", "tools/results", "tools/peers"]
 WORST = 6
 TYPICAL = ("horizontal_drag", "unstable")
 
