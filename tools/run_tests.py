@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
 
-from suites import command, devices, fuzz, lint, lsl, openxr, oracles, scenes, study_export, unit
+from suites import command, devices, fuzz, lint, lsl, openxr, oracles, predictors, scenes, study_export, unit
 from suites.outcome import Outcome
 
 SUITES = {
@@ -24,6 +24,7 @@ SUITES = {
     "fuzz": fuzz,
     "command": command,
     "study_export": study_export,
+    "predictors": predictors,
     "lint": lint,
     "openxr": openxr,
 }

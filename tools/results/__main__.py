@@ -8,11 +8,15 @@ import shutil
 import subprocess
 from pathlib import Path
 
+from peers.comparison import compare_all
+from peers.table import as_markdown
+from peers.training import Trained
 from plots.box_plots import draw_box_plots
 from plots.confusion import draw_confusions
 from plots.speed import draw_speed
 from plots.trials import draw_small_multiples, draw_trial
-from results.evaluation import ROOT, run_all, run_tool
+from results.evaluation import ROOT, run_all
+from results.made_trials import PACES, make_timed_trials, make_trials
 from results.other_hands import OtherHands
 from results.page import write_page
 from results.rounds import EARLIER_ROUNDS, Rounds
@@ -26,11 +30,7 @@ OTHER_HANDS = {
     "lm_digits": "an index finger that writes digits into the air, 10 to 20 cm tall",
     "leapjs_playback": "hands that splay, pinch, clap, wave, paddle, tap on a table, roll, move about",
 }
-SOURCES = ["extension", "models", "demo_project", "tools/results"]
-# Of people whom neither training nor tuning knows; asked for their own pace, faster, very fast, and slower.
-PACES = [1.0, 0.6, 0.4, 1.6]
-# Of the same people, doing other things: long enough to tell 0.2 false alarms a minute from none.
-OTHER_MOTION_S = 20.0
+SOURCES = ["extension", "models", "demo_project", "tools/results", "tools/peers"]
 WORST = 6
 TYPICAL = ("horizontal_drag", "unstable")
 
@@ -81,30 +81,25 @@ def main() -> None:
     for model in models:
         picture = os.path.relpath(model.with_suffix(".png"), given.out)
         pictures[f"model {model.stem}"] = f"![The model {model.stem}]({picture})"
-    write_page(given.out / "results.md", studies, speed, rounds, sensors, others, pictures, origin(studies[0]), sets)
+    trained = Trained.of(given.real.parent / "drags_train", given.work)
+    scenes = {study.name: study.scene["phase"] for study in studies}
+    compared = {name: compare_all(scene.trials, scene.out, trained) for name, scene in scenes.items()}
+    predictors = as_markdown(compared, trained.source)
+    write_page(
+        given.out / "results.md",
+        studies,
+        predictors,
+        speed,
+        rounds,
+        sensors,
+        others,
+        pictures,
+        origin(studies[0]),
+        sets,
+    )
     for evaluation in evaluations:
         evaluation.drop_curves()
     print(f"wrote {given.out / 'results.md'}")
-
-
-def make_trials(folder: Path, gestures: list[str], subjects: int) -> None:
-    """One set of gestures and other motion; the latter is longer."""
-    paces = ",".join(str(pace) for pace in PACES)
-    common = {"subjects": subjects, "trials-per-subject": len(PACES), "paces": paces}
-    run_tool("make_trials", {"out": folder, "gestures": ",".join(gestures), **common})
-    gesture_rows = (folder / "trials.csv").read_text()
-    run_tool("make_trials", {"out": folder, "gestures": "none", "duration": OTHER_MOTION_S, **common})
-    other_rows = (folder / "trials.csv").read_text()
-    (folder / "trials.csv").write_text(gesture_rows + other_rows.partition("\n")[2])
-
-
-def make_timed_trials(
-    folder: Path, gestures: list[str], subjects: int, duration_s: float | None = None, earlier_rounds: int = 0
-) -> None:
-    """A trial of each person, gesture and position; at their own pace, unless the duration is given."""
-    timed = {} if duration_s is None else {"duration": duration_s}
-    common = {"subjects": subjects, "trials-per-subject": 1, "earlier-rounds": earlier_rounds, **timed}
-    run_tool("make_trials", {"out": folder, "gestures": ",".join(gestures), **common})
 
 
 def seconds(text: str) -> list[float]:

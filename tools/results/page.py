@@ -49,6 +49,11 @@ SET = """## {title}
 {table}
 """
 
+PREDICTORS = """## Beside other predictors
+
+Filters and published predictors ([method.md](method.md#other-predictors)) on the same frames, task given.
+{text}"""
+
 SPEED = """## Speed of execution
 
 The same people, asked for gestures of one duration, from onset to end; all gestures together. Recognised: all models
@@ -91,6 +96,7 @@ to the side.
 def write_page(
     path: Path,
     studies: list[Study],
+    predictors: str,
     speed: Speed,
     rounds: Rounds,
     sensors: Sensors,
@@ -99,7 +105,7 @@ def write_page(
     origin: str,
     sets: dict[str, str],
 ) -> None:
-    """pictures: Markdown of each by its name. sets: what each set is."""
+    """predictors: text and tables. pictures: Markdown of each by its name. sets: what each set is."""
     bullets = (fill(f"- **{name}**: {text}", WIDTH, subsequent_indent="  ") for name, text in sets.items())
     parts = [HEAD.format(origin=origin, sets="\n".join(bullets))]
     parts.append(targets_part(list(targets(studies, others)), studies))
@@ -107,6 +113,7 @@ def write_page(
         title = f"{study.name.capitalize()}, task given"
         text = "\n\n".join(pictures[name] for name in pictures if name.startswith(f"{study.name} boxes"))
         parts.append(SET.format(title=title, text=text, table=table(conditions_table(study))))
+    parts.append(PREDICTORS.format(text=predictors))
     parts.append("## A typical unstable trial\n")
     parts.append("The trial whose measured curve has the median R2 at no lag.\n")
     parts += [pictures[name] + "\n" for name in pictures if name.endswith("typical")]

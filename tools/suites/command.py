@@ -209,6 +209,12 @@ def results(folder: Path) -> Iterator[Outcome]:
             good = len(found) == 1 and f"| {mean:.4f} | {mark} |" in found[0]
             yield Outcome.of(f"command/results: {what} of {gesture}", good, f"{mean:.4f}, {mark}, not\n{found}")
 
+    own = [row for row in rows if (row["gesture"], row["position"]) == ("tap", "unstable")]
+    mean = statistics.fmean(float(row["r2_zero_synthesised"]) for row in own)
+    found = [row for row in page.splitlines() if row.startswith(f"| synthetic, tap, unstable: {len(own)} |")]
+    good = len(found) == 1 and found[0].split("|")[-2].strip(" *").startswith(f"{mean:.3f}")
+    yield Outcome.of("command/results: mean R2 at no lag of taps beside other predictors", good, f"{mean}, {found}")
+
     with (folder / "work/speed/4 s/phase_scene/results.csv").open(newline="") as file:
         own = [row for row in csv.DictReader(file) if row["position"] == "unstable"]
     mean = statistics.fmean(float(row["r2_zero_synthesised"]) for row in own)
