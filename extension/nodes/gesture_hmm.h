@@ -72,6 +72,8 @@ public:
 	double get_sensor_latency() const { return sensor_latency_s_; }
 	void set_min_confidence(double p_confidence);
 	double get_min_confidence() const { return min_confidence_; }
+	void set_completion(double p_fraction);
+	double get_completion() const { return completion_; }
 	void set_start_condition(StartCondition p_condition);
 	StartCondition get_start_condition() const { return static_cast<StartCondition>(start_.kind); }
 	void set_dwell_time(double p_time_s);
@@ -141,6 +143,7 @@ private:
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
 	double sensor_latency_s_ = steadyhand::USUAL_SENSOR_LATENCY_S;
 	double min_confidence_ = 0.0;
+	double completion_ = steadyhand::END_LEVEL;
 	steadyhand::StartSettings start_;
 
 	SignalNames names_;
@@ -212,6 +215,10 @@ private:
 	steadyhand::Motion current(
 			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
+	/// How far the gesture under way has come, in amplitudes.
+	double fraction() const;
+	/// Whether the gesture shown, at its end, has gone far enough to count.
+	bool is_complete(const steadyhand::GestureShown &p_before) const;
 	/// Null where there is none, or no longer.
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;

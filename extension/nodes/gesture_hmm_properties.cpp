@@ -15,6 +15,8 @@ namespace godot {
 namespace {
 
 constexpr double LARGEST_LATENCY_S = 0.2;
+/// Below half of the way the hand may still turn back.
+constexpr double LEAST_COMPLETION = 0.5;
 constexpr double SHORTEST_DWELL_S = 0.1, LONGEST_DWELL_S = 3.0;
 /// An open hand has 5 to 13 cm between thumb and index (leapjs-playback).
 constexpr double NARROWEST_PINCH_M = 0.005, WIDEST_PINCH_M = 0.1;
@@ -113,6 +115,12 @@ void GestureHMM::set_min_confidence(double p_confidence) {
 	}
 }
 
+void GestureHMM::set_completion(double p_fraction) {
+	ERR_FAIL_COND_MSG(!(p_fraction >= LEAST_COMPLETION) || p_fraction > 1.0,
+			"GestureHMM: completion must be within 0.5..1");
+	completion_ = p_fraction;
+}
+
 /// Gestures under way go on.
 void GestureHMM::on_start_changed() {
 	frames_with_hand_ = 0;
@@ -207,6 +215,8 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_sensor_latency"), &GestureHMM::get_sensor_latency);
 	ClassDB::bind_method(D_METHOD("set_min_confidence", "confidence"), &GestureHMM::set_min_confidence);
 	ClassDB::bind_method(D_METHOD("get_min_confidence"), &GestureHMM::get_min_confidence);
+	ClassDB::bind_method(D_METHOD("set_completion", "fraction"), &GestureHMM::set_completion);
+	ClassDB::bind_method(D_METHOD("get_completion"), &GestureHMM::get_completion);
 	ClassDB::bind_method(D_METHOD("set_start_condition", "condition"), &GestureHMM::set_start_condition);
 	ClassDB::bind_method(D_METHOD("get_start_condition"), &GestureHMM::get_start_condition);
 	ClassDB::bind_method(D_METHOD("set_dwell_time", "time"), &GestureHMM::set_dwell_time);
@@ -249,6 +259,8 @@ void GestureHMM::_bind_methods() {
 			"set_sensor_latency", "get_sensor_latency");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "min_confidence", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_min_confidence", "get_min_confidence");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "completion", PROPERTY_HINT_RANGE, "0.5,1,0.01"),
+			"set_completion", "get_completion");
 	ADD_GROUP("Start", "");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "start_condition", PROPERTY_HINT_ENUM,
 						 "None,Dwell,Pinch,Pointing Pose"),
@@ -289,7 +301,7 @@ void GestureHMM::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("gesture_started", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("state_changed", PropertyInfo(Variant::INT, "state")));
 	ADD_SIGNAL(MethodInfo("gesture_ended", PropertyInfo(Variant::STRING_NAME, "gesture"),
-			PropertyInfo(Variant::FLOAT, "time_s"), task));
+			PropertyInfo(Variant::FLOAT, "time_s"), task, PropertyInfo(Variant::FLOAT, "fraction")));
 	ADD_SIGNAL(MethodInfo("gesture_aborted", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
 
