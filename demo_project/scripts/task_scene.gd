@@ -73,6 +73,8 @@ func _ready() -> void:
 		session_folder = log_folder.path_join("%s-%d" % [stamp, sessions])
 	tracker.finished.connect(_on_tracker_finished)
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
+	# A hand that stops short of its target has made the trial all the same.
+	gesture_hmm.completion = 0.5
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
 	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
@@ -306,7 +308,9 @@ func _on_gesture_started(_gesture: StringName, _task: GestureTask) -> void:
 	_stage.begin_stroke()
 
 
-func _on_gesture_ended(_gesture: StringName, time_s: float, _task: GestureTask) -> void:
+func _on_gesture_ended(
+	_gesture: StringName, time_s: float, _task: GestureTask, _fraction: float
+) -> void:
 	if _practice == null and course.takes_end():
 		course.gesture_end_s = time_s
 		course.end_value_m = _stage.end_value(gesture_hmm.value)

@@ -55,6 +55,8 @@ func _ready() -> void:
 	gesture_hmm.tracker = tracker
 	mouse.tracker = tracker
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
+	# A hand that stops short of its target has made the trial all the same.
+	gesture_hmm.completion = 0.5
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
 	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
 	gesture_hmm.motion_updated.connect(_on_motion_updated)
@@ -121,7 +123,9 @@ func _on_gesture_started(started: StringName, _task: GestureTask) -> void:
 	_stage.begin_stroke()
 
 
-func _on_gesture_ended(ended: StringName, time_s: float, _task: GestureTask) -> void:
+func _on_gesture_ended(
+	ended: StringName, time_s: float, _task: GestureTask, _fraction: float
+) -> void:
 	if log == null or not course.takes_end():
 		return
 	told.emit(time_s, "end", String(ended))

@@ -94,8 +94,10 @@ func run(
 	# It would warn, at each trial, that nothing is recognised.
 	hmm.tracker = null if hmm.models.is_empty() or not unseen.is_empty() else tracker
 	hmm.task = task
+	# A hand that stops short of its target has made the trial all the same.
+	hmm.completion = 0.5
 	hmm.gesture_ended.connect(
-		func(ended: StringName, time_s: float, _task: GestureTask) -> void:
+		func(ended: StringName, time_s: float, _task: GestureTask, _fraction: float) -> void:
 			ends.append({gesture = String(ended), time_s = time_s})
 	)
 	hmm.gesture_started.connect(func(_gesture: StringName, _task: GestureTask) -> void: begun += 1)

@@ -144,6 +144,7 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 
 void GestureHMM::publish() {
 	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
+	shown_.arrived = shown_.arrived && is_complete(before);
 	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
 	gestures_begun_ += news.started ? 1 : 0;
 	if (news.started) {
@@ -153,6 +154,7 @@ void GestureHMM::publish() {
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
+	const double reached = news.ended ? fraction() : 0.0;
 	const StringName gesture = news.started || news.ended ? gesture_name(shown_.gesture) : StringName();
 	GestureTask *const aborted_task = news.aborted ? task_of(before.gesture) : nullptr;
 	const StringName aborted_gesture = news.aborted ? gesture_name(before.gesture) : StringName();
@@ -182,7 +184,7 @@ void GestureHMM::publish() {
 	}
 	if (news.ended && is_valid()) {
 		is_end_untold_ = false;
-		emit_signal(names_.gesture_ended, gesture, instant_s, task_of(shown_.gesture));
+		emit_signal(names_.gesture_ended, gesture, instant_s, task_of(shown_.gesture), reached);
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {
 		emit_signal(names_.motion_updated, instant_s);
@@ -220,6 +222,18 @@ double GestureHMM::amplitude_m() const {
 	}
 	const Expected &shown = expected_[recogniser_->shown()];
 	return shown.place.value_or(shown.model->typical_task).amplitude_m;
+}
+
+double GestureHMM::fraction() const {
+	return std::max(current(MOTION_SYNTHESISED).value_m / amplitude_m(), 0.0);
+}
+
+/// Without a task how far the gesture should go is not known. What has ended stays so as the hand comes back.
+bool GestureHMM::is_complete(const steadyhand::GestureShown &p_before) const {
+	const bool had_ended =
+			p_before.arrived && p_before.gesture == shown_.gesture && p_before.begun == shown_.begun;
+	const bool has_task = expected_[static_cast<std::size_t>(shown_.gesture)].place.has_value();
+	return had_ended || !has_task || fraction() >= completion_;
 }
 
 StringName GestureHMM::gesture_name(int p_expected) const {

@@ -8,6 +8,7 @@
 #include "gesture/task.h"
 #include "motion/motion.h"
 #include "recognition/gesture_news.h"
+#include "recognition/start_condition.h"
 #include "recognition/task_watch.h"
 
 #include <godot_cpp/classes/node.hpp>
@@ -43,6 +44,8 @@ public:
 		MOTION_ONE_EURO,
 		MOTION_KALMAN
 	};
+	/// In the order of the core's StartKind.
+	enum StartCondition : int64_t { START_NONE, START_DWELL, START_PINCH, START_POINTING_POSE };
 
 	GestureHMM();
 	~GestureHMM() override;
@@ -69,6 +72,14 @@ public:
 	double get_sensor_latency() const { return sensor_latency_s_; }
 	void set_min_confidence(double p_confidence);
 	double get_min_confidence() const { return min_confidence_; }
+	void set_completion(double p_fraction);
+	double get_completion() const { return completion_; }
+	void set_start_condition(StartCondition p_condition);
+	StartCondition get_start_condition() const { return static_cast<StartCondition>(start_.kind); }
+	void set_dwell_time(double p_time_s);
+	double get_dwell_time() const { return start_.dwell_s; }
+	void set_pinch_distance(double p_distance_m);
+	double get_pinch_distance() const { return start_.pinch_m; }
 
 	double get_value() const;
 	/// As by now it will be at p_time_s.
@@ -132,6 +143,8 @@ private:
 	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
 	double sensor_latency_s_ = steadyhand::USUAL_SENSOR_LATENCY_S;
 	double min_confidence_ = 0.0;
+	double completion_ = steadyhand::END_LEVEL;
+	steadyhand::StartSettings start_;
 
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;
@@ -187,18 +200,25 @@ private:
 	void watch_tracker(double p_passed_s);
 	void watch_tracker_anew();
 	void watch_joints(uint8_t p_tracked);
+	void warn_of_missing_joints(const String &p_what, uint8_t p_needed);
 	void watch_tasks_anew();
 	void watch_tasks(const steadyhand::HandFrame &p_frame);
 	/// How to mend a place at which no model's motion can be measured; empty where it can.
 	String place_fault(const GestureTask &p_task) const;
 	/// Of a gesture that needs a task and has none; empty where there is no such.
 	String taskless_fault() const;
+	/// Of a gesture that opens the fingers, which a pinch keeps closed; empty where there is no such.
+	String start_fault() const;
 	[[nodiscard]] bool run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.
 	steadyhand::Motion current(
 			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
+	/// How far the gesture under way has come, in amplitudes.
+	double fraction() const;
+	/// Whether the gesture shown, at its end, has gone far enough to count.
+	bool is_complete(const steadyhand::GestureShown &p_before) const;
 	/// Null where there is none, or no longer.
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;
@@ -206,6 +226,7 @@ private:
 	/// Null where there is none, or no longer.
 	GestureTask *task_of(int p_expected) const;
 	void on_settings_changed();
+	void on_start_changed();
 	void on_expected_changed();
 	void on_task_changed(uint64_t p_task);
 	void connect_tasks(bool p_connect);
@@ -217,3 +238,4 @@ private:
 VARIANT_ENUM_CAST(godot::GestureHMM::Mode);
 VARIANT_ENUM_CAST(godot::GestureHMM::Quality);
 VARIANT_ENUM_CAST(godot::GestureHMM::Motion);
+VARIANT_ENUM_CAST(godot::GestureHMM::StartCondition);

@@ -15,6 +15,11 @@ namespace godot {
 namespace {
 
 constexpr double LARGEST_LATENCY_S = 0.2;
+/// Below half of the way the hand may still turn back.
+constexpr double LEAST_COMPLETION = 0.5;
+constexpr double SHORTEST_DWELL_S = 0.1, LONGEST_DWELL_S = 3.0;
+/// An open hand has 5 to 13 cm between thumb and index (leapjs-playback).
+constexpr double NARROWEST_PINCH_M = 0.005, WIDEST_PINCH_M = 0.1;
 
 } // namespace
 
@@ -110,6 +115,49 @@ void GestureHMM::set_min_confidence(double p_confidence) {
 	}
 }
 
+void GestureHMM::set_completion(double p_fraction) {
+	ERR_FAIL_COND_MSG(!(p_fraction >= LEAST_COMPLETION) || p_fraction > 1.0,
+			"GestureHMM: completion must be within 0.5..1");
+	completion_ = p_fraction;
+}
+
+/// Gestures under way go on.
+void GestureHMM::on_start_changed() {
+	frames_with_hand_ = 0;
+	if (recogniser_) {
+		recogniser_->set_start_condition(start_);
+		warn_of_silence();
+	}
+	update_configuration_warnings();
+}
+
+void GestureHMM::set_start_condition(StartCondition p_condition) {
+	ERR_FAIL_COND_MSG(!is_enumerator(p_condition, START_POINTING_POSE),
+			"GestureHMM: start_condition must be a StartCondition");
+	if (get_start_condition() != p_condition) {
+		start_.kind = static_cast<steadyhand::StartKind>(p_condition);
+		on_start_changed();
+	}
+}
+
+void GestureHMM::set_dwell_time(double p_time_s) {
+	ERR_FAIL_COND_MSG(!(p_time_s >= SHORTEST_DWELL_S) || p_time_s > LONGEST_DWELL_S,
+			"GestureHMM: dwell_time must be within 0.1..3 s");
+	if (start_.dwell_s != p_time_s) {
+		start_.dwell_s = p_time_s;
+		on_start_changed();
+	}
+}
+
+void GestureHMM::set_pinch_distance(double p_distance_m) {
+	ERR_FAIL_COND_MSG(!(p_distance_m >= NARROWEST_PINCH_M) || p_distance_m > WIDEST_PINCH_M,
+			"GestureHMM: pinch_distance must be within 0.005..0.1 m");
+	if (start_.pinch_m != p_distance_m) {
+		start_.pinch_m = p_distance_m;
+		on_start_changed();
+	}
+}
+
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
 	if (tracker_ == nullptr) {
@@ -139,6 +187,9 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	if (const String fault = taskless_fault(); fault != String()) {
 		warnings.push_back(fault);
 	}
+	if (const String fault = start_fault(); fault != String()) {
+		warnings.push_back(fault);
+	}
 	if (has_empty) {
 		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
 	}
@@ -164,6 +215,14 @@ void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_sensor_latency"), &GestureHMM::get_sensor_latency);
 	ClassDB::bind_method(D_METHOD("set_min_confidence", "confidence"), &GestureHMM::set_min_confidence);
 	ClassDB::bind_method(D_METHOD("get_min_confidence"), &GestureHMM::get_min_confidence);
+	ClassDB::bind_method(D_METHOD("set_completion", "fraction"), &GestureHMM::set_completion);
+	ClassDB::bind_method(D_METHOD("get_completion"), &GestureHMM::get_completion);
+	ClassDB::bind_method(D_METHOD("set_start_condition", "condition"), &GestureHMM::set_start_condition);
+	ClassDB::bind_method(D_METHOD("get_start_condition"), &GestureHMM::get_start_condition);
+	ClassDB::bind_method(D_METHOD("set_dwell_time", "time"), &GestureHMM::set_dwell_time);
+	ClassDB::bind_method(D_METHOD("get_dwell_time"), &GestureHMM::get_dwell_time);
+	ClassDB::bind_method(D_METHOD("set_pinch_distance", "distance"), &GestureHMM::set_pinch_distance);
+	ClassDB::bind_method(D_METHOD("get_pinch_distance"), &GestureHMM::get_pinch_distance);
 	ClassDB::bind_method(D_METHOD("get_value"), &GestureHMM::get_value);
 	ClassDB::bind_method(D_METHOD("get_value_at", "time"), &GestureHMM::get_value_at);
 	ClassDB::bind_method(D_METHOD("get_velocity"), &GestureHMM::get_velocity);
@@ -200,6 +259,18 @@ void GestureHMM::_bind_methods() {
 			"set_sensor_latency", "get_sensor_latency");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "min_confidence", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_min_confidence", "get_min_confidence");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "completion", PROPERTY_HINT_RANGE, "0.5,1,0.01"),
+			"set_completion", "get_completion");
+	ADD_GROUP("Start", "");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "start_condition", PROPERTY_HINT_ENUM,
+						 "None,Dwell,Pinch,Pointing Pose"),
+			"set_start_condition", "get_start_condition");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "dwell_time", PROPERTY_HINT_RANGE, "0.1,3,0.05,suffix:s"),
+			"set_dwell_time", "get_dwell_time");
+	ADD_PROPERTY(
+			PropertyInfo(Variant::FLOAT, "pinch_distance", PROPERTY_HINT_RANGE, "0.005,0.1,0.001,suffix:m"),
+			"set_pinch_distance", "get_pinch_distance");
+	ADD_GROUP("", "");
 
 	constexpr uint32_t SCRIPT_ONLY = PROPERTY_USAGE_NONE, READ_ONLY = PROPERTY_USAGE_NONE;
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "task", PROPERTY_HINT_NODE_TYPE, "GestureTask", SCRIPT_ONLY),
@@ -230,7 +301,7 @@ void GestureHMM::_bind_methods() {
 	ADD_SIGNAL(MethodInfo("gesture_started", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("state_changed", PropertyInfo(Variant::INT, "state")));
 	ADD_SIGNAL(MethodInfo("gesture_ended", PropertyInfo(Variant::STRING_NAME, "gesture"),
-			PropertyInfo(Variant::FLOAT, "time_s"), task));
+			PropertyInfo(Variant::FLOAT, "time_s"), task, PropertyInfo(Variant::FLOAT, "fraction")));
 	ADD_SIGNAL(MethodInfo("gesture_aborted", PropertyInfo(Variant::STRING_NAME, "gesture"), task));
 	ADD_SIGNAL(MethodInfo("motion_updated", PropertyInfo(Variant::FLOAT, "time_s")));
 
@@ -244,6 +315,10 @@ void GestureHMM::_bind_methods() {
 	BIND_ENUM_CONSTANT(MOTION_AVERAGE);
 	BIND_ENUM_CONSTANT(MOTION_ONE_EURO);
 	BIND_ENUM_CONSTANT(MOTION_KALMAN);
+	BIND_ENUM_CONSTANT(START_NONE);
+	BIND_ENUM_CONSTANT(START_DWELL);
+	BIND_ENUM_CONSTANT(START_PINCH);
+	BIND_ENUM_CONSTANT(START_POINTING_POSE);
 }
 
 } // namespace godot

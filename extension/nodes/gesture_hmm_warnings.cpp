@@ -100,8 +100,11 @@ void GestureHMM::warn_of_silence() {
 		warning = "nothing will be recognised, since none of its tasks is there any more; set "
 				  "\"tasks\" to others, or to an empty array for gestures anywhere";
 	}
-	if (warning == String() && taskless_fault() != String()) {
+	if (warning == String()) {
 		warning = taskless_fault();
+	}
+	if (warning == String()) {
+		warning = start_fault();
 	}
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(node_label(*this) + String(": ") + warning);
@@ -150,25 +153,33 @@ void GestureHMM::watch_tracker_anew() {
 	}
 }
 
-/// Of a tracker that never shows what a task's gesture, or the only one, is measured by; once for each such
-/// joint. Where several are waited for anywhere, that some cannot come may be meant.
+/// Of a tracker that never shows what a task's gesture, or the only one, is measured by, nor what the start
+/// condition is judged by; once for each such joint. Where several are waited for anywhere, that some cannot
+/// come may be meant.
 void GestureHMM::watch_joints(uint8_t p_tracked) {
 	joints_seen_ |= p_tracked;
 	if (p_tracked == 0 || ++frames_with_hand_ != FRAMES_WATCHED) {
 		return;
 	}
 	for (const Expected &one : expected_) {
-		const uint8_t needed = steadyhand::find_feature(one.model->feature)->joints;
-		const uint8_t missed = needed & ~joints_seen_;
-		const bool is_waited_for = one.place.has_value() || expected_.size() == 1;
-		if (!is_waited_for || (missed & ~joints_missed_) == 0) {
-			continue;
+		if (one.place.has_value() || expected_.size() == 1) {
+			warn_of_missing_joints(String("nothing is recognised of '") + String(one.gesture) +
+							String("', which is measured by "),
+					steadyhand::find_feature(one.model->feature)->joints);
 		}
-		joints_missed_ |= missed;
-		WARN_PRINT(node_label(*this) + String(": nothing is recognised of '") + String(one.gesture) +
-				String("', which is measured by ") + joint_list(needed) + String(": no frame has held ") +
-				joint_list(missed));
 	}
+	warn_of_missing_joints("nothing starts: \"start_condition\" is judged by ",
+			steadyhand::StartCondition::joints(start_.kind));
+}
+
+void GestureHMM::warn_of_missing_joints(const String &p_what, uint8_t p_needed) {
+	const uint8_t missed = p_needed & ~joints_seen_;
+	if ((missed & ~joints_missed_) == 0) {
+		return;
+	}
+	joints_missed_ |= missed;
+	WARN_PRINT(node_label(*this) + String(": ") + p_what + joint_list(p_needed) +
+			String(": no frame has held ") + joint_list(missed));
 }
 
 void GestureHMM::watch_tasks_anew() {
@@ -249,6 +260,17 @@ String GestureHMM::taskless_fault() const {
 					String("' to \"tasks\": its motion is measured about the task's start, and without one "
 						   "it "
 						   "is not recognised.");
+		}
+	}
+	return String();
+}
+
+String GestureHMM::start_fault() const {
+	for (const Expected &one : find_expected()) {
+		if (start_.kind == steadyhand::StartKind::PINCH &&
+				steadyhand::find_feature(one.model->feature)->is_radius) {
+			return String("Set \"start_condition\" to another one than the pinch for '") +
+					String(one.gesture) + String("': it opens the fingers, which ends a pinch.");
 		}
 	}
 	return String();

@@ -105,7 +105,9 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 		second.tracker.free()
 		second.tracker = tracker if with_second else null
 		var runs: Array[int] = [1]
-		var start_anew := func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+		var start_anew := func(
+			_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float
+		) -> void:
 			runs[0] += 1
 			tracker.start()
 		hmm.gesture_ended.connect(start_anew)
@@ -131,7 +133,7 @@ func test_a_handler_may_go_over_to_another_hand() -> void:
 		tracker.start()
 	var ends: Array[float] = []
 	hmm.gesture_ended.connect(
-		func(_gesture: StringName, time_s: float, _task: GestureTask) -> void:
+		func(_gesture: StringName, time_s: float, _task: GestureTask, _fraction: float) -> void:
 			ends.append(time_s)
 			hmm.tracker = right
 	)

@@ -18,7 +18,7 @@ func test_signals_of_a_drag() -> void:
 		func(gesture: StringName, _task: GestureTask) -> void: events.append("started %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+		func(gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
 			events.append("ended %s" % gesture)
 	)
 	rig.gesture_hmm.state_changed.connect(func(state: int) -> void: states.append(state))
@@ -65,7 +65,7 @@ func test_a_drag_that_is_given_up_is_aborted() -> void:
 				events.append("aborted %s" % gesture)
 		)
 		rig.gesture_hmm.gesture_ended.connect(
-			func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+			func(gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
 				events.append("ended %s" % gesture)
 		)
 		var is_probability := true

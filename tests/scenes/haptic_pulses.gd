@@ -241,7 +241,9 @@ func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
 		root.add_child(next)
 		var hmm := rig.gesture_hmm
 		if follows == &"task":
-			var go_on := func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+			var go_on := func(
+				_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float
+			) -> void:
 				hmm.task = next
 			hmm.gesture_ended.connect(go_on)
 		var synth := HapticSynth.new()

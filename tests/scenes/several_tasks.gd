@@ -111,7 +111,8 @@ func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
 			hmm.reset()
 	hmm.gesture_started.connect(reset)
 	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: told.append("ended")
+		func(_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
+			told.append("ended")
 	)
 	hmm.gesture_aborted.connect(
 		func(_gesture: StringName, _task: GestureTask) -> void: told.append("aborted")
@@ -226,7 +227,8 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	hmm.models = [load(Rig.MODEL % "zoom") as GestureModel]
 	var ended: Array[StringName] = []
 	hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void: ended.append(gesture)
+		func(gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
+			ended.append(gesture)
 	)
 	hmm.tracker.start()
 	for frame in 220:
@@ -363,7 +365,9 @@ func _play(hmm: GestureHMM, places: Array[Vector3]) -> Array[String]:
 	var tell := func(gesture: StringName, _task: GestureTask, what: String) -> void:
 		seen.append("%s %s at task %d" % [what, gesture, hmm.tasks.find(hmm.current_task)])
 	var started := tell.bind("started")
-	var ended := func(gesture: StringName, _time_s: float, task: GestureTask) -> void:
+	var ended := func(
+		gesture: StringName, _time_s: float, task: GestureTask, _fraction: float
+	) -> void:
 		tell.call(gesture, task, "ended")
 	hmm.gesture_started.connect(started)
 	hmm.gesture_ended.connect(ended)

@@ -147,13 +147,13 @@ func test_which_end_counts() -> void:
 		var trial := Rig.write_trials(_folder.get_current_dir().path_join("ends"), 1, gesture)
 		player.scene.play(trial.get_trial(0), trial.get_measured_path(0))
 		var hmm := player.scene.gesture_hmm
-		hmm.gesture_ended.emit(gesture, 0.5, null)
+		hmm.gesture_ended.emit(gesture, 0.5, null, 1.0)
 		check(is_nan(player.scene.course.gesture_end_s), "%s: none before one has begun" % gesture)
 		hmm.gesture_started.emit(gesture, null)
-		hmm.gesture_ended.emit(gesture, 1.0, null)
-		hmm.gesture_ended.emit(gesture, 2.0, null)
+		hmm.gesture_ended.emit(gesture, 1.0, null, 1.0)
+		hmm.gesture_ended.emit(gesture, 2.0, null, 1.0)
 		player.scene.course.end_s = 1.5
-		hmm.gesture_ended.emit(gesture, 3.0, null)
+		hmm.gesture_ended.emit(gesture, 3.0, null, 1.0)
 		check_equal(
 			player.scene.course.gesture_end_s, counted[gesture], "the one that did the task"
 		)

@@ -107,7 +107,7 @@ func _play(
 		func(gesture: StringName, _task: GestureTask) -> void: events.append("aborted %s" % gesture)
 	)
 	rig.gesture_hmm.gesture_ended.connect(
-		func(gesture: StringName, _time_s: float, _task: GestureTask) -> void:
+		func(gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
 			events.append("ended %s" % gesture)
 	)
 	rig.tracker.start()

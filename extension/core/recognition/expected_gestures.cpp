@@ -52,9 +52,11 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	const std::vector<ExpectedGesture> gestures_before = std::exchange(gestures_, std::move(gestures));
 	std::vector<std::unique_ptr<GestureFollower>> followers_before = std::exchange(followers_, {});
 	const std::vector<FilteredMotion> filtered_before = std::exchange(filtered_, {});
+	const std::vector<Start> starts_before = std::exchange(starts_, {});
 	std::vector<int> now(gestures_before.size(), -1);
 	followers_.reserve(gestures_.size());
 	filtered_.reserve(gestures_.size());
+	starts_.reserve(gestures_.size());
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		std::size_t old = 0;
 		while (old < now.size() && (now[old] >= 0 || !(gestures_before[old] == gestures_[i]))) {
@@ -64,9 +66,11 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 			now[old] = static_cast<int>(i);
 			followers_.push_back(std::move(followers_before[old]));
 			filtered_.push_back(filtered_before[old]);
+			starts_.push_back(starts_before[old]);
 		} else {
 			followers_.push_back(follower_of(gestures_[i], synthesis_));
 			filtered_.emplace_back();
+			starts_.emplace_back();
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;

@@ -65,6 +65,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	for (WatchedFeature &watched : watched_) {
 		watched.push(frame);
 	}
+	start_condition_.push(frame);
 	const std::optional<Motion> before = show_nearest(frame.t_s);
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes, watched(i).measurement)) {
@@ -76,6 +77,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		go_on_from(*before, LEAD_RATE_PER_S);
 	}
 	expect_absence();
+	judge_starts();
 	decide_claims();
 	let_return();
 	choose_leader();
@@ -87,6 +89,7 @@ void GestureRecogniser::advance(double t_s) {
 	}
 	advance_followers(t_s);
 	time_s_ = t_s;
+	judge_starts();
 	choose_leader();
 }
 
@@ -108,6 +111,7 @@ void GestureRecogniser::advance_followers(double t_s) {
 		for (std::size_t i = 0; i < followers_.size(); ++i) {
 			followers_[i]->miss(time_s_, watched(i).strokes);
 		}
+		judge_starts();
 		decide_claims();
 		choose_leader();
 		expect_absence();
@@ -151,8 +155,24 @@ double GestureRecogniser::confidence() const {
 	return leader_ >= 0 ? posterior(shown()) : 0.0;
 }
 
-bool GestureRecogniser::is_likely(std::size_t follower) const {
-	return min_confidence_ <= 0.0 || gestures_[follower].task || posterior(follower) >= min_confidence_;
+bool GestureRecogniser::may_show(std::size_t follower) const {
+	const bool is_likely =
+			min_confidence_ <= 0.0 || gestures_[follower].task || posterior(follower) >= min_confidence_;
+	return is_likely && starts_[follower].is_allowed;
+}
+
+void GestureRecogniser::judge_starts() {
+	for (std::size_t i = 0; i < followers_.size(); ++i) {
+		GestureFollower &follower = *followers_[i];
+		Start &start = starts_[i];
+		if (follower.gestures_begun() != start.begun) {
+			start = { follower.gestures_begun(), start_condition_.may_begin(follower.begun_s()) };
+		} else if (start.is_allowed && start_condition_.is_released() &&
+				follower.stage() == GestureFollower::Stage::MOVING) {
+			start.is_allowed = false;
+			follower.give_way(time_s_);
+		}
+	}
 }
 
 bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
@@ -179,7 +199,7 @@ void GestureRecogniser::decide_claims() {
 	const double odds = log_odds(static_cast<std::size_t>(best));
 	// What is done at a task will say itself when it ends.
 	const bool is_of_task = task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds;
-	if (is_of_task || !is_likely(static_cast<std::size_t>(best))) {
+	if (is_of_task || !may_show(static_cast<std::size_t>(best))) {
 		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
 			if (follower->claims()) {
 				follower->give_way(time_s_);

@@ -3,10 +3,12 @@
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
 #include "recognition/gesture_follower.h"
+#include "recognition/start_condition.h"
 #include "strokes/shown_elsewhere.h"
 #include "strokes/stroke_finder.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +39,10 @@ public:
 	/// A gesture without a task is shown, and ends, only where its confidence() has come to this: 0..1. Less
 	/// shows more of what hands do otherwise, more shows gestures later.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
+
+	/// A gesture that begins while this is not met is not shown, and does not end. What is under way goes on.
+	void set_start_condition(const StartSettings &settings) { start_condition_ = StartCondition(settings); }
+	[[nodiscard]] const StartCondition &start_condition() const { return start_condition_; }
 
 	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
 	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes. Of a
@@ -94,6 +100,13 @@ private:
 	std::vector<std::unique_ptr<GestureFollower>> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	double min_confidence_ = 0.0;
+	StartCondition start_condition_;
+	/// Of the last gesture that a follower began: which one, and whether it may be shown.
+	struct Start {
+		std::uint32_t begun = 0;
+		bool is_allowed = true;
+	};
+	std::vector<Start> starts_; ///< one per follower
 	int leader_ = -1;
 	std::size_t shown_ = 0; ///< the leader, while there is one
 	OutputBlend blend_;     ///< of what would step when another one takes the lead, m
@@ -114,8 +127,10 @@ private:
 	[[nodiscard]] double posterior(std::size_t follower) const;
 	/// GestureFollower::log_odds, less what speaks for another one of which this one's motion is a part.
 	[[nodiscard]] double log_odds(std::size_t follower) const;
-	/// Likely enough to be shown, and to end.
-	[[nodiscard]] bool is_likely(std::size_t follower) const;
+	/// Allowed to begin, and likely enough to be shown, and to end.
+	[[nodiscard]] bool may_show(std::size_t follower) const;
+	/// Asks the start condition once of each gesture that begins, and gives up those whose pinch opens.
+	void judge_starts();
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;

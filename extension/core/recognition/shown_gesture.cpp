@@ -37,8 +37,8 @@ void GestureRecogniser::choose_leader() {
 	using Stage = GestureFollower::Stage;
 	settle();
 	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
-	if (leader_ < 0 || follower()->stage() == Stage::RESTING) {
-		lead(likeliest([&](std::size_t i) { return is_moving(i) && is_likely(i); }));
+	if (leader_ < 0 || follower()->stage() == Stage::RESTING || !starts_[shown()].is_allowed) {
+		lead(likeliest([&](std::size_t i) { return is_moving(i) && may_show(i); }));
 		return;
 	}
 	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
@@ -54,7 +54,7 @@ void GestureRecogniser::choose_leader() {
 		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
 				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
 									  : is_news && log_odds(i) > odds - doubt;
-		return wins && is_likely(i);
+		return wins && may_show(i);
 	});
 	if (best >= 0) {
 		lead(best);

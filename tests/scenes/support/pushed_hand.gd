@@ -24,5 +24,6 @@ static func listen(hmm: GestureHMM, said: Array[String]) -> void:
 		func(_gesture: StringName, _task: GestureTask) -> void: said.append("aborted")
 	)
 	hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: said.append("ended")
+		func(_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
+			said.append("ended")
 	)

@@ -24,7 +24,8 @@ func _init(tree: SceneTree, log_folder: String, start: Vector3) -> void:
 	tracker.failed.connect(func(reason: String) -> void: failures.append(reason))
 	tracker.tracking_lost.connect(func() -> void: losses += 1)
 	player.scene.gesture_hmm.gesture_ended.connect(
-		func(_gesture: StringName, _time_s: float, _task: GestureTask) -> void: ends += 1
+		func(_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
+			ends += 1
 	)
 
 

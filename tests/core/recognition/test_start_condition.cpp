@@ -1,0 +1,212 @@
+// When a StartCondition lets a gesture begin.
+
+#include "recognition/start_condition.h"
+#include "simulation/hand_pose.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace steadyhand;
+
+namespace {
+
+constexpr double FRAME_S = 0.01;
+
+/// Palm at the origin, fingers along -z, so far from it; the thumb tip gap_m beside the index tip.
+HandFrame hand(double index_m, double others_m, double gap_m) {
+	HandFrame frame;
+	frame.set(Joint::PALM, Eigen::Vector3d::Zero());
+	frame.set(Joint::INDEX, { 0.0, 0.0, -index_m });
+	frame.set(Joint::THUMB, { -gap_m, 0.0, -index_m });
+	for (const Joint joint : { Joint::MIDDLE, Joint::RING, Joint::PINKY }) {
+		frame.set(joint, { 0.0, 0.0, -others_m });
+	}
+	return frame;
+}
+
+HandFrame open_hand() {
+	return hand(0.10, 0.10, 0.09);
+}
+
+HandFrame pinch(double gap_m = 0.01) {
+	return hand(0.085, 0.10, gap_m);
+}
+
+/// Frames of one hand after the other.
+class Stream {
+public:
+	explicit Stream(const StartSettings &settings) : condition(settings) {}
+
+	Stream &show(const HandFrame &shown, double length_s) {
+		for (double s = 0.0; s < length_s - 1e-9; s += FRAME_S) {
+			push(shown);
+		}
+		return *this;
+	}
+	Stream &lose(double length_s) { return show(HandFrame(), length_s); }
+	void push(HandFrame frame) {
+		frame.t_s = now_s += FRAME_S;
+		condition.push(frame);
+	}
+
+	StartCondition condition;
+	double now_s = 0.0;
+};
+
+Stream pinching() {
+	Stream stream({ .kind = StartKind::PINCH });
+	stream.show(open_hand(), 1.0).show(pinch(), 1.0);
+	return stream;
+}
+
+} // namespace
+
+TEST_CASE("without a start condition a gesture may begin at any time") {
+	const StartCondition none;
+	CHECK(none.is_met());
+	CHECK(none.may_begin(-1e9));
+	CHECK(none.may_begin(1e9));
+}
+
+TEST_CASE("a dwell is met after its time, whatever it is") {
+	for (const double dwell_s : { 0.2, 0.5, 1.0 }) {
+		CAPTURE(dwell_s);
+		Stream stream({ .kind = StartKind::DWELL, .dwell_s = dwell_s });
+		CHECK(!stream.show(open_hand(), dwell_s - 2.0 * FRAME_S).condition.is_met());
+		CHECK(stream.show(open_hand(), 4.0 * FRAME_S).condition.is_met());
+	}
+}
+
+TEST_CASE("a hand that moves steadily does not dwell; one that trembles does") {
+	Stream moving({ .kind = StartKind::DWELL }), trembling({ .kind = StartKind::DWELL });
+	std::mt19937_64 random(3);
+	std::normal_distribution<double> tremor_m(0.0, 1e-3);
+	for (int i = 0; i < 300; ++i) {
+		HandFrame moved = open_hand(), trembled = open_hand();
+		shift_hand(moved, Eigen::Vector3d(0.1 * FRAME_S * i, 0.0, 0.0));
+		shift_hand(trembled, { tremor_m(random), tremor_m(random), tremor_m(random) });
+		moving.push(moved);
+		trembling.push(trembled);
+		CHECK(!moving.condition.is_met());
+	}
+	CHECK(trembling.condition.is_met());
+}
+
+TEST_CASE("a dwell lets a gesture begin as the hand sets out, not a second later") {
+	Stream stream({ .kind = StartKind::DWELL });
+	stream.show(open_hand(), 1.0);
+	const double left_s = stream.now_s;
+	for (int i = 0; i < 200; ++i) {
+		HandFrame moved = open_hand();
+		shift_hand(moved, Eigen::Vector3d(0.5 * FRAME_S * i, 0.0, 0.0));
+		stream.push(moved);
+	}
+	CHECK(!stream.condition.is_met());
+	CHECK(stream.condition.may_begin(left_s + 0.1));
+	CHECK(!stream.condition.may_begin(left_s + 1.0));
+	CHECK(!stream.condition.may_begin(0.0));
+}
+
+TEST_CASE("fingers that tremble at the pinch distance close and open it once") {
+	Stream stream({ .kind = StartKind::PINCH });
+	std::mt19937_64 random(3);
+	std::normal_distribution<double> tremor_m(0.0, 5e-4);
+	int changes = 0;
+	bool was_met = false;
+	for (int i = 0; i < 2000; ++i) {
+		const double away = std::abs(i - 1000) / 1000.0; // 1 to 0 and back
+		stream.push(pinch(0.015 + 0.02 * away + tremor_m(random)));
+		changes += stream.condition.is_met() != was_met ? 1 : 0;
+		was_met = stream.condition.is_met();
+	}
+	CHECK(changes == 2);
+	CHECK(!was_met);
+}
+
+TEST_CASE("an opened pinch is released, and begins nothing any more") {
+	Stream stream = pinching();
+	CHECK(stream.condition.may_begin(stream.now_s));
+	CHECK(!stream.condition.is_released());
+	stream.show(open_hand(), 0.2);
+	CHECK(stream.condition.is_released());
+	CHECK(!stream.condition.may_begin(stream.now_s));
+	stream.show(pinch(), 0.2);
+	CHECK(!stream.condition.is_released());
+	CHECK(stream.condition.may_begin(stream.now_s));
+}
+
+TEST_CASE("a dropout of 0.2 s or a slip of 0.06 s does not end a pinch or a dwell") {
+	CHECK(pinching().lose(0.2).show(pinch(), 0.02).condition.is_met());
+	CHECK(!pinching().show(open_hand(), 0.06).show(pinch(), 0.02).condition.is_released());
+	Stream dwelling({ .kind = StartKind::DWELL });
+	HandFrame elsewhere = open_hand();
+	shift_hand(elsewhere, { 0.0, 0.3, 0.0 });
+	dwelling.show(open_hand(), 1.0).lose(0.2).show(elsewhere, 0.06).show(open_hand(), 0.02);
+	CHECK(dwelling.condition.is_met());
+}
+
+TEST_CASE("a lost hand does not pinch, nor at once when it is found; a long held pinch is not released") {
+	Stream stream = pinching();
+	stream.lose(0.5);
+	CHECK(!stream.condition.is_met());
+	stream.show(pinch(), 0.05);
+	CHECK(!stream.condition.is_met());
+	CHECK(!stream.condition.may_begin(stream.now_s));
+	CHECK(!stream.condition.is_released());
+	CHECK(stream.show(pinch(), 0.5).condition.is_met());
+}
+
+TEST_CASE("fingers that close as the hand leaves the view are no pinch") {
+	Stream stream({ .kind = StartKind::PINCH });
+	stream.show(open_hand(), 1.0).show(pinch(), 0.1);
+	const double curled_s = stream.now_s;
+	stream.lose(0.5);
+	CHECK(stream.condition.is_released());
+	CHECK(!stream.condition.may_begin(curled_s));
+}
+
+TEST_CASE("frames that stop coming are a lost hand") {
+	Stream stream = pinching();
+	stream.now_s += 2.0;
+	CHECK(!stream.condition.may_begin(stream.now_s));
+	stream.push(pinch());
+	CHECK(!stream.condition.is_met());
+}
+
+TEST_CASE("a pinch of low confidence is none, unless the tracker never reports more") {
+	HandFrame doubted = pinch();
+	doubted.confidence = 0.0;
+	Stream reports({ .kind = StartKind::PINCH }), never({ .kind = StartKind::PINCH });
+	CHECK(!reports.show(open_hand(), 1.0).show(doubted, 1.0).condition.is_met());
+	HandFrame open = open_hand();
+	open.confidence = 0.0;
+	CHECK(never.show(open, 1.0).show(doubted, 1.0).condition.is_met());
+}
+
+TEST_CASE("hands of children and adults that point meet the pointing pose; other poses do not") {
+	const StartSettings pointing{ .kind = StartKind::POINTING_POSE };
+	for (const double scale : { 0.75, 1.0, 1.2 }) {
+		CAPTURE(scale);
+		CHECK(Stream(pointing).show(pointing_hand(scale), 1.0).condition.is_met());
+		CHECK(!Stream(pointing).show(pinching_hand(scale, 0.04), 1.0).condition.is_met());
+	}
+	CHECK(!Stream(pointing).show(open_hand(), 1.0).condition.is_met());
+	CHECK(!Stream(pointing).show(hand(0.05, 0.03, 0.04), 1.0).condition.is_met()); // a fist
+	HandFrame two_fingers = hand(0.11, 0.05, 0.08);
+	two_fingers.set(Joint::MIDDLE, { 0.02, 0.0, -0.11 });
+	CHECK(!Stream(pointing).show(two_fingers, 1.0).condition.is_met());
+}
+
+TEST_CASE("a condition says whether a frame has the joints that it is judged by") {
+	HandFrame tip;
+	tip.set(Joint::INDEX, Eigen::Vector3d::Zero());
+	for (const StartKind kind : { StartKind::DWELL, StartKind::PINCH, StartKind::POINTING_POSE }) {
+		Stream stream({ .kind = kind });
+		CHECK(stream.show(open_hand(), FRAME_S).condition.has_joints());
+		CHECK(stream.show(tip, FRAME_S).condition.has_joints() == (kind == StartKind::DWELL));
+	}
+}
