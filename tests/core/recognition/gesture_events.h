@@ -104,7 +104,7 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 			}
 			HandFrame frame;
 			frame.t_s = frame_s;
-			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
+			const Eigen::Vector3d trembling{ noise(random), noise(random), noise(random) };
 			frame.set(Joint::INDEX, way(frame_s) + noise_m * trembling);
 			recogniser.push(frame);
 		}
