@@ -22,6 +22,7 @@ def outcomes() -> Iterator[Outcome]:
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
     yield one_version()
     yield one_end()
+    yield tests_of_page("docs/numerics.md")
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
@@ -30,7 +31,7 @@ def outcomes() -> Iterator[Outcome]:
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
-    yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], headers, files(".clang-tidy"))
+    yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], files(".clang-tidy"))
 
 
 def one_version() -> Outcome:
@@ -46,6 +47,21 @@ def one_end() -> Outcome:
     wanted = re.search(r"END_LEVEL = ([\d.]+);", (ROOT / "extension/core/gesture/task.h").read_text())
     good = wanted is not None and float(wanted[1]) == END_LEVEL
     return Outcome.of("lint/gesture_end.py has the level of task.h", good, f"{wanted} {END_LEVEL}")
+
+
+def tests_of_page(page: str) -> Outcome:
+    """A row of a table ends with `file`: and how the name of a test in it begins."""
+    rows = [line for line in (ROOT / page).read_text().splitlines() if line.startswith("| ")]
+    gone = []
+    for row in rows:
+        if row in ("| what holds | test |", "| --- | --- |"):
+            continue
+        named = re.search(r"\| `(\S+\.(?:cpp|gd))`: (.+?) \|$", row)
+        path = ROOT / "tests" / named[1] if named else None
+        text = re.sub(r'"\s*"', "", path.read_text()) if path and path.exists() else ""  # long literals are in parts
+        wanted = [f"func {named[2]}(", f'"{named[2]}'] if named else []
+        gone += [] if any(one in text for one in wanted) else [row]
+    return Outcome.of(f"lint/each test that {page} names exists", len(rows) > 0 and not gone, "\n".join(gone))
 
 
 def files(*endings: str) -> list[Path]:
