@@ -5,26 +5,23 @@ the sources of a folder share: one source that is made here includes those of a 
 is not clean, or two of them define the same name, they are checked one by one.
 """
 
-import hashlib
 import itertools
 import json
 import os
 import re
 import shlex
 import sys
-import time
 from collections import defaultdict
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from suites import clean
 from suites.check import check
 from suites.outcome import Outcome
 from suites.process import ROOT, run, scons
 
 PROGRAM = Path(sys.executable).parent / "clang-tidy"
-CLEAN = Path(sys.prefix).parent / "clang_tidy"  # in the cache: a fresh clone need not repeat what another has done
-KEPT_S = 60 * 86400
 TOGETHER = ROOT / "build/clang_tidy"
 NAME = "UnifiedSource.cpp"  # by which the static analyzer knows that what is included is not a header
 INCLUDE = re.compile(rb'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
@@ -41,12 +38,11 @@ def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
         if path.parent != ROOT:
             write(TOGETHER / path.relative_to(ROOT), path.read_text())
     keys = Keys(settings)
-    CLEAN.mkdir(exist_ok=True)
-    stamps = {source: CLEAN / keys.of(source, commands[str(source.relative_to(ROOT))]) for source in sources}
+    key = {source: keys.of(source, commands[str(source.relative_to(ROOT))]) for source in sources}
     folders = defaultdict(list)
     for source in sources:
         folders[source.parent.relative_to(ROOT)].append(source)
-    changed = {folder: [one for one in inside if not stamps[one].exists()] for folder, inside in folders.items()}
+    changed = {folder: [one for one in inside if not clean.is_clean(key[one])] for folder, inside in folders.items()}
     entries = [as_compiled(TOGETHER / folder / NAME, inside[0], commands) for folder, inside in folders.items()]
     write(TOGETHER / "compile_commands.json", json.dumps(entries))
 
@@ -57,27 +53,24 @@ def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
         found = [clang_tidy(folder, made, TOGETHER)]
         if found[0].failed:
             found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in changed[folder]]
-            clean = [source for source, outcome in zip(changed[folder], found, strict=True) if outcome.passed]
+            passed = [source for source, outcome in zip(changed[folder], found, strict=True) if outcome.passed]
         else:
-            clean = changed[folder]
-        for source in clean:
-            stamps[source].touch()
+            passed = changed[folder]
+        clean.keep(key[source] for source in passed)
         return found
 
     largest_first = sorted(folders, key=lambda folder: -len(changed[folder]))
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         for found in pool.map(look, largest_first):
             yield from found
-    forget_old(set(stamps.values()))
+    clean.keep(key[source] for source in sources if clean.is_clean(key[source]))
 
 
 class Keys:
     """Of a source: a hash of all that clang-tidy reads for it, but for the headers of other packages."""
 
     def __init__(self, settings: list[Path]) -> None:
-        self.common = hashlib.sha256(run([PROGRAM, "--version"])[1].encode())
-        for path in [Path(__file__), *settings]:
-            self.common.update(path.read_bytes())
+        self.common = [run([PROGRAM, "--version"])[1], *(path.read_bytes() for path in [Path(__file__), *settings])]
         self.texts: dict[Path, bytes] = {}
         self.included: dict[tuple[Path, tuple[Path, ...]], list[Path]] = {}
 
@@ -92,11 +85,10 @@ class Keys:
                 if path not in read:
                     read.add(path)
                     waiting.append(path)
-        key = self.common.copy()
-        key.update(" ".join(word for word in words if word.startswith(("-D", "-std", "-f"))).encode())
+        parts = [word for word in words if word.startswith(("-D", "-std", "-f"))]
         for path in sorted(read):
-            key.update(str(path.relative_to(ROOT)).encode() + b"\0" + hashlib.sha256(self.text(path)).digest())
-        return key.hexdigest()[:32]
+            parts += [str(path.relative_to(ROOT)), self.text(path)]
+        return clean.key_of(*self.common, *parts)
 
     def includes(self, path: Path, folders: tuple[Path, ...]) -> list[Path]:
         if (path, folders) not in self.included:
@@ -126,16 +118,6 @@ def as_compiled(made: Path, source: Path, commands: dict[str, str]) -> dict:
 
 def clang_tidy(name: Path, source: Path, database: Path) -> Outcome:
     return check(f"clang-tidy {name}", [PROGRAM, "--quiet", "-p", database, source])
-
-
-def forget_old(used: set[Path]) -> None:
-    """Stamps of sources that no clone has had for long."""
-    now = time.time()
-    for stamp in CLEAN.iterdir():
-        if stamp in used:
-            stamp.touch()
-        elif now - stamp.stat().st_mtime > KEPT_S:
-            stamp.unlink(missing_ok=True)
 
 
 def write(path: Path, text: str) -> Path:

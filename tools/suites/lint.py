@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from gesture_end import END_LEVEL
-from suites import clang_tidy
+from suites import clang_tidy, clean
 from suites.check import check
 from suites.outcome import Outcome
-from suites.process import ROOT
+from suites.process import ROOT, run
 
 PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
 SHIPS = ROOT / "extension"
@@ -26,12 +26,23 @@ def outcomes() -> Iterator[Outcome]:
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
-    yield check("gdformat", [VENV / "gdformat", "--check", *gd])
-    yield check("gdlint", [VENV / "gdlint", *gd])
+    yield of_changed("gdformat", gd, "--check")
+    yield of_changed("gdlint", gd)
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
     yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], files(".clang-tidy"))
+
+
+def of_changed(tool: str, sources: list[Path], *options: str) -> Outcome:
+    """On the sources that have changed since the tool was last content with them."""
+    version = run([VENV / tool, "--version"])[1]
+    key = {source: clean.key_of(tool, version, source.read_bytes()) for source in sources}
+    changed = [source for source in sources if not clean.is_clean(key[source])]
+    found = check(tool, [VENV / tool, *options, *changed]) if changed else Outcome.of(f"lint/{tool}", True)
+    if found.passed:
+        clean.keep(key.values())
+    return found
 
 
 def one_version() -> Outcome:
