@@ -68,7 +68,8 @@ bool stays_near(const PrimitiveMotionElement &element, const Eigen::VectorXd &re
 	const double lowest = points.minCoeff() - NEAR, highest = points.maxCoeff() + NEAR;
 	for (int i = 0; i <= PARTS; ++i) {
 		const double value = element.curve.value(static_cast<double>(i) / PARTS);
-		if (!(value >= lowest && value <= highest)) {
+		const bool is_within = value >= lowest && value <= highest; // no NaN is
+		if (!is_within) {
 			return false;
 		}
 	}
