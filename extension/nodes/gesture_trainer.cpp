@@ -116,13 +116,17 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 						to_godot(steadyhand::no_feature_reason(recordings)));
 		feature = chosen->name;
 	}
+	std::string warning;
 	steadyhand::Result<steadyhand::GestureModel> trained =
-			steadyhand::train(gesture, feature, recordings, options, &recordings_);
+			steadyhand::train(gesture, feature, recordings, options, &recordings_, &warning);
 	if (cancelled_) {
 		return {};
 	}
 	recordings_.insert(recordings_.end(), unread.begin(), unread.end());
 	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
+	if (!warning.empty()) {
+		WARN_PRINT(to_godot("GestureTrainer: " + gesture + ": " + warning));
+	}
 	steadyhand::GestureModel &core = trained.value();
 	for (const steadyhand::NormalisedRecording &recording : unread) {
 		core.provenance.dropped.push_back(recording.name);

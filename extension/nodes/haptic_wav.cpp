@@ -138,19 +138,36 @@ void HapticWav::write_block(std::size_t p_frames) {
 	connected_frames_ += p_frames;
 }
 
+/// A disk that is full ends the file: its header says what is there. Samples that came later would be
+/// shifted.
+void HapticWav::cut_off() {
+	file_.unref(); // the engine's buffer is gone with it
+	file_ = FileAccess::open(path_, FileAccess::READ_WRITE);
+	if (file_.is_valid()) {
+		const uint64_t bytes = file_->get_length();
+		frames_ = bytes > steadyhand::WAV_HEADER_BYTES ? (bytes - steadyhand::WAV_HEADER_BYTES) / 2 : 0;
+		write_header();
+		file_.unref();
+	}
+	ERR_PRINT(path_ + String(": writing the vibration fails and ends here; is the disk full?"));
+}
+
 void HapticWav::flush() {
+	if (file_.is_null()) {
+		used_bytes_ = 0;
+		return;
+	}
 	file_->store_buffer(bytes_.slice(0, used_bytes_));
-	const bool is_whole = is_written(file_);
+	used_bytes_ = 0;
+	if (!is_written(file_)) {
+		cut_off();
+		return;
+	}
 	// A program that is killed leaves a file that says how long it is.
 	file_->seek(0);
 	write_header();
 	file_->seek_end();
 	file_->flush();
-	used_bytes_ = 0;
-	if (!is_whole && !complained_) {
-		complained_ = true;
-		ERR_PRINT(path_ + String(": writing the vibration fails; is the disk full?"));
-	}
 }
 
 } // namespace godot

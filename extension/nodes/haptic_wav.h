@@ -50,7 +50,6 @@ private:
 	std::uint64_t frames_ = 0;
 	std::uint64_t connected_frames_ = 0; ///< those since began_s_
 	double began_s_ = 0.0;
-	bool complained_ = false;
 
 	void connect_at(double p_time_s);
 	void append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion);
@@ -58,6 +57,7 @@ private:
 	void write_block(std::size_t p_frames);
 	void write_header();
 	void flush();
+	void cut_off();
 };
 
 } // namespace godot

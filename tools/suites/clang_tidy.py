@@ -1,13 +1,14 @@
-"""clang-tidy, a folder at a time: most of what it does is to read headers, and the sources of a folder read the same.
+"""clang-tidy on what ships, only on sources that have changed since they were last found clean.
 
-What ships is looked at; tests are compiled with all warnings as errors, and their runs show the rest. A folder's
-sources are included by one that is made here. The sources of a folder that is not clean, or in which two define the
-same name, are looked at one by one.
+Tests are compiled with all warnings as errors, and their runs show the rest. Most of the time goes into headers, which
+the sources of a folder share: one source that is made here includes those of a folder that are to be checked. Where it
+is not clean, or two of them define the same name, they are checked one by one.
 """
 
-import hashlib
+import itertools
 import json
 import os
+import re
 import shlex
 import sys
 from collections import defaultdict
@@ -15,51 +16,92 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from suites import clean
 from suites.check import check
 from suites.outcome import Outcome
-from suites.process import ROOT, scons
+from suites.process import ROOT, run, scons
 
 PROGRAM = Path(sys.executable).parent / "clang-tidy"
 TOGETHER = ROOT / "build/clang_tidy"
 NAME = "UnifiedSource.cpp"  # by which the static analyzer knows that what is included is not a header
+INCLUDE = re.compile(rb'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 
 
-def outcomes(sources: list[Path], headers: list[Path], settings: list[Path]) -> Iterator[Outcome]:
-    """One a folder, or a source of it. A folder is looked at again only when it, a header or a setting has changed."""
+def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
+    """One outcome a folder, or one a source of a folder in which something is found."""
     status, output = scons("compiledb")
     if status != 0:
         yield Outcome.of("lint/clang-tidy", False, output)
         return
-    commands = {entry["file"]: entry for entry in json.loads((ROOT / "compile_commands.json").read_text())}
-    common = hashlib.sha256(b"".join(path.read_bytes() for path in [*headers, *settings]))
+    commands = {entry["file"]: entry["command"] for entry in json.loads((ROOT / "compile_commands.json").read_text())}
     for path in settings:  # what holds in a folder holds for the source that is made of it
         if path.parent != ROOT:
             write(TOGETHER / path.relative_to(ROOT), path.read_text())
+    keys = Keys(settings)
+    key = {source: keys.of(source, commands[str(source.relative_to(ROOT))]) for source in sources}
     folders = defaultdict(list)
     for source in sources:
         folders[source.parent.relative_to(ROOT)].append(source)
-    made = {folder: write(TOGETHER / folder / NAME, together(inside)) for folder, inside in folders.items()}
-    entries = [as_compiled(made[folder], inside[0], commands) for folder, inside in folders.items()]
+    changed = {folder: [one for one in inside if not clean.is_clean(key[one])] for folder, inside in folders.items()}
+    entries = [as_compiled(TOGETHER / folder / NAME, inside[0], commands) for folder, inside in folders.items()]
     write(TOGETHER / "compile_commands.json", json.dumps(entries))
 
     def look(folder: Path) -> list[Outcome]:
-        key = common.copy()
-        for source in folders[folder]:
-            key.update(source.read_bytes())
-        stamp = TOGETHER / f"{key.hexdigest()[:32]}.clean"
-        if stamp.exists():
+        if not changed[folder]:
             return [Outcome.of(f"lint/clang-tidy {folder}", True)]
-        found = [clang_tidy(folder, made[folder], TOGETHER)]
+        made = write(TOGETHER / folder / NAME, together(changed[folder]))
+        found = [clang_tidy(folder, made, TOGETHER)]
         if found[0].failed:
-            found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in folders[folder]]
-        if not any(outcome.failed for outcome in found):
-            stamp.touch()
+            found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in changed[folder]]
+            passed = [source for source, outcome in zip(changed[folder], found, strict=True) if outcome.passed]
+        else:
+            passed = changed[folder]
+        clean.keep(key[source] for source in passed)
         return found
 
-    largest_first = sorted(folders, key=lambda folder: -len(folders[folder]))
+    largest_first = sorted(folders, key=lambda folder: -len(changed[folder]))
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         for found in pool.map(look, largest_first):
             yield from found
+    clean.keep(key[source] for source in sources if clean.is_clean(key[source]))
+
+
+class Keys:
+    """Of a source: a hash of all that clang-tidy reads for it, but for the headers of other packages."""
+
+    def __init__(self, settings: list[Path]) -> None:
+        self.common = [run([PROGRAM, "--version"])[1], *(path.read_bytes() for path in [Path(__file__), *settings])]
+        self.texts: dict[Path, bytes] = {}
+        self.included: dict[tuple[Path, tuple[Path, ...]], list[Path]] = {}
+
+    def of(self, source: Path, command: str) -> str:
+        words = shlex.split(command)
+        folders = [ROOT / word for flag, word in itertools.pairwise(words) if flag in ("-I", "-isystem")]
+        folders += [ROOT / word[2:] for word in words if word.startswith("-I") and len(word) > 2]
+        folders = tuple(folder for folder in dict.fromkeys(folders) if folder.is_relative_to(ROOT))
+        read, waiting = {source}, [source]
+        while waiting:
+            for path in self.includes(waiting.pop(), folders):
+                if path not in read:
+                    read.add(path)
+                    waiting.append(path)
+        parts = [word for word in words if word.startswith(("-D", "-std", "-f"))]
+        for path in sorted(read):
+            parts += [str(path.relative_to(ROOT)), self.text(path)]
+        return clean.key_of(*self.common, *parts)
+
+    def includes(self, path: Path, folders: tuple[Path, ...]) -> list[Path]:
+        if (path, folders) not in self.included:
+            names = [name.decode() for name in INCLUDE.findall(self.text(path))]
+            places = [[folder / name for folder in (path.parent, *folders)] for name in names]
+            found = [next((place for place in several if place.is_file()), None) for several in places]
+            self.included[path, folders] = [Path(os.path.normpath(one)) for one in found if one is not None]
+        return self.included[path, folders]
+
+    def text(self, path: Path) -> bytes:
+        if path not in self.texts:
+            self.texts[path] = path.read_bytes()
+        return self.texts[path]
 
 
 def together(sources: list[Path]) -> str:
@@ -67,10 +109,10 @@ def together(sources: list[Path]) -> str:
     return "".join(f'#include "{source}"\n' for source in sources)
 
 
-def as_compiled(made: Path, source: Path, commands: dict[str, dict]) -> dict:
+def as_compiled(made: Path, source: Path, commands: dict[str, str]) -> dict:
     """The entry of compile_commands.json for what was made of a folder with this source."""
     name = str(source.relative_to(ROOT))
-    command = commands[name]["command"].removesuffix(name) + shlex.quote(str(made))
+    command = commands[name].removesuffix(name) + shlex.quote(str(made))
     return {"directory": str(ROOT), "file": str(made), "command": command}
 
 

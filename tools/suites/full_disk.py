@@ -71,6 +71,39 @@ func _vibrate() -> void:
 	quit()
 """
 
+# Vibration on a disk that is full for a while: 96 kB a second, written 64 KiB at a time.
+VIBRATION_SCRIPT = """extends SceneTree
+
+var _tracker := HandTracker.new()
+var _synth := HapticSynth.new()
+
+
+func _initialize() -> void:
+	_play.call_deferred()
+
+
+func _play() -> void:
+	_tracker.source = SyntheticSource.new()
+	_tracker.update_mode = HandTracker.UPDATE_MANUAL
+	_synth.gesture_hmm = GestureHMM.new()
+	_synth.gesture_hmm.tracker = _tracker
+	_synth.wav_path = OS.get_cmdline_user_args()[0]
+	for node: Node in [_tracker, _synth.gesture_hmm, _synth]:
+		root.add_child(node)
+	_tracker.start()
+	_tracker.advance(2.0)
+	_limit("150001")
+	_tracker.advance(2.0)
+	_limit("unlimited")
+	_tracker.advance(2.0)
+	_synth.stop_wav()
+	quit()
+
+
+func _limit(bytes: String) -> void:
+	OS.execute("prlimit", ["--pid", str(OS.get_process_id()), "--fsize=%s:unlimited" % bytes])
+"""
+
 # The limit falls into the middle of a row, and is lifted later: a disk that is full for a while.
 SESSION_SCRIPT = """extends SceneTree
 
@@ -121,6 +154,7 @@ def outcomes() -> Iterator[Outcome]:
         yield from evaluation(Path(folder))
         yield from study(Path(folder))
         yield from session(Path(folder))
+        yield from vibration(Path(folder))
 
 
 def godot(script: Path | str, *arguments: Path | str) -> list:
@@ -144,6 +178,26 @@ def files(folder: Path) -> Iterator[Outcome]:
         full = 8000 < len(written) <= 8192 and written.endswith(b"\n") if name == "frames.csv" else len(written) == 8192
         good = full and output.count(f"{folder / name}: ") == 1
         yield Outcome.of(f"command/full disk: {name} is said to be cut short, once", good, output)
+    yield Outcome.of("command/full disk: short.wav says how long it is", is_whole_wav(folder / "short.wav"), output)
+
+
+def is_whole_wav(path: Path) -> bool:
+    """Whether the header (RIFF WAVE, 44 bytes, 16-bit mono) counts the whole samples that are there."""
+    written = path.read_bytes()
+    return int.from_bytes(written[40:44], "little") == (len(written) - 44) // 2 * 2 > 0
+
+
+def vibration(folder: Path) -> Iterator[Outcome]:
+    """A WAV file on a disk that is full for a while."""
+    if shutil.which("prlimit") is None:
+        yield Outcome("command/full disk: vibration, prlimit is not installed", skipped=1)
+        return
+    script, wav = folder / "vibrate.gd", folder / "v.wav"
+    script.write_text(VIBRATION_SCRIPT)
+    _, output = run(["bash", "-c", "trap '' XFSZ; exec \"$@\"", "limited", *godot(script, wav)], kill_s=60)
+    good = is_whole_wav(wav) and wav.stat().st_size <= 150_001
+    yield Outcome.of("command/full disk: vibration ends where the disk was full, and its header says so", good, output)
+    yield Outcome.of("command/full disk: that is said once", output.count("writing the vibration fails") == 1, output)
 
 
 def picture(folder: Path) -> Iterator[Outcome]:

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from gesture_end import END_LEVEL
-from suites import clang_tidy
+from suites import clang_tidy, clean
 from suites.check import check
 from suites.outcome import Outcome
-from suites.process import ROOT
+from suites.process import ROOT, run
 
 PRODUCTS = {".git", "build", ".godot", "bin", "__pycache__"}
 SHIPS = ROOT / "extension"
@@ -22,15 +22,27 @@ def outcomes() -> Iterator[Outcome]:
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
     yield one_version()
     yield one_end()
+    yield tests_of_page("docs/numerics.md")
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
-    yield check("gdformat", [VENV / "gdformat", "--check", *gd])
-    yield check("gdlint", [VENV / "gdlint", *gd])
+    yield of_changed("gdformat", gd, "--check")
+    yield of_changed("gdlint", gd)
     yield check("shellcheck", ["shellcheck", "-x", *shell])
     yield check("ruff check", [VENV / "ruff", "check", "--no-cache", *python, "SConstruct"])
     yield check("ruff format", [VENV / "ruff", "format", "--check", "--no-cache", *python, "SConstruct"])
-    yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], headers, files(".clang-tidy"))
+    yield from clang_tidy.outcomes([source for source in cpp if SHIPS in source.parents], files(".clang-tidy"))
+
+
+def of_changed(tool: str, sources: list[Path], *options: str) -> Outcome:
+    """On the sources that have changed since the tool was last content with them."""
+    version = run([VENV / tool, "--version"])[1]
+    key = {source: clean.key_of(tool, version, source.read_bytes()) for source in sources}
+    changed = [source for source in sources if not clean.is_clean(key[source])]
+    found = check(tool, [VENV / tool, *options, *changed]) if changed else Outcome.of(f"lint/{tool}", True)
+    if found.passed:
+        clean.keep(key.values())
+    return found
 
 
 def one_version() -> Outcome:
@@ -46,6 +58,21 @@ def one_end() -> Outcome:
     wanted = re.search(r"END_LEVEL = ([\d.]+);", (ROOT / "extension/core/gesture/task.h").read_text())
     good = wanted is not None and float(wanted[1]) == END_LEVEL
     return Outcome.of("lint/gesture_end.py has the level of task.h", good, f"{wanted} {END_LEVEL}")
+
+
+def tests_of_page(page: str) -> Outcome:
+    """A row of a table ends with `file`: and how the name of a test in it begins."""
+    rows = [line for line in (ROOT / page).read_text().splitlines() if line.startswith("| ")]
+    gone = []
+    for row in rows:
+        if row in ("| what holds | test |", "| --- | --- |"):
+            continue
+        named = re.search(r"\| `(\S+\.(?:cpp|gd))`: (.+?) \|$", row)
+        path = ROOT / "tests" / named[1] if named else None
+        text = re.sub(r'"\s*"', "", path.read_text()) if path and path.exists() else ""  # long literals are in parts
+        wanted = [f"func {named[2]}(", f'"{named[2]}'] if named else []
+        gone += [] if any(one in text for one in wanted) else [row]
+    return Outcome.of(f"lint/each test that {page} names exists", len(rows) > 0 and not gone, "\n".join(gone))
 
 
 def files(*endings: str) -> list[Path]:

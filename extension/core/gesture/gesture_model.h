@@ -38,6 +38,12 @@ struct Provenance {
 /// No gesture takes longer, nor an element of one: stamps are of another unit.
 inline constexpr double LONGEST_GESTURE_S = 3600.0;
 
+/// No motion of a gesture goes further, either way, in amplitudes: its end is at 1.
+inline constexpr double FARTHEST_VALUE = 2.0;
+
+/// No element of the reference curve is shorter, in phase: between two of its points there is nothing to fit.
+inline constexpr double SHORTEST_ELEMENT = 0.01;
+
 /// One trained gesture: all that recognition and synthesis need, and nothing of a scene.
 struct GestureModel {
 	std::string gesture;

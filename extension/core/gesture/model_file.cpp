@@ -23,7 +23,7 @@ constexpr std::size_t MAX_STATES = 256;
 /// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
 constexpr double SHORTEST_S = 1e-5;
 constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
-constexpr double FARTHEST_OFF = 10.0;             // the reference, amplitudes
+constexpr double MOST_DEVIATION = 10.0;           // of the recordings, amplitudes
 constexpr double AXIS_TOLERANCE = 0.01;           // of its length: trial sets round it
 
 template <class Row> Json row_to_json(const Row &row) {
@@ -53,8 +53,7 @@ Json element_to_json(const PrimitiveMotionElement &element) {
 bool stays_by_the_way(const Polynomial &curve) {
 	constexpr int POINTS = 101;
 	for (int i = 0; i < POINTS; ++i) {
-		const double value = curve.value(i / (POINTS - 1.0));
-		if (value < -FARTHEST_OFF || value > 1.0 + FARTHEST_OFF) {
+		if (!(std::abs(curve.value(i / (POINTS - 1.0))) <= FARTHEST_VALUE)) {
 			return false;
 		}
 	}
@@ -65,10 +64,10 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 	PrimitiveMotionElement element;
 	element.phase_begin = number(json, "phase_begin");
 	element.phase_end = number(json, "phase_end");
-	if (!(element.phase_begin < element.phase_end)) {
-		throw Fault(json["phase_end"], "elements: phase_begin must be less than phase_end");
+	if (!(element.phase_end - element.phase_begin >= SHORTEST_ELEMENT)) {
+		throw Fault(json["phase_end"], "elements: phase_end must be phase_begin + 0.01 at least");
 	}
-	element.deviation = within(json, "deviation", 0.0, FARTHEST_OFF);
+	element.deviation = within(json, "deviation", 0.0, MOST_DEVIATION);
 	element.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_GESTURE_S);
 	element.duration_deviation_s =
 			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * element.duration_mean_s);
@@ -82,7 +81,7 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 		element.curve.coefficients[static_cast<std::size_t>(i)] = coefficients(i);
 	}
 	if (!stays_by_the_way(element.curve)) {
-		throw Fault(json["polynomial"], "polynomial: its curve leaves -10 .. 11, on a way from 0 to 1");
+		throw Fault(json["polynomial"], "polynomial: its curve leaves -2 .. 2, on a way from 0 to 1");
 	}
 	return element;
 }

@@ -1,6 +1,7 @@
 #include "gesture/motion_elements.h"
 
 #include "gesture/reference_curve.h"
+#include "gesture/task.h"
 #include "hmm/viterbi.h"
 
 #include <Eigen/Core>
@@ -29,8 +30,13 @@ void move_ends(const End &begin, const End &end, PrimitiveMotionElement &r_eleme
 	c[3] += 2.0 * (begin.value - end.value) + m0 + m1;
 }
 
-/// The pieces are fitted apart; at a joint each moves half of the way.
-void join(std::vector<PrimitiveMotionElement> &r_elements) {
+/// 0 where the slopes have different signs: between two lines it makes no hump.
+double gentler(double a, double b) {
+	return a * b > 0.0 ? std::copysign(std::min(std::abs(a), std::abs(b)), a) : 0.0;
+}
+
+/// The pieces are fitted apart; at a joint each moves half of the way, or to the gentler slope.
+void join(std::vector<PrimitiveMotionElement> &r_elements, bool is_gentle) {
 	const auto at = [](const PrimitiveMotionElement &element, double s) {
 		const Polynomial::Point point = element.curve.evaluate(s);
 		return End{ point.value, point.first / (element.phase_end - element.phase_begin) };
@@ -38,7 +44,8 @@ void join(std::vector<PrimitiveMotionElement> &r_elements) {
 	std::vector<End> joints{ { 0.0, 0.0 } };
 	for (std::size_t i = 0; i + 1 < r_elements.size(); ++i) {
 		const End left = at(r_elements[i], 1.0), right = at(r_elements[i + 1], 0.0);
-		joints.push_back({ 0.5 * (left.value + right.value), 0.5 * (left.slope + right.slope) });
+		const double slope = is_gentle ? gentler(left.slope, right.slope) : 0.5 * (left.slope + right.slope);
+		joints.push_back({ 0.5 * (left.value + right.value), slope });
 	}
 	joints.push_back({ 1.0, at(r_elements.back(), 1.0).slope });
 	for (std::size_t i = 0; i < r_elements.size(); ++i) {
@@ -46,6 +53,81 @@ void join(std::vector<PrimitiveMotionElement> &r_elements) {
 		move_ends({ joints[i].value - begin.value, joints[i].slope - begin.slope },
 				{ joints[i + 1].value - end.value, joints[i + 1].slope - end.slope }, r_elements[i]);
 	}
+}
+
+/// A curve may leave the range of its piece by as much as the end of a gesture lies below 1.
+constexpr double NEAR = 1.0 - END_LEVEL;
+
+/// reference: CURVE_POINTS values. The range is that of the points from the last one before the element on.
+bool stays_near(const PrimitiveMotionElement &element, const Eigen::VectorXd &reference) {
+	constexpr double LAST = static_cast<double>(CURVE_POINTS - 1);
+	constexpr int PARTS = 200;
+	const auto first = static_cast<Eigen::Index>(std::floor(element.phase_begin * LAST));
+	const auto last = static_cast<Eigen::Index>(std::ceil(std::min(element.phase_end, 1.0) * LAST));
+	const auto points = reference.segment(first, last - first + 1);
+	const double lowest = points.minCoeff() - NEAR, highest = points.maxCoeff() + NEAR;
+	for (int i = 0; i <= PARTS; ++i) {
+		const double value = element.curve.value(static_cast<double>(i) / PARTS);
+		const bool is_within = value >= lowest && value <= highest; // no NaN is
+		if (!is_within) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/// The reference within the element, by the element's own time.
+Polynomial fitted(
+		const PrimitiveMotionElement &element, const Eigen::VectorXd &reference, std::size_t degree) {
+	std::vector<double> s, y;
+	for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {
+		const double at = static_cast<double>(k) / static_cast<double>(CURVE_POINTS - 1);
+		const double local = (at - element.phase_begin) / (element.phase_end - element.phase_begin);
+		if (local >= 0.0 && local <= 1.0) {
+			s.push_back(local);
+			y.push_back(reference(k));
+		}
+	}
+	return fit_polynomial(s, y, degree).polynomial;
+}
+
+/// The straight line between the reference's values at the element's ends.
+Polynomial chord(const PrimitiveMotionElement &element, const Eigen::VectorXd &reference) {
+	const auto at = [&](double phase) {
+		const double place = phase * static_cast<double>(CURVE_POINTS - 1);
+		const auto before = std::min(static_cast<Eigen::Index>(place), CURVE_POINTS - 2);
+		const double share = place - static_cast<double>(before);
+		return (1.0 - share) * reference(before) + share * reference(before + 1);
+	};
+	Polynomial line;
+	line.coefficients[0] = at(element.phase_begin);
+	line.coefficients[1] = at(element.phase_end) - line.coefficients[0];
+	return line;
+}
+
+/// The degree with which all curves stay near their pieces. Where not even lines do, they become chords with
+/// gentle joints: so joined, each runs between its ends without a hump (Fritsch, Carlson 1980,
+/// doi:10.1137/0717021).
+std::size_t fit_curves(const Eigen::VectorXd &reference, std::size_t degree,
+		std::vector<PrimitiveMotionElement> &r_elements) {
+	const auto all_stay_near = [&] {
+		return std::all_of(r_elements.begin(), r_elements.end(),
+				[&](const PrimitiveMotionElement &element) { return stays_near(element, reference); });
+	};
+	for (; degree > 0; --degree) {
+		for (PrimitiveMotionElement &element : r_elements) {
+			element.curve = fitted(element, reference, degree);
+		}
+		join(r_elements, false);
+		if (all_stay_near()) {
+			return degree;
+		}
+	}
+	for (PrimitiveMotionElement &element : r_elements) {
+		element.curve = chord(element, reference);
+	}
+	join(r_elements, true);
+	return 0;
 }
 
 } // namespace
@@ -57,7 +139,7 @@ MeanAndDeviation mean_and_deviation(std::span<const double> values) {
 	return { mean, n > 1.0 ? std::sqrt((v.array() - mean).square().sum() / (n - 1.0)) : 0.0 };
 }
 
-void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<const double> durations_s,
+std::size_t cut_into_elements(std::span<const SymbolSequence> sequences, std::span<const double> durations_s,
 		std::size_t degree, GestureModel &r_model) {
 	const auto states = static_cast<std::size_t>(r_model.hmm.states());
 	std::vector<std::vector<double>> state_s(states);
@@ -96,23 +178,21 @@ void cut_into_elements(std::span<const SymbolSequence> sequences, std::span<cons
 		element.duration_mean_s = std::max(duration.mean, SMALLEST * r_model.duration_mean_s);
 		element.duration_deviation_s = duration.deviation;
 
-		std::vector<double> s, y;
 		double deviation_sum = 0.0;
+		int points = 0;
 		for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {
 			const double at = static_cast<double>(k) / static_cast<double>(CURVE_POINTS - 1);
 			const double local = (at - element.phase_begin) / (element.phase_end - element.phase_begin);
 			if (local >= 0.0 && local <= 1.0) {
-				s.push_back(local);
-				y.push_back(r_model.reference_mean(k));
 				deviation_sum += r_model.reference_deviation(k);
+				++points;
 			}
 		}
-		element.curve = fit_polynomial(s, y, degree).polynomial;
-		element.deviation = s.empty() ? 0.0 : deviation_sum / static_cast<double>(s.size());
+		element.deviation = points == 0 ? 0.0 : deviation_sum / points;
 		phase = element.phase_end;
 		r_model.elements.push_back(element);
 	}
-	join(r_model.elements);
+	return fit_curves(r_model.reference_mean, degree, r_model.elements);
 }
 
 } // namespace steadyhand

@@ -103,6 +103,22 @@ std::string measured_oddity(const Feature &feature, const TrainingRecording &rec
 	return {};
 }
 
+/// A file's reader leaves out what is no number or no place; a caller may not.
+std::string number_fault(const Track &track, const char *whose) {
+	for (const HandFrame &frame : track.frames) {
+		bool is_sound = std::isfinite(frame.t_s);
+		for (std::size_t i = 0; i < JOINT_COUNT; ++i) {
+			is_sound = is_sound && (!frame.has(static_cast<Joint>(i)) || is_place(frame.positions_m[i]));
+		}
+		if (!is_sound) {
+			return std::string(whose) +
+					text(" has a time or a tracked position that is not a finite number, at %.3f s",
+							frame.t_s);
+		}
+	}
+	return {};
+}
+
 /// Of what the trial says of its reference.
 std::string span_fault(const TrainingRecording &recording) {
 	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
@@ -150,6 +166,12 @@ std::string early_end(const TrainingRecording &recording) {
 }
 
 std::string unusable(const Feature &feature, const TrainingRecording &recording) {
+	for (std::string fault : { number_fault(recording.measured, "its measured track"),
+				 number_fault(recording.reference, "its reference") }) {
+		if (!fault.empty()) {
+			return fault;
+		}
+	}
 	if (std::string fault = span_fault(recording); !fault.empty()) {
 		return fault;
 	}

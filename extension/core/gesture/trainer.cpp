@@ -51,6 +51,11 @@ std::string range_error(const TrainingOptions &options) {
 	if (!is_share) {
 		return "r2_threshold: " + std::to_string(options.r2_threshold) + " is not in 0..1";
 	}
+	for (const double count : { options.baum_welch.pseudo.transition, options.baum_welch.pseudo.symbol }) {
+		if (!(count > 0.0) || !std::isfinite(count)) {
+			return "pseudo-counts: " + std::to_string(count) + " is not above 0 and finite";
+		}
+	}
 	return {};
 }
 
@@ -174,6 +179,14 @@ void re_estimate(const std::vector<SymbolSequence> &sequences, const TrainingOpt
 	r_model.provenance.objective = std::move(trained.objective);
 }
 
+/// degree: as cut_into_elements() returns it.
+std::string lowered(std::size_t degree, const TrainingOptions &options) {
+	return "polynomials of degree " + std::to_string(options.polynomial_degree) + " in " +
+			std::to_string(options.states) + " states leave the recordings' mean; " +
+			(degree > 0 ? "degree " + std::to_string(degree) + " is" : "lines between the states are") +
+			" used. Use fewer states, or more recordings that are alike";
+}
+
 } // namespace
 
 std::string training_error(const std::string &feature, const TrainingOptions &options) {
@@ -183,7 +196,7 @@ std::string training_error(const std::string &feature, const TrainingOptions &op
 
 Result<GestureModel> train(const std::string &gesture, const std::string &feature_name,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
-		std::vector<NormalisedRecording> *r_recordings) {
+		std::vector<NormalisedRecording> *r_recordings, std::string *r_warning) {
 	if (const std::string_view fault = gesture_name_fault(gesture); !fault.empty()) {
 		return Error{ "the gesture's name '" + gesture + "' " + std::string(fault) };
 	}
@@ -228,7 +241,10 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	if (!progress.go_on(RE_ESTIMATED)) {
 		return stopped;
 	}
-	cut_into_elements(sequences, durations_s, options.polynomial_degree, model);
+	const std::size_t degree = cut_into_elements(sequences, durations_s, options.polynomial_degree, model);
+	if (r_warning != nullptr) {
+		*r_warning = degree < options.polynomial_degree ? lowered(degree, options) : "";
+	}
 	if (!progress.go_on(1.0)) {
 		return stopped;
 	}

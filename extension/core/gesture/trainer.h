@@ -44,7 +44,8 @@ struct TrainingOptions {
 	std::function<bool(double done)> progress;
 };
 
-/// What can be told to be wrong before a recording is read: an unknown feature, options out of range. Empty
+/// What can be told to be wrong before a recording is read: an unknown feature, options out of range, a
+/// pseudo-count of 0 (a state that saw nothing would have no probabilities). Empty
 /// where nothing is.
 [[nodiscard]] std::string training_error(const std::string &feature, const TrainingOptions &options);
 
@@ -53,9 +54,9 @@ struct TrainingOptions {
 /// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
 /// training_error(), no recording that anything is to be learnt from (recording_oddity.h), stopped by
 /// progress. r_recordings, if given: those that something was learnt from, in their order, then those that
-/// were left out.
+/// were left out. r_warning, if given: what is wrong with the model as a whole, or empty.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
-		std::vector<NormalisedRecording> *r_recordings = nullptr);
+		std::vector<NormalisedRecording> *r_recordings = nullptr, std::string *r_warning = nullptr);
 
 } // namespace steadyhand

@@ -40,7 +40,8 @@ public:
 				std::abs(end_.slope - from.slope) * third_s <= LITTLE && std::abs(end_.slope) <= fastest &&
 				std::abs(third - second) <= fastest * third_s && std::abs(to.slope) <= fastest &&
 				std::min(std::min(end_.value, second), std::min(third, to.value)) >= 0.0 &&
-				std::max(std::max(end_.value, second), std::max(third, to.value)) <= most;
+				std::max(std::max(end_.value, second), std::max(third, to.value)) <= most &&
+				std::abs(to.slope) <= steepest(to.value, stretch_s);
 	}
 
 	/// The stretch ends after this share of it.
@@ -66,7 +67,18 @@ private:
 	double length_s_ = 0.0;
 	bool is_fading_ = false;
 
+	/// Slope at an end at which no cubic of this length leaves 0..1 by more than a little: its next point by
+	/// Bezier is a third of the length on.
+	[[nodiscard]] static double steepest(double value, double length_s) {
+		return 3.0 * (std::min(value, 1.0 - value) + LITTLE) / length_s;
+	}
+	[[nodiscard]] static LevelPoint tamed(const LevelPoint &level, double length_s) {
+		const double most = std::max(steepest(level.value, length_s), 0.0);
+		return { level.value, std::clamp(level.slope, -most, most) };
+	}
+
 	[[nodiscard]] Level follow_run(LevelPoint from, LevelPoint to, double rad_per_s, double run_s) {
+		end_ = tamed(end_, run_s); // as after start(), or another sample rate
 		const double fastest = FOLLOWED * rad_per_s;
 		if (std::abs(to.value - from.value) > fastest * run_s || std::abs(from.slope) > fastest ||
 				std::abs(to.slope) > fastest) {
@@ -84,7 +96,7 @@ private:
 				to = { to.value >= 1.0 ? 1.0 : 0.0, 0.0 };
 			}
 		}
-		return go_on(to, run_s, 1);
+		return go_on(tamed(to, run_s), run_s, 1);
 	}
 
 	[[nodiscard]] Level go_on(const LevelPoint &to, double length_s, std::size_t runs) {

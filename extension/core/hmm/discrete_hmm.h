@@ -56,7 +56,7 @@ struct PseudoCounts {
 /// The start for Baum-Welch: every sequence cut into `states` segments of equal length, counts taken from
 /// those. Left-right without skips: state i leads to itself and to i + 1, the last one absorbs, pi = (1, 0,
 /// ...). Empty sequences and symbols outside 0..n_symbols-1 are passed over. Needs states >= 1, n_symbols
-/// >= 1.
+/// >= 1, pseudo-counts > 0.
 DiscreteHmm left_right_from_equal_segments(
 		std::span<const SymbolSequence> sequences, int states, int n_symbols, const PseudoCounts &pseudo);
 

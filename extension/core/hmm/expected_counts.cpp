@@ -121,10 +121,10 @@ private:
 			bool has_changed = t == 0;
 			if (t == 0) {
 				for (int lane = 0; lane < LANES; ++lane) {
-					forward_.start(lane, Eigen::VectorXd(hmm_->pi.cwiseProduct(of_lane(b, lane))).data());
+					forward_.start(lane, hmm_->pi.data(), of_lane(b, lane).data());
 				}
 			} else {
-				has_changed = forward_.step(b);
+				has_changed = forward_.step(b, b);
 			}
 			if (has_changed) {
 				epochs_.push_back({ t, { forward_.exponents(), forward_.exponents() + size(n_) } });
@@ -143,7 +143,7 @@ private:
 		backward_.reset();
 		const Eigen::VectorXd ones = Eigen::VectorXd::Ones(n_);
 		for (int lane = 0; lane < LANES; ++lane) {
-			backward_.start(lane, ones.data());
+			backward_.start(lane, ones.data(), ones.data());
 		}
 		bool has_changed = true;
 		for (std::size_t t = length_; t-- > 0;) {
@@ -156,10 +156,10 @@ private:
 			}
 			count(t);
 			const double *const b = emissions(t);
-			has_changed = backward_.step(b);
+			has_changed = backward_.step(b, b);
 			for (int lane = 0; lane < LANES; ++lane) {
 				if (lengths_[static_cast<std::size_t>(lane)] == t + 1) {
-					backward_.start(lane, of_lane(b, lane).data());
+					backward_.start(lane, of_lane(b, lane).data(), ones.data());
 					has_changed = true;
 				}
 			}
@@ -176,10 +176,15 @@ private:
 			const bool counts = t + 1 < lengths_[l] && likelihood.mantissa > 0.0;
 			for (std::size_t k = 0; k < arcs_.size(); ++k) {
 				const auto [i, j] = arcs_[k];
-				factors_[k * LANES + l] = counts ? hmm_->a(i, j) / likelihood.mantissa *
-								power_of_two(
-										alpha_e[place(i, lane)] + u_e[place(j, lane)] - likelihood.exponent)
-												 : 0.0;
+				const ScaledNumber factor = counts
+						? ScaledNumber(hmm_->a(i, j) / likelihood.mantissa,
+								  alpha_e[place(i, lane)] + u_e[place(j, lane)] - likelihood.exponent)
+						: ScaledNumber();
+				// xi is at most 1, and no mantissa that is not 0 is below LEAST: of a greater factor one of
+				// the two is 0 in all these frames.
+				constexpr std::int64_t MOST = -2 * ScaledRecursion<LANES>::LEAST;
+				factors_[k * LANES + l] =
+						factor.exponent <= MOST ? factor.mantissa * power_of_two(factor.exponent) : 0.0;
 			}
 		}
 	}

@@ -4,8 +4,7 @@ namespace steadyhand {
 
 template <class Scalar>
 ForwardFilter<Scalar>::ForwardFilter(const DiscreteHmm &hmm) :
-		hmm_(hmm), b_(hmm_.b.cast<Scalar>()), alpha_(hmm_.a, b_.template cast<double>()),
-		first_(hmm.states()) {
+		hmm_(hmm), b_(hmm_.b.cast<Scalar>()), alpha_(hmm_.a, hmm_.b) {
 	hmm_.pi.maxCoeff(&first_state_);
 }
 
@@ -16,11 +15,10 @@ template <class Scalar> void ForwardFilter<Scalar>::reset() {
 template <class Scalar> void ForwardFilter<Scalar>::push(Symbol symbol) {
 	const Eigen::Index column = hmm_.column(symbol);
 	if (started_) {
-		alpha_.step(b_.col(column).data());
+		alpha_.step(b_.col(column).data(), hmm_.b.col(column).data());
 	} else {
-		first_ = hmm_.pi.cwiseProduct(hmm_.b.col(column));
 		alpha_.reset();
-		alpha_.start(0, first_.data());
+		alpha_.start(0, hmm_.pi.data(), hmm_.b.col(column).data());
 		started_ = true;
 	}
 }

@@ -22,7 +22,6 @@ private:
 	LinearHmm hmm_;
 	Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> b_; ///< as in hmm_
 	ScaledRecursion<1, Scalar> alpha_;
-	Eigen::VectorXd first_;
 	int first_state_;
 	bool started_ = false;
 };

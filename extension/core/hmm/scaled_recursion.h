@@ -19,16 +19,28 @@ namespace steadyhand {
 /// way to themselves, leaps of likelihood) they are renewed in each. In float, whose exponents are short,
 /// that is often.
 template <int LANES, class Scalar = double> class ScaledRecursion {
+	/// In bits: a mantissa is TOP after a renewal, and between TOP - FALL and TOP + RISE until the next. So
+	/// products of two are in range (in float, of one and a transition between the scales); and what vanishes
+	/// in one with a power of two, is nothing beside any. RISE leaves room for a factor of expected counts
+	/// too.
+	static constexpr bool IS_SHORT = std::is_same_v<Scalar, float>;
+	static constexpr int TOP = IS_SHORT ? 10 : 250, FALL = IS_SHORT ? 80 : 600, RISE = IS_SHORT ? 40 : 50;
+
 public:
+	/// Bits of the smallest mantissa that is not 0.
+	static constexpr int LEAST = TOP - FALL;
+
 	/// a: N x N, from, to; b: N x any, all emissions there are. Allocates; nothing else does.
 	ScaledRecursion(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b);
 
 	/// Before the lanes are started on other sequences.
 	void reset() { left_ = FALL; }
-	/// v of a lane from now on: N probabilities. The others stay.
-	void start(int lane, const double *v);
-	/// b: N x LANES, the emission of state j in lane l at j * LANES + l. True where exponents have changed.
-	bool step(const Scalar *b);
+	/// v of a lane from now on: p times b, N probabilities each, whose product may be less than any double.
+	/// The others stay.
+	void start(int lane, const double *p, const double *b);
+	/// b: N x LANES, the emission of state j in lane l at j * LANES + l; exact_b: the same in double, as
+	/// float has no number below 1e-45. True where exponents have changed.
+	bool step(const Scalar *b, const double *exact_b);
 
 	/// N x LANES, as in step.
 	[[nodiscard]] const Scalar *mantissas() const { return m_.data(); }
@@ -39,12 +51,6 @@ public:
 	[[nodiscard]] int greatest(int lane) const;
 
 private:
-	/// In bits: a mantissa is TOP after a renewal, and between TOP - FALL and TOP + RISE until the next. So
-	/// products of two are in range (in float, of one and a transition between the scales); and what vanishes
-	/// in one with a power of two, is nothing beside any.
-	static constexpr bool IS_SHORT = std::is_same_v<Scalar, float>;
-	static constexpr int TOP = IS_SHORT ? 10 : 250, FALL = IS_SHORT ? 80 : 600, RISE = IS_SHORT ? 40 : 200;
-
 	struct Stretch {
 		Eigen::Index first, end;
 	};
@@ -69,8 +75,13 @@ private:
 		return static_cast<std::size_t>(state * LANES + lane);
 	}
 
+	/// v of a state, as it is after a renewal.
+	void set(Eigen::Index state, int lane, const ScaledNumber &v) {
+		m_[place(state, lane)] = static_cast<Scalar>(v.mantissa * power_of_two(TOP));
+		e_[place(state, lane)] = v.exponent - TOP;
+	}
 	void step_plainly(const Scalar *b);
-	void step_carefully(int lane, const Scalar *b);
+	void step_carefully(int lane, const double *b);
 	void scale_transitions(int lane);
 	[[nodiscard]] bool is_steady(int lane) const;
 };
@@ -106,18 +117,26 @@ ScaledRecursion<LANES, Scalar>::ScaledRecursion(const Eigen::MatrixXd &a, const 
 	}
 }
 
-template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::start(int lane, const double *v) {
-	double least = 1.0;
+template <int LANES, class Scalar>
+void ScaledRecursion<LANES, Scalar>::start(int lane, const double *p, const double *b) {
+	double room = FALL; // bits
 	for (Eigen::Index j = 0; j < n_; ++j) {
-		m_[place(j, lane)] = static_cast<Scalar>(v[j] * power_of_two(TOP));
-		e_[place(j, lane)] = -TOP; // one scale for all: what is 0 is so in truth
-		least = v[j] > 0.0 ? std::min(least, v[j]) : least;
+		room = p[j] > 0.0 && b[j] > 0.0 ? std::min(room, FALL + std::log2(p[j]) + std::log2(b[j])) : room;
+	}
+	for (Eigen::Index j = 0; j < n_; ++j) {
+		if (room >= 0.0) {
+			m_[place(j, lane)] = static_cast<Scalar>(p[j] * b[j] * power_of_two(TOP));
+			e_[place(j, lane)] = -TOP; // one scale for all: what is 0 is so in truth
+		} else {
+			set(j, lane, ScaledNumber(p[j], 0) * b[j]);
+		}
 	}
 	scale_transitions(lane);
-	left_ = std::min(left_, static_cast<int>(std::max(FALL + std::log2(least), 0.0) / fall_));
+	left_ = std::min(left_, static_cast<int>(std::max(room, 0.0) / fall_));
 }
 
-template <int LANES, class Scalar> bool ScaledRecursion<LANES, Scalar>::step(const Scalar *b) {
+template <int LANES, class Scalar>
+bool ScaledRecursion<LANES, Scalar>::step(const Scalar *b, const double *exact_b) {
 	if (left_ > 0) {
 		--left_;
 		step_plainly(b);
@@ -125,7 +144,7 @@ template <int LANES, class Scalar> bool ScaledRecursion<LANES, Scalar>::step(con
 	}
 	bool are_steady = keeps_;
 	for (int lane = 0; lane < LANES; ++lane) {
-		step_carefully(lane, b);
+		step_carefully(lane, exact_b);
 		scale_transitions(lane);
 		are_steady = are_steady && is_steady(lane);
 	}
@@ -151,7 +170,7 @@ template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::step_pla
 }
 
 template <int LANES, class Scalar>
-void ScaledRecursion<LANES, Scalar>::step_carefully(int lane, const Scalar *b) {
+void ScaledRecursion<LANES, Scalar>::step_carefully(int lane, const double *b) {
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		v_[static_cast<std::size_t>(j)] = { m_[place(j, lane)], e_[place(j, lane)] };
 	}
@@ -161,9 +180,7 @@ void ScaledRecursion<LANES, Scalar>::step_carefully(int lane, const Scalar *b) {
 		for (Eigen::Index i = first; i < end; ++i) {
 			sum = sum + v_[static_cast<std::size_t>(i)] * a_(i, j);
 		}
-		const ScaledNumber next = sum * b[place(j, lane)];
-		m_[place(j, lane)] = static_cast<Scalar>(next.mantissa * power_of_two(TOP));
-		e_[place(j, lane)] = next.exponent - TOP;
+		set(j, lane, sum * b[place(j, lane)]);
 	}
 }
 
@@ -172,7 +189,9 @@ template <int LANES, class Scalar> void ScaledRecursion<LANES, Scalar>::scale_tr
 	for (Eigen::Index j = 0; j < n_; ++j) {
 		const auto [first, end] = from_[static_cast<std::size_t>(j)];
 		for (Eigen::Index i = first; i < end; ++i) {
-			const double a = a_(i, j) * power_of_two(e_[place(i, lane)] - e_[place(j, lane)]);
+			// No transition is 0 times infinity where a state that it does not lead to has never been.
+			const double a =
+					a_(i, j) > 0.0 ? a_(i, j) * power_of_two(e_[place(i, lane)] - e_[place(j, lane)]) : 0.0;
 			scaled_a_[entry] = static_cast<Scalar>(a);
 			entry += LANES;
 		}

@@ -1,6 +1,7 @@
 #include "motion/paper_synthesiser.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace steadyhand {
 
@@ -61,6 +62,9 @@ Motion PaperSynthesiser::played(double t_s) const {
 
 Motion PaperSynthesiser::motion(double t_s, double amplitude_m) const {
 	const Motion motion = blend_.completed(played(t_s), t_s);
+	if (!(std::abs(motion.value_m) <= FARTHEST_VALUE)) {
+		return { std::copysign(FARTHEST_VALUE, motion.value_m) * amplitude_m, 0.0, 0.0, motion.progress };
+	}
 	return { amplitude_m * motion.value_m, amplitude_m * motion.velocity_m_s,
 		amplitude_m * motion.acceleration_m_s2, motion.progress };
 }

@@ -29,7 +29,7 @@ public:
 
 	/// Phase at t_s, not before the last change: 0..1.
 	[[nodiscard]] double phase(double t_s) const;
-	/// Motion at t_s for a task of this amplitude.
+	/// Motion at t_s for a task of this amplitude; it is held at FARTHEST_VALUE, whatever a model says.
 	[[nodiscard]] Motion motion(double t_s, double amplitude_m) const;
 
 private:

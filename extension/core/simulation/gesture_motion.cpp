@@ -195,8 +195,8 @@ TrueMotion make_gesture_motion(const SimulatedGesture &gesture, const GestureTas
 	path.hand_scale = subject.hand_scale;
 	path.start_error_m = sideways(random_vector(subject.aim_deviation_m, r_random), task.axis);
 	path.end_error_m = sideways(random_vector(subject.aim_deviation_m, r_random), task.axis);
-	path.bow_m = sideways(random_vector(1.0, r_random), task.axis).normalized() * task.amplitude_m *
-			r_random.normal(subject.bow, subject.bow_deviation);
+	const double bow = r_random.normal(subject.bow, subject.bow_deviation);
+	path.bow_m = sideways(random_vector(1.0, r_random), task.axis).normalized() * task.amplitude_m * bow;
 	// Shared: std::function copies what it holds.
 	const auto unrest = std::make_shared<const Unrest>(subject, r_random);
 

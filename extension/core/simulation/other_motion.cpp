@@ -54,7 +54,8 @@ HandWay reach(double span_s, Random &r_random) {
 	std::vector<Stroke> strokes;
 	Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
 	for (double t_s = r_random.uniform(0.2, 0.8); t_s < span_s;) {
-		const Eigen::Vector3d way_m = random_direction(r_random) * r_random.uniform(0.03, REACH_MAX_M);
+		const double length_m = r_random.uniform(0.03, REACH_MAX_M);
+		const Eigen::Vector3d way_m = length_m * random_direction(r_random);
 		if (is_along_a_gesture(way_m.normalized()) || (place_m + way_m).norm() > REACH_MAX_M) {
 			continue;
 		}

@@ -65,7 +65,7 @@ HandSkeleton skeleton_with(const std::string &pointables, bool is_left = false) 
 /// Random, of determinant 1.
 Eigen::Matrix3d some_rotation(std::mt19937 &random) {
 	std::normal_distribution<double> normal;
-	return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+	return Eigen::Quaterniond{ normal(random), normal(random), normal(random), normal(random) }
 			.normalized()
 			.toRotationMatrix();
 }

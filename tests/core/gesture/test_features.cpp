@@ -126,7 +126,7 @@ TEST_CASE("three points of a random circle give its radius, wherever it is and h
 	int given = 0;
 	for (int i = 0; i < 20000; ++i) {
 		const double radius = std::pow(10.0, exponent(random));
-		const Vector2d centre = 10.0 * radius * Vector2d(place(random), place(random));
+		const Vector2d centre = 10.0 * radius * Vector2d{ place(random), place(random) };
 		const Triangle t{ on_circle(centre, radius, angle(random)), on_circle(centre, radius, angle(random)),
 			on_circle(centre, radius, angle(random)) };
 		const std::optional<double> found = radius_of(t);
@@ -138,7 +138,7 @@ TEST_CASE("three points of a random circle give its radius, wherever it is and h
 		// gain.
 		REQUIRE(*found == test::near(radius).epsilon(1e-13));
 		const Eigen::Rotation2Dd turn(angle(random));
-		const Vector2d shift = radius * Vector2d(place(random), place(random));
+		const Vector2d shift = radius * Vector2d{ place(random), place(random) };
 		const Triangle moved{ turn * t[2] + shift, turn * t[0] + shift, turn * t[1] + shift };
 		if (const std::optional<double> again = radius_of(moved)) {
 			REQUIRE(*again == test::near(*found).epsilon(1e-12));
@@ -253,7 +253,7 @@ TEST_CASE("the way along a circle is its arc, round after round, forwards and ba
 	for (int i = 0; i < 50; ++i) {
 		const double radius_m = 0.05 + 0.03 * any(random);
 		const double begin_rad = PI * any(random);
-		const Eigen::Vector3d centre(any(random), any(random), any(random));
+		const Eigen::Vector3d centre{ any(random), any(random), any(random) };
 		const auto place = [&](double angle_rad, double share) {
 			return Eigen::Vector3d(centre.x() + share * radius_m * std::cos(begin_rad + angle_rad),
 					centre.y() + share * radius_m * std::sin(begin_rad + angle_rad), any(random));
@@ -289,10 +289,10 @@ TEST_CASE("every feature stays finite, or silent, at the smallest and largest co
 			for (int i = 0; i < 500; ++i) {
 				HandFrame frame;
 				for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {
-					frame.set(joint, size * Eigen::Vector3d(any(random), any(random), any(random)));
+					frame.set(joint, size * Eigen::Vector3d{ any(random), any(random), any(random) });
 				}
-				const Task task{ size * Eigen::Vector3d(any(random), any(random), any(random)),
-					Eigen::Vector3d(any(random), any(random), any(random)).normalized(), 0.2 };
+				const Task task{ size * Eigen::Vector3d{ any(random), any(random), any(random) },
+					Eigen::Vector3d{ any(random), any(random), any(random) }.normalized(), 0.2 };
 				MotionElement element(feature);
 				for (int repetition = 0; repetition < 3; ++repetition) {
 					const std::optional<double> x_m = element.measure(frame, task);
@@ -312,8 +312,8 @@ TEST_CASE("along its direction a feature's place grows as the motion element doe
 			continue;
 		}
 		for (int i = 0; i < 200; ++i) {
-			const Task task{ Eigen::Vector3d(any(random), any(random), any(random)),
-				Eigen::Vector3d(any(random), any(random), any(random)).normalized(), 0.2 };
+			const Task task{ Eigen::Vector3d{ any(random), any(random), any(random) },
+				Eigen::Vector3d{ any(random), any(random), any(random) }.normalized(), 0.2 };
 			std::array<HandFrame, 2> frames;
 			for (HandFrame &frame : frames) {
 				for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {

@@ -44,7 +44,7 @@ TEST_CASE("the quantiser finds clusters that are there, and names the nearest") 
 	std::normal_distribution<double> noise(0.0, 0.01);
 	std::vector<Observation> points;
 	for (int i = 0; i < 400; ++i) {
-		points.emplace_back(0.25 * (i % 4) + noise(random), (i / 4) % 2 + noise(random));
+		points.push_back(Observation{ 0.25 * (i % 4) + noise(random), (i / 4) % 2 + noise(random) });
 	}
 	const VectorQuantiser quantiser = VectorQuantiser::trained(points, 8);
 	REQUIRE(quantiser.symbols() == 8);
@@ -60,7 +60,7 @@ TEST_CASE("each codeword is the mean of the observations that it is nearest to, 
 	std::normal_distribution<double> normal;
 	std::vector<Observation> points;
 	for (int i = 0; i < 300; ++i) {
-		points.emplace_back(0.01 * normal(random), 5.0 * normal(random));
+		points.push_back(Observation{ 0.01 * normal(random), 5.0 * normal(random) });
 	}
 	for (const int symbols : { 1, 5, 16 }) {
 		const VectorQuantiser quantiser = VectorQuantiser::trained(points, symbols);
@@ -241,6 +241,42 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
 }
 
+TEST_CASE("training refuses pseudo-counts of 0, with which a state that saw nothing has no probabilities") {
+	const std::vector<TrainingRecording> drags = test::drag_recordings();
+	for (const double count : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL }) {
+		TrainingOptions options;
+		options.baum_welch.pseudo.symbol = count;
+		CHECK(train("drag", "index_along_axis", drags, options).error().starts_with("drag: pseudo-counts: "));
+		options = {};
+		options.baum_welch.pseudo.transition = count;
+		CHECK(train("drag", "index_along_axis", drags, options).error().starts_with("drag: pseudo-counts: "));
+	}
+}
+
+TEST_CASE("training warns where more states are asked for than the recordings determine") {
+	std::mt19937_64 random(8);
+	std::normal_distribution<double> odd(0.0, 0.04);
+	std::vector<TrainingRecording> drags = test::drag_recordings();
+	drags.resize(3);
+	std::string warning = "?";
+	TrainingOptions options;
+	options.states = 4;
+	REQUIRE(train("drag", "index_along_axis", drags, options, nullptr, &warning).ok());
+	CHECK(warning.empty());
+	for (TrainingRecording &drag : drags) {
+		for (HandFrame &frame : drag.reference.frames) {
+			frame.set(Joint::INDEX, frame.position(Joint::INDEX) + Eigen::Vector3d(odd(random), 0.0, 0.0));
+		}
+	}
+	options.states = 15;
+	const Result<GestureModel> model = train("drag", "index_along_axis", drags, options, nullptr, &warning);
+	REQUIRE(model.ok());
+	CHECK(warning.starts_with("polynomials of degree 5 in 15 states leave the recordings' mean; "));
+	for (int i = 0; i <= 1000; ++i) {
+		REQUIRE(std::abs(evaluate(model.value(), 0.001 * i).value) < 1.6);
+	}
+}
+
 TEST_CASE("when a recording was made does not change the model") {
 	const auto codebook = [](double later_s) {
 		std::vector<TrainingRecording> recordings = test::drag_recordings();
@@ -370,7 +406,8 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 	CHECK(field("recordings", "-1") == at("recordings") + "recordings: not a number of recordings");
 	CHECK(field("recordings", "1e10") == at("recordings") + "recordings: not a number of recordings");
 	CHECK(field("version", "0") == at("version") + "version: this program reads version 1");
-	CHECK(field("phase_end", "0.0") == at("phase_end") + "elements: phase_begin must be less than phase_end");
+	CHECK(field("phase_end", "0.0") ==
+			at("phase_end") + "elements: phase_end must be phase_begin + 0.01 at least");
 	CHECK(field("deviation", "null") == at("deviation") + "deviation: not a number");
 	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") ==
 			at("both_ways") + "both_ways: not true or false");

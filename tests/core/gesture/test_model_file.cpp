@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -71,7 +73,7 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = -1e300; }) ==
 			"a.gesture:1: polynomial[0]: beyond 1e9");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = 1e5; }) ==
-			"a.gesture:1: polynomial: its curve leaves -10 .. 11, on a way from 0 to 1");
+			"a.gesture:1: polynomial: its curve leaves -2 .. 2, on a way from 0 to 1");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["phase_begin"] = 0.0; }) ==
 			"a.gesture:1: elements: each phase_begin must be the phase_end before it, and the first 0");
 	CHECK(error_of([](Json &r_file) { r_file["elements"].back()["phase_end"] = 1e20; }) ==
@@ -89,7 +91,7 @@ TEST_CASE("a model file is refused where a number could not be one of a model") 
 		return error_of([&](Json &r_file) { r_file["elements"][0][key] = value; });
 	};
 	CHECK(first_element("phase_end", 0.0) ==
-			"a.gesture:1: elements: phase_begin must be less than phase_end");
+			"a.gesture:1: elements: phase_end must be phase_begin + 0.01 at least");
 	CHECK(first_element("duration_mean_s", 0.0) == "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600");
 	CHECK(first_element("duration_mean_s", "1") == "a.gesture:1: duration_mean_s: not a number");
 	CHECK(error_of([](Json &r_file) { r_file["typical_amplitude_m"] = 0.0; }) ==
@@ -159,6 +161,23 @@ TEST_CASE("a model file is refused where a duration or deviation would make the 
 			"a.gesture:1: deviation: not within 0 .. 10");
 	CHECK(error_of([](Json &r_file) { r_file["typical_amplitude_m"] = 1e-300; }) ==
 			"a.gesture:1: typical_amplitude_m: not within 1e-06 .. 1e+09");
+}
+
+TEST_CASE("a model file is refused where an element is too short to make a finite motion") {
+	const auto with_end = [](std::size_t element, double phase) {
+		return error_of([&](Json &r_file) {
+			r_file["elements"][element]["phase_end"] = phase;
+			r_file["elements"][element + 1]["phase_begin"] = phase;
+		});
+	};
+	const double begin = test::drag_model().elements[1].phase_begin;
+	for (const double length : { 1e-300, 0.0, 1e-15, 1e-9, 1e-4, 0.0099 }) {
+		CAPTURE(length);
+		CHECK(with_end(1, std::nextafter(begin + length, 1.0)) ==
+				"a.gesture:1: elements: phase_end must be phase_begin + 0.01 at least");
+	}
+	CHECK(with_end(0, 1e-12) == "a.gesture:1: elements: phase_end must be phase_begin + 0.01 at least");
+	CHECK(with_end(1, begin + 0.011).empty());
 }
 
 TEST_CASE("a model file is refused where its way's axis is not of unit length, which a radius has none of") {

@@ -17,6 +17,8 @@ using namespace steadyhand;
 
 namespace {
 
+constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
+
 /// A drag of 0.2 m from 0.5 s to 1.3 s.
 TrainingRecording sound_drag() {
 	return test::drag_recordings()[0];
@@ -144,6 +146,12 @@ TEST_CASE("what spoils a recording leaves it out of the model, by name, as if it
 				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
 		{ "its measured track goes to 1000 of the way: check metres",
 				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
+		{ "its measured track has a time or a tracked position that is not a finite number, at 0.100 s",
+				[](TrainingRecording &r) {
+					r.measured.frames[11].set(Joint::INDEX, { 0.1, NOT_A_NUMBER, 0.0 });
+				} },
+		{ "its reference has a time or a tracked position that is not a finite number, at nan s",
+				[](TrainingRecording &r) { r.reference.frames[9].t_s = NOT_A_NUMBER; } },
 	};
 	for (const auto &[reason, change] : spoilt) {
 		CAPTURE(reason);

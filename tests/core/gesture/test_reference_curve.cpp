@@ -13,6 +13,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 using namespace steadyhand;
 
@@ -161,6 +162,42 @@ TEST_CASE("a state that the recordings skip has an element all the same") {
 	CHECK(skipped.duration_mean_s == test::near(smallest * 2.0));
 	CHECK(model.elements[3].phase_begin == test::near((0.5 + smallest) / total));
 	CHECK(model.elements[3].phase_end == 1.0);
+}
+
+TEST_CASE("of odd recordings and many states no element swings beyond its piece") {
+	std::mt19937_64 random(7);
+	std::normal_distribution<double> odd(0.0, 0.15);
+	int lowered = 0;
+	for (int round = 0; round < 40; ++round) {
+		CAPTURE(round);
+		GestureModel model = model_of_states(15);
+		model.duration_mean_s = 1.0;
+		for (double &value : model.reference_mean) {
+			value += odd(random);
+		}
+		std::vector<std::size_t> shares(15);
+		for (std::size_t &share : shares) {
+			share = 1 + random() % 12;
+		}
+		const std::size_t degree =
+				cut_into_elements(std::vector<SymbolSequence>{ runs(shares) }, std::array{ 1.0 }, 5, model);
+		lowered += degree < 5 ? 1 : 0;
+		for (const PrimitiveMotionElement &element : model.elements) {
+			double lowest = INFINITY, highest = -INFINITY;
+			for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {
+				const double phase = static_cast<double>(k) / (CURVE_POINTS - 1);
+				if (phase > element.phase_begin - 0.0101 && phase < element.phase_end + 0.0101) {
+					lowest = std::min(lowest, model.reference_mean(k));
+					highest = std::max(highest, model.reference_mean(k));
+				}
+			}
+			for (int i = 0; i <= 100; ++i) {
+				REQUIRE(element.curve.value(0.01 * i) > std::min(lowest, 0.0) - 0.1);
+				REQUIRE(element.curve.value(0.01 * i) < std::max(highest, 1.0) + 0.1);
+			}
+		}
+	}
+	CHECK(lowered > 0);
 }
 
 TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the middle, and end at 1") {

@@ -141,3 +141,31 @@ TEST_CASE("a sine of whatever is wanted changes by no more than 2 % faster than 
 		CHECK(greatest <= 1.02 * rad_per_s);
 	}
 }
+
+TEST_CASE("no amplitude leaves 0..1 by more than a hundredth, however steep what is wanted is") {
+	for (const double rate_hz : { 8000.0, 48000.0, 192000.0 }) {
+		for (const double frequency_hz : { 20.0, 250.0, 1000.0 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(frequency_hz);
+			const double rad_per_s = 2.0 * std::numbers::pi * frequency_hz;
+			const double run_s = static_cast<double>(RUN) / rate_hz;
+			std::mt19937_64 random(6);
+			std::uniform_real_distribution<double> share(0.0, 1.0), slope(-0.3 * rad_per_s, 0.3 * rad_per_s);
+			LevelFollower follower;
+			LevelPoint from;
+			for (int stretch = 0; stretch < 20000; ++stretch) {
+				const LevelPoint to{ share(random), slope(random) };
+				const bool is_long = follower.can_follow_stretch(from, to, 1.0, rad_per_s, 8.0 * run_s);
+				const std::size_t runs = is_long ? 8 : 1;
+				const Course course{
+					follower.follow(from, to, rad_per_s, static_cast<double>(runs) * run_s, runs), runs
+				};
+				for (int i = 0; i <= 16; ++i) {
+					REQUIRE(course.at(i / 16.0).value > -0.01);
+					REQUIRE(course.at(i / 16.0).value < 1.01);
+				}
+				from = share(random) < 0.1 ? LevelPoint{ share(random), slope(random) } : to;
+			}
+		}
+	}
+}

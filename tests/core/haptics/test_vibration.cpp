@@ -141,6 +141,46 @@ TEST_CASE("where a drag's spring gives way to its cue nothing is cut flat, nor s
 	}
 }
 
+TEST_CASE("a cue told late steps no more than its own sine, at any rate, pitch and acceleration") {
+	for (const double rate_hz : { 8000.0, 22050.0, 48000.0 }) {
+		for (const double frequency_hz : { 60.0, 180.0, 250.0 }) {
+			for (const double acceleration_m_s2 : { 1.0, 5.0, 30.0 }) {
+				for (const double late_s : { 0.0, 0.005, 0.02 }) {
+					CAPTURE(rate_hz);
+					CAPTURE(frequency_hz);
+					CAPTURE(acceleration_m_s2);
+					CAPTURE(late_s);
+					Effect cue = inertial_viscous_effect();
+					cue.frequency_hz = frequency_hz;
+					Vibration vibration(rate_hz, 1);
+					vibration.set_effects(set_of(cue));
+					vibration.seek(0.0);
+					std::vector<float> samples;
+					const auto block = static_cast<std::size_t>(0.0111 * rate_hz);
+					for (int i = 0; i < 60; ++i) {
+						MotionSnapshot snapshot;
+						snapshot.time_s = vibration.time_s();
+						snapshot.period_s = 0.01;
+						snapshot.count = 13;
+						snapshot.amplitude_m = AMPLITUDE_M;
+						for (std::size_t k = 0; k < snapshot.count; ++k) {
+							snapshot.knots[k] = { 1.0, 0.0, acceleration_m_s2 / AMPLITUDE_M, false };
+						}
+						if (snapshot.time_s >= 0.3 + late_s) {
+							snapshot.arrival = at(1, 0.3);
+						}
+						vibration.set_motion(snapshot);
+						const std::vector<float> out = render(vibration, block);
+						samples.insert(samples.end(), out.begin(), out.end());
+					}
+					CHECK(largest_step(samples) <= 1.02 * step_bound(frequency_hz, rate_hz));
+					CHECK(largest_step(samples) > 0.1 * step_bound(frequency_hz, rate_hz));
+				}
+			}
+		}
+	}
+}
+
 TEST_CASE("effects go to their channels; one channel has them all") {
 	Effect left = spring_effect(), right = spring_effect(), both = spring_effect();
 	left.channels = Effect::LEFT;

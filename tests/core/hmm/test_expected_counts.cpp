@@ -134,6 +134,51 @@ TEST_CASE("sequences of different lengths are counted as each alone") {
 	CHECK(difference(counts.symbols, expected.symbols) < 1e-11);
 }
 
+TEST_CASE("probabilities down to e^-700 count as in log space, in float too") {
+	std::mt19937_64 random(14);
+	std::uniform_real_distribution<double> uniform(0.0, 1.0);
+	for (int round = 0; round < 2000; ++round) {
+		CAPTURE(round);
+		const auto n = static_cast<Eigen::Index>(1.0 + 4.99 * uniform(random));
+		const auto symbols = static_cast<int>(1.0 + 2.99 * uniform(random));
+		const double lowest = -660.0 * std::pow(10.0, 2.0 * uniform(random) - 2.0);
+		const double zeros = 0.7 * uniform(random);
+		const auto draw_row = [&](Eigen::Index size) {
+			Eigen::RowVectorXd row(size);
+			const auto likely = static_cast<Eigen::Index>(uniform(random) * static_cast<double>(size));
+			for (Eigen::Index j = 0; j < size; ++j) {
+				const bool is_zero = uniform(random) < zeros;
+				row(j) = j == likely ? 0.0 : is_zero ? NEVER : lowest * uniform(random);
+			}
+			return Eigen::RowVectorXd(row.array() - std::log(row.array().exp().sum()));
+		};
+		DiscreteHmm hmm;
+		hmm.log_pi = draw_row(n).transpose();
+		hmm.log_a.resize(n, n);
+		hmm.log_b.resize(n, symbols);
+		for (Eigen::Index i = 0; i < n; ++i) {
+			hmm.log_a.row(i) = draw_row(n);
+			hmm.log_b.row(i) = draw_row(symbols);
+		}
+		const auto length = static_cast<std::size_t>(1.0 + 59.0 * uniform(random));
+		const SymbolSequence sequence = test::random_symbols(random, length, symbols);
+		const ExpectedCounts expected = test::log_space_counts(hmm, sequence);
+		if (expected.log_likelihood == NEVER) {
+			continue;
+		}
+		const ExpectedCounts counts = expected_counts(hmm, std::vector<SymbolSequence>{ sequence });
+		REQUIRE((counts.transitions - expected.transitions).cwiseAbs().maxCoeff() < 1e-10);
+		REQUIRE((counts.symbols - expected.symbols).cwiseAbs().maxCoeff() < 1e-10);
+		ForwardFilter<float> filter(hmm);
+		for (const Symbol symbol : sequence) {
+			filter.push(symbol);
+		}
+		REQUIRE(std::abs(filter.log_likelihood() - expected.log_likelihood) < 1e-4);
+		const double tolerance = 1e-12 * (1.0 + std::abs(expected.log_likelihood));
+		REQUIRE(std::abs(log_likelihood(hmm, sequence) - expected.log_likelihood) < tolerance);
+	}
+}
+
 TEST_CASE("states that have vanished beside others come back") {
 	// The last state explains all but the last run; of the paths that were still possible then, those that
 	// had stayed in the first ones were the unlikeliest by some thousand nats.

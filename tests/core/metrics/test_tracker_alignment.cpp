@@ -46,6 +46,11 @@ struct Setup {
 	double start_s = 1000.0;
 };
 
+Eigen::Vector3d random_vector(Random &random) {
+	const double z = random.normal(), y = random.normal(), x = random.normal();
+	return { x, y, z };
+}
+
 /// Faults of one tracker.
 class FaultyTracker {
 public:
@@ -59,8 +64,7 @@ public:
 		}
 		if (random_.chance(setup_.jumps)) {
 			jumps_until_s_ = t_s + setup_.jump_s;
-			jump_m_ =
-					0.2 * Eigen::Vector3d(random_.normal(), random_.normal(), random_.normal()).normalized();
+			jump_m_ = 0.2 * random_vector(random_).normalized();
 		}
 		if (t_s <= jumps_until_s_) {
 			position_m += jump_m_;
@@ -105,8 +109,8 @@ Result<Alignment> aligned(const Setup &setup, std::uint64_t seed = 1, const Move
 }
 
 Eigen::Quaterniond random_rotation(Random &random) {
-	return Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal())
-			.normalized();
+	const double z = random.normal(), y = random.normal(), x = random.normal(), w = random.normal();
+	return Eigen::Quaterniond(w, x, y, z).normalized();
 }
 
 double angle(const Alignment &alignment, const Setup &setup) {
@@ -134,7 +138,7 @@ TEST_CASE("trackers without noise align for any rotation, offset and lag") {
 		Setup setup;
 		setup.lag_s = lag_s;
 		setup.rotation = random_rotation(random);
-		setup.offset_m = 3.0 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+		setup.offset_m = 3.0 * random_vector(random);
 		const Result<Alignment> result = aligned(setup);
 		REQUIRE_MESSAGE(result.ok(), result.error());
 		// Linear interpolation at 240 Hz is wrong by a dt^2 / 8, below 0.03 mm.
@@ -159,7 +163,7 @@ TEST_CASE("the rotation is that of Horn's quaternion method on the same samples"
 		constexpr int COUNT = 1200;
 		for (int i = 0; i < COUNT; ++i) {
 			const Eigen::Vector3d reference_m = wander(i / 100.0);
-			const Eigen::Vector3d noise_m(random.normal(), random.normal(), random.normal());
+			const Eigen::Vector3d noise_m = random_vector(random);
 			const Eigen::Vector3d other_m = rotation.conjugate() * reference_m + 0.005 * noise_m;
 			CHECK(alignment.push_reference(i / 100.0, reference_m));
 			CHECK(alignment.push_other(i / 100.0, other_m));
@@ -206,7 +210,7 @@ TEST_CASE("1 mm of noise moves the lag by less than 3 ms") {
 		Setup setup;
 		setup.lag_s = random.uniform(-0.3, 0.3);
 		setup.rotation = random_rotation(random);
-		setup.offset_m = Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+		setup.offset_m = random_vector(random);
 		setup.reference_noise_m = setup.other_noise_m = 0.001;
 		setup.jitter_s = 0.002;
 		const Result<Alignment> result = aligned(setup, static_cast<std::uint64_t>(seed));

@@ -104,7 +104,8 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 			}
 			HandFrame frame;
 			frame.t_s = frame_s;
-			const Eigen::Vector3d trembling(noise(random), noise(random), noise(random));
+			const double z_m = noise(random), y_m = noise(random), x_m = noise(random);
+			const Eigen::Vector3d trembling(x_m, y_m, z_m);
 			frame.set(Joint::INDEX, way(frame_s) + noise_m * trembling);
 			recogniser.push(frame);
 		}

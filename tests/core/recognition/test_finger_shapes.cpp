@@ -76,7 +76,7 @@ Outcome watch(const Opening &opening) {
 		frame.t_s = t_s;
 		const std::array joints{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
 		for (std::size_t k = 0; k < 3; ++k) {
-			const Eigen::Vector2d trembling(noise(random), noise(random));
+			const Eigen::Vector2d trembling{ noise(random), noise(random) };
 			Eigen::Vector3d place = gone * opening.shift_m;
 			place.head<2>() += tips[k] + trembling;
 			frame.set(joints[k], place);
@@ -193,7 +193,7 @@ TEST_CASE("with the task given, fingers at rest hardly seem to set out before a 
 			frame.t_s = i / 60.0;
 			const std::array joints{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
 			for (std::size_t k = 0; k < 3; ++k) {
-				const Eigen::Vector2d trembling(noise(random), noise(random));
+				const Eigen::Vector2d trembling{ noise(random), noise(random) };
 				frame.set(joints[k],
 						Eigen::Vector3d(tips[k].x() + trembling.x(), tips[k].y() + trembling.y(), 0.0));
 			}

@@ -50,8 +50,8 @@ Figures figures(const Sensor &sensor) {
 			const double t_s = ms / 1000.0;
 			for (; frames / sensor.rate_hz <= t_s; ++frames) {
 				if (frames % sensor.reads == 0) {
-					seen = drag.x_m(frames / sensor.rate_hz) + sensor.white * normal(random) +
-							(uniform(random) < sensor.outliers ? 0.1 * normal(random) : 0.0);
+					seen = drag.x_m(frames / sensor.rate_hz) + sensor.white * normal(random);
+					seen += uniform(random) < sensor.outliers ? 0.1 * normal(random) : 0.0;
 					seen = sensor.resolution > 0.0 ? std::round(seen / sensor.resolution) * sensor.resolution
 												   : seen;
 				}

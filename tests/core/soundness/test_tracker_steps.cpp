@@ -207,7 +207,7 @@ TEST_CASE("a tracker that trembles makes no steps") {
 		TrackerSteps steps;
 		FeaturePlace first_m = FeaturePlace::Zero(), last_m = first_m;
 		for (int i = 0; i < 3000; ++i) {
-			const FeaturePlace place(noise(random), noise(random), noise(random), 0.0);
+			const FeaturePlace place{ noise(random), noise(random), noise(random), 0.0 };
 			for (const TrackerSteps::Passed &frame : steps.push(i / 100.0, place)) {
 				last_m = frame.seen_m - frame.place_m;
 				first_m = i == 100 ? last_m : first_m; // it has learned by then how much it trembles

@@ -227,7 +227,8 @@ TEST_CASE("of a hand that rests at the start, is lost and is there again, nothin
 		std::mt19937_64 random(4);
 		std::normal_distribution<double> trembling(0.0, 0.001);
 		for (int i = 0; i < 110; ++i) {
-			show(i * PERIOD_S, rests_at + trembling(random), trembling(random));
+			const double along_m = trembling(random);
+			show(i * PERIOD_S, rests_at + along_m, trembling(random));
 		}
 		show(109 * PERIOD_S + 0.2, found_at, beside);
 		CHECK(soundness.lasting_unsoundness() > 0.6);
@@ -386,7 +387,7 @@ TEST_CASE("white noise of any size is no fault, and jumps stand out of it") {
 		for (int i = 0; i < 1000; ++i) {
 			const double t_s = i * PERIOD_S;
 			const double x = std::clamp(t_s - 4.0, 0.0, 1.0) + noise(random);
-			soundness.push(t_s, x, FeaturePlace(x, noise(random), noise(random), 0.0));
+			soundness.push(t_s, x, FeaturePlace{ x, noise(random), noise(random), 0.0 });
 			jumps += soundness.jumped() || soundness.fault() > 0.0 ? 1 : 0;
 			frozen += soundness.frozen() ? 1 : 0;
 			jitters += i >= 500 ? soundness.jitter() : 0.0;

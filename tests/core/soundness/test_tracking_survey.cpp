@@ -71,7 +71,7 @@ TrackingSurvey surveyed_at_two(
 	double t_s = 0.0;
 	for (int i = 0; i < 6000; ++i) {
 		const bool is_other = i >= 3000;
-		const Vector3d noise(random.normal(), random.normal(), random.normal());
+		const Vector3d noise{ random.normal(), random.normal(), random.normal() };
 		survey.push(t_s, (is_other ? other_m : first_m) + (is_other ? other_noise_m : first_noise_m) * noise);
 		t_s += is_other && i % 100 == 50 ? 0.2 : 0.01;
 	}
@@ -161,7 +161,7 @@ TEST_CASE("where the hand is lost for long is worse than where it is lost often 
 			Vector3d place;
 			for (int i = 0; i < static_cast<int>(100.0 * length_s); ++i) {
 				t_s += 0.01;
-				const Vector3d noise(random.normal(), random.normal(), random.normal());
+				const Vector3d noise{ random.normal(), random.normal(), random.normal() };
 				place = Vector3d(middle_m + 0.03 * std::sin(3.0 * t_s), 0.02 * std::sin(2.0 * t_s), -0.3) +
 						2e-4 * noise;
 				survey.push(t_s, place);
@@ -250,7 +250,7 @@ TEST_CASE("a tracker that shows the hand all over the world takes no place from 
 	double t_s = 0.0;
 	const auto rest = [&](double x_m) {
 		for (int i = 0; i < 1500; ++i) {
-			const Vector3d noise(random.normal(), random.normal(), random.normal());
+			const Vector3d noise{ random.normal(), random.normal(), random.normal() };
 			survey.push(t_s += 0.01, Vector3d(x_m, 0.05, -0.35) + 1e-4 * noise);
 		}
 	};

@@ -108,7 +108,8 @@ TEST_SUITE("trial set") {
 			trial.end_s = trial.start_s + uniform(engine) + 1.0;
 			if (i % 4 < 2) {
 				trial.start_m = { uniform(engine), uniform(engine), uniform(engine) };
-				trial.axis = Eigen::Vector3d(uniform(engine), uniform(engine), uniform(engine)).normalized();
+				trial.axis =
+						Eigen::Vector3d{ uniform(engine), uniform(engine), uniform(engine) }.normalized();
 			} else if (i % 4 == 2) {
 				trial.start_m.x() = 1.0 + uniform(engine);
 			}
