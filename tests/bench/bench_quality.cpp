@@ -159,22 +159,20 @@ int main(int count, char **arguments) {
 			ns[i].push_back(study.cost_ns(all[i]));
 		}
 	}
-	std::printf("setting,states,symbols,decoder,lag,precision,hypotheses,durations,branch_period_s,"
-				"outputs_per_s,ns_a_frame,x_paper,r2_zero_stable,r2_zero_unstable,t_diff_s,missed,recognised,"
+	std::printf("setting,states,symbols,decoder,lag,precision,hypotheses,durations,outputs_per_s,"
+				"ns_a_frame,x_paper,r2_zero_stable,r2_zero_unstable,t_diff_s,missed,recognised,"
 				"false_alarms_per_minute\n");
 	for (std::size_t i = 0; i < all.size(); ++i) {
 		const Setting &setting = all[i];
-		const PhaseEffort &effort = setting.effort;
+		const EstimatorEffort &effort = setting.effort;
 		const bool is_phase = setting.mode == MotionMode::PHASE;
 		const Accuracy accuracy = study.accuracy(setting);
-		std::printf("%s,%d,%d,%s,%d,%s,%zu,%zu,%g,%g,%.0f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n",
+		std::printf("%s,%d,%d,%s,%d,%s,%zu,%zu,%g,%.0f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n",
 				setting.name.c_str(), setting.states, setting.symbols,
 				setting.decoding.rule == StateDecoding::Rule::FILTER ? "filter" : "viterbi",
 				setting.decoding.lag,
 				setting.decoding.precision == StateDecoding::Precision::SINGLE ? "float" : "double",
-				is_phase ? effort.usual + effort.erring + effort.wandering : 0,
-				is_phase ? effort.durations : 0, is_phase ? effort.branch_period_s : 0.0,
-				setting.outputs_per_s, least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable,
+				is_phase ? effort.hypotheses : 0, is_phase ? effort.durations : 0, setting.outputs_per_s, least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable,
 				accuracy.r2_unstable, accuracy.t_diff_s, accuracy.missed, accuracy.recognised,
 				accuracy.alarms_per_minute);
 	}

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "hmm/state_decoder.h"
+#include "motion/estimator_effort.h"
 #include "motion/motion.h"
-#include "phase/phase_effort.h"
 
 #include <algorithm>
 #include <array>
@@ -21,15 +21,14 @@ inline constexpr std::array<std::pair<int, int>, 8> MODEL_SIZES{ { { 2, 16 }, { 
 struct Setting {
 	std::string name; ///< of the preset, if it is one
 	MotionMode mode;
-	PhaseEffort effort;
+	EstimatorEffort effort;
 	double outputs_per_s = OUTPUTS_PER_S;
 	int states = 4, symbols = 16; ///< of the models; those that ship have so many
 	StateDecoding decoding = {};  ///< of `paper` mode
 };
 
-inline bool is_same(const PhaseEffort &a, const PhaseEffort &b) {
-	return a.usual == b.usual && a.erring == b.erring && a.wandering == b.wandering &&
-			a.durations == b.durations && a.branch_period_s == b.branch_period_s;
+inline bool is_same(const EstimatorEffort &a, const EstimatorEffort &b) {
+	return a.hypotheses == b.hypotheses && a.durations == b.durations;
 }
 
 /// `paper` mode as it ships, first; with other models; with every decoder, precision and rate of outputs.
@@ -58,19 +57,14 @@ inline std::vector<Setting> paper_settings() {
 
 inline std::vector<Setting> phase_settings() {
 	std::vector<Setting> all;
-	constexpr std::array<std::array<std::size_t, 3>, 5> KEPT{ { { 20, 16, 4 }, { 10, 8, 2 }, { 5, 4, 1 },
-			{ 2, 2, 1 }, { 2, 1, 1 } } };
-	for (const auto &[usual, erring, wandering] : KEPT) {
-		for (const std::size_t durations : { 7, 3 }) {
-			for (const double branch_period_s : { 0.03, 0.06 }) {
-				all.push_back(
-						{ "", MotionMode::PHASE, { usual, erring, wandering, durations, branch_period_s } });
-			}
+	for (const std::size_t hypotheses : { 2, 4, 6, 10, 16, 24, 48 }) {
+		for (const std::size_t durations : { 3, 5, 7 }) {
+			all.push_back({ "", MotionMode::PHASE, { hypotheses, durations } });
 		}
 	}
 	for (const auto &[name, quality] : { std::pair{ "fast", Quality::FAST },
 				 std::pair{ "balanced", Quality::BALANCED }, std::pair{ "accurate", Quality::ACCURATE } }) {
-		const PhaseEffort effort = phase_effort(quality);
+		const EstimatorEffort effort = estimator_effort(quality);
 		std::erase_if(all, [&effort](const Setting &setting) { return is_same(setting.effort, effort); });
 		all.push_back({ name, MotionMode::PHASE, effort });
 		all.push_back({ "", MotionMode::PHASE, effort, FEW_OUTPUTS_PER_S });

@@ -1,2 +1,34 @@
 #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "allocations.h"
+
 #include <doctest/doctest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::size_t> allocated = 0;
+
+} // namespace
+
+std::size_t steadyhand::test::allocations() {
+	return allocated;
+}
+
+void *operator new(std::size_t size) {
+	++allocated;
+	if (void *const memory = std::malloc(size)) {
+		return memory;
+	}
+	throw std::bad_alloc();
+}
+
+void operator delete(void *memory) noexcept {
+	std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept {
+	std::free(memory);
+}

@@ -4,6 +4,8 @@
 #include "recognition/gesture_news.h"
 #include "trained_drag.h"
 
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -176,3 +178,13 @@ inline bool none_ends(const Events &events) {
 }
 
 } // namespace steadyhand::test
+
+template <> struct doctest::StringMaker<std::vector<std::string>> {
+	static String convert(const std::vector<std::string> &said) {
+		std::string all;
+		for (const std::string &one : said) {
+			all += (all.empty() ? "" : ", ") + one;
+		}
+		return { ("{ " + all + " }").c_str() };
+	}
+};

@@ -1,6 +1,6 @@
 #include "metrics/curve_comparison.h"
 #include "minimum_jerk_drag.h"
-#include "phase/phase_estimator.h"
+#include "monitored_estimator.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
@@ -42,7 +42,7 @@ Figures figures(const Sensor &sensor) {
 		std::mt19937_64 random(static_cast<unsigned>(drag_number));
 		std::normal_distribution<double> normal;
 		std::uniform_real_distribution<double> uniform;
-		PhaseEstimator estimator(model);
+		test::MonitoredEstimator estimator(model);
 		std::vector<double> reference, shown, estimated;
 		double seen = 0.0;
 		int frames = 0;

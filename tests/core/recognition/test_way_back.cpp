@@ -1,6 +1,6 @@
 #include "minimum_jerk_drag.h"
+#include "monitored_estimator.h"
 #include "near.h"
-#include "phase/phase_estimator.h"
 #include "recognition/gesture_recogniser.h"
 #include "trained_drag.h"
 
@@ -87,7 +87,7 @@ TEST_CASE("a hand that comes back unseen is where the tracker finds it") {
 		for (const double faults : { 0.0, 0.3 }) { // seconds in which the tracker had been lost before
 			CAPTURE(freezes);
 			CAPTURE(faults);
-			PhaseEstimator estimator(*test::shared_drag_model());
+			test::MonitoredEstimator estimator(*test::shared_drag_model());
 			std::mt19937_64 random(5);
 			std::normal_distribution<double> noise(0.0, 1e-3);
 			double seen = 0.0;
@@ -116,7 +116,7 @@ TEST_CASE("a hand that left its end during a freeze is followed from where the t
 			double missing = 0.0, shown = 0.0;
 			int frames = 0;
 			for (unsigned seed = 0; seed < 4; ++seed) {
-				PhaseEstimator estimator(*test::shared_drag_model());
+				test::MonitoredEstimator estimator(*test::shared_drag_model());
 				std::mt19937_64 random(seed);
 				std::normal_distribution<double> noise(0.0, 3e-3);
 				for (int i = 0; i * PERIOD_S < LOST_S + lost_s + FOLLOWED_S; ++i) {
@@ -180,7 +180,7 @@ TEST_CASE("a hand that comes back and rests before a tracker that repeats itself
 				const test::Drag there{ .onset_s = onset_s, .duration_s = 0.8, .amplitude_m = 1.0 };
 				const test::Drag back{ .onset_s = onset_s + 1.3, .duration_s = BACK_S, .amplitude_m = -1.0 };
 				const double rests_from_s = back.onset_s + BACK_S;
-				PhaseEstimator estimator(test::drag_model());
+				test::MonitoredEstimator estimator(test::drag_model());
 				double furthest = 0.0;
 				for (int i = 0; i < rate_hz * (rests_from_s + RESTS_S); ++i) {
 					const double t_s = i / rate_hz, x = there.x_m(t_s) + back.x_m(t_s);

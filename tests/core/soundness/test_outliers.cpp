@@ -1,14 +1,11 @@
 // Single frames in which a tracker shows the hand elsewhere.
 
 #include "minimum_jerk_drag.h"
-#include "phase/phase_estimator.h"
 #include "soundness/tracking_soundness.h"
-#include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <random>
 
 using namespace steadyhand;
@@ -25,33 +22,6 @@ template <typename Push> void read(int times, int frame, const Push &push) {
 	for (int k = 0; k < times; ++k) {
 		push((frame + static_cast<double>(k) / times) / CAMERA_HZ);
 	}
-}
-
-/// Of where the hand is in mid-drag, over many drags before a camera that shows it elsewhere twice.
-double root_mean_square_error(int reads) {
-	constexpr double LOOKS_AHEAD_S = 0.012;
-	std::normal_distribution<double> trembling(0.0, 2e-4);
-	double squares = 0.0;
-	int looks = 0;
-	for (int repetition = 0; repetition < 40; ++repetition) {
-		std::mt19937_64 random(static_cast<unsigned>(repetition));
-		PhaseEstimator estimator(test::drag_model());
-		const test::Drag drag{ .onset_s = 1.2 + 0.003 * repetition,
-			.duration_s = 0.5 + 0.04 * (repetition % 10),
-			.amplitude_m = 1.0 };
-		const double end_s = drag.onset_s + drag.duration_s;
-		for (int i = 0; i / CAMERA_HZ < end_s; ++i) {
-			const double t_s = i / CAMERA_HZ, outlier = i == 50 || i == 60 ? ELSEWHERE : 0.0;
-			const double x = drag.x_m(t_s) + trembling(random) + outlier;
-			read(reads, i, [&](double at_s) { estimator.push(at_s, x); });
-			const double look_s = t_s + LOOKS_AHEAD_S;
-			if (look_s > drag.onset_s && look_s < end_s) {
-				squares += std::pow(estimator.at(look_s).value - drag.x_m(look_s), 2);
-				++looks;
-			}
-		}
-	}
-	return std::sqrt(squares / looks);
 }
 
 } // namespace
@@ -72,11 +42,6 @@ TEST_CASE("a single frame elsewhere is taken back, also where a camera is read m
 		}
 		CHECK(soundness.unsoundness() < 0.01);
 	}
-}
-
-TEST_CASE("a drag after single frames elsewhere is followed as well where a camera is read twice as often as "
-		  "it looks") {
-	CHECK(root_mean_square_error(2) < 1.5 * root_mean_square_error(1));
 }
 
 TEST_CASE("a slow hand that stands still after a single frame elsewhere is at rest, and the tracker sound") {

@@ -1,0 +1,290 @@
+#include "motion/gesture_filter.h"
+#include "trained_drag.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace steadyhand;
+
+// Positions in amplitudes. Oracles: finite differences, dense matrices and numerical integration.
+
+namespace {
+
+using Index = GestureFilter::Index;
+
+constexpr double ONSET_S = 1.0, DURATION_S = 0.8;
+
+const ReferenceTable &curve() {
+	static const ReferenceTable table(test::drag_model());
+	return table;
+}
+
+/// The filter with one number of its state moved by almost `step`: a correction by a made-up prediction.
+GestureFilter moved(GestureFilter filter, int i, double step) {
+	GestureFilter::Prediction prediction;
+	prediction.variance = 0.5;
+	prediction.covariance(i) = 1.0;
+	filter.correct(prediction, { .x = step, .variance = 0.5 });
+	return filter;
+}
+
+/// Begun at ONSET_S, then two readings that show it late and far, so that all of its state is off its prior.
+GestureFilter gesture(TrackerMode tracker) {
+	const HandState from{ .x = 0.02, .v = -0.1, .xx = 1e-4, .xv = 2e-5, .vv = 0.04 };
+	GestureFilter filter(tracker,
+			{ .t_s = ONSET_S,
+					.deviation_s = 0.02,
+					.log_duration = std::log(DURATION_S),
+					.log_duration_deviation = 0.2,
+					.gain_deviation = 0.05 },
+			from);
+	filter.weight = 0.3;
+	double then_s = ONSET_S;
+	for (const double t_s : { ONSET_S + 0.2, ONSET_S + 0.3 }) {
+		const double dt_s = t_s - then_s;
+		filter.predict({ GestureFilter::deviation_rate_per_s(tracker), dt_s }, dt_s, t_s);
+		const GestureFilter::Prediction p = filter.measured(curve(), t_s);
+		filter.correct(p, { .t_s = t_s, .x = p.x + 0.05, .variance = 1e-4 });
+		then_s = t_s;
+	}
+	return filter;
+}
+
+GestureFilter::Vector finite_differences(const GestureFilter &filter, double t_s) {
+	constexpr double STEP = 1e-5;
+	GestureFilter::Vector slope;
+	for (int i = 0; i < GestureFilter::SIZE; ++i) {
+		const GestureFilter less = moved(filter, i, -STEP), more = moved(filter, i, STEP);
+		slope(i) = (more.measured(curve(), t_s).x - less.measured(curve(), t_s).x) /
+				(more.mean()(i) - less.mean()(i));
+	}
+	return slope;
+}
+
+GestureFilter::Matrix dense_transition(const DampedTransition &by) {
+	GestureFilter::Matrix f = GestureFilter::Matrix::Identity();
+	f(Index::DEVIATION, Index::DEVIATION) = by.xx;
+	f(Index::DEVIATION, Index::DEVIATION_RATE) = by.xv;
+	f(Index::DEVIATION_RATE, Index::DEVIATION) = by.vx;
+	f(Index::DEVIATION_RATE, Index::DEVIATION_RATE) = by.vv;
+	return f;
+}
+
+Eigen::Matrix2d matrix(const DampedTransition &by) {
+	return (Eigen::Matrix2d() << by.xx, by.xv, by.vx, by.vv).finished();
+}
+
+Eigen::Matrix2d noise(const DampedTransition &by) {
+	return (Eigen::Matrix2d() << by.noise_xx, by.noise_xv, by.noise_xv, by.noise_vv).finished();
+}
+
+} // namespace
+
+TEST_CASE("the slope of a sound tracker's prediction is that of finite differences") {
+	const GestureFilter filter = gesture(TrackerMode::SOUND);
+	for (const double phase : { -0.2, 0.1, 0.33, 0.5, 0.77, 0.95, 1.1, 1.3 }) {
+		CAPTURE(phase);
+		const double t_s = ONSET_S + phase * DURATION_S;
+		const GestureFilter::Vector slope = filter.measured(curve(), t_s).slope;
+		CHECK((slope - finite_differences(filter, t_s)).norm() < 1e-5);
+	}
+}
+
+TEST_CASE("the slope of a lagging tracker's prediction is that of finite differences") {
+	const GestureFilter filter = gesture(TrackerMode::LAGGING);
+	for (const double phase : { -0.2, 0.1, 0.33, 0.5, 0.77, 0.95, 1.1, 1.3 }) {
+		CAPTURE(phase);
+		const double t_s = ONSET_S + phase * DURATION_S;
+		const GestureFilter::Vector slope = filter.measured(curve(), t_s).slope;
+		CHECK((slope - finite_differences(filter, t_s)).norm() < 1e-5);
+	}
+}
+
+TEST_CASE("the variance of a prediction is its slope's through the covariance") {
+	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
+		const GestureFilter filter = gesture(tracker);
+		const GestureFilter::Prediction p = filter.measured(curve(), ONSET_S + 0.4);
+		CHECK((p.covariance - filter.covariance() * p.slope).norm() < 1e-15);
+		CHECK(p.variance == doctest::Approx(p.slope.dot(filter.covariance() * p.slope)));
+	}
+}
+
+TEST_CASE("a gesture filter predicts as dense Kalman matrices do") {
+	constexpr double DT_S = 0.017, T_S = ONSET_S + 0.3, PACE_STEP = 1e-6;
+	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
+		const GestureFilter before = gesture(tracker);
+		GestureFilter after = before;
+		const DampedTransition by(GestureFilter::deviation_rate_per_s(tracker), DT_S);
+		after.predict(by, DT_S, T_S);
+		const GestureFilter::Matrix f = dense_transition(by);
+		CHECK((after.mean() - f * before.mean()).norm() < 1e-12);
+
+		GestureFilter::Matrix added = after.covariance() - f * before.covariance() * f.transpose();
+		added(Index::DEVIATION, Index::DEVIATION) -= by.noise_xx;
+		added(Index::DEVIATION, Index::DEVIATION_RATE) -= by.noise_xv;
+		added(Index::DEVIATION_RATE, Index::DEVIATION) -= by.noise_xv;
+		added(Index::DEVIATION_RATE, Index::DEVIATION_RATE) -= by.noise_vv;
+		// What is left is the change of pace: one number, along which the phase at T_S stays.
+		const double pace = added(Index::LOG_DURATION, Index::LOG_DURATION);
+		CHECK(pace > 0.0);
+		GestureFilter::Vector along = GestureFilter::Vector::Zero();
+		along(Index::ONSET) = -(T_S - before.onset_s());
+		along(Index::LOG_DURATION) = 1.0;
+		CHECK((added - pace * along * along.transpose()).norm() < 1e-12);
+		const GestureFilter::Vector step = PACE_STEP * along;
+		const double phase = (T_S - before.onset_s() - step(Index::ONSET)) /
+				(before.duration_s() * std::exp(step(Index::LOG_DURATION)));
+		CHECK(phase == doctest::Approx((T_S - before.onset_s()) / before.duration_s()).epsilon(1e-11));
+	}
+}
+
+TEST_CASE("a gesture filter takes a reading in as dense Kalman matrices do") {
+	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
+		for (const double error : { 0.0, 0.01, -0.1, 0.6 }) {
+			CAPTURE(error);
+			const GestureFilter before = gesture(tracker);
+			GestureFilter after = before;
+			const GestureFilter::Prediction p = before.measured(curve(), ONSET_S + 0.4);
+			const ElementReading reading{ .t_s = ONSET_S + 0.4, .x = p.x + error, .variance = 4e-4 };
+			after.correct(p, reading);
+
+			// Either the reading is an outlier, and nothing changes, or it is not: a Kalman step in Joseph's
+			// form. Then the moments of both.
+			const double s = p.slope.dot(before.covariance() * p.slope) + reading.variance;
+			const double share = ReadingLikelihood(error, s).share;
+			const GestureFilter::Vector k = before.covariance() * p.slope / s;
+			const GestureFilter::Matrix keep = GestureFilter::Matrix::Identity() - k * p.slope.transpose();
+			const GestureFilter::Matrix taken = keep * before.covariance() * keep.transpose() +
+					reading.variance * k * k.transpose();
+			const GestureFilter::Vector mean = before.mean() + share * error * k;
+			const GestureFilter::Vector off_taken = before.mean() + error * k - mean;
+			const GestureFilter::Vector off_outlier = before.mean() - mean;
+			const GestureFilter::Matrix covariance = share * (taken + off_taken * off_taken.transpose()) +
+					(1.0 - share) * (before.covariance() + off_outlier * off_outlier.transpose());
+			CHECK((after.mean() - mean).norm() < 1e-12);
+			CHECK((after.covariance() - covariance).norm() < 1e-12);
+			CHECK(after.weight ==
+					doctest::Approx(before.weight * ReadingLikelihood(error, s).density).epsilon(1e-9));
+		}
+	}
+}
+
+TEST_CASE("the power of a reading is that of its likelihood in the weight") {
+	const GestureFilter before = gesture(TrackerMode::SOUND);
+	const GestureFilter::Prediction p = before.measured(curve(), ONSET_S + 0.4);
+	GestureFilter whole = before, half = before;
+	whole.correct(p, { .x = p.x + 0.02, .variance = 1e-4, .power = 1.0 });
+	half.correct(p, { .x = p.x + 0.02, .variance = 1e-4, .power = 0.5 });
+	CHECK(half.weight / before.weight == doctest::Approx(std::sqrt(whole.weight / before.weight)));
+}
+
+TEST_CASE("moments after a reading that may be an outlier are those of numerical integration") {
+	constexpr double PRIOR_VARIANCE = 0.02, NOISE_VARIANCE = 0.005, STEP = 1e-4;
+	// The likelihood's two parts, from its own density: far away only the outliers' is left.
+	const double outliers = ReadingLikelihood(1e3, 1.0).density;
+	const auto normal = [](double x, double variance) {
+		return std::exp(-0.5 * x * x / variance) / std::sqrt(2.0 * std::numbers::pi * variance);
+	};
+	const double sound = (ReadingLikelihood(0.0, 1.0).density - outliers) / normal(0.0, 1.0);
+	for (const double z : { 0.0, 0.05, -0.2, 0.45, 0.6, 3.0 }) {
+		CAPTURE(z);
+		double weight = 0.0, mean = 0.0, square = 0.0;
+		for (double x = -2.0; x < 2.0; x += STEP) {
+			const double posterior =
+					normal(x, PRIOR_VARIANCE) * (sound * normal(z - x, NOISE_VARIANCE) + outliers) * STEP;
+			weight += posterior;
+			mean += posterior * x;
+			square += posterior * x * x;
+		}
+		mean /= weight;
+		const double variance = PRIOR_VARIANCE + NOISE_VARIANCE, gain = PRIOR_VARIANCE / variance;
+		const ReadingLikelihood likelihood(z, variance);
+		CHECK(likelihood.density == doctest::Approx(weight).epsilon(1e-6));
+		CHECK(std::abs(likelihood.share * z * gain - mean) < 1e-6);
+		CHECK(PRIOR_VARIANCE - likelihood.reduction(z, variance) * gain * gain ==
+				doctest::Approx(square / weight - mean * mean).epsilon(1e-5));
+	}
+}
+
+TEST_CASE("the transition of damped noise is the integral of its process") {
+	// x'' = -2 a x' - a^2 x + white noise of density 4 a^3, which makes the variance of x 1.
+	for (const double a : { 4.6, 8.0 }) {
+		for (const double dt_s : { 1e-4, 0.01, 0.3, 2.0 }) {
+			CAPTURE(dt_s);
+			constexpr int PIECES = 2000; // of Runge-Kutta's and of Simpson's rule
+			const Eigen::Matrix2d rate = (Eigen::Matrix2d() << 0.0, 1.0, -a * a, -2.0 * a).finished();
+			const double h = dt_s / PIECES;
+			const Eigen::Matrix2d one = h * rate, identity = Eigen::Matrix2d::Identity();
+			const Eigen::Matrix2d small = identity + one * (identity + one / 2.0 * (identity + one / 3.0 *
+					(identity + one / 4.0)));
+			Eigen::Matrix2d transition = identity, integral = Eigen::Matrix2d::Zero();
+			for (int i = 0; i <= PIECES; ++i) {
+				const double share = i == 0 || i == PIECES ? 1.0 : i % 2 == 0 ? 2.0 : 4.0;
+				const Eigen::Vector2d response = transition.col(1);
+				integral += 4.0 * a * a * a * share * h / 3.0 * response * response.transpose();
+				transition = i < PIECES ? Eigen::Matrix2d(small * transition) : transition;
+			}
+			const DampedTransition exact(a, dt_s);
+			CHECK((matrix(exact) - transition).norm() < 1e-9 * transition.norm());
+			CHECK((noise(exact) - integral).norm() < 1e-6 * integral.norm());
+		}
+	}
+}
+
+TEST_CASE("two transitions of damped noise are one over their whole time") {
+	constexpr double A = 4.6;
+	for (const double first_s : { 0.0, 0.003, 0.2 }) {
+		for (const double second_s : { 0.001, 0.05, 1.0 }) {
+			const DampedTransition first(A, first_s), second(A, second_s), whole(A, first_s + second_s);
+			CHECK((matrix(second) * matrix(first) - matrix(whole)).norm() < 1e-12);
+			const Eigen::Matrix2d both =
+					matrix(second) * noise(first) * matrix(second).transpose() + noise(second);
+			CHECK((both - noise(whole)).norm() < 1e-11);
+		}
+	}
+}
+
+TEST_CASE("damped noise that goes on keeps variance 1 and rate a^2") {
+	constexpr double A = 8.0;
+	const Eigen::Matrix2d stationary = (Eigen::Matrix2d() << 1.0, 0.0, 0.0, A * A).finished();
+	for (const double dt_s : { 0.0, 1e-4, 0.1, 5.0 }) {
+		const DampedTransition by(A, dt_s);
+		CHECK((matrix(by) * stationary * matrix(by).transpose() + noise(by) - stationary).norm() < 1e-11);
+	}
+}
+
+TEST_CASE("the hand is where a sound tracker shows it, with its derivatives") {
+	constexpr double STEP_S = 1e-5;
+	const GestureModel &model = test::drag_model();
+	const GestureFilter filter = gesture(TrackerMode::SOUND);
+	for (const double phase : { 0.15, 0.4, 0.6, 0.9 }) {
+		CAPTURE(phase);
+		const double from_s = ONSET_S + phase * DURATION_S, t_s = from_s + 0.01;
+		CHECK(std::abs(filter.hand(model, from_s, from_s).value - filter.measured(curve(), from_s).x) < 1e-4);
+		const GestureFilter::Hand before = filter.hand(model, from_s, t_s - STEP_S),
+								  now = filter.hand(model, from_s, t_s),
+								  after = filter.hand(model, from_s, t_s + STEP_S);
+		CHECK(std::abs(now.velocity - (after.value - before.value) / (2.0 * STEP_S)) < 1e-4);
+		CHECK(std::abs(now.acceleration - (after.velocity - before.velocity) / (2.0 * STEP_S)) < 0.01);
+	}
+}
+
+TEST_CASE("the hand is ahead of a lagging tracker on its way and with it at rest") {
+	const GestureModel &model = test::drag_model();
+	const GestureFilter filter(TrackerMode::LAGGING,
+			{ .t_s = ONSET_S,
+					.deviation_s = 0.02,
+					.log_duration = std::log(DURATION_S),
+					.log_duration_deviation = 0.2,
+					.gain_deviation = 0.05 },
+			{});
+	const auto ahead = [&](double phase) {
+		const double t_s = ONSET_S + phase * DURATION_S;
+		return filter.hand(model, t_s, t_s).value - filter.measured(curve(), t_s).x;
+	};
+	CHECK(ahead(-0.1) == 0.0);
+	CHECK(ahead(0.5) > 0.02);
+	CHECK(std::abs(ahead(1.5)) < 1e-3);
+}
