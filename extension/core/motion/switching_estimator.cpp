@@ -14,8 +14,8 @@ namespace {
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
 constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
 
-constexpr double share(TrackerMode tracker) {
-	return tracker == TrackerMode::SOUND ? 1.0 - parameters::LAGGING_SHARE : parameters::LAGGING_SHARE;
+double share(TrackerMode tracker, double lagging) {
+	return tracker == TrackerMode::SOUND ? 1.0 - lagging : lagging;
 }
 
 /// Probability of a switch within dt_s.
@@ -49,7 +49,8 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 void SwitchingEstimator::reset() {
 	time_s_ = seen_s_ = NEVER_S;
 	gestures_.clear();
-	has_fault_ = false;
+	hold_ = free_ = {};
+	log_fault_ = 0.0;
 	faulty_latency_s_ = 0.0;
 	blend_ = {};
 	acceleration_step_ = 0.0;
@@ -61,8 +62,8 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 		return HandState{ x, v, noise, 0.0, process.speed * process.speed };
 	};
 	gestures_.clear();
-	hold_ = { 0.9, at_rate(hold_process_) };
-	free_ = { 0.1, at_rate(free_process_) };
+	hold_ = { 0.9, hold_.lagging, at_rate(hold_process_) };
+	free_ = { 0.1, hold_.lagging, at_rate(free_process_) };
 	hold_.hand.v = 0.0;
 	time_s_ = next_birth_s_ = t_s;
 }
@@ -107,12 +108,12 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
-			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_DROPOUTS);
+			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_FAULTS);
 		}
 		if (!measurement.has_news() || jumps) {
 			return;
 		}
-		has_fault_ = false;
+		log_fault_ = 0.0;
 		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - seen_s_;
 		const ElementReading reading{ t_s, x,
 			noise * noise + parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE,
@@ -122,8 +123,8 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 			seed(reading, since_s);
 		}
 		correct(reading, known);
+		judge_tracker(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S)); // none came
 		seen_s_ = t_s;
-		normalise();
 		prune();
 	});
 }
@@ -135,8 +136,7 @@ void SwitchingEstimator::wait(double t_s, bool is_overdue) {
 	change(t_s, [&] {
 		predict(t_s);
 		if (is_overdue) {
-			count_fault(parameters::LOG_DROPOUTS);
-			normalise();
+			count_fault(parameters::LOG_FAULTS);
 		}
 	});
 }
@@ -158,6 +158,12 @@ void SwitchingEstimator::predict(double t_s) {
 		}
 	}
 	switch_modes(dt_s);
+	if (log_fault_ > 0.0) {
+		const double more = std::min(
+				parameters::LOG_FAULTS_PER_S * dt_s, std::max(parameters::MOST_LOG_FAULTS - log_fault_, 0.0));
+		log_fault_ += more;
+		judge_tracker(more);
+	}
 	if (t_s >= next_birth_s_) {
 		give_birth(t_s);
 		prune();
@@ -175,44 +181,65 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 		return HandState{ hand.x, 0.0, hand.xx, 0.0, hold_process_.speed * hold_process_.speed };
 	};
 	HandMixture held, freed;
-	held.add(hold_.weight * (1.0 - hold_to_free), hold_.hand);
-	held.add(free_.weight * free_to_hold, at_rest(free_.hand));
-	freed.add(free_.weight * (1.0 - free_to_hold), free_.hand);
+	double held_lagging = 0.0, freed_lagging = 0.0;
+	const auto hold = [&](double weight, const HandState &hand, double lagging) {
+		held.add(weight, hand);
+		held_lagging += weight * lagging;
+	};
+	const auto free = [&](double weight, const HandState &hand, double lagging) {
+		freed.add(weight, hand);
+		freed_lagging += weight * lagging;
+	};
 	HandState leaving = hold_.hand;
 	leaving.vv = free_process_.speed * free_process_.speed;
-	freed.add(hold_.weight * hold_to_free, leaving);
+	hold(hold_.weight * (1.0 - hold_to_free), hold_.hand, hold_.lagging);
+	hold(free_.weight * free_to_hold, at_rest(free_.hand), free_.lagging);
+	free(free_.weight * (1.0 - free_to_hold), free_.hand, free_.lagging);
+	free(hold_.weight * hold_to_free, leaving, hold_.lagging);
 	for (GestureFilter &gesture : gestures_) {
 		const GestureFilter::Prediction p = gesture.measured(curve_, time_s_);
 		const double rate = 1.0 / gesture.duration_s();
 		const HandState shown{ p.x, rate * curve_.at(p.phase).slope, p.variance, 0.0, 0.25 * rate * rate };
-		held.add(gesture.weight * to_hold, at_rest(shown));
-		freed.add(gesture.weight * to_free, shown);
+		const double lagging = gesture.tracker() == TrackerMode::LAGGING ? 1.0 : 0.0;
+		hold(gesture.weight * to_hold, at_rest(shown), lagging);
+		free(gesture.weight * to_free, shown, lagging);
 		gesture.weight *= 1.0 - to_hold - to_free;
 	}
-	hold_ = { held.weight(), held.weight() > 0.0 ? held.state() : hold_.hand };
-	free_ = { freed.weight(), freed.weight() > 0.0 ? freed.state() : free_.hand };
+	const double forgotten = switches(parameters::LAGGING_SWITCH_PER_S, dt_s);
+	const auto become = [&](Other &r_other, const HandMixture &mixture, double lagging) {
+		if (mixture.weight() > 0.0) {
+			lagging /= mixture.weight();
+			r_other = { mixture.weight(), lagging + forgotten * (parameters::LAGGING_SHARE - lagging),
+				mixture.state() };
+		}
+	};
+	become(hold_, held, held_lagging);
+	become(free_, freed, freed_lagging);
 }
 
-/// Says nothing of a hand that holds still: it is where it was.
-void SwitchingEstimator::count_fault(double log_ratio) {
-	if (std::exchange(has_fault_, true)) {
-		return;
-	}
+/// The tracker did something that is likelier of one that lags by log_ratio, as a logarithm.
+void SwitchingEstimator::judge_tracker(double log_ratio) {
 	const double factor = std::exp(-log_ratio);
-	const bool is_jump = log_ratio == parameters::LOG_JUMPS;
-	double before = free_.weight, after = factor * free_.weight;
+	hold_.judge_tracker(factor);
+	free_.judge_tracker(factor);
 	for (GestureFilter &gesture : gestures_) {
-		before += gesture.weight;
 		gesture.weight *= gesture.tracker() == TrackerMode::SOUND ? factor : 1.0;
-		after += gesture.weight;
-		if (is_jump && gesture.tracker() == TrackerMode::LAGGING) {
-			gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
-		}
 	}
-	const double scale = after > 0.0 ? before / after : 1.0;
-	free_.weight *= factor * scale;
-	for (GestureFilter &gesture : gestures_) {
-		gesture.weight *= scale;
+	normalise();
+}
+
+/// One that goes on counts the more, the longer it does.
+void SwitchingEstimator::count_fault(double log_ratio) {
+	if (log_fault_ == 0.0) {
+		log_fault_ = log_ratio;
+		judge_tracker(log_ratio);
+		if (log_ratio == parameters::LOG_JUMPS) {
+			for (GestureFilter &gesture : gestures_) {
+				if (gesture.tracker() == TrackerMode::LAGGING) {
+					gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
+				}
+			}
+		}
 	}
 	faulty_latency_s_ = parameters::FAULTY_LATENCY_S;
 }
@@ -234,7 +261,7 @@ void SwitchingEstimator::give_birth(double t_s) {
 	const double begin = hold_.weight * nearness() * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
 	for (const TrackerMode tracker : TRACKERS) {
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
-			const double weight = begin * share(tracker) * duration_weights_[k];
+			const double weight = begin * share(tracker, hold_.lagging) * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * hold_.weight) {
 				add(tracker, weight,
 						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
@@ -262,7 +289,7 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 			const double error = std::sqrt(unit * unit + reading.variance);
 			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
-					hold_.weight * nearness() * parameters::ONSETS_PER_S * share(tracker) *
+					hold_.weight * nearness() * parameters::ONSETS_PER_S * share(tracker, hold_.lagging) *
 							duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ * parameters::GAIN_SPREAD },
@@ -277,10 +304,6 @@ void SwitchingEstimator::correct(const ElementReading &reading, std::size_t coun
 		GestureFilter &gesture = gestures_[i];
 		const GestureFilter::Prediction p = gesture.measured(curve_, reading.t_s);
 		gesture.correct(p, reading);
-		if (gesture.tracker() == TrackerMode::LAGGING) { // no fault came in this time
-			const double seen_s = std::min(reading.t_s - seen_s_, parameters::BIRTH_PERIOD_S);
-			gesture.weight *= std::exp(-parameters::FAULTS_PER_S * std::clamp(p.phase, 0.0, 1.0) * seen_s);
-		}
 	}
 	for (Other *other : { &hold_, &free_ }) {
 		HandState &hand = other->hand;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "motion/estimator_effort.h"
 #include "motion/gesture_filter.h"
 #include "motion/output_blend.h"
@@ -60,7 +61,15 @@ private:
 	/// A hand that follows no curve.
 	struct Other {
 		double weight = 0.0;
+		double lagging = parameters::LAGGING_SHARE; ///< probability that its tracker lags
 		HandState hand;
+
+		/// The tracker did something that is `factor` times as likely of a sound one as of one that lags.
+		void judge_tracker(double factor) {
+			const double likelihood = (1.0 - lagging) * factor + lagging;
+			weight *= likelihood;
+			lagging /= likelihood;
+		}
 	};
 
 	const GestureModel *model_;
@@ -78,7 +87,7 @@ private:
 	double next_birth_s_ = 0.0;
 	Other hold_, free_;
 	std::vector<GestureFilter> gestures_;
-	bool has_fault_ = false; ///< one that goes on
+	double log_fault_ = 0.0; ///< evidence of the fault that goes on; 0: none does
 	double faulty_latency_s_ = 0.0;
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
@@ -87,6 +96,7 @@ private:
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);
 	void switch_modes(double dt_s);
+	void judge_tracker(double log_ratio);
 	void count_fault(double log_ratio);
 	void give_birth(double t_s);
 	void seed(const ElementReading &reading, double gap_s);
