@@ -82,17 +82,23 @@ private:
 	std::array<double, EstimatorEffort::MOST_DURATIONS> log_durations_{}, duration_weights_{};
 	double log_duration_deviation_ = 0.0;
 
-	double time_s_ = NEVER_S; ///< that all are predicted to
-	double seen_s_ = NEVER_S; ///< when a measurement last said where the hand is
-	double next_birth_s_ = 0.0;
-	Other hold_, free_;
-	std::vector<GestureFilter> gestures_;
-	double log_fault_ = 0.0; ///< evidence of the fault that goes on; 0: none does
-	double faulty_latency_s_ = 0.0;
+	/// What the measurements so far say.
+	struct Belief {
+		double time_s = NEVER_S; ///< that all are predicted to
+		double seen_s = NEVER_S; ///< when a measurement last said where the hand is
+		double next_birth_s = 0.0;
+		Other hold, free;
+		std::vector<GestureFilter> gestures;
+		double log_fault = 0.0; ///< evidence of the fault that goes on; 0: none does
+		double faulty_latency_s = 0.0;
+	};
+	Belief now_;
+	Belief before_burst_; ///< before the newest measurement, or the burst that it is one of
+	double burst_s_ = NEVER_S; ///< when that began
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
 
-	[[nodiscard]] bool has_hand() const { return time_s_ > NEVER_S; }
+	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);
 	void switch_modes(double dt_s);
