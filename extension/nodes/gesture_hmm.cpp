@@ -144,7 +144,6 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 
 void GestureHMM::publish() {
 	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
-	shown_.arrived = shown_.arrived && is_complete(before);
 	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
 	gestures_begun_ += news.started ? 1 : 0;
 	if (news.started) {
@@ -226,14 +225,6 @@ double GestureHMM::amplitude_m() const {
 
 double GestureHMM::fraction() const {
 	return std::max(current(MOTION_SYNTHESISED).value_m / amplitude_m(), 0.0);
-}
-
-/// Without a task how far the gesture should go is not known. What has ended stays so as the hand comes back.
-bool GestureHMM::is_complete(const steadyhand::GestureShown &p_before) const {
-	const bool had_ended =
-			p_before.arrived && p_before.gesture == shown_.gesture && p_before.begun == shown_.begun;
-	const bool has_task = expected_[static_cast<std::size_t>(shown_.gesture)].place.has_value();
-	return had_ended || !has_task || fraction() >= completion_;
 }
 
 StringName GestureHMM::gesture_name(int p_expected) const {

@@ -217,8 +217,6 @@ private:
 	double amplitude_m() const;
 	/// How far the gesture under way has come, in amplitudes.
 	double fraction() const;
-	/// Whether the gesture shown, at its end, has gone far enough to count.
-	bool is_complete(const steadyhand::GestureShown &p_before) const;
 	/// Null where there is none, or no longer.
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;

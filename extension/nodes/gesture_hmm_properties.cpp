@@ -119,6 +119,9 @@ void GestureHMM::set_completion(double p_fraction) {
 	ERR_FAIL_COND_MSG(!(p_fraction >= LEAST_COMPLETION) || p_fraction > 1.0,
 			"GestureHMM: completion must be within 0.5..1");
 	completion_ = p_fraction;
+	if (recogniser_) {
+		recogniser_->set_completion(completion_);
+	}
 }
 
 /// Gestures under way go on.

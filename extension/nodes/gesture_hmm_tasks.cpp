@@ -132,6 +132,7 @@ void GestureHMM::build_recogniser() {
 			static_cast<steadyhand::MotionMode>(mode_),
 			steadyhand::estimator_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 	recogniser_->set_min_confidence(min_confidence_);
+	recogniser_->set_completion(completion_);
 	recogniser_->set_start_condition(start_);
 }
 

@@ -21,7 +21,7 @@ inline constexpr double SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
 /// Standard deviation of the relative error of the endpoint.
 inline constexpr double GAIN_SPREAD = 0.041;
 /// What a hand does beside the model's curve: critically damped noise, standard deviation and rate.
-inline constexpr double DEVIATION = 0.06, DEVIATION_RATE_PER_S = 4.6;
+inline constexpr double DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// A hand that holds still: standard deviation of its velocity, per s, and the rate of that. Tremor, sway,
 /// and a tracker's slow error.
 inline constexpr double HOLD_SPEED = 0.12, HOLD_RATE_PER_S = 9.0;
@@ -37,9 +37,9 @@ inline constexpr double HOLD_TO_FREE_PER_S = 0.3;
 
 // The tracker.
 
-/// Share of gestures before a tracker that lags, and what is left of it whatever the frames say: trackers
-/// begin to lag at any time.
-inline constexpr double LAGGING_SHARE = 0.4, LAGGING_AT_LEAST = 0.03;
+/// Share of the time in which trackers lag, how fast that is forgotten, and what is left of it in a gesture
+/// whatever the frames say: trackers begin to lag at any time.
+inline constexpr double LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
 /// Lag at the end of a long way: mean and standard deviation, s. It builds up over LAG_SETTLING_S.
 inline constexpr double LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
 /// What one that has had a fault is late beyond that, s.
@@ -47,10 +47,14 @@ inline constexpr double FAULTY_LATENCY_S = 0.03;
 /// Error of a lagging tracker: critically damped noise; standard deviation at the start, what it has more at
 /// the end of the way, and rate.
 inline constexpr double LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGING_ERROR_RATE_PER_S = 8.0;
-/// Faults of a lagging tracker against those of a sound one, as logarithms of their rates.
-inline constexpr double LOG_DROPOUTS = 2.5, LOG_JUMPS = 3.0;
-/// Faults of a lagging tracker at the end of the way, per s; a sound one has hardly any.
-inline constexpr double FAULTS_PER_S = 2.4;
+/// Dropouts, freezes and jumps of a lagging tracker against those of a sound one, as logarithms of their
+/// rates.
+inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 2.6;
+/// What is added per s while a fault goes on, and the most that one comes to: those of a sound tracker are
+/// short, 0.025 s in the mean against 0.13 s.
+inline constexpr double LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
+/// By how many faults per s a lagging tracker has more.
+inline constexpr double FAULTS_PER_S = 1.1;
 /// White noise that any measurement has beside what TrackerMonitor measures: the model's curve is no hand's.
 inline constexpr double MEASUREMENT_NOISE = 0.0035;
 /// Errors of measurements closer together than this are alike: a power of the likelihood, "coarsened

@@ -61,7 +61,7 @@ double Table::slope(double at) const {
 
 double Table::greatest(double from, double to) const {
 	const double last = static_cast<double>(count) - 1.0;
-	if (!(to >= 0.0) || !(from <= last)) {
+	if (count == 0 || !(to >= 0.0) || !(from <= last)) {
 		return 0.0;
 	}
 	const auto first = static_cast<std::uint32_t>(std::max(from, 0.0));

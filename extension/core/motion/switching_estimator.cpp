@@ -12,10 +12,12 @@ namespace steadyhand {
 namespace {
 
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
+/// No tracker looks more often.
+constexpr double BURST_S = 1e-3;
 constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
 
-constexpr double share(TrackerMode tracker) {
-	return tracker == TrackerMode::SOUND ? 1.0 - parameters::LAGGING_SHARE : parameters::LAGGING_SHARE;
+double share(TrackerMode tracker, double lagging) {
+	return tracker == TrackerMode::SOUND ? 1.0 - lagging : lagging;
 }
 
 /// Probability of a switch within dt_s.
@@ -43,14 +45,17 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 	for (double &weight : duration_weights_) {
 		weight /= total;
 	}
-	gestures_.reserve(effort.hypotheses + 2 * TRACKERS.size() * effort.durations);
+	for (Belief *belief : { &now_, &before_burst_ }) {
+		belief->gestures.reserve(effort.hypotheses + 2 * TRACKERS.size() * effort.durations);
+	}
 }
 
 void SwitchingEstimator::reset() {
-	time_s_ = seen_s_ = NEVER_S;
-	gestures_.clear();
-	has_fault_ = false;
-	faulty_latency_s_ = 0.0;
+	now_.time_s = now_.seen_s = burst_s_ = NEVER_S;
+	now_.gestures.clear();
+	now_.hold = now_.free = {};
+	now_.log_fault = 0.0;
+	now_.faulty_latency_s = 0.0;
 	blend_ = {};
 	acceleration_step_ = 0.0;
 }
@@ -60,11 +65,11 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 	const auto at_rate = [&](const HandProcess &process) {
 		return HandState{ x, v, noise, 0.0, process.speed * process.speed };
 	};
-	gestures_.clear();
-	hold_ = { 0.9, at_rate(hold_process_) };
-	free_ = { 0.1, at_rate(free_process_) };
-	hold_.hand.v = 0.0;
-	time_s_ = next_birth_s_ = t_s;
+	now_.gestures.clear();
+	now_.hold = { 0.9, now_.hold.lagging, at_rate(hold_process_) };
+	now_.free = { 0.1, now_.hold.lagging, at_rate(free_process_) };
+	now_.hold.hand.v = 0.0;
+	now_.time_s = now_.next_birth_s = t_s;
 }
 
 void SwitchingEstimator::restart(double t_s, double shift) {
@@ -73,13 +78,13 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 	}
 	change(t_s, [&] {
 		HandMixture shown;
-		shown.add(hold_.weight, hold_.hand);
-		shown.add(free_.weight, free_.hand);
-		for (const GestureFilter &gesture : gestures_) {
-			const GestureFilter::Prediction p = gesture.measured(curve_, time_s_);
+		shown.add(now_.hold.weight, now_.hold.hand);
+		shown.add(now_.free.weight, now_.free.hand);
+		for (const GestureFilter &gesture : now_.gestures) {
+			const GestureFilter::Prediction p = gesture.measured(curve_, now_.time_s);
 			shown.add(gesture.weight, { p.x, 0.0, p.variance, 0.0, 0.0 });
 		}
-		begin(time_s_, shown.state().x + shift, shown.state().v);
+		begin(now_.time_s, shown.state().x + shift, shown.state().v);
 	});
 }
 
@@ -96,72 +101,84 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	const double t_s = measurement.t_s;
 	if (!has_hand()) {
 		begin(t_s, x, 0.0);
-		seen_s_ = t_s;
+		now_.seen_s = t_s;
 		return;
 	}
-	if (measurement.has_news() && t_s - seen_s_ < LEAST_FRAME_S) {
+	const bool is_of_burst = t_s - burst_s_ < BURST_S;
+	if (measurement.has_news() && !is_of_burst && t_s - now_.seen_s < LEAST_FRAME_S) {
 		return;
 	}
 	change(t_s, [&] {
+		if (is_of_burst) { // frames that waited for each other on the way: the last one is where the hand is
+			now_ = before_burst_;
+		} else {
+			before_burst_ = now_;
+			burst_s_ = t_s;
+		}
 		predict(t_s);
 		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
-			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_DROPOUTS);
+			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_FAULTS);
 		}
 		if (!measurement.has_news() || jumps) {
 			return;
 		}
-		has_fault_ = false;
-		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - seen_s_;
+		now_.log_fault = 0.0;
+		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - now_.seen_s;
 		const ElementReading reading{ t_s, x,
 			noise * noise + parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE,
 			since_s / (since_s + parameters::ALIKE_S) };
-		const std::size_t known = gestures_.size();
+		const std::size_t known = now_.gestures.size();
 		if (reappears) {
 			seed(reading, since_s);
 		}
 		correct(reading, known);
-		seen_s_ = t_s;
-		normalise();
+		judge_tracker(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S)); // none came
+		now_.seen_s = t_s;
 		prune();
 	});
 }
 
 void SwitchingEstimator::wait(double t_s, bool is_overdue) {
-	if (!has_hand() || t_s <= time_s_) {
+	if (!has_hand() || t_s <= now_.time_s) {
 		return;
 	}
 	change(t_s, [&] {
 		predict(t_s);
 		if (is_overdue) {
-			count_fault(parameters::LOG_DROPOUTS);
-			normalise();
+			count_fault(parameters::LOG_FAULTS);
 		}
 	});
 }
 
 void SwitchingEstimator::predict(double t_s) {
-	const double dt_s = t_s - time_s_;
+	const double dt_s = t_s - now_.time_s;
 	if (dt_s <= 0.0) {
 		return;
 	}
-	time_s_ = t_s;
-	hold_process_.predict(hold_.hand, dt_s);
-	free_process_.predict(free_.hand, dt_s);
+	now_.time_s = t_s;
+	hold_process_.predict(now_.hold.hand, dt_s);
+	free_process_.predict(now_.free.hand, dt_s);
 	for (const TrackerMode tracker : TRACKERS) {
 		const DampedTransition transition(GestureFilter::deviation_rate_per_s(tracker), dt_s);
-		for (GestureFilter &gesture : gestures_) {
+		for (GestureFilter &gesture : now_.gestures) {
 			if (gesture.tracker() == tracker) {
 				gesture.predict(transition, dt_s, t_s);
 			}
 		}
 	}
 	switch_modes(dt_s);
-	if (t_s >= next_birth_s_) {
+	if (now_.log_fault > 0.0) {
+		const double more = std::min(
+				parameters::LOG_FAULTS_PER_S * dt_s, std::max(parameters::MOST_LOG_FAULTS - now_.log_fault, 0.0));
+		now_.log_fault += more;
+		judge_tracker(more);
+	}
+	if (t_s >= now_.next_birth_s) {
 		give_birth(t_s);
 		prune();
-		next_birth_s_ = t_s + parameters::BIRTH_PERIOD_S;
+		now_.next_birth_s = t_s + parameters::BIRTH_PERIOD_S;
 	}
 }
 
@@ -175,51 +192,72 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 		return HandState{ hand.x, 0.0, hand.xx, 0.0, hold_process_.speed * hold_process_.speed };
 	};
 	HandMixture held, freed;
-	held.add(hold_.weight * (1.0 - hold_to_free), hold_.hand);
-	held.add(free_.weight * free_to_hold, at_rest(free_.hand));
-	freed.add(free_.weight * (1.0 - free_to_hold), free_.hand);
-	HandState leaving = hold_.hand;
+	double held_lagging = 0.0, freed_lagging = 0.0;
+	const auto hold = [&](double weight, const HandState &hand, double lagging) {
+		held.add(weight, hand);
+		held_lagging += weight * lagging;
+	};
+	const auto free = [&](double weight, const HandState &hand, double lagging) {
+		freed.add(weight, hand);
+		freed_lagging += weight * lagging;
+	};
+	HandState leaving = now_.hold.hand;
 	leaving.vv = free_process_.speed * free_process_.speed;
-	freed.add(hold_.weight * hold_to_free, leaving);
-	for (GestureFilter &gesture : gestures_) {
-		const GestureFilter::Prediction p = gesture.measured(curve_, time_s_);
+	hold(now_.hold.weight * (1.0 - hold_to_free), now_.hold.hand, now_.hold.lagging);
+	hold(now_.free.weight * free_to_hold, at_rest(now_.free.hand), now_.free.lagging);
+	free(now_.free.weight * (1.0 - free_to_hold), now_.free.hand, now_.free.lagging);
+	free(now_.hold.weight * hold_to_free, leaving, now_.hold.lagging);
+	for (GestureFilter &gesture : now_.gestures) {
+		const GestureFilter::Prediction p = gesture.measured(curve_, now_.time_s);
 		const double rate = 1.0 / gesture.duration_s();
 		const HandState shown{ p.x, rate * curve_.at(p.phase).slope, p.variance, 0.0, 0.25 * rate * rate };
-		held.add(gesture.weight * to_hold, at_rest(shown));
-		freed.add(gesture.weight * to_free, shown);
+		const double lagging = gesture.tracker() == TrackerMode::LAGGING ? 1.0 : 0.0;
+		hold(gesture.weight * to_hold, at_rest(shown), lagging);
+		free(gesture.weight * to_free, shown, lagging);
 		gesture.weight *= 1.0 - to_hold - to_free;
 	}
-	hold_ = { held.weight(), held.weight() > 0.0 ? held.state() : hold_.hand };
-	free_ = { freed.weight(), freed.weight() > 0.0 ? freed.state() : free_.hand };
+	const double forgotten = switches(parameters::LAGGING_SWITCH_PER_S, dt_s);
+	const auto become = [&](Other &r_other, const HandMixture &mixture, double lagging) {
+		if (mixture.weight() > 0.0) {
+			lagging /= mixture.weight();
+			r_other = { mixture.weight(), lagging + forgotten * (parameters::LAGGING_SHARE - lagging),
+				mixture.state() };
+		}
+	};
+	become(now_.hold, held, held_lagging);
+	become(now_.free, freed, freed_lagging);
 }
 
-/// Says nothing of a hand that holds still: it is where it was.
-void SwitchingEstimator::count_fault(double log_ratio) {
-	if (std::exchange(has_fault_, true)) {
-		return;
-	}
+/// The tracker did something that is likelier of one that lags by log_ratio, as a logarithm.
+void SwitchingEstimator::judge_tracker(double log_ratio) {
 	const double factor = std::exp(-log_ratio);
-	const bool is_jump = log_ratio == parameters::LOG_JUMPS;
-	double before = free_.weight, after = factor * free_.weight;
-	for (GestureFilter &gesture : gestures_) {
-		before += gesture.weight;
+	now_.hold.judge_tracker(factor);
+	now_.free.judge_tracker(factor);
+	for (GestureFilter &gesture : now_.gestures) {
 		gesture.weight *= gesture.tracker() == TrackerMode::SOUND ? factor : 1.0;
-		after += gesture.weight;
-		if (is_jump && gesture.tracker() == TrackerMode::LAGGING) {
-			gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
+	}
+	normalise();
+}
+
+/// One that goes on counts the more, the longer it does.
+void SwitchingEstimator::count_fault(double log_ratio) {
+	if (now_.log_fault == 0.0) {
+		now_.log_fault = log_ratio;
+		judge_tracker(log_ratio);
+		if (log_ratio == parameters::LOG_JUMPS) {
+			for (GestureFilter &gesture : now_.gestures) {
+				if (gesture.tracker() == TrackerMode::LAGGING) {
+					gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
+				}
+			}
 		}
 	}
-	const double scale = after > 0.0 ? before / after : 1.0;
-	free_.weight *= factor * scale;
-	for (GestureFilter &gesture : gestures_) {
-		gesture.weight *= scale;
-	}
-	faulty_latency_s_ = parameters::FAULTY_LATENCY_S;
+	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
 }
 
 /// How likely a hand that holds still where this one does begins a gesture, beside one at the start.
 double SwitchingEstimator::nearness() const {
-	const double off = hold_.hand.x / parameters::START_SPREAD;
+	const double off = now_.hold.hand.x / parameters::START_SPREAD;
 	return std::exp(-0.5 * off * off);
 }
 
@@ -227,23 +265,23 @@ void SwitchingEstimator::add(TrackerMode tracker, double weight, const GestureFi
 		const HandState &from) {
 	GestureFilter gesture(tracker, onset, from);
 	gesture.weight = weight;
-	gestures_.push_back(gesture);
+	now_.gestures.push_back(gesture);
 }
 
 void SwitchingEstimator::give_birth(double t_s) {
-	const double begin = hold_.weight * nearness() * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
+	const double begin = now_.hold.weight * nearness() * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
 	for (const TrackerMode tracker : TRACKERS) {
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
-			const double weight = begin * share(tracker) * duration_weights_[k];
-			if (weight > parameters::LEAST_WEIGHT * hold_.weight) {
+			const double weight = begin * share(tracker, now_.hold.lagging) * duration_weights_[k];
+			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
 						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
 								gain_spread_ * parameters::GAIN_SPREAD },
-						hold_.hand);
+						now_.hold.hand);
 			}
 		}
 	}
-	hold_.weight -= begin;
+	now_.hold.weight -= begin;
 }
 
 /// Of gestures that began while nothing was seen: their curves pass through the reading.
@@ -262,7 +300,7 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 			const double error = std::sqrt(unit * unit + reading.variance);
 			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
-					hold_.weight * nearness() * parameters::ONSETS_PER_S * share(tracker) *
+					now_.hold.weight * nearness() * parameters::ONSETS_PER_S * share(tracker, now_.hold.lagging) *
 							duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ * parameters::GAIN_SPREAD },
@@ -274,15 +312,11 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 /// count: of the gestures that the reading has not made.
 void SwitchingEstimator::correct(const ElementReading &reading, std::size_t count) {
 	for (std::size_t i = 0; i < count; ++i) {
-		GestureFilter &gesture = gestures_[i];
+		GestureFilter &gesture = now_.gestures[i];
 		const GestureFilter::Prediction p = gesture.measured(curve_, reading.t_s);
 		gesture.correct(p, reading);
-		if (gesture.tracker() == TrackerMode::LAGGING) { // no fault came in this time
-			const double seen_s = std::min(reading.t_s - seen_s_, parameters::BIRTH_PERIOD_S);
-			gesture.weight *= std::exp(-parameters::FAULTS_PER_S * std::clamp(p.phase, 0.0, 1.0) * seen_s);
-		}
 	}
-	for (Other *other : { &hold_, &free_ }) {
+	for (Other *other : { &now_.hold, &now_.free }) {
 		HandState &hand = other->hand;
 		const double error = reading.x - hand.x, variance = hand.xx + reading.variance;
 		const ReadingLikelihood likelihood(error, variance);
@@ -298,36 +332,36 @@ void SwitchingEstimator::correct(const ElementReading &reading, std::size_t coun
 }
 
 void SwitchingEstimator::normalise() {
-	double total = hold_.weight + free_.weight, sound = 0.0, lagging = 0.0;
-	for (const GestureFilter &gesture : gestures_) {
+	double total = now_.hold.weight + now_.free.weight, sound = 0.0, lagging = 0.0;
+	for (const GestureFilter &gesture : now_.gestures) {
 		(gesture.tracker() == TrackerMode::SOUND ? sound : lagging) += gesture.weight;
 	}
 	total += sound + lagging;
 	if (!(total > 0.0)) {
-		hold_.weight = total = 1.0;
+		now_.hold.weight = total = 1.0;
 	}
 	const double least = parameters::LAGGING_AT_LEAST * (sound + lagging);
 	const double raised = lagging > 0.0 && lagging < least ? least / lagging : 1.0;
-	hold_.weight /= total;
-	free_.weight /= total;
-	for (GestureFilter &gesture : gestures_) {
+	now_.hold.weight /= total;
+	now_.free.weight /= total;
+	for (GestureFilter &gesture : now_.gestures) {
 		gesture.weight *= (gesture.tracker() == TrackerMode::LAGGING ? raised : 1.0) / total;
 	}
 }
 
 void SwitchingEstimator::prune() {
-	double best = std::max(hold_.weight, free_.weight);
-	for (const GestureFilter &gesture : gestures_) {
+	double best = std::max(now_.hold.weight, now_.free.weight);
+	for (const GestureFilter &gesture : now_.gestures) {
 		best = std::max(best, gesture.weight);
 	}
-	std::erase_if(gestures_, [&](const GestureFilter &gesture) {
+	std::erase_if(now_.gestures, [&](const GestureFilter &gesture) {
 		return !(gesture.weight > parameters::LEAST_WEIGHT * best);
 	});
-	if (gestures_.size() > effort_.hypotheses) {
-		const auto last = gestures_.begin() + static_cast<std::ptrdiff_t>(effort_.hypotheses);
-		std::nth_element(gestures_.begin(), last, gestures_.end(),
+	if (now_.gestures.size() > effort_.hypotheses) {
+		const auto last = now_.gestures.begin() + static_cast<std::ptrdiff_t>(effort_.hypotheses);
+		std::nth_element(now_.gestures.begin(), last, now_.gestures.end(),
 				[](const GestureFilter &a, const GestureFilter &b) { return a.weight > b.weight; });
-		gestures_.erase(last, gestures_.end());
+		now_.gestures.erase(last, now_.gestures.end());
 	}
 }
 
@@ -337,14 +371,14 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	}
 	MotionEstimate estimate;
 	const double ahead_s = t_s + latency_s_;
-	double total = hold_.weight + free_.weight;
-	for (const GestureFilter &gesture : gestures_) {
+	double total = now_.hold.weight + now_.free.weight;
+	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;
-		if (gesture.onset_s() > seen_s_ - parameters::UNSEEN_S) {
+		if (gesture.onset_s() > now_.seen_s - parameters::UNSEEN_S) {
 			continue;
 		}
-		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? faulty_latency_s_ : 0.0;
-		const GestureFilter::Hand hand = gesture.hand(*model_, time_s_, ahead_s + late_s);
+		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? now_.faulty_latency_s : 0.0;
+		const GestureFilter::Hand hand = gesture.hand(*model_, now_.time_s, ahead_s + late_s);
 		estimate.value += gesture.weight * hand.value;
 		estimate.velocity += gesture.weight * hand.velocity;
 		estimate.acceleration += gesture.weight * hand.acceleration;
@@ -352,7 +386,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		estimate.gesture += gesture.weight;
 	}
 	const auto go_on = [&](const Other &other, const HandProcess &process) {
-		const double dt_s = std::max(ahead_s - time_s_, 0.0), fading = std::exp(-process.rate_per_s * dt_s);
+		const double dt_s = std::max(ahead_s - now_.time_s, 0.0), fading = std::exp(-process.rate_per_s * dt_s);
 		const double velocity = other.hand.v * fading;
 		const double value = other.hand.x + process.reach_s(dt_s) * other.hand.v;
 		estimate.value += other.weight * value;
@@ -360,9 +394,9 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		estimate.acceleration -= other.weight * process.rate_per_s * velocity;
 		estimate.phase += other.weight * minimum_jerk_share(value);
 	};
-	go_on(hold_, hold_process_);
-	go_on(free_, free_process_);
-	estimate.hold = hold_.weight / total;
+	go_on(now_.hold, hold_process_);
+	go_on(now_.free, free_process_);
+	estimate.hold = now_.hold.weight / total;
 	estimate.gesture /= total;
 	estimate.value /= total;
 	estimate.velocity /= total;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "motion/estimator_effort.h"
 #include "motion/gesture_filter.h"
 #include "motion/output_blend.h"
@@ -60,7 +61,15 @@ private:
 	/// A hand that follows no curve.
 	struct Other {
 		double weight = 0.0;
+		double lagging = parameters::LAGGING_SHARE; ///< probability that its tracker lags
 		HandState hand;
+
+		/// The tracker did something that is `factor` times as likely of a sound one as of one that lags.
+		void judge_tracker(double factor) {
+			const double likelihood = (1.0 - lagging) * factor + lagging;
+			weight *= likelihood;
+			lagging /= likelihood;
+		}
 	};
 
 	const GestureModel *model_;
@@ -73,20 +82,27 @@ private:
 	std::array<double, EstimatorEffort::MOST_DURATIONS> log_durations_{}, duration_weights_{};
 	double log_duration_deviation_ = 0.0;
 
-	double time_s_ = NEVER_S; ///< that all are predicted to
-	double seen_s_ = NEVER_S; ///< when a measurement last said where the hand is
-	double next_birth_s_ = 0.0;
-	Other hold_, free_;
-	std::vector<GestureFilter> gestures_;
-	bool has_fault_ = false; ///< one that goes on
-	double faulty_latency_s_ = 0.0;
+	/// What the measurements so far say.
+	struct Belief {
+		double time_s = NEVER_S; ///< that all are predicted to
+		double seen_s = NEVER_S; ///< when a measurement last said where the hand is
+		double next_birth_s = 0.0;
+		Other hold, free;
+		std::vector<GestureFilter> gestures;
+		double log_fault = 0.0; ///< evidence of the fault that goes on; 0: none does
+		double faulty_latency_s = 0.0;
+	};
+	Belief now_;
+	Belief before_burst_; ///< before the newest measurement, or the burst that it is one of
+	double burst_s_ = NEVER_S; ///< when that began
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
 
-	[[nodiscard]] bool has_hand() const { return time_s_ > NEVER_S; }
+	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);
 	void switch_modes(double dt_s);
+	void judge_tracker(double log_ratio);
 	void count_fault(double log_ratio);
 	void give_birth(double t_s);
 	void seed(const ElementReading &reading, double gap_s);

@@ -69,6 +69,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 			starts_.push_back(starts_before[old]);
 		} else {
 			followers_.push_back(follower_of(gestures_[i], synthesis_));
+			followers_.back()->set_completion(completion_);
 			filtered_.emplace_back();
 			starts_.emplace_back();
 		}

@@ -46,19 +46,20 @@ bool GestureFollower::push(
 	return true;
 }
 
-void GestureFollower::advance(double t_s, const StrokeFinder &strokes, bool is_overdue) {
+void GestureFollower::advance(
+		double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		step(clock_.next_s(), strokes, is_overdue);
+		step(clock_.next_s(), strokes, monitor);
 		clock_.advance();
 	}
 }
 
-void GestureFollower::step(double t_s, const StrokeFinder &strokes, bool is_overdue) {
+void GestureFollower::step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
 	if (!fresh_ && follows_phase()) {
-		phase_.wait(t_s, is_overdue);
+		phase_.wait(t_s, monitor.is_overdue(t_s));
 	}
 	if (stage_ == Stage::MOVING) {
 		decode(t_s);

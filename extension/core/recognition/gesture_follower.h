@@ -50,8 +50,8 @@ public:
 	/// finite; strokes: of the feature, with this frame in it; measurement: what its tracker is worth.
 	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes,
 			const Measurement &measurement);
-	/// All that is due by t_s; strokes: as of the last frame; is_overdue: a frame should have come by now.
-	void advance(double t_s, const StrokeFinder &strokes, bool is_overdue);
+	/// All that is due by t_s; strokes and monitor: as of the last frame.
+	void advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
@@ -80,6 +80,8 @@ public:
 	/// From where its gesture begins to where the hand was last located, m; infinite before, and since it was
 	/// lost. What may begin anywhere begins a hand's breadth away.
 	[[nodiscard]] virtual double off_start_m() const { return INFINITY; }
+	/// Of a gesture with a task: the share of its way from which on it counts where the hand stops.
+	virtual void set_completion(double /*share*/) {}
 	/// It is to follow the hand, wherever that is, with frames from t_s on: what it shows at rest is put out.
 	virtual void attend(double /*t_s*/) {}
 	/// Of a new follower: strokes that began before t_s have been made for another gesture.
@@ -178,7 +180,7 @@ private:
 	bool is_forgotten_ = false; ///< the hand is, and has not been seen again
 	OutputBlend blend_;         ///< of what would step otherwise, m
 
-	void step(double t_s, const StrokeFinder &strokes, bool is_overdue);
+	void step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
 	void enter(Stage stage, double t_s);
 	/// Frames go to the estimator.
 	[[nodiscard]] bool follows_phase() const {

@@ -55,6 +55,13 @@ void GestureRecogniser::WatchedFeature::look(double t_s, const FeaturePlace &pla
 	strokes.push(t_s, place_m);
 }
 
+void GestureRecogniser::set_completion(double share) {
+	completion_ = share;
+	for (const std::unique_ptr<GestureFollower> &follower : followers_) {
+		follower->set_completion(share);
+	}
+}
+
 void GestureRecogniser::push(const HandFrame &frame) {
 	if (!(std::abs(frame.t_s) <= FARTHEST_S) || frame.t_s < time_s_ || frame.repeats(last_frame_)) {
 		return;
@@ -121,7 +128,7 @@ void GestureRecogniser::advance_followers(double t_s) {
 
 void GestureRecogniser::step_followers(double t_s) {
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		followers_[i]->advance(t_s, watched(i).strokes, watched(i).monitor.is_overdue(t_s));
+		followers_[i]->advance(t_s, watched(i).strokes, watched(i).monitor);
 	}
 }
 

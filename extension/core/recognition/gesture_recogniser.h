@@ -40,6 +40,10 @@ public:
 	/// shows more of what hands do otherwise, more shows gestures later.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
+	/// 0.5 .. 1; a gesture with a task counts as soon as it is seen to come to its end, and where the hand stops
+	/// short of that from this share of the way on.
+	void set_completion(double share);
+
 	/// A gesture that begins while this is not met is not shown, and does not end. What is under way goes on.
 	void set_start_condition(const StartSettings &settings) { start_condition_ = StartCondition(settings); }
 	[[nodiscard]] const StartCondition &start_condition() const { return start_condition_; }
@@ -100,6 +104,7 @@ private:
 	std::vector<std::unique_ptr<GestureFollower>> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	double min_confidence_ = 0.0;
+	double completion_ = END_LEVEL;
 	StartCondition start_condition_;
 	/// Of the last gesture that a follower began: which one, and whether it may be shown.
 	struct Start {

@@ -29,9 +29,11 @@ constexpr double TURNS_S = 0.3;
 constexpr double ABORT_AFTER = 3.0;
 /// At its end a stroke may still turn out to have been the gesture; and a tracker may show another place.
 constexpr double DOUBT_S = 0.3;
-/// What ends short of its task has to be the task's way beyond doubt, log odds: hands that go about something
-/// else stop anywhere.
-constexpr double BEYOND_DOUBT = 9.0;
+/// A hand has stopped that holds still with this probability for so long; one has turned back that has come
+/// back so far.
+constexpr double STOPPED = 0.8, STOPPED_S = 0.2, TURNED_BACK = 0.1;
+/// From here on the end is near.
+constexpr double NEAR_END = 0.75;
 /// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
 /// that has been there for so long is left alone until it is nearer.
 constexpr double ELSEWHERE = 0.7;
@@ -120,18 +122,20 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = likely_s_ = off_start_s_ = t_s;
-				short_end_.begin(t_s);
+				furthest_ = 0.0;
+				moved_s_ = t_s;
 				begin(t_s, value());
 				decode(t_s);
 			}
 			break;
 		case Stage::MOVING:
+			follow_stop(t_s);
 			if (has_gone_elsewhere()) {
 				is_rejected_ = true;
 				come_to_rest(t_s);
 			} else if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if ((ends_short(t_s) || is_at_end(t_s)) && is_known(t_s, strokes)) {
+			} else if ((has_stopped(t_s) || is_at_end(t_s)) && is_known(t_s, strokes)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -183,10 +187,10 @@ bool TaskFollower::was_nothing(double t_s) {
 	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin =
-			short_end_.furthest() < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+			furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
-	off_start_s_ = short_end_.furthest() < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
+	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
 	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
@@ -196,7 +200,7 @@ bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
 	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : hand_.last_s());
 	const bool may_be_there = value() > HALF_WAY || unseen_s > MISSING_S;
 	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
-	return mode() == MotionMode::PAPER || value() > ShortEnd::NEAREST || (is_followed && may_be_there);
+	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 
 bool TaskFollower::is_back(double t_s) const {
@@ -204,13 +208,21 @@ bool TaskFollower::is_back(double t_s) const {
 	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
 }
 
-bool TaskFollower::ends_short(double t_s) {
+void TaskFollower::follow_stop(double t_s) {
+	const MotionEstimate now = estimate(t_s);
+	const bool is_seen = hand_.is_recent(t_s);
+	moved_s_ = is_seen && now.hold > STOPPED ? moved_s_ : t_s;
+	furthest_ = is_seen && !hand_.is_just_found(t_s) ? std::max(furthest_, now.value) : furthest_;
+}
+
+/// Where the gesture counts, or it has turned back from there.
+bool TaskFollower::has_stopped(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false; // plays to the end
 	}
-	const bool is_seen = hand_.is_recent(t_s);
-	short_end_.follow(t_s, estimate(t_s).value, is_seen, is_seen && !hand_.is_just_found(t_s));
-	return strokes_.best_log_odds() > BEYOND_DOUBT && short_end_.has_ended(t_s);
+	const double value = estimate(t_s).value;
+	const bool has_turned = furthest_ > completion_ && value < furthest_ - TURNED_BACK;
+	return has_turned || (value > completion_ && t_s - moved_s_ > STOPPED_S);
 }
 
 void TaskFollower::come_to_end(double t_s) {
@@ -225,7 +237,7 @@ void TaskFollower::come_to_end(double t_s) {
 }
 
 void TaskFollower::come_to_rest(double t_s) {
-	const bool had_left = stage() == Stage::ARRIVED || short_end_.furthest() > SEEN_ON_WAY;
+	const bool had_left = stage() == Stage::ARRIVED || furthest_ > SEEN_ON_WAY;
 	rest(t_s);
 	if (had_left) {
 		strokes_.pass_over_before(beyond_s_ - TURNS_S);
@@ -237,7 +249,7 @@ void TaskFollower::come_to_rest(double t_s) {
 }
 
 bool TaskFollower::nears_end() const {
-	return stage() == Stage::MOVING && value() > ShortEnd::NEAREST;
+	return stage() == Stage::MOVING && value() > NEAR_END;
 }
 
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.

@@ -3,7 +3,6 @@
 #include "gesture/motion_element.h"
 #include "recognition/gesture_follower.h"
 #include "recognition/seen_hand.h"
-#include "recognition/short_end.h"
 #include "soundness/rest_wander.h"
 #include "strokes/task_strokes.h"
 
@@ -17,6 +16,7 @@ class TaskFollower final : public GestureFollower {
 public:
 	TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis);
 
+	void set_completion(double share) override { completion_ = share; }
 	void attend(double t_s) override { attended_s_ = t_s; }
 	void locate(const FeaturePlace &place_m) override {
 		off_start_m_ = strokes_.off_start_m(place_m);
@@ -29,6 +29,7 @@ public:
 
 private:
 	MotionElement element_;
+	double completion_ = END_LEVEL;
 	TaskStrokes strokes_;
 	RestWander wander_; ///< of what is measured before the gesture
 	SeenHand hand_;
@@ -38,7 +39,8 @@ private:
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
-	ShortEnd short_end_;
+	double furthest_ = 0.0;  ///< that a hand which is seen has come since it began
+	double moved_s_ = 0.0;   ///< when it last did not hold still
 	double off_start_s_ = 0.0;    ///< when it was last not at the start, once it had left that
 	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
 
@@ -57,7 +59,8 @@ private:
 	[[nodiscard]] bool is_back(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.
 	[[nodiscard]] bool was_nothing(double t_s);
-	[[nodiscard]] bool ends_short(double t_s);
+	void follow_stop(double t_s);
+	[[nodiscard]] bool has_stopped(double t_s) const;
 	void come_to_end(double t_s);
 	void come_to_rest(double t_s);
 	void lose(double t_s);
