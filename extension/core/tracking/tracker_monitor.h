@@ -67,6 +67,7 @@ private:
 	double new_s_ = 0.0;   ///< of the newest reading
 	Eigen::Vector3d position_m_ = Eigen::Vector3d::Zero();
 	double kept_s_ = 0.0; ///< of the newest reading but for those of a burst
+	double used_s_ = 0.0; ///< of the newest usable reading but for those that replaced it
 	Ring<double, 8> intervals_s_;
 	double period_s_ = UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
@@ -80,6 +81,7 @@ private:
 	[[nodiscard]] double overdue_s() const;
 	[[nodiscard]] Eigen::Vector3d reading_noise_m() const;
 	void restart(double t_s, const Eigen::Vector3d &position_m);
+	void replace_in_burst(Measurement &r_measurement, bool is_first);
 	void repeat(Measurement &r_measurement);
 	void read(Measurement &r_measurement, double frame_gap_s);
 	void time(double t_s);

@@ -49,7 +49,7 @@ void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
 			cell.squares_s2 += lost_s * lost_s;
 		}
 	}
-	if (!measurement.has_news() || measurement.status == MeasurementStatus::OUTLIER) {
+	if (!measurement.is_usable()) {
 		return;
 	}
 	last_ = cell_at(position_m);
