@@ -41,7 +41,9 @@ static func describe(proposal: Dictionary) -> String:
 	var parts := PackedStringArray()
 	for position: String in ["stable", "unstable"]:
 		var found: Dictionary = proposal[position]
-		var figures := [position, found["position"], 100 * found["lost_share"], 1e3 * found["noise"]]
+		var figures := [
+			position, found["position"], 100 * found["lost_share"], 1e3 * found["noise"]
+		]
 		parts.append("%s at %.2v m: lost %.0f %% of the time, noise %.1f mm" % figures)
 	return "; ".join(parts)
 
