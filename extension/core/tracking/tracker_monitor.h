@@ -29,8 +29,10 @@ public:
 	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
 	/// Between new readings, median; UNKNOWN_PERIOD_S before the second one.
 	[[nodiscard]] double period_s() const { return period_s_; }
+	[[nodiscard]] bool is_period_known() const { return !intervals_s_.empty(); }
 	/// Standard deviation of white noise per axis, root mean square of the three.
 	[[nodiscard]] double noise_m() const;
+	[[nodiscard]] bool is_noise_known() const { return noise_.is_measured(); }
 	/// Step between the positions that the tracker can report; 0: finer than can be seen.
 	[[nodiscard]] double resolution_m() const { return noise_.resolution_m(); }
 	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
