@@ -14,7 +14,6 @@ constexpr double AWAY_S = 10.0;
 /// Of a candidate: near it, and in its own cell.
 constexpr double LEAST_POOLED_S = 2.0;
 constexpr double LEAST_OWN_S = 0.3;
-constexpr double LEAST_SUM_S = 1e-3; ///< of a cell where only the last reading was
 /// In the variance of a lost time that may be 0: half a fault (Jeffreys' prior of a Poisson rate) of 0.25 s.
 constexpr double UNSEEN_S2 = 0.5 * 0.25 * 0.25;
 
@@ -104,7 +103,7 @@ template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wa
 	Place place;
 	place.position_m = sum.position_sum_m / sum.readings;
 	place.noise_m = sum.noise_sum_m / sum.readings;
-	place.seconds = std::max(sum.seconds, LEAST_SUM_S);
+	place.seconds = sum.seconds;
 	place.lost_share = sum.lost_s / place.seconds;
 	// The sum of a Poisson number of times varies by the sum of their squares.
 	place.lost_variance = (sum.squares_s2 + UNSEEN_S2) / (place.seconds * place.seconds);
