@@ -92,7 +92,8 @@ void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s)
 
 GestureFilter::Prediction GestureFilter::measured(const ReferenceTable &curve, double t_s) const {
 	const double duration = duration_s(), phase = (t_s - mean_(ONSET)) / duration;
-	const double gone = std::clamp(curve.at(phase).value, 0.0, 1.0);
+	const ReferenceTable::Point hand = curve.at(phase);
+	const double gone = std::clamp(hand.value, 0.0, 1.0), gone_slope = hand.value == gone ? hand.slope : 0.0;
 	const double late = tracker_ == TrackerMode::LAGGING ? share_of_lag(duration) * gone / duration : 0.0;
 	Prediction p;
 	p.phase = phase - mean_(LAG) * late;
@@ -102,8 +103,14 @@ GestureFilter::Prediction GestureFilter::measured(const ReferenceTable &curve, d
 	const double slope = (1.0 + mean_(GAIN)) * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
 	const double unit = deviation(tracker_, gone);
 	p.x = (1.0 + mean_(GAIN)) * f + unit * mean_(DEVIATION);
-	p.slope(ONSET) = -slope / duration;
-	p.slope(LOG_DURATION) = -slope * p.phase;
+	// By the phase without the lag, in which the lag and the error's size follow it.
+	const double lagged = gone > 0.0 ? 1.0 - mean_(LAG) * late / gone * gone_slope : 1.0;
+	const double unit_slope =
+			tracker_ == TrackerMode::LAGGING ? parameters::LAGGING_ERROR_ON_WAY * gone_slope : 0.0;
+	const double by_phase = slope * lagged + unit_slope * mean_(DEVIATION);
+	p.slope(ONSET) = -by_phase / duration;
+	p.slope(LOG_DURATION) = -by_phase * phase +
+			slope * mean_(LAG) * late * duration / (duration + parameters::LAG_SETTLING_S);
 	p.slope(GAIN) = f;
 	p.slope(SHAPE) = (1.0 + mean_(GAIN)) * (jerk.value - own.value);
 	p.slope(LAG) = -slope * late;

@@ -14,6 +14,8 @@ namespace {
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
 /// No tracker looks more often.
 constexpr double BURST_S = 1e-3;
+/// Of what a hand does in a longer time without measurements nothing is left to be told.
+constexpr double LONGEST_GAP_S = 2.0;
 constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
 
 double share(TrackerMode tracker, double lagging) {
@@ -109,14 +111,17 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		return;
 	}
 	change(t_s, [&] {
-		if (is_of_burst) { // frames that waited for each other on the way: the last one is where the hand is
-			now_ = before_burst_;
-		} else {
-			before_burst_ = now_;
-			burst_s_ = t_s;
+		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
+		if (measurement.has_news() && !jumps) {
+			// Frames that waited for each other on the way: the last one is where the hand is.
+			if (is_of_burst) {
+				now_ = before_burst_;
+			} else {
+				before_burst_ = now_;
+				burst_s_ = t_s;
+			}
 		}
 		predict(t_s);
-		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
 			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_FAULTS);
@@ -152,7 +157,18 @@ void SwitchingEstimator::wait(double t_s, bool is_overdue) {
 	});
 }
 
+/// Births are on a grid of their own, so that nothing depends on when it is asked for.
 void SwitchingEstimator::predict(double t_s) {
+	now_.next_birth_s = std::max(now_.next_birth_s, t_s - LONGEST_GAP_S);
+	for (; now_.next_birth_s <= t_s; now_.next_birth_s += parameters::BIRTH_PERIOD_S) {
+		step(now_.next_birth_s);
+		give_birth(now_.next_birth_s);
+		prune();
+	}
+	step(t_s);
+}
+
+void SwitchingEstimator::step(double t_s) {
 	const double dt_s = t_s - now_.time_s;
 	if (dt_s <= 0.0) {
 		return;
@@ -170,15 +186,10 @@ void SwitchingEstimator::predict(double t_s) {
 	}
 	switch_modes(dt_s);
 	if (now_.log_fault > 0.0) {
-		const double more = std::min(
-				parameters::LOG_FAULTS_PER_S * dt_s, std::max(parameters::MOST_LOG_FAULTS - now_.log_fault, 0.0));
+		const double more = std::min(parameters::LOG_FAULTS_PER_S * dt_s,
+				std::max(parameters::MOST_LOG_FAULTS - now_.log_fault, 0.0));
 		now_.log_fault += more;
 		judge_tracker(more);
-	}
-	if (t_s >= now_.next_birth_s) {
-		give_birth(t_s);
-		prune();
-		now_.next_birth_s = t_s + parameters::BIRTH_PERIOD_S;
 	}
 }
 
@@ -255,10 +266,11 @@ void SwitchingEstimator::count_fault(double log_ratio) {
 	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
 }
 
-/// How likely a hand that holds still where this one does begins a gesture, beside one at the start.
-double SwitchingEstimator::nearness() const {
-	const double off = now_.hold.hand.x / parameters::START_SPREAD;
-	return std::exp(-0.5 * off * off);
+/// How likely a hand that holds still where this one is shown begins a gesture, beside one at the start: it may
+/// begin beside that, and deviate.
+double SwitchingEstimator::nearness(TrackerMode tracker) const {
+	const double x = now_.hold.hand.x, unit = GestureFilter::deviation(tracker, 0.0);
+	return std::exp(-0.5 * x * x / (parameters::START_SPREAD * parameters::START_SPREAD + unit * unit));
 }
 
 void SwitchingEstimator::add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset,
@@ -269,10 +281,13 @@ void SwitchingEstimator::add(TrackerMode tracker, double weight, const GestureFi
 }
 
 void SwitchingEstimator::give_birth(double t_s) {
-	const double begin = now_.hold.weight * nearness() * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
+	const double begin = now_.hold.weight * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
+	double begun = 0.0;
 	for (const TrackerMode tracker : TRACKERS) {
+		const double begin_so = begin * nearness(tracker) * share(tracker, now_.hold.lagging);
+		begun += begin_so;
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
-			const double weight = begin * share(tracker, now_.hold.lagging) * duration_weights_[k];
+			const double weight = begin_so * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
 						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
@@ -281,12 +296,12 @@ void SwitchingEstimator::give_birth(double t_s) {
 			}
 		}
 	}
-	now_.hold.weight -= begin;
+	now_.hold.weight -= begun;
 }
 
 /// Of gestures that began while nothing was seen: their curves pass through the reading.
 void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
-	if (reading.x < parameters::START_SPREAD || reading.x >= 1.0 || nearness() < parameters::LEAST_WEIGHT) {
+	if (reading.x < parameters::START_SPREAD || reading.x >= 1.0) {
 		return;
 	}
 	const double phase = curve_.phase_of(reading.x), slope = curve_.at(phase).slope;
@@ -300,7 +315,7 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 			const double error = std::sqrt(unit * unit + reading.variance);
 			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
-					now_.hold.weight * nearness() * parameters::ONSETS_PER_S * share(tracker, now_.hold.lagging) *
+					now_.hold.weight * nearness(tracker) * parameters::ONSETS_PER_S * share(tracker, now_.hold.lagging) *
 							duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ * parameters::GAIN_SPREAD },
@@ -371,10 +386,11 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	}
 	MotionEstimate estimate;
 	const double ahead_s = t_s + latency_s_;
-	double total = now_.hold.weight + now_.free.weight;
+	double total = now_.hold.weight + now_.free.weight, unseen = 0.0;
 	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;
 		if (gesture.onset_s() > now_.seen_s - parameters::UNSEEN_S) {
+			unseen += gesture.weight;
 			continue;
 		}
 		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? now_.faulty_latency_s : 0.0;
@@ -385,17 +401,17 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		estimate.phase += gesture.weight * hand.phase;
 		estimate.gesture += gesture.weight;
 	}
-	const auto go_on = [&](const Other &other, const HandProcess &process) {
+	const auto go_on = [&](const Other &other, const HandProcess &process, double weight) {
 		const double dt_s = std::max(ahead_s - now_.time_s, 0.0), fading = std::exp(-process.rate_per_s * dt_s);
 		const double velocity = other.hand.v * fading;
 		const double value = other.hand.x + process.reach_s(dt_s) * other.hand.v;
-		estimate.value += other.weight * value;
-		estimate.velocity += other.weight * velocity;
-		estimate.acceleration -= other.weight * process.rate_per_s * velocity;
-		estimate.phase += other.weight * minimum_jerk_share(value);
+		estimate.value += weight * value;
+		estimate.velocity += weight * velocity;
+		estimate.acceleration -= weight * process.rate_per_s * velocity;
+		estimate.phase += weight * minimum_jerk_share(value);
 	};
-	go_on(now_.hold, hold_process_);
-	go_on(now_.free, free_process_);
+	go_on(now_.hold, hold_process_, now_.hold.weight + unseen);
+	go_on(now_.free, free_process_, now_.free.weight);
 	estimate.hold = now_.hold.weight / total;
 	estimate.gesture /= total;
 	estimate.value /= total;

@@ -101,6 +101,7 @@ private:
 	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);
+	void step(double t_s);
 	void switch_modes(double dt_s);
 	void judge_tracker(double log_ratio);
 	void count_fault(double log_ratio);
@@ -110,7 +111,7 @@ private:
 	void correct(const ElementReading &reading, std::size_t count);
 	void normalise();
 	void prune();
-	[[nodiscard]] double nearness() const;
+	[[nodiscard]] double nearness(TrackerMode tracker) const;
 	template <class Change> void change(double t_s, Change apply);
 };
 
