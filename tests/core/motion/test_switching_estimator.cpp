@@ -190,6 +190,21 @@ TEST_CASE("the motion is finite where stamps are equal, or an hour apart") {
 	}
 }
 
+TEST_CASE("a tracker read five times at once is followed as one read once") {
+	const std::vector<Reading> all = readings(drag(), 90.0, 2.5, 1e-3);
+	test::MonitoredEstimator often(test::drag_model()), once(test::drag_model());
+	double largest = 0.0;
+	for (const Reading &reading : all) {
+		for (int i = 0; i < 5; ++i) {
+			often.push(reading.t_s + 1e-4 * i, reading.x);
+		}
+		once.push(reading.t_s, reading.x);
+		const double t_s = reading.t_s + 0.005;
+		largest = std::max(largest, std::abs(often.at(t_s).value - once.at(t_s).value));
+	}
+	CHECK(largest < 0.01);
+}
+
 TEST_CASE("an estimator that has met 1e9 amplitudes follows a drag after a reset as a new one does") {
 	SwitchingEstimator used(test::drag_model(), 0.2), fresh(test::drag_model(), 0.2);
 	for (int i = 0; i < 100; ++i) {
