@@ -39,7 +39,7 @@ inline constexpr double HOLD_TO_FREE_PER_S = 0.3;
 
 /// Share of the time in which trackers lag, how fast that is forgotten, and what is left of it in a gesture
 /// whatever the frames say: trackers begin to lag at any time.
-inline constexpr double LAGGING_SHARE = 0.3, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
+inline constexpr double LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
 /// Lag at the end of a long way: mean and standard deviation, s. It builds up over LAG_SETTLING_S.
 inline constexpr double LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
 /// What one that has had a fault is late beyond that, s.
@@ -54,7 +54,7 @@ inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 2.6;
 /// short, 0.025 s in the mean against 0.13 s.
 inline constexpr double LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
 /// By how many faults per s a lagging tracker has more.
-inline constexpr double FAULTS_PER_S = 1.3;
+inline constexpr double FAULTS_PER_S = 1.1;
 /// White noise that any measurement has beside what TrackerMonitor measures: the model's curve is no hand's.
 inline constexpr double MEASUREMENT_NOISE = 0.0035;
 /// Errors of measurements closer together than this are alike: a power of the likelihood, "coarsened

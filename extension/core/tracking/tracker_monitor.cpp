@@ -191,7 +191,9 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * HandTrack::SPEED_M_S &&
 			(r_measurement.position_m - goes_on_m).norm() <
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
-	if (is_motion) {
+	if (is_motion) { // of which nothing was seen
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
 		hand_ = HandTrack(t_s, r_measurement.position_m, r_jump.velocity_m_s, noise_m);
 		--faults_.jumps;
 		jump_.reset();

@@ -123,12 +123,13 @@ TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
 	constexpr double FROZEN_S = 0.45, BACK_S = 0.9;
 	Track track = test::drag_track(drag, 110.0, 2.5);
 	Eigen::Vector3d last = Eigen::Vector3d::Zero();
+	Random digits(1);
 	for (HandFrame &frame : track.frames) {
 		if (frame.t_s > FROZEN_S && frame.t_s < BACK_S) {
 			frame.set(Joint::INDEX, last);
 		} else {
 			// A live sensor's last digits never stand still.
-			last = frame.position(Joint::INDEX) + Eigen::Vector3d(1e-6 * std::sin(9e3 * frame.t_s), 0.0, 0.0);
+			last = frame.position(Joint::INDEX) + Eigen::Vector3d(1e-6 * digits.normal(), 0.0, 0.0);
 			frame.set(Joint::INDEX, last);
 		}
 	}
