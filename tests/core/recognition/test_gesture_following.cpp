@@ -1,3 +1,4 @@
+#include "base/random.h"
 #include "minimum_jerk_drag.h"
 #include "near.h"
 #include "recognition/gesture_recogniser.h"
