@@ -6,7 +6,7 @@ const Stored := preload("stored.gd")
 
 ## In the order of their blocks of trials.
 const POSITIONS: Array[String] = ["stable", "unstable"]
-const FIGURES: Array[String] = ["seconds", "faults_per_s", "jitter"]
+const FIGURES: Array[String] = ["seconds", "lost_share", "noise"]
 
 ## Who takes part in this session; empty: what is found is kept as long as the scene.
 static var chosen := ""

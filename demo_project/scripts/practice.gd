@@ -41,8 +41,10 @@ static func describe(proposal: Dictionary) -> String:
 	var parts := PackedStringArray()
 	for position: String in ["stable", "unstable"]:
 		var found: Dictionary = proposal[position]
-		var figures := [position, found["position"], found["faults_per_s"], 1e3 * found["jitter"]]
-		parts.append("%s at %.2v m: %.2f faults a second, %.1f mm of jitter" % figures)
+		var figures := [
+			position, found["position"], 100 * found["lost_share"], 1e3 * found["noise"]
+		]
+		parts.append("%s at %.2v m: lost %.0f %% of the time, noise %.1f mm" % figures)
 	return "; ".join(parts)
 
 

@@ -47,7 +47,7 @@ func _init() -> void:
 		_add_row(row)
 	for condition in Conditions.NAMES:
 		_add_row(condition)
-	for row: String in ["frames", "dropouts", "latency", "hand"]:
+	for row: String in ["frames", "faults", "latency", "hand"]:
 		_add_row(row)
 	var buttons := HBoxContainer.new()
 	buttons.add_theme_constant_override("separation", 10)
@@ -100,7 +100,8 @@ func _show_tracker() -> void:
 	_write(
 		"frames", "%.0f Hz, jitter %.1f ms" % [tracker.frame_rate, 1000.0 * tracker.frame_jitter]
 	)
-	_write("dropouts", str(tracker.dropout_count))
+	var faults := [tracker.dropout_count, tracker.freeze_count, tracker.jump_count]
+	_write("faults", "%d dropouts, %d freezes, %d jumps" % faults)
 	var latency := tracker.latency
 	_write("latency", "unknown" if is_nan(latency) else "%.0f ms" % (1000.0 * latency))
 	_write("hand", "tracked" if tracker.is_hand_tracked() else "not tracked")

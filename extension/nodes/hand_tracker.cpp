@@ -217,6 +217,16 @@ void HandTracker::update_publisher() {
 	}
 }
 
+double HandTracker::get_reading_rate() const {
+	const steadyhand::TrackerMonitor &monitor = statistics_.monitor();
+	return monitor.is_period_known() ? 1.0 / monitor.period_s() : 0.0;
+}
+
+double HandTracker::get_noise() const {
+	const steadyhand::TrackerMonitor &monitor = statistics_.monitor();
+	return monitor.is_noise_known() ? monitor.noise_m() : std::numeric_limits<double>::quiet_NaN();
+}
+
 double HandTracker::get_latency() const {
 	return stream_ ? stream_->latency_s() : std::numeric_limits<double>::quiet_NaN();
 }

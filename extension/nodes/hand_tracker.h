@@ -65,7 +65,11 @@ public:
 	double get_duration() const { return duration_s_; }
 	double get_frame_rate() const { return statistics_.rate_hz(); }
 	double get_frame_jitter() const { return statistics_.jitter_s(); }
-	int64_t get_dropout_count() const { return static_cast<int64_t>(statistics_.dropouts()); }
+	double get_reading_rate() const;
+	double get_noise() const;
+	int64_t get_dropout_count() const { return static_cast<int64_t>(faults().dropouts); }
+	int64_t get_freeze_count() const { return static_cast<int64_t>(faults().freezes); }
+	int64_t get_jump_count() const { return static_cast<int64_t>(faults().jumps); }
 	double get_latency() const;
 
 	void advance(double p_seconds);
@@ -156,6 +160,7 @@ private:
 	/// Neither freed nor stopped since.
 	bool goes_on(const Watch &p_watch, uint64_t p_run) const { return !p_watch.is_gone() && run_ == p_run; }
 
+	const steadyhand::TrackerFaults &faults() const { return statistics_.monitor().faults(); }
 	void start_if_due();
 	/// The number that there is of none that runs.
 	uint64_t end_run();

@@ -62,7 +62,11 @@ void HandTracker::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_duration"), &HandTracker::get_duration);
 	ClassDB::bind_method(D_METHOD("get_frame_rate"), &HandTracker::get_frame_rate);
 	ClassDB::bind_method(D_METHOD("get_frame_jitter"), &HandTracker::get_frame_jitter);
+	ClassDB::bind_method(D_METHOD("get_reading_rate"), &HandTracker::get_reading_rate);
+	ClassDB::bind_method(D_METHOD("get_noise"), &HandTracker::get_noise);
 	ClassDB::bind_method(D_METHOD("get_dropout_count"), &HandTracker::get_dropout_count);
+	ClassDB::bind_method(D_METHOD("get_freeze_count"), &HandTracker::get_freeze_count);
+	ClassDB::bind_method(D_METHOD("get_jump_count"), &HandTracker::get_jump_count);
 	ClassDB::bind_method(D_METHOD("get_latency"), &HandTracker::get_latency);
 	ClassDB::bind_method(D_METHOD("advance", "seconds"), &HandTracker::advance);
 	ClassDB::bind_method(D_METHOD("advance_to", "time_s"), &HandTracker::advance_to);
@@ -90,8 +94,16 @@ void HandTracker::_bind_methods() {
 			"get_frame_rate");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "frame_jitter", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "",
 			"get_frame_jitter");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "reading_rate", PROPERTY_HINT_NONE, "suffix:Hz", READ_ONLY), "",
+			"get_reading_rate");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "noise", PROPERTY_HINT_NONE, "suffix:m", READ_ONLY), "",
+			"get_noise");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "dropout_count", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_dropout_count");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "freeze_count", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_freeze_count");
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "jump_count", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_jump_count");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "latency", PROPERTY_HINT_NONE, "suffix:s", READ_ONLY), "",
 			"get_latency");
 

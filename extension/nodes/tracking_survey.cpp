@@ -14,8 +14,8 @@ Dictionary place_dictionary(const steadyhand::TrackingSurvey::Place &p_place) {
 	Dictionary place;
 	place["position"] = to_godot(p_place.position_m);
 	place["seconds"] = p_place.seconds;
-	place["faults_per_s"] = p_place.faults_per_s;
-	place["jitter"] = p_place.jitter_m;
+	place["lost_share"] = p_place.lost_share;
+	place["noise"] = p_place.noise_m;
 	return place;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "soundness/tracking_survey.h"
+#include "tracking/tracking_survey.h"
 
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>

@@ -151,6 +151,23 @@ func test_statistics() -> void:
 	check_near(tracker.frame_jitter, 0.0, 1e-9, "jitter")
 	check_equal(tracker.dropout_count, 1, "dropouts")
 	check(is_nan(tracker.latency), "the latency is not known")
+	check(is_nan(tracker.noise), "the noise of a hand that never moves is not known")
+	var noise := RandomNumberGenerator.new()
+	noise.seed = 3
+	tracker.start()
+	var place := PLACE
+	for frame in 600:
+		var is_frozen := frame >= 300 and frame < 330
+		if not is_frozen:
+			place = PLACE + Vector3(0.1 * sin(0.02 * frame), 0, 0)
+			place += 2e-4 * Vector3(noise.randfn(), noise.randfn(), noise.randfn())
+		var jump := Vector3(0, 0.3, 0) if frame >= 450 and frame < 455 else Vector3.ZERO
+		tracker.push_frame(frame / 90.0, {INDEX: place + jump})
+	check_near(tracker.reading_rate, 90.0, 0.1, "reading rate")
+	check_near(tracker.noise, 2e-4, 1e-4, "noise")
+	check_equal(tracker.dropout_count, 0, "dropouts")
+	check_equal(tracker.freeze_count, 1, "freezes")
+	check_equal(tracker.jump_count, 1, "jumps")
 	tracker.free()
 
 

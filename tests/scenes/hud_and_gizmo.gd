@@ -19,7 +19,8 @@ func test_the_hud_tells_how_a_tracker_does() -> void:
 	_check_says(hud, "ScriptSource: no hand")
 	for frame in 100:
 		tracker.push_frame(frame / 60.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
-	_check_says(hud, "hand tracked\n60.0 Hz, jitter 0.00 ms, 0 dropouts, latency unknown")
+	_check_says(hud, "hand tracked\n60.0 Hz, jitter 0.00 ms, latency unknown, noise unknown")
+	_check_says(hud, "\n0 dropouts, 0 freezes, 0 jumps")
 	for frame in 2:
 		await process_frame
 	check((hud.get_node("Panel/Label") as Label).text == hud.call("describe"), "it is shown")

@@ -109,7 +109,7 @@ func _proposal() -> Dictionary:
 	var proposal := {error = "", contrast = 5.0, distinct = true}
 	for position: String in places:
 		proposal[position] = {
-			position = places[position], seconds = 9.0, faults_per_s = 0.0, jitter = 0.0
+			position = places[position], seconds = 9.0, lost_share = 0.0, noise = 0.0
 		}
 	return proposal
 

@@ -1,6 +1,6 @@
 extends CanvasLayer
-## Shows how a HandTracker does: its source, whether the hand is tracked, rate, jitter, dropouts and
-## latency. Add tracker_hud.tscn to a scene and set `tracker`.
+## Shows how a HandTracker does: its source, whether the hand is tracked, rate, jitter, latency,
+## noise and faults. Add tracker_hud.tscn to a scene and set `tracker`.
 
 @export var tracker: HandTracker:
 	set(value):
@@ -36,15 +36,21 @@ func describe() -> String:
 	var latency := "latency unknown"
 	if is_finite(tracker.latency):
 		latency = "latency %.0f ms" % (1e3 * tracker.latency)
+	var noise := "noise unknown"
+	if is_finite(tracker.noise):
+		noise = "noise %.2f mm" % (1e3 * tracker.noise)
 	return (
-		"%s: %s\n%.1f Hz, jitter %.2f ms, %d dropouts, %s"
+		"%s: %s\n%.1f Hz, jitter %.2f ms, %s, %s\n%d dropouts, %d freezes, %d jumps"
 		% [
 			source,
 			state,
 			tracker.frame_rate,
 			1e3 * tracker.frame_jitter,
+			latency,
+			noise,
 			tracker.dropout_count,
-			latency
+			tracker.freeze_count,
+			tracker.jump_count
 		]
 	)
 

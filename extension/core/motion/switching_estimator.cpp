@@ -12,8 +12,6 @@ namespace steadyhand {
 namespace {
 
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
-/// No tracker looks more often.
-constexpr double BURST_S = 1e-3;
 /// Of what a hand does in a longer time without measurements nothing is left to be told.
 constexpr double LONGEST_GAP_S = 2.0;
 constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
@@ -47,13 +45,13 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 	for (double &weight : duration_weights_) {
 		weight /= total;
 	}
-	for (Belief *belief : { &now_, &before_burst_ }) {
+	for (Belief *belief : { &now_, &before_last_ }) {
 		belief->gestures.reserve(effort.hypotheses + 2 * TRACKERS.size() * effort.durations);
 	}
 }
 
 void SwitchingEstimator::reset() {
-	now_.time_s = now_.seen_s = burst_s_ = NEVER_S;
+	now_.time_s = now_.seen_s = NEVER_S;
 	now_.gestures.clear();
 	now_.hold = now_.free = {};
 	now_.log_fault = 0.0;
@@ -106,27 +104,22 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		now_.seen_s = t_s;
 		return;
 	}
-	const bool is_of_burst = t_s - burst_s_ < BURST_S;
-	if (measurement.has_news() && !is_of_burst && t_s - now_.seen_s < LEAST_FRAME_S) {
+	if (measurement.is_usable() && !measurement.replaces_last && t_s - now_.seen_s < LEAST_FRAME_S) {
 		return;
 	}
 	change(t_s, [&] {
-		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
-		if (measurement.has_news() && !jumps) {
-			// Frames that waited for each other on the way: the last one is where the hand is.
-			if (is_of_burst) {
-				now_ = before_burst_;
-			} else {
-				before_burst_ = now_;
-				burst_s_ = t_s;
-			}
+		if (measurement.replaces_last) {
+			now_ = before_last_;
+		} else if (measurement.is_usable()) {
+			before_last_ = now_;
 		}
 		predict(t_s);
+		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
 			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_FAULTS);
 		}
-		if (!measurement.has_news() || jumps) {
+		if (!measurement.is_usable()) {
 			return;
 		}
 		now_.log_fault = 0.0;
@@ -412,7 +405,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	};
 	go_on(now_.hold, hold_process_, now_.hold.weight + unseen);
 	go_on(now_.free, free_process_, now_.free.weight);
-	estimate.hold = now_.hold.weight / total;
+	estimate.hold = (now_.hold.weight + unseen) / total;
 	estimate.gesture /= total;
 	estimate.value /= total;
 	estimate.velocity /= total;

@@ -93,8 +93,7 @@ private:
 		double faulty_latency_s = 0.0;
 	};
 	Belief now_;
-	Belief before_burst_; ///< before the newest measurement, or the burst that it is one of
-	double burst_s_ = NEVER_S; ///< when that began
+	Belief before_last_; ///< before the newest usable measurement
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
 

@@ -191,7 +191,8 @@ bool TaskFollower::was_nothing(double t_s) {
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
 	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
-	return now.value < BACK_VALUE && (!is_under_way || t_s - off_start_s_ > UNLIKELY_S);
+	return now.value < BACK_VALUE &&
+			(now.hold > STOPPED || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
@@ -249,7 +250,7 @@ void TaskFollower::come_to_rest(double t_s) {
 }
 
 bool TaskFollower::nears_end() const {
-	return stage() == Stage::MOVING && value() > NEAR_END;
+	return stage() != Stage::RESTING && value() > NEAR_END;
 }
 
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.

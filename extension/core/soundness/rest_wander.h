@@ -1,7 +1,6 @@
 #pragma once
 
 #include "signal/ring.h"
-#include "soundness/tracker_noise.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +10,17 @@
 
 namespace steadyhand {
 
+/// Standard deviation of white noise whose second differences have these sizes, one and more, whose order is
+/// lost: by their median, because half of them, whose deviation is s sqrt(6), are within 0.6745 of that.
+[[nodiscard]] inline double deviation_of_bends(std::span<double> r_sizes) {
+	constexpr double DEVIATION_PER_MEDIAN = 0.6053; // 1 / (0.6745 sqrt(6))
+	const auto middle = r_sizes.begin() + static_cast<std::ptrdiff_t>(r_sizes.size() / 2);
+	std::nth_element(r_sizes.begin(), middle, r_sizes.end());
+	return DEVIATION_PER_MEDIAN * *middle;
+}
+
 /// How far a hand at rest is shown to wander: by its own tremor, or by a tracker whose errors last longer
-/// than a frame, which bends from frame to frame (TrackerNoise) do not tell. Bends over a tenth of a second
+/// than a frame, which bends from frame to frame do not tell. Bends over a tenth of a second
 /// do; that the hand drifts, or has just come there, is none of it.
 class RestWander {
 public:

@@ -1,7 +1,6 @@
 #include "soundness/tracker_steps.h"
 
 #include "soundness/hands.h"
-#include "soundness/tracker_silence.h"
 
 #include <algorithm>
 
@@ -23,6 +22,8 @@ constexpr double ACCELERATION_M_S2 = 20.0;
 constexpr double SLIDES_BACK_S = 0.15;
 /// A hand that sets out unseen has rested for so long.
 constexpr double RESTS_S = 0.1;
+/// What is back so soon where it rested, to the last bit, has not left; a hand that passes there may be.
+constexpr double BACK_S = 0.2;
 
 } // namespace
 
@@ -206,7 +207,7 @@ std::span<const TrackerSteps::Passed> TrackerSteps::push(
 		double t_s, const FeaturePlace &place_m, double rest_shown_s) {
 	passed_count_ = 0;
 	const Frame frame{ t_s, place_m };
-	if (held_ && t_s - held_->shown_s < TrackerSilence::BACK_S && place_m == held_->place_m) {
+	if (held_ && t_s - held_->shown_s < BACK_S && place_m == held_->place_m) {
 		come_back(frame, held_->step_m);
 		return { passed_.data(), passed_count_ };
 	}

@@ -22,6 +22,9 @@ struct Measurement {
 	double outlier_probability = 0.0; ///< that the tracker shows another place than the hand's
 	double freeze_probability = 0.0; ///< that it repeats a reading while the hand goes on; 0 of a new reading
 	MeasurementStatus status = MeasurementStatus::TRACKED;
+	/// Arrived in one burst with the last reading that is_usable(), which was therefore stamped too late:
+	/// take that one back and use this one instead.
+	bool replaces_last = false;
 	double gap_s = 0.0;  ///< time without news that this reading ended; 0: none
 	double jump_m = 0.0; ///< of an outlier: distance from where a hand could be
 
@@ -29,6 +32,8 @@ struct Measurement {
 	[[nodiscard]] bool has_news() const {
 		return status != MeasurementStatus::REPEATED && status != MeasurementStatus::FROZEN;
 	}
+	/// Has news of the hand, and not of another place.
+	[[nodiscard]] bool is_usable() const { return has_news() && status != MeasurementStatus::OUTLIER; }
 };
 
 /// What a tracker did wrong so far.

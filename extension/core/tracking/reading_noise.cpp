@@ -72,7 +72,6 @@ template <std::size_t ORDER> void ReadingNoise::difference(Differences &r_differ
 }
 
 void ReadingNoise::measure(Eigen::Index axis) {
-	constexpr std::size_t FEWEST = 6; // differences: of fewer motion turns as often by chance
 	const std::size_t i = static_cast<std::size_t>(axis);
 	Spread least{ std::numeric_limits<double>::infinity(), false };
 	for (const Differences *differences : { &second_, &fourth_ }) {

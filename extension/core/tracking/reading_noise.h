@@ -23,6 +23,7 @@ public:
 
 	/// Standard deviation per axis, m, at least that of rounding. FIRST_M until it can be measured.
 	[[nodiscard]] Eigen::Vector3d deviation_m() const;
+	[[nodiscard]] bool is_measured() const { return second_.size() >= FEWEST; }
 	/// Step between the positions that the tracker can report, m; 0: finer than can be seen.
 	[[nodiscard]] double resolution_m() const { return resolution_m_; }
 	/// Probability that a sound tracker reports a hand at the very same position in its next reading. 1 where
@@ -31,6 +32,8 @@ public:
 
 private:
 	static constexpr std::size_t WINDOW = 16; ///< readings
+	/// Differences of one order: of fewer motion turns as often by chance.
+	static constexpr std::size_t FEWEST = 6;
 	/// Of no hand tracker known is the noise greater at rest.
 	static constexpr double FIRST_M = 1e-3;
 	/// What no tracker resolves; Godot's single precision rounds to a fifteenth of it.

@@ -1,6 +1,7 @@
 #include "tracking/stream_statistics.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace steadyhand {
@@ -13,27 +14,24 @@ double median(double *begin, double *end) {
 	return *middle;
 }
 
+/// Of a frame with a hand.
+Joint watched_joint(const HandFrame &frame) {
+	return frame.has(Joint::INDEX) ? Joint::INDEX : static_cast<Joint>(std::countr_zero(frame.tracked));
+}
+
 } // namespace
 
 void StreamStatistics::add(const HandFrame &frame) {
-	const double interval_s = frame.t_s - last_s_;
-	if (has_last_ && interval_s > 0.0) {
-		const double usual_s = count_ < MIN_INTERVALS ? interval_s : intervals_s_[(count_ - 1) % WINDOW];
-		const bool is_gap = count_ >= MIN_INTERVALS && interval_s > LONG_PERIODS * usual_s &&
-				interval_s > LONG_PERIODS * median_s();
-		if (is_gap) {
-			dropouts_ += has_hand_ ? 1 : 0;
-			has_hand_ = false;
-		} else {
-			intervals_s_[count_++ % WINDOW] = interval_s;
-		}
+	if (last_s_ && frame.t_s > *last_s_) {
+		intervals_s_[count_++ % WINDOW] = frame.t_s - *last_s_;
 	}
-	if (frame.tracked == 0 && has_hand_) {
-		++dropouts_;
-	}
-	has_hand_ = frame.tracked != 0;
 	last_s_ = frame.t_s;
-	has_last_ = true;
+	if (!joint_ && frame.tracked != 0) {
+		joint_ = watched_joint(frame);
+	}
+	if (joint_ && frame.has(*joint_)) {
+		monitor_.push(frame.t_s, frame.position(*joint_));
+	}
 }
 
 double StreamStatistics::median_s() const {

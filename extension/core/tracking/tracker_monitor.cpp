@@ -10,7 +10,8 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	retracted_since_s_.reset();
 	Measurement measurement{ .t_s = t_s, .position_m = position_m };
 	const double frame_gap_s = t_s - frame_s_;
-	if (!has_frame_ || frame_gap_s < 0.0) {
+	const bool is_first = !has_frame_ || frame_gap_s < 0.0;
+	if (is_first) {
 		has_frame_ = true;
 		new_s_ = kept_s_ = t_s;
 		position_m_ = position_m;
@@ -23,6 +24,7 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	}
 	frame_s_ = t_s;
 	measurement.noise_m = noise_m();
+	replace_in_burst(measurement, is_first);
 	return measurement;
 }
 
@@ -40,6 +42,16 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 	jump_.reset();
 	accepted_.reset();
 	is_frozen_ = false;
+}
+
+/// Frames that waited for each other have the stamp of their arrival. Only the last one shows the hand as it
+/// is then, and which one that is shows when no other follows.
+void TrackerMonitor::replace_in_burst(Measurement &r_measurement, bool is_first) {
+	if (!r_measurement.is_usable()) {
+		return;
+	}
+	r_measurement.replaces_last = !is_first && r_measurement.t_s - used_s_ < BURST_S;
+	used_s_ = r_measurement.replaces_last ? used_s_ : r_measurement.t_s;
 }
 
 void TrackerMonitor::repeat(Measurement &r_measurement) {

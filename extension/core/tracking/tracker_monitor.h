@@ -29,8 +29,10 @@ public:
 	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
 	/// Between new readings, median; UNKNOWN_PERIOD_S before the second one.
 	[[nodiscard]] double period_s() const { return period_s_; }
+	[[nodiscard]] bool is_period_known() const { return !intervals_s_.empty(); }
 	/// Standard deviation of white noise per axis, root mean square of the three.
 	[[nodiscard]] double noise_m() const;
+	[[nodiscard]] bool is_noise_known() const { return noise_.is_measured(); }
 	/// Step between the positions that the tracker can report; 0: finer than can be seen.
 	[[nodiscard]] double resolution_m() const { return noise_.resolution_m(); }
 	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
@@ -67,6 +69,7 @@ private:
 	double new_s_ = 0.0;   ///< of the newest reading
 	Eigen::Vector3d position_m_ = Eigen::Vector3d::Zero();
 	double kept_s_ = 0.0; ///< of the newest reading but for those of a burst
+	double used_s_ = 0.0; ///< of the newest usable reading but for those that replaced it
 	Ring<double, 8> intervals_s_;
 	double period_s_ = UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
@@ -80,6 +83,7 @@ private:
 	[[nodiscard]] double overdue_s() const;
 	[[nodiscard]] Eigen::Vector3d reading_noise_m() const;
 	void restart(double t_s, const Eigen::Vector3d &position_m);
+	void replace_in_burst(Measurement &r_measurement, bool is_first);
 	void repeat(Measurement &r_measurement);
 	void read(Measurement &r_measurement, double frame_gap_s);
 	void time(double t_s);

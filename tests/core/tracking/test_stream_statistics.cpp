@@ -1,19 +1,20 @@
+#include "base/random.h"
+#include "moving_hand.h"
 #include "tracking/stream_statistics.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 
 using namespace steadyhand;
 
 namespace {
 
-HandFrame frame_at(double t_s, bool is_tracked = true) {
+HandFrame frame_at(double t_s) {
 	HandFrame frame;
 	frame.t_s = t_s;
-	if (is_tracked) {
-		frame.set(Joint::INDEX, Eigen::Vector3d::UnitX());
-	}
+	frame.set(Joint::INDEX, Eigen::Vector3d::UnitX());
 	return frame;
 }
 
@@ -28,7 +29,6 @@ TEST_CASE("the rate is that of the frames, whatever some gaps") {
 			}
 		}
 		CHECK(statistics.rate_hz() == doctest::Approx(rate_hz).epsilon(1e-6));
-		CHECK(statistics.dropouts() == 0);
 	}
 }
 
@@ -53,23 +53,46 @@ TEST_CASE("jitter is the median deviation of the intervals") {
 	CHECK(statistics.jitter_s() == doctest::Approx(0.6745 * 0.0005).epsilon(0.25));
 }
 
-TEST_CASE("empty frames and silence count as one dropout each") {
+TEST_CASE("empty frames and silence are one dropout of the index tip each") {
 	StreamStatistics statistics;
+	Random random(2);
+	const test::MovingHand hand{ .noise_m = 0.2e-3 };
 	double t_s = 0.0;
 	const auto run = [&](int frames, bool is_tracked) {
 		for (int i = 0; i < frames; ++i) {
-			statistics.add(frame_at(t_s += 0.01, is_tracked));
+			HandFrame frame;
+			frame.t_s = t_s += 0.01;
+			if (is_tracked) {
+				frame.set(Joint::THUMB, Eigen::Vector3d::UnitX());
+				frame.set(Joint::INDEX, hand.seen(t_s, random));
+			}
+			statistics.add(frame);
 		}
 	};
+	const auto dropouts = [&] { return statistics.monitor().faults().dropouts; };
+	CHECK_FALSE(statistics.monitor().is_noise_known());
 	run(100, true);
+	CHECK(statistics.monitor().noise_m() == doctest::Approx(0.2e-3).epsilon(0.4));
+	CHECK(statistics.monitor().period_s() == doctest::Approx(0.01));
 	run(20, false);
 	run(100, true);
-	CHECK(statistics.dropouts() == 1);
+	CHECK(dropouts() == 1);
 	t_s += 0.3;
 	run(100, true);
-	CHECK(statistics.dropouts() == 2);
+	CHECK(dropouts() == 2);
 	run(5, false);
 	t_s += 0.5;
 	run(5, true);
-	CHECK(statistics.dropouts() == 3);
+	CHECK(dropouts() == 3);
+}
+
+TEST_CASE("a tracker without an index tip is judged by the joint that it has") {
+	StreamStatistics statistics;
+	for (int i = 0; i < 100; ++i) {
+		HandFrame frame;
+		frame.t_s = 0.01 * i;
+		frame.set(Joint::PALM, { 0.3 * std::sin(0.05 * i), 0.0, i == 50 ? 0.6 : 0.1 });
+		statistics.add(frame);
+	}
+	CHECK(statistics.monitor().faults().jumps == 1);
 }

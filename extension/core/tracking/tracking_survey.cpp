@@ -1,4 +1,4 @@
-#include "soundness/tracking_survey.h"
+#include "tracking/tracking_survey.h"
 
 #include "base/random.h"
 
@@ -10,25 +10,22 @@ namespace steadyhand {
 
 namespace {
 
-constexpr double ONE_FAULT_S = 0.25;
 constexpr double AWAY_S = 10.0;
 /// Of a candidate: near it, and in its own cell.
 constexpr double LEAST_POOLED_S = 2.0;
 constexpr double LEAST_OWN_S = 0.3;
-/// In the variance of a count that may be 0 (Jeffreys' prior of a Poisson rate).
-constexpr double UNSEEN_FAULTS = 0.5;
+/// In the variance of a lost time that may be 0: half a fault (Jeffreys' prior of a Poisson rate) of 0.25 s.
+constexpr double UNSEEN_S2 = 0.5 * 0.25 * 0.25;
 
 /// So that a search ends after few steps, and at an empty one.
 constexpr std::size_t SLOTS_PER_CELL = 2;
 
-/// Of the difference of two places' unsoundness, as that of two Poisson rates.
-double deviation_of_difference(const TrackingSurvey::Place &one, const TrackingSurvey::Place &other) {
-	double variance = 0.0;
-	for (const TrackingSurvey::Place *place : { &one, &other }) {
-		variance +=
-				(place->faults_per_s * place->seconds + UNSEEN_FAULTS) / (place->seconds * place->seconds);
-	}
-	return std::sqrt(variance);
+/// Of the difference in lost share between two places where faults come alike: each second adds as much
+/// variance at either.
+double deviation_if_alike(const TrackingSurvey::Place &one, const TrackingSurvey::Place &other) {
+	const double squares_s2 = one.lost_variance * one.seconds * one.seconds +
+			other.lost_variance * other.seconds * other.seconds;
+	return std::sqrt(squares_s2 / (one.seconds * other.seconds));
 }
 
 } // namespace
@@ -36,46 +33,31 @@ double deviation_of_difference(const TrackingSurvey::Place &one, const TrackingS
 TrackingSurvey::TrackingSurvey() : cells_(MOST_CELLS), slots_(SLOTS_PER_CELL * MOST_CELLS) {}
 
 void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
-	bool fault = false;
-	bool frozen = false;
-	double jitter = 0.0;
-	for (Eigen::Index axis = 0; axis < 3; ++axis) {
-		TrackingSoundness &soundness = axes_[static_cast<std::size_t>(axis)];
-		soundness.push(t_s, std::clamp(position_m[axis], -FURTHEST_M, FURTHEST_M) / AMPLITUDE_M);
-		fault = fault || soundness.fault() > 0.0 || soundness.jumped();
-		frozen = frozen || soundness.frozen();
-		jitter = std::max(jitter, soundness.jitter());
-	}
-	double dt_s = begun_ ? std::max(t_s - t_s_, 0.0) : 0.0;
-	dt_s = dt_s > AWAY_S ? 0.0 : dt_s;
-	duration_s_ += dt_s;
-	begun_ = true;
-	t_s_ = t_s;
-	const double count = faults(dt_s, frozen, fault);
-	// What goes wrong does so where the hand was last seen.
+	const Measurement measurement = monitor_.push(t_s, position_m.cwiseMax(-FURTHEST_M).cwiseMin(FURTHEST_M));
+	const double dt_s = t_s - newest_s_.value_or(t_s);
+	const double watched_s = dt_s <= AWAY_S ? std::max(dt_s, 0.0) : 0.0;
+	newest_s_ = t_s;
+	duration_s_ += watched_s;
+	// A fault counts where the hand was last seen.
 	if (last_ != NO_CELL) {
-		cells_[last_].seconds += dt_s;
-		cells_[last_].faults += count;
+		Cell &cell = cells_[last_];
+		cell.seconds += watched_s;
+		if (measurement.gap_s > 0.0 && measurement.gap_s <= AWAY_S) {
+			const double lost_s = std::max(measurement.gap_s - monitor_.period_s(), 0.0);
+			cell.lost_s += lost_s;
+			cell.squares_s2 += lost_s * lost_s;
+		}
+	}
+	if (!measurement.is_usable()) {
+		return;
 	}
 	last_ = cell_at(position_m);
 	if (last_ != NO_CELL) {
-		cells_[last_].frames += 1.0;
-		cells_[last_].jitter_m += jitter * AMPLITUDE_M;
-		cells_[last_].position_m += position_m;
+		Cell &cell = cells_[last_];
+		cell.readings += 1.0;
+		cell.noise_sum_m += measurement.noise_m;
+		cell.position_sum_m += position_m;
 	}
-}
-
-double TrackingSurvey::faults(double dt_s, bool frozen, bool fault) {
-	const bool is_new = fault && t_s_ - fault_s_ > ONE_FAULT_S;
-	fault_s_ = fault ? t_s_ : fault_s_;
-	if (!frozen && dt_s <= ONE_FAULT_S) {
-		lost_s_ = 0.0;
-		return is_new ? 1.0 : 0.0;
-	}
-	lost_s_ += dt_s;
-	const double more = std::floor(lost_s_ / ONE_FAULT_S);
-	lost_s_ -= more * ONE_FAULT_S;
-	return std::max(more, is_new ? 1.0 : 0.0);
 }
 
 std::size_t TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {
@@ -107,21 +89,24 @@ std::size_t TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {
 }
 
 template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wanted) const {
-	Place place;
-	double faults = 0.0;
-	double frames = 0.0;
+	Cell sum;
 	for (const Cell &cell : visited()) {
-		if (wanted(Eigen::Vector3d(cell.position_m / cell.frames))) {
-			place.position_m += cell.position_m;
-			place.seconds += cell.seconds;
-			place.jitter_m += cell.jitter_m;
-			faults += cell.faults;
-			frames += cell.frames;
+		if (wanted(Eigen::Vector3d(cell.position_sum_m / cell.readings))) {
+			sum.position_sum_m += cell.position_sum_m;
+			sum.seconds += cell.seconds;
+			sum.noise_sum_m += cell.noise_sum_m;
+			sum.lost_s += cell.lost_s;
+			sum.squares_s2 += cell.squares_s2;
+			sum.readings += cell.readings;
 		}
 	}
-	place.position_m /= frames;
-	place.jitter_m /= frames;
-	place.faults_per_s = place.seconds > 0.0 ? faults / place.seconds : 0.0;
+	Place place;
+	place.position_m = sum.position_sum_m / sum.readings;
+	place.noise_m = sum.noise_sum_m / sum.readings;
+	place.seconds = sum.seconds;
+	place.lost_share = sum.lost_s / place.seconds;
+	// The sum of a Poisson number of times varies by the sum of their squares.
+	place.lost_variance = (sum.squares_s2 + UNSEEN_S2) / (place.seconds * place.seconds);
 	return place;
 }
 
@@ -131,7 +116,7 @@ std::vector<TrackingSurvey::Place> TrackingSurvey::candidates() const {
 		if (cell.seconds < LEAST_OWN_S) {
 			continue;
 		}
-		const Eigen::Vector3d middle_m = cell.position_m / cell.frames;
+		const Eigen::Vector3d middle_m = cell.position_sum_m / cell.readings;
 		Place place = gathered(
 				[&](const Eigen::Vector3d &other_m) { return (other_m - middle_m).norm() <= POOL_M; });
 		place.position_m = middle_m;
@@ -148,11 +133,11 @@ Result<TrackingSurvey::Proposal> TrackingSurvey::propose() const {
 	}
 	const std::vector<Place> places = candidates();
 	std::optional<Proposal> best;
-	double best_difference = 0.0; // one deviation less than seen: a place that was hardly visited is no find
+	double best_difference = 0.0; // less one deviation: a place that was hardly visited is no find
 	for (const Place &stable : places) {
 		for (const Place &unstable : places) {
-			const double difference = unstable.unsoundness() - stable.unsoundness();
-			const double deviation = deviation_of_difference(stable, unstable);
+			const double difference = unstable.error() - stable.error();
+			const double deviation = std::sqrt(stable.lost_variance + unstable.lost_variance);
 			if ((stable.position_m - unstable.position_m).norm() >= APART_M &&
 					(!best || difference - deviation > best_difference)) {
 				best = Proposal{ stable, unstable };
@@ -167,9 +152,9 @@ Result<TrackingSurvey::Proposal> TrackingSurvey::propose() const {
 	const double halfway = way_m.dot(best->stable.position_m) + 0.5 * way_m.squaredNorm();
 	const Place near = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) < halfway; });
 	const Place far = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) >= halfway; });
-	const bool has_faults = far.faults_per_s > 0.0;
-	best->contrast =
-			has_faults ? (far.unsoundness() - near.unsoundness()) / deviation_of_difference(near, far) : 0.0;
+	if (far.lost_share > 0.0) {
+		best->contrast = (far.error() - near.error()) / deviation_if_alike(near, far);
+	}
 	return *best;
 }
 

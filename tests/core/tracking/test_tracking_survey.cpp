@@ -2,7 +2,7 @@
 #include "near.h"
 #include "simulation/sensor.h"
 #include "simulation/sensor_profile.h"
-#include "soundness/tracking_survey.h"
+#include "tracking/tracking_survey.h"
 
 #include <doctest/doctest.h>
 
@@ -18,6 +18,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double TWO_PI = 2.0 * std::numbers::pi;
+constexpr int RUNS = 60; ///< of 20, three by chance would be no surprise where one is to be expected
 
 /// The index tip sweeps 50 x 40 x 40 cm in front of the sensor, at up to 0.5 m/s.
 Vector3d swept(double t_s) {
@@ -81,13 +82,13 @@ TrackingSurvey surveyed_at_two(
 } // namespace
 
 TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not") {
-	constexpr int RUNS = 20;
 	int distinct = 0;
 	double stable_severity = 0.0;
 	double unstable_severity = 0.0;
-	for (std::uint64_t seed = 1; seed <= RUNS; ++seed) {
+	for (int seed = 1; seed <= RUNS; ++seed) {
 		CAPTURE(seed);
-		const Result<TrackingSurvey::Proposal> proposal = surveyed(far_away, 120.0, seed).propose();
+		const Result<TrackingSurvey::Proposal> proposal =
+				surveyed(far_away, 120.0, static_cast<std::uint64_t>(seed)).propose();
 		REQUIRE(proposal.ok());
 		const TrackingSurvey::Place &stable = proposal.value().stable;
 		const TrackingSurvey::Place &unstable = proposal.value().unstable;
@@ -104,7 +105,7 @@ TEST_CASE("a practice run of two minutes finds where the sensor is good and wher
 	}
 	CHECK(stable_severity < 0.1);
 	CHECK(unstable_severity > 0.9);
-	CHECK(distinct >= 17);
+	CHECK(distinct >= RUNS * 17 / 20);
 }
 
 TEST_CASE("a practice run finds the same wherever the origin is") {
@@ -116,7 +117,7 @@ TEST_CASE("a practice run finds the same wherever the origin is") {
 		REQUIRE_MESSAGE(there.ok(), there.error());
 		CHECK((there.value().stable.position_m - origin_m - here.stable.position_m).norm() < 1e-6);
 		CHECK((there.value().unstable.position_m - origin_m - here.unstable.position_m).norm() < 1e-6);
-		CHECK(there.value().unstable.faults_per_s == test::near(here.unstable.faults_per_s));
+		CHECK(there.value().unstable.lost_share == test::near(here.unstable.lost_share));
 		// What is on the border of two cells may be counted to either.
 		CHECK(there.value().contrast == test::near(here.contrast).epsilon(0.01));
 	}
@@ -132,23 +133,24 @@ TEST_CASE("a hand that is first seen at one end of its reach is followed to the 
 
 TEST_CASE("a sensor that is alike everywhere has no two positions") {
 	int distinct = 0;
-	for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-		const Result<TrackingSurvey::Proposal> proposal = surveyed(same_everywhere, 120.0, seed).propose();
+	for (int seed = 1; seed <= RUNS; ++seed) {
+		const Result<TrackingSurvey::Proposal> proposal =
+				surveyed(same_everywhere, 120.0, static_cast<std::uint64_t>(seed)).propose();
 		REQUIRE(proposal.ok());
 		distinct += proposal.value().distinct() ? 1 : 0;
 	}
-	CHECK(distinct <= 2);
+	CHECK(distinct <= RUNS * 2 / 20);
 }
 
-TEST_CASE("faults are counted at the place where they begin, jitter where it is") {
+TEST_CASE("lost time counts at the place where a fault begins, noise where it is") {
 	const Vector3d left_m(-0.35, 0.05, -0.35), right_m(0.35, 0.05, -0.35);
 	const TrackingSurvey::Proposal proposal = surveyed_at_two(left_m, right_m, 1e-4, 1e-3).propose().value();
 	CHECK((proposal.stable.position_m - left_m).norm() < 1e-3);
 	CHECK((proposal.unstable.position_m - right_m).norm() < 1e-3);
-	CHECK(proposal.stable.faults_per_s < 0.05); // the leap from the one to the other
-	CHECK(proposal.unstable.faults_per_s == test::near(30.0 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
-	CHECK(proposal.stable.jitter_m < 0.3e-3);
-	CHECK(proposal.unstable.jitter_m == test::near(1e-3).epsilon(0.3));
+	CHECK(proposal.stable.lost_share < 0.01); // the leap from the one to the other
+	CHECK(proposal.unstable.lost_share == test::near(30.0 * 0.19 / (30.0 + 30.0 * 0.19)).epsilon(0.05));
+	CHECK(proposal.stable.noise_m < 0.3e-3);
+	CHECK(proposal.unstable.noise_m == test::near(1e-3).epsilon(0.3));
 }
 
 TEST_CASE("where the hand is lost for long is worse than where it is lost often for a moment") {
@@ -181,11 +183,12 @@ TEST_CASE("where the hand is lost for long is worse than where it is lost often 
 				}
 			}
 		}
+		track(-0.3, 1.0);
 		const TrackingSurvey::Proposal proposal = survey.propose().value();
 		CHECK(proposal.stable.position_m.x() < -0.25);
+		CHECK(proposal.stable.lost_share == test::near(0.15 / 1.15).epsilon(0.05));
 		CHECK(proposal.unstable.position_m.x() > 0.25);
-		// Four in a second: whatever lasts counts each quarter.
-		CHECK(proposal.unstable.faults_per_s > 3.0);
+		CHECK(proposal.unstable.lost_share == test::near(6.0 / 7.0).epsilon(0.02));
 	}
 	TrackingSurvey away;
 	for (const double t_s : { 0.0, 3600.0, 7200.0 }) {
@@ -219,14 +222,6 @@ TEST_CASE("two positions are further apart than a hand is wide, and those of a r
 	}
 }
 
-TEST_CASE("a place where the hand shakes by two millimetres is about as bad as one of a fault a second") {
-	TrackingSurvey::Place shaken, faulty;
-	shaken.jitter_m = 0.002;
-	faulty.faults_per_s = 1.0;
-	CHECK(shaken.unsoundness() > 0.7 * faulty.unsoundness());
-	CHECK(shaken.unsoundness() < 1.4 * faulty.unsoundness());
-}
-
 TEST_CASE("places that no hand reaches and stamps that stand still do no harm") {
 	TrackingSurvey survey;
 	for (int i = 0; i < 5000; ++i) {
@@ -241,7 +236,7 @@ TEST_CASE("places that no hand reaches and stamps that stand still do no harm") 
 	CHECK(proposal.stable.position_m.allFinite());
 	CHECK(proposal.unstable.position_m.allFinite());
 	CHECK(std::isfinite(proposal.contrast));
-	CHECK(std::isfinite(proposal.unstable.jitter_m));
+	CHECK(std::isfinite(proposal.unstable.noise_m));
 }
 
 TEST_CASE("a tracker that shows the hand all over the world takes no place from where it was before") {
