@@ -172,9 +172,9 @@ int main(int count, char **arguments) {
 				setting.decoding.rule == StateDecoding::Rule::FILTER ? "filter" : "viterbi",
 				setting.decoding.lag,
 				setting.decoding.precision == StateDecoding::Precision::SINGLE ? "float" : "double",
-				is_phase ? effort.hypotheses : 0, is_phase ? effort.durations : 0, setting.outputs_per_s, least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable,
-				accuracy.r2_unstable, accuracy.t_diff_s, accuracy.missed, accuracy.recognised,
-				accuracy.alarms_per_minute);
+				is_phase ? effort.hypotheses : 0, is_phase ? effort.durations : 0, setting.outputs_per_s,
+				least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable,
+				accuracy.t_diff_s, accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);
 	}
 	return 0;
 }

@@ -12,6 +12,8 @@
 #include "timing.h"
 #include "trained_models.h"
 
+#include <Eigen/Geometry>
+
 #include <cstdio>
 #include <functional>
 #include <limits>
@@ -127,8 +129,8 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &model
 	return ns_a_frame(
 			trials,
 			[&](const Task &task) {
-				return GestureRecogniser(
-						models, has_task ? std::optional(task) : std::nullopt, mode, estimator_effort(quality));
+				return GestureRecogniser(models, has_task ? std::optional(task) : std::nullopt, mode,
+						estimator_effort(quality));
 			},
 			outputs);
 }

@@ -156,8 +156,8 @@ TEST_CASE("a gesture filter takes a reading in as dense Kalman matrices do") {
 			const double share = ReadingLikelihood(error, s).share;
 			const GestureFilter::Vector k = before.covariance() * p.slope / s;
 			const GestureFilter::Matrix keep = GestureFilter::Matrix::Identity() - k * p.slope.transpose();
-			const GestureFilter::Matrix taken = keep * before.covariance() * keep.transpose() +
-					reading.variance * k * k.transpose();
+			const GestureFilter::Matrix taken =
+					keep * before.covariance() * keep.transpose() + reading.variance * k * k.transpose();
 			const GestureFilter::Vector mean = before.mean() + share * error * k;
 			const GestureFilter::Vector off_taken = before.mean() + error * k - mean;
 			const GestureFilter::Vector off_outlier = before.mean() - mean;
@@ -180,7 +180,7 @@ TEST_CASE("the power of a reading is that of its likelihood in the weight") {
 	CHECK(half.weight / before.weight == doctest::Approx(std::sqrt(whole.weight / before.weight)));
 }
 
-TEST_CASE("moments after a reading that may be an outlier are those of numerical integration") {
+TEST_CASE("an outlier mixture's moments are those of numerical integration") {
 	constexpr double PRIOR_VARIANCE = 0.02, NOISE_VARIANCE = 0.005, STEP = 1e-4;
 	// The likelihood's two parts, from its own density: far away only the outliers' is left.
 	const double outliers = ReadingLikelihood(1e3, 1.0).density;
@@ -217,8 +217,8 @@ TEST_CASE("the transition of damped noise is the integral of its process") {
 			const Eigen::Matrix2d rate = (Eigen::Matrix2d() << 0.0, 1.0, -a * a, -2.0 * a).finished();
 			const double h = dt_s / PIECES;
 			const Eigen::Matrix2d one = h * rate, identity = Eigen::Matrix2d::Identity();
-			const Eigen::Matrix2d small = identity + one * (identity + one / 2.0 * (identity + one / 3.0 *
-					(identity + one / 4.0)));
+			const Eigen::Matrix2d small =
+					identity + one * (identity + one / 2.0 * (identity + one / 3.0 * (identity + one / 4.0)));
 			Eigen::Matrix2d transition = identity, integral = Eigen::Matrix2d::Zero();
 			for (int i = 0; i <= PIECES; ++i) {
 				const double share = i == 0 || i == PIECES ? 1.0 : i % 2 == 0 ? 2.0 : 4.0;
@@ -271,7 +271,7 @@ TEST_CASE("the hand is where a sound tracker shows it, with its derivatives") {
 	}
 }
 
-TEST_CASE("the hand is ahead of a lagging tracker on its way and with it at rest") {
+TEST_CASE("a lagging tracker is behind the hand in motion, not at rest") {
 	const GestureModel &model = test::drag_model();
 	const GestureFilter filter(TrackerMode::LAGGING,
 			{ .t_s = ONSET_S,

@@ -68,7 +68,7 @@ TEST_CASE("two predictions of a hand are one over their whole time") {
 	}
 }
 
-TEST_CASE("a hand left alone comes to rest and its velocity to the process' own") {
+TEST_CASE("a hand left alone comes to rest with the process' velocity variance") {
 	const HandState hand = predicted(100.0);
 	CHECK(hand.x == doctest::Approx(HAND.x + HAND.v / PROCESS.rate_per_s));
 	CHECK(std::abs(hand.v) < 1e-12);
@@ -88,7 +88,7 @@ TEST_CASE("a hand's covariance stays positive over steps of any length") {
 	}
 }
 
-TEST_CASE("a mixture of hands has the mean and covariance of all its parts") {
+TEST_CASE("a mixture of hands has the moments of its parts") {
 	struct Part {
 		double weight;
 		HandState hand;

@@ -58,7 +58,8 @@ TEST_CASE("the slope of the reference table is the derivative of its value") {
 	constexpr double STEP = 1e-5;
 	for (int i = 1; i < 1490; ++i) {
 		const double phase = 1e-3 * i + 0.3e-3; // on no edge of a cell
-		const double difference = (table.at(phase + STEP).value - table.at(phase - STEP).value) / (2.0 * STEP);
+		const double difference =
+				(table.at(phase + STEP).value - table.at(phase - STEP).value) / (2.0 * STEP);
 		CHECK(std::abs(table.at(phase).slope - difference) < 1e-6);
 	}
 }

@@ -95,30 +95,6 @@ TEST_CASE("a clean drag is followed from its start to its end") {
 	}
 }
 
-TEST_CASE("`phase` bridges 0.3 s without frames, and what comes back makes no step") {
-	const test::Drag drag{ .onset_s = 0.5, .duration_s = 1.0, .amplitude_m = 0.2 };
-	for (const double gap_s : { 0.45, 0.7, 0.9, 1.1 }) {
-		CAPTURE(gap_s);
-		Track track = test::drag_track(drag, 110.0, 2.5);
-		std::erase_if(track.frames,
-				[&](const HandFrame &frame) { return frame.t_s > gap_s && frame.t_s < gap_s + 0.3; });
-		const std::vector<Row> rows = play(MotionMode::PHASE, track, 2.4);
-		double largest = 0.0;
-		for (std::size_t ms = 2; ms < rows.size(); ++ms) {
-			const double velocity_before = rows[ms - 1][0] - rows[ms - 2][0],
-						 velocity = rows[ms][0] - rows[ms - 1][0];
-			// m/s in a millisecond: 6 mm/s would be 6 m/s^2, three times a drag's own peak; a step of 1 mm is
-			// 1 m/s.
-			CHECK(std::abs(velocity - velocity_before) < 0.0006);
-			if (gap_s > 0.6) { // once the movement's beginning has been seen
-				largest =
-						std::max(largest, std::abs(rows[ms][0] - drag.x_m(static_cast<double>(ms) / 1000.0)));
-			}
-		}
-		CHECK(largest < 0.03); // seen no further than a fifth of the way
-	}
-}
-
 TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
 	const test::Drag drag{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 0.2 };
 	constexpr double FROZEN_S = 0.45, BACK_S = 0.9;
@@ -139,27 +115,6 @@ TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
 		CAPTURE(ms);
 		CHECK(std::abs(rows[static_cast<std::size_t>(ms)][0] - drag.x_m(ms / 1000.0)) < 0.03);
 	}
-}
-
-TEST_CASE("`phase` follows a hand that stops half-way, and one that turns back") {
-	const auto followed = [](auto &&x_m) {
-		Track track;
-		for (int i = 0; i < 400; ++i) {
-			HandFrame &frame = track.frames.emplace_back();
-			frame.t_s = i / 110.0;
-			frame.set(Joint::INDEX, { x_m(frame.t_s), 0.0, 0.0 });
-		}
-		const std::vector<Row> rows = play(MotionMode::PHASE, track, 3.5);
-		double largest = 0.0;
-		for (std::size_t ms = 0; ms < rows.size(); ++ms) {
-			largest = std::max(largest, std::abs(rows[ms][0] - x_m(static_cast<double>(ms) / 1000.0)));
-		}
-		return largest;
-	};
-	const test::Drag half{ .onset_s = 0.5, .duration_s = 0.8, .amplitude_m = 0.1 };
-	CHECK(followed([&](double t_s) { return half.x_m(t_s); }) < 0.03);
-	const test::Drag back{ .onset_s = 1.4, .duration_s = 0.8, .amplitude_m = 0.1 };
-	CHECK(followed([&](double t_s) { return half.x_m(t_s) - back.x_m(t_s); }) < 0.03);
 }
 
 TEST_CASE("what is put out before a cut does not depend on what comes after it") {
