@@ -47,9 +47,9 @@ inline constexpr double FAULTY_LATENCY_S = 0.03;
 /// Error of a lagging tracker: critically damped noise; standard deviation at the start, what it has more at
 /// the end of the way, and rate.
 inline constexpr double LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGING_ERROR_RATE_PER_S = 8.0;
-/// Dropouts, freezes and jumps of a lagging tracker against those of a sound one, as logarithms of their
-/// rates.
-inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 2.6;
+/// Dropouts, freezes and jumps of a lagging tracker against those of a sound one, as the logarithm of their
+/// rates' ratio.
+inline constexpr double LOG_FAULTS = 1.8;
 /// What is added per s while a fault goes on, and the most that one comes to: those of a sound tracker are
 /// short, 0.025 s in the mean against 0.13 s.
 inline constexpr double LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
@@ -72,5 +72,7 @@ inline constexpr double LEAST_WEIGHT = 1e-3;
 /// A gesture that began so shortly before the last measurement has not been seen: it is not put out, because
 /// nothing moves on a mere chance. s.
 inline constexpr double UNSEEN_S = 0.02;
+/// One that has not come as far does not show: 3 % of the way.
+inline constexpr double VISIBLE_PHASE = 0.15;
 
 } // namespace steadyhand::parameters

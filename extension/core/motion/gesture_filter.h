@@ -37,15 +37,15 @@ struct ReadingLikelihood {
 
 /// Transition of critically damped noise of variance 1, x'' = -2 a x' - a^2 x + white, over a time.
 struct DampedTransition {
-	double xx, xv, vx, vv;             ///< of [x, x']
+	double xx, xv, vx, vv; ///< of [x, x']
 	double noise_xx, noise_xv, noise_vv;
 
 	DampedTransition(double rate_per_s, double dt_s);
 };
 
-/// One hypothesis of a gesture that has begun: an extended Kalman filter over when it began, how long it takes,
-/// how far it goes, its shape, the tracker's lag, and a slow deviation, which is the hand's before a sound
-/// tracker and the tracker's error before one that lags:
+/// One hypothesis of a gesture that has begun: an extended Kalman filter over when it began, how long it
+/// takes, how far it goes, its shape, the tracker's lag, and a slow deviation, which is the hand's before a
+/// sound tracker and the tracker's error before one that lags:
 ///
 ///     hand(t)    = (1 + gain) f(p) + d(t)                        p = (t - onset) / duration
 ///     tracker(t) = (1 + gain) f(p - lag s f(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
@@ -65,9 +65,9 @@ public:
 	};
 	struct Prediction {
 		double x = 0.0;
-		double variance = 0.0; ///< without the measurement's noise
-		double phase = 0.0;    ///< as the tracker shows it
-		Vector slope = Vector::Zero(); ///< d x / d state
+		double variance = 0.0;              ///< without the measurement's noise
+		double phase = 0.0;                 ///< as the tracker shows it
+		Vector slope = Vector::Zero();      ///< d x / d state
 		Vector covariance = Vector::Zero(); ///< of the state with x
 	};
 	/// Of the hand: without the tracker's lag and error.

@@ -1,7 +1,7 @@
 #include "motion/switching_estimator.h"
 
-#include "motion/motion.h"
 #include "base/parameters.h"
+#include "motion/motion.h"
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
@@ -12,6 +12,8 @@ namespace steadyhand {
 namespace {
 
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
+/// In so short a time a hand does not turn.
+constexpr double SAME_MOVEMENT_S = 0.1;
 /// Of what a hand does in a longer time without measurements nothing is left to be told.
 constexpr double LONGEST_GAP_S = 2.0;
 constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
@@ -60,6 +62,12 @@ void SwitchingEstimator::reset() {
 	acceleration_step_ = 0.0;
 }
 
+void SwitchingEstimator::pass_over(double t_s, double x) {
+	reset();
+	passed_s_ = t_s;
+	passed_x_ = x;
+}
+
 void SwitchingEstimator::begin(double t_s, double x, double v) {
 	const double noise = parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE;
 	const auto at_rate = [&](const HandProcess &process) {
@@ -70,6 +78,7 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 	now_.free = { 0.1, now_.hold.lagging, at_rate(free_process_) };
 	now_.hold.hand.v = 0.0;
 	now_.time_s = now_.next_birth_s = t_s;
+	before_last_ = now_;
 }
 
 void SwitchingEstimator::restart(double t_s, double shift) {
@@ -100,8 +109,9 @@ template <class Change> void SwitchingEstimator::change(double t_s, Change apply
 void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	const double t_s = measurement.t_s;
 	if (!has_hand()) {
-		begin(t_s, x, 0.0);
-		now_.seen_s = t_s;
+		const double since_s = t_s - passed_s_;
+		begin(t_s, x, since_s > 0.0 && since_s < SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
+		now_.seen_s = before_last_.seen_s = t_s;
 		return;
 	}
 	if (measurement.is_usable() && !measurement.replaces_last && t_s - now_.seen_s < LEAST_FRAME_S) {
@@ -117,7 +127,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
-			count_fault(jumps ? parameters::LOG_JUMPS : parameters::LOG_FAULTS);
+			count_fault(jumps);
 		}
 		if (!measurement.is_usable()) {
 			return;
@@ -145,7 +155,7 @@ void SwitchingEstimator::wait(double t_s, bool is_overdue) {
 	change(t_s, [&] {
 		predict(t_s);
 		if (is_overdue) {
-			count_fault(parameters::LOG_FAULTS);
+			count_fault(false);
 		}
 	});
 }
@@ -244,11 +254,11 @@ void SwitchingEstimator::judge_tracker(double log_ratio) {
 }
 
 /// One that goes on counts the more, the longer it does.
-void SwitchingEstimator::count_fault(double log_ratio) {
+void SwitchingEstimator::count_fault(bool is_jump) {
 	if (now_.log_fault == 0.0) {
-		now_.log_fault = log_ratio;
-		judge_tracker(log_ratio);
-		if (log_ratio == parameters::LOG_JUMPS) {
+		now_.log_fault = parameters::LOG_FAULTS;
+		judge_tracker(parameters::LOG_FAULTS);
+		if (is_jump) {
 			for (GestureFilter &gesture : now_.gestures) {
 				if (gesture.tracker() == TrackerMode::LAGGING) {
 					gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
@@ -259,15 +269,15 @@ void SwitchingEstimator::count_fault(double log_ratio) {
 	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
 }
 
-/// How likely a hand that holds still where this one is shown begins a gesture, beside one at the start: it may
-/// begin beside that, and deviate.
+/// How likely a hand that holds still where this one is shown begins a gesture, beside one at the start: it
+/// may begin beside that, and deviate.
 double SwitchingEstimator::nearness(TrackerMode tracker) const {
 	const double x = now_.hold.hand.x, unit = GestureFilter::deviation(tracker, 0.0);
 	return std::exp(-0.5 * x * x / (parameters::START_SPREAD * parameters::START_SPREAD + unit * unit));
 }
 
-void SwitchingEstimator::add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset,
-		const HandState &from) {
+void SwitchingEstimator::add(
+		TrackerMode tracker, double weight, const GestureFilter::Onset &onset, const HandState &from) {
 	GestureFilter gesture(tracker, onset, from);
 	gesture.weight = weight;
 	now_.gestures.push_back(gesture);
@@ -308,8 +318,8 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 			const double error = std::sqrt(unit * unit + reading.variance);
 			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
-					now_.hold.weight * nearness(tracker) * parameters::ONSETS_PER_S * share(tracker, now_.hold.lagging) *
-							duration_weights_[k] / speed,
+					now_.hold.weight * nearness(tracker) * parameters::ONSETS_PER_S *
+							share(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ * parameters::GAIN_SPREAD },
 					{ 0.0, 0.0, unit * unit, 0.0, rate * rate });
@@ -392,10 +402,11 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		estimate.velocity += gesture.weight * hand.velocity;
 		estimate.acceleration += gesture.weight * hand.acceleration;
 		estimate.phase += gesture.weight * hand.phase;
-		estimate.gesture += gesture.weight;
+		(hand.phase > parameters::VISIBLE_PHASE ? estimate.gesture : estimate.hold) += gesture.weight;
 	}
 	const auto go_on = [&](const Other &other, const HandProcess &process, double weight) {
-		const double dt_s = std::max(ahead_s - now_.time_s, 0.0), fading = std::exp(-process.rate_per_s * dt_s);
+		const double dt_s = std::max(ahead_s - now_.time_s, 0.0),
+					 fading = std::exp(-process.rate_per_s * dt_s);
 		const double velocity = other.hand.v * fading;
 		const double value = other.hand.x + process.reach_s(dt_s) * other.hand.v;
 		estimate.value += weight * value;
@@ -405,7 +416,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	};
 	go_on(now_.hold, hold_process_, now_.hold.weight + unseen);
 	go_on(now_.free, free_process_, now_.free.weight);
-	estimate.hold = (now_.hold.weight + unseen) / total;
+	estimate.hold = (estimate.hold + now_.hold.weight + unseen) / total;
 	estimate.gesture /= total;
 	estimate.value /= total;
 	estimate.velocity /= total;

@@ -25,19 +25,19 @@ struct MotionEstimate {
 };
 
 /// `phase` mode: a switching Kalman filter (Bar-Shalom, Li, Kirubarajan 2001, chapter 11) over what the hand
-/// does, HOLD, FREE or the gesture, and over the tracker, which is sound or lags. HOLD and FREE are one filter
-/// each; the gesture is a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over when it
-/// began and how long it takes. What is put out is the mean of all.
+/// does, HOLD, FREE or the gesture, and over the tracker, which is sound or lags. HOLD and FREE are one
+/// filter each; the gesture is a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over
+/// when it began and how long it takes. What is put out is the mean of all.
 ///
-/// Of a faulty tracker only its rates of faults are known: they are likelier before one that lags. Frames that
-/// TrackerMonitor takes for outliers or repetitions change nothing else.
+/// Of a faulty tracker only its rates of faults are known: they are likelier before one that lags. Frames
+/// that TrackerMonitor takes for outliers or repetitions change nothing else.
 ///
 /// Allocates when made.
 class SwitchingEstimator {
 public:
-	/// model must outlive the estimator. amplitude_m: of the task. latency_s: how old what a frame shows always
-	/// is; the estimate is that much ahead of the frames. gain_spread: how many times as freely as with a task a
-	/// hand may go further than 1, or less far.
+	/// model must outlive the estimator. amplitude_m: of the task. latency_s: how old what a frame shows
+	/// always is; the estimate is that much ahead of the frames. gain_spread: how many times as freely as
+	/// with a task a hand may go further than 1, or less far.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, double gain_spread = 1.0);
 
@@ -49,6 +49,9 @@ public:
 	void restart(double t_s, double shift = 0.0);
 	/// As made.
 	void reset();
+	/// The same, but for a frame of a hand that is not followed: it tells how fast that is where it is
+	/// followed next.
+	void pass_over(double t_s, double x);
 
 	/// At t_s, not before the last frame.
 	[[nodiscard]] MotionEstimate at(double t_s) const;
@@ -93,7 +96,8 @@ private:
 		double faulty_latency_s = 0.0;
 	};
 	Belief now_;
-	Belief before_last_; ///< before the newest usable measurement
+	Belief before_last_;                         ///< before the newest usable measurement
+	double passed_s_ = NEVER_S, passed_x_ = 0.0; ///< the last frame that was passed over
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
 
@@ -103,7 +107,7 @@ private:
 	void step(double t_s);
 	void switch_modes(double dt_s);
 	void judge_tracker(double log_ratio);
-	void count_fault(double log_ratio);
+	void count_fault(bool is_jump);
 	void give_birth(double t_s);
 	void seed(const ElementReading &reading, double gap_s);
 	void add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset, const HandState &from);

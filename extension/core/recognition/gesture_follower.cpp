@@ -17,11 +17,10 @@ GestureFollower::GestureFollower(
 		model_(&model),
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
 		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_OPEN), decoder_(model.hmm, synthesis.decoding),
-		paper_(model), phase_(model, task.amplitude_m, synthesis.effort,
-							   synthesis.latency_s, follows_rest ? 1.0 : feature_->open_gain_spread) {}
+		paper_(model), phase_(model, task.amplitude_m, synthesis.effort, synthesis.latency_s,
+							   follows_rest ? 1.0 : feature_->open_gain_spread) {}
 
-bool GestureFollower::push(
-		const HandFrame &frame, const std::optional<FeaturePlace> &place,
+bool GestureFollower::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
 		const StrokeFinder &strokes, const Measurement &measurement) {
 	if (!clock_started_) {
 		clock_.start(frame.t_s);
@@ -36,7 +35,8 @@ bool GestureFollower::push(
 	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
-		is_elsewhere_ ? phase_.reset() : phase_.push(measurement, *x_m / task_.amplitude_m);
+		const double x = *x_m / task_.amplitude_m;
+		is_elsewhere_ ? phase_.pass_over(frame.t_s, x) : phase_.push(measurement, x);
 	}
 	if (is_forgotten_) {
 		is_forgotten_ = false;
@@ -46,8 +46,7 @@ bool GestureFollower::push(
 	return true;
 }
 
-void GestureFollower::advance(
-		double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
+void GestureFollower::advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}

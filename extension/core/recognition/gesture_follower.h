@@ -19,8 +19,8 @@
 
 namespace steadyhand {
 
-/// How motion is made of what is seen. effort, latency_s: as SwitchingEstimator's; decoding: of the states that
-/// `paper` mode plays.
+/// How motion is made of what is seen. effort, latency_s: as SwitchingEstimator's; decoding: of the states
+/// that `paper` mode plays.
 struct Synthesis {
 	MotionMode mode = MotionMode::PHASE;
 	EstimatorEffort effort = {};

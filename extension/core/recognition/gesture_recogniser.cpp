@@ -13,14 +13,13 @@ constexpr double PART = 12.0;
 
 /// The point that the tracker's faults are looked for at: of a radius, the circle's centre and that.
 std::optional<Eigen::Vector3d> tracked_point(const Feature &feature, const HandFrame &frame) {
-	const std::optional<FeaturePlace> place =
-			feature.place != nullptr ? feature.place(frame) : std::nullopt;
+	const std::optional<FeaturePlace> place = feature.place != nullptr ? feature.place(frame) : std::nullopt;
 	if (place) {
 		return feature.is_radius ? Eigen::Vector3d(place->x(), place->y(), place->w())
 								 : Eigen::Vector3d(place->head<3>());
 	}
 	return feature.place == nullptr && frame.has(Joint::INDEX) ? std::optional(frame.position(Joint::INDEX))
-																	 : std::nullopt;
+															   : std::nullopt;
 }
 
 } // namespace

@@ -40,8 +40,8 @@ public:
 	/// shows more of what hands do otherwise, more shows gestures later.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
-	/// 0.5 .. 1; a gesture with a task counts as soon as it is seen to come to its end, and where the hand stops
-	/// short of that from this share of the way on.
+	/// 0.5 .. 1; a gesture with a task counts as soon as it is seen to come to its end, and where the hand
+	/// stops short of that from this share of the way on.
 	void set_completion(double share);
 
 	/// A gesture that begins while this is not met is not shown, and does not end. What is under way goes on.

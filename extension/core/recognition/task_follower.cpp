@@ -31,7 +31,10 @@ constexpr double ABORT_AFTER = 3.0;
 constexpr double DOUBT_S = 0.3;
 /// A hand has stopped that holds still with this probability for so long; one has turned back that has come
 /// back so far.
-constexpr double STOPPED = 0.8, STOPPED_S = 0.2, TURNED_BACK = 0.1;
+constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.1;
+/// What ends short of its task has to be the task's way beyond doubt, log odds: hands that go about something
+/// else stop anywhere.
+constexpr double BEYOND_DOUBT = 9.0;
 /// From here on the end is near.
 constexpr double NEAR_END = 0.75;
 /// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
@@ -186,13 +189,11 @@ bool TaskFollower::was_nothing(double t_s) {
 	const MotionEstimate now = estimate(t_s);
 	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
-	const bool may_begin =
-			furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+	const bool may_begin = furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
 	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
-	return now.value < BACK_VALUE &&
-			(now.hold > STOPPED || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
+	return now.value < BACK_VALUE && (now.hold > STOPPED || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
@@ -223,7 +224,8 @@ bool TaskFollower::has_stopped(double t_s) const {
 	}
 	const double value = estimate(t_s).value;
 	const bool has_turned = furthest_ > completion_ && value < furthest_ - TURNED_BACK;
-	return has_turned || (value > completion_ && t_s - moved_s_ > STOPPED_S);
+	const bool has_stopped = value > completion_ && t_s - moved_s_ > STOPPED_S;
+	return strokes_.best_log_odds() > BEYOND_DOUBT && (has_turned || has_stopped);
 }
 
 void TaskFollower::come_to_end(double t_s) {

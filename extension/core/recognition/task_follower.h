@@ -39,8 +39,8 @@ private:
 	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
 	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
 	double at_end_since_s_ = 0.0;
-	double furthest_ = 0.0;  ///< that a hand which is seen has come since it began
-	double moved_s_ = 0.0;   ///< when it last did not hold still
+	double furthest_ = 0.0;       ///< that a hand which is seen has come since it began
+	double moved_s_ = 0.0;        ///< when it last did not hold still
 	double off_start_s_ = 0.0;    ///< when it was last not at the start, once it had left that
 	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
 
