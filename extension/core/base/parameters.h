@@ -20,6 +20,8 @@ inline constexpr double START_SPREAD = 0.07;
 inline constexpr double SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
 /// Standard deviation of the relative error of the endpoint.
 inline constexpr double GAIN_SPREAD = 0.041;
+/// The same without a task, which says how far to go.
+inline constexpr double OPEN_GAIN_SPREAD = 0.25;
 /// What a hand does beside the model's curve: critically damped noise, standard deviation and rate.
 inline constexpr double DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// A hand that holds still: standard deviation of its velocity, per s, and the rate of that. Tremor, sway,
@@ -32,7 +34,7 @@ inline constexpr double FREE_SPEED_M_S = 0.44, FREE_RATE_PER_S = 6.0;
 
 inline constexpr double GESTURE_TO_FREE_PER_S = 0.02;
 inline constexpr double GESTURE_TO_HOLD_PER_S = 0.3;
-inline constexpr double FREE_TO_HOLD_PER_S = 0.5;
+inline constexpr double FREE_TO_HOLD_PER_S = 2.0;
 inline constexpr double HOLD_TO_FREE_PER_S = 0.3;
 
 // The tracker.

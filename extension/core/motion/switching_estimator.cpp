@@ -68,16 +68,19 @@ void SwitchingEstimator::pass_over(double t_s, double x) {
 	passed_x_ = x;
 }
 
+/// A hand that moves is about something else than to rest there.
 void SwitchingEstimator::begin(double t_s, double x, double v) {
 	const double noise = parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE;
-	const auto at_rate = [&](const HandProcess &process) {
-		return HandState{ x, v, noise, 0.0, process.speed * process.speed };
+	const auto start = [&](const HandProcess &process, double v_expected) {
+		const double off = v / process.speed, variance = process.speed * process.speed;
+		return Other{ std::exp(-0.5 * off * off) / process.speed, now_.hold.lagging,
+			{ x, v_expected, noise, 0.0, variance } };
 	};
 	now_.gestures.clear();
-	now_.hold = { 0.9, now_.hold.lagging, at_rate(hold_process_) };
-	now_.free = { 0.1, now_.hold.lagging, at_rate(free_process_) };
-	now_.hold.hand.v = 0.0;
+	now_.free = start(free_process_, v);
+	now_.hold = start(hold_process_, 0.0);
 	now_.time_s = now_.next_birth_s = t_s;
+	normalise();
 	before_last_ = now_;
 }
 
@@ -294,7 +297,7 @@ void SwitchingEstimator::give_birth(double t_s) {
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
 						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
-								gain_spread_ * parameters::GAIN_SPREAD },
+								gain_spread_ },
 						now_.hold.hand);
 			}
 		}
@@ -321,7 +324,7 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 					now_.hold.weight * nearness(tracker) * parameters::ONSETS_PER_S *
 							share(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
-							gain_spread_ * parameters::GAIN_SPREAD },
+							gain_spread_ },
 					{ 0.0, 0.0, unit * unit, 0.0, rate * rate });
 		}
 	}

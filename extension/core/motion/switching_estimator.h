@@ -39,7 +39,7 @@ public:
 	/// always is; the estimate is that much ahead of the frames. gain_spread: how many times as freely as
 	/// with a task a hand may go further than 1, or less far.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
-			double latency_s = 0.0, double gain_spread = 1.0);
+			double latency_s = 0.0, double gain_spread = parameters::GAIN_SPREAD);
 
 	/// A frame; stamps must not decrease. x: the motion element, amplitudes.
 	void push(const Measurement &measurement, double x);

@@ -1,5 +1,6 @@
 #include "recognition/gesture_follower.h"
 
+#include "base/parameters.h"
 #include "strokes/stroke_evidence.h"
 
 namespace steadyhand {
@@ -18,7 +19,8 @@ GestureFollower::GestureFollower(
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
 		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_OPEN), decoder_(model.hmm, synthesis.decoding),
 		paper_(model), phase_(model, task.amplitude_m, synthesis.effort, synthesis.latency_s,
-							   follows_rest ? 1.0 : feature_->open_gain_spread) {}
+							   follows_rest ? parameters::GAIN_SPREAD
+											: feature_->open_gain_spread * parameters::OPEN_GAIN_SPREAD) {}
 
 bool GestureFollower::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
 		const StrokeFinder &strokes, const Measurement &measurement) {

@@ -153,7 +153,7 @@ TEST_CASE("what was expected while another gesture was under way counts with the
 
 TEST_CASE("the way back may have begun before the end was told that brings its task") {
 	const ExpectedGesture there = drag_at(HERE), back{ models()[0], Task{ 0.2 * X, -X, 0.2 } };
-	for (const double back_s : { 0.85, 1.0 }) { // the end is told at 0.99 s
+	for (const double back_s : { 0.95, 1.0 }) { // 95 % of the way are made by then
 		for (const double late_s : { 0.0, 0.1, 0.2 }) {
 			CAPTURE(back_s);
 			CAPTURE(late_s);

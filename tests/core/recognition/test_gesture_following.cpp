@@ -106,7 +106,9 @@ TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
 			frame.set(Joint::INDEX, last);
 		} else {
 			// A live sensor's last digits never stand still.
-			last = frame.position(Joint::INDEX) + Eigen::Vector3d(1e-6 * digits.normal(), 0.0, 0.0);
+			for (double &coordinate : last = frame.position(Joint::INDEX)) {
+				coordinate += 1e-6 * digits.normal();
+			}
 			frame.set(Joint::INDEX, last);
 		}
 	}

@@ -46,6 +46,7 @@ Run of_a_short_way(double lasts_s, unsigned seed, double onset_s, double duratio
 	Task task;
 	task.amplitude_m = WAY_M;
 	GestureRecogniser recogniser({ models()[0] }, task, MotionMode::PHASE);
+	recogniser.set_completion(0.7); // the hand stops where it wanders to
 	Wander wander(lasts_s, seed);
 	double begun_s = 0.0;
 	const Way way = [&](double t_s) {

@@ -132,7 +132,7 @@ TEST_CASE("a twitch that is none of the gesture is given up within a second, and
 		double far;      ///< less than from where on a hand has left the start
 		bool comes_back; ///< at once, or stays there
 	};
-	for (const Twitch twitch : { Twitch{ 0.06, false }, { 0.08, true }, { 0.12, true } }) {
+	for (const Twitch twitch : { Twitch{ 0.1, false }, { 0.1, true }, { 0.12, true } }) {
 		for (const double duration_s : { 0.2, 0.3 }) {
 			CAPTURE(twitch.far);
 			CAPTURE(twitch.comes_back);
@@ -150,7 +150,7 @@ TEST_CASE("a twitch that is none of the gesture is given up within a second, and
 	}
 }
 
-TEST_CASE("what plainly was no beginning is given up by the time that the hand is back") {
+TEST_CASE("a turn back before a third of the way is aborted within 0.2 s of the return") {
 	struct Turn {
 		double far, duration_s; ///< of either way
 	};
@@ -162,7 +162,7 @@ TEST_CASE("what plainly was no beginning is given up by the time that the hand i
 			const Drag out = going(turn.far, 1.3 + later_s(repetition), turn.duration_s);
 			const Drag back = going(-turn.far, out.onset_s + turn.duration_s, turn.duration_s);
 			const double back_s = back.onset_s + back.duration_s;
-			CHECK(in_the_task(along(X, { out, back }), back_s, FINE_M).said ==
+			CHECK(in_the_task(along(X, { out, back }), back_s + 0.2, FINE_M).said ==
 					std::vector<std::string>{ "started sideways", "aborted sideways" });
 		}
 	}
