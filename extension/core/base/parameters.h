@@ -21,7 +21,7 @@ inline constexpr double SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
 /// Standard deviation of the relative error of the endpoint.
 inline constexpr double GAIN_SPREAD = 0.041;
 /// The same without a task, which says how far to go.
-inline constexpr double OPEN_GAIN_SPREAD = 0.25;
+inline constexpr double OPEN_GAIN_SPREAD = 0.12;
 /// What a hand does beside the model's curve: critically damped noise, standard deviation and rate.
 inline constexpr double DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// A hand that holds still: standard deviation of its velocity, per s, and the rate of that. Tremor, sway,
@@ -49,9 +49,9 @@ inline constexpr double FAULTY_LATENCY_S = 0.03;
 /// Error of a lagging tracker: critically damped noise; standard deviation at the start, what it has more at
 /// the end of the way, and rate.
 inline constexpr double LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGING_ERROR_RATE_PER_S = 8.0;
-/// Dropouts, freezes and jumps of a lagging tracker against those of a sound one, as the logarithm of their
+/// Dropouts and freezes, and jumps as they begin, of a lagging tracker against those of a sound one, as the logarithm of their
 /// rates' ratio.
-inline constexpr double LOG_FAULTS = 1.8;
+inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 /// What is added per s while a fault goes on, and the most that one comes to: those of a sound tracker are
 /// short, 0.025 s in the mean against 0.13 s.
 inline constexpr double LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;

@@ -81,7 +81,6 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 	now_.hold = start(hold_process_, 0.0);
 	now_.time_s = now_.next_birth_s = t_s;
 	normalise();
-	before_last_ = now_;
 }
 
 void SwitchingEstimator::restart(double t_s, double shift) {
@@ -97,6 +96,7 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 			shown.add(gesture.weight, { p.x, 0.0, p.variance, 0.0, 0.0 });
 		}
 		begin(now_.time_s, shown.state().x + shift, shown.state().v);
+		before_last_ = now_;
 	});
 }
 
@@ -114,10 +114,15 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	if (!has_hand()) {
 		const double since_s = t_s - passed_s_;
 		begin(t_s, x, since_s > 0.0 && since_s < SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
-		now_.seen_s = before_last_.seen_s = t_s;
+		now_.seen_s = now_.changed_s = t_s;
+		now_.changed_x = x;
+		before_last_ = now_;
 		return;
 	}
-	if (measurement.is_usable() && !measurement.replaces_last && t_s - now_.seen_s < LEAST_FRAME_S) {
+	if (measurement.is_usable() && !measurement.replaces_last) {
+		is_last_used_ = t_s - now_.seen_s >= LEAST_FRAME_S;
+	}
+	if (measurement.is_usable() && !is_last_used_) {
 		return;
 	}
 	change(t_s, [&] {
@@ -142,9 +147,13 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 			since_s / (since_s + parameters::ALIKE_S) };
 		const std::size_t known = now_.gestures.size();
 		if (reappears) {
-			seed(reading, since_s);
+			seed(reading, t_s - now_.changed_s);
 		}
 		correct(reading, known);
+		if (x != now_.changed_x) {
+			now_.changed_x = x;
+			now_.changed_s = t_s;
+		}
 		judge_tracker(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S)); // none came
 		now_.seen_s = t_s;
 		prune();
@@ -259,8 +268,8 @@ void SwitchingEstimator::judge_tracker(double log_ratio) {
 /// One that goes on counts the more, the longer it does.
 void SwitchingEstimator::count_fault(bool is_jump) {
 	if (now_.log_fault == 0.0) {
-		now_.log_fault = parameters::LOG_FAULTS;
-		judge_tracker(parameters::LOG_FAULTS);
+		now_.log_fault = is_jump ? parameters::LOG_JUMPS : parameters::LOG_FAULTS;
+		judge_tracker(now_.log_fault);
 		if (is_jump) {
 			for (GestureFilter &gesture : now_.gestures) {
 				if (gesture.tracker() == TrackerMode::LAGGING) {
@@ -405,6 +414,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		estimate.velocity += gesture.weight * hand.velocity;
 		estimate.acceleration += gesture.weight * hand.acceleration;
 		estimate.phase += gesture.weight * hand.phase;
+		estimate.remaining += gesture.weight * (1.0 - hand.phase);
 		(hand.phase > parameters::VISIBLE_PHASE ? estimate.gesture : estimate.hold) += gesture.weight;
 	}
 	const auto go_on = [&](const Other &other, const HandProcess &process, double weight) {
@@ -421,6 +431,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	go_on(now_.free, free_process_, now_.free.weight);
 	estimate.hold = (estimate.hold + now_.hold.weight + unseen) / total;
 	estimate.gesture /= total;
+	estimate.remaining /= total;
 	estimate.value /= total;
 	estimate.velocity /= total;
 	estimate.acceleration /= total;

@@ -20,6 +20,7 @@ struct MotionEstimate {
 	double acceleration = 0.0;
 	double phase = 0.0;      ///< 0..1, expected
 	double gesture = 0.0;    ///< probability that the hand makes the gesture, or has just made it
+	double remaining = 0.0;  ///< phase that the gesture still has, expected; 0 of a hand that makes none
 	double hold = 0.0;       ///< probability that it holds still, or rests
 	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
 };
@@ -87,8 +88,9 @@ private:
 
 	/// What the measurements so far say.
 	struct Belief {
-		double time_s = NEVER_S; ///< that all are predicted to
-		double seen_s = NEVER_S; ///< when a measurement last said where the hand is
+		double time_s = NEVER_S;                     ///< that all are predicted to
+		double seen_s = NEVER_S;                     ///< when a measurement last said where the hand is
+		double changed_s = NEVER_S, changed_x = 0.0; ///< and when one last said something new
 		double next_birth_s = 0.0;
 		Other hold, free;
 		std::vector<GestureFilter> gestures;
@@ -96,7 +98,8 @@ private:
 		double faulty_latency_s = 0.0;
 	};
 	Belief now_;
-	Belief before_last_;                         ///< before the newest usable measurement
+	bool is_last_used_ = true; ///< the newest usable measurement, or the one that it replaces
+	Belief before_last_;       ///< before the newest usable measurement
 	double passed_s_ = NEVER_S, passed_x_ = 0.0; ///< the last frame that was passed over
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change

@@ -5,6 +5,7 @@
 #include "recognition/task_follower.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -57,6 +58,10 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	followers_.reserve(gestures_.size());
 	filtered_.reserve(gestures_.size());
 	starts_.reserve(gestures_.size());
+	std::uint32_t begun = 0;
+	for (const std::unique_ptr<GestureFollower> &follower : followers_before) {
+		begun = std::max(begun, follower->gestures_begun());
+	}
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		std::size_t old = 0;
 		while (old < now.size() && (now[old] >= 0 || !(gestures_before[old] == gestures_[i]))) {
@@ -70,6 +75,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		} else {
 			followers_.push_back(follower_of(gestures_[i], synthesis_));
 			followers_.back()->set_completion(completion_);
+			followers_.back()->count_from(begun);
 			filtered_.emplace_back();
 			starts_.emplace_back();
 		}

@@ -9,6 +9,8 @@ namespace {
 /// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
 /// hang.
 constexpr double LONGEST_GAP_S = 10.0;
+/// Phase that is left where a hand has all but come to rest.
+constexpr double NEARLY_STILL = 0.03;
 constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: within a tenth of a second
 
 } // namespace
@@ -113,10 +115,11 @@ void GestureFollower::decode(double t_s) {
 }
 
 bool GestureFollower::is_at_end(double t_s) const {
-	if (mode_ == MotionMode::PAPER) {
-		return paper_.phase(t_s) >= 1.0;
-	}
-	return estimate(t_s).value >= END_LEVEL;
+	return mode_ == MotionMode::PAPER ? paper_.phase(t_s) >= 1.0 : estimate(t_s).value >= END_LEVEL;
+}
+
+bool GestureFollower::is_still_at_end(double t_s) const {
+	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < NEARLY_STILL);
 }
 
 void GestureFollower::forget_frames() {

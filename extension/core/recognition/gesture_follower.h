@@ -63,6 +63,8 @@ public:
 	[[nodiscard]] double begun_s() const { return begun_s_; }
 	/// How many have been under way so far, this one with them.
 	[[nodiscard]] std::uint32_t gestures_begun() const { return gestures_begun_; }
+	/// Of a new follower: so that no two of a recogniser's count alike.
+	void count_from(std::uint32_t begun) { gestures_begun_ = begun; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
 	/// log of the posterior odds of the gesture against none by what has been seen of it, nats; the measure
 	/// by which gestures compete.
@@ -127,6 +129,8 @@ protected:
 	[[nodiscard]] MotionEstimate expected(double t_s) const { return phase_.expected(t_s); }
 	/// What is put out is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
+	/// And all but still there.
+	[[nodiscard]] bool is_still_at_end(double t_s) const;
 
 	void set_log_odds(double log_odds) { log_odds_ = log_odds; }
 	/// value: where the hand is, in amplitudes.

@@ -15,7 +15,7 @@ constexpr double ONSET_VELOCITY = 0.1;
 constexpr double WANDERS = 7.0;
 /// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
 /// no more.
-constexpr double BEGUN = 0.5, NOT_BEGUN = 0.1;
+constexpr double BEGUN = 0.7, NOT_BEGUN = 0.1;
 constexpr double UNLIKELY_S = 0.3;
 constexpr double HALF_WAY = 0.5;     ///< from there on a hand has begun, whatever it did before,
 constexpr double SEEN_ON_WAY = 0.25; ///< and from here on where it is seen to go the task's way
@@ -31,10 +31,14 @@ constexpr double ABORT_AFTER = 3.0;
 constexpr double DOUBT_S = 0.3;
 /// A hand has stopped that holds still with this probability for so long; one has turned back that has come
 /// back so far.
-constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.1;
+constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.08;
 /// What ends short of its task has to be the task's way beyond doubt, log odds: hands that go about something
 /// else stop anywhere.
 constexpr double BEYOND_DOUBT = 9.0;
+/// A hand that holds still at the start with this probability has given up.
+constexpr double RESTS = 0.95;
+/// What a hand that wanders at rest comes back by in the same way, standard deviations.
+constexpr double RETURN_WANDERS = 4.0;
 /// From here on the end is near.
 constexpr double NEAR_END = 0.75;
 /// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
@@ -138,7 +142,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 				come_to_rest(t_s);
 			} else if (was_nothing(t_s)) {
 				come_to_rest(t_s);
-			} else if ((has_stopped(t_s) || is_at_end(t_s)) && is_known(t_s, strokes)) {
+			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_known(t_s, strokes)) {
 				come_to_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -193,7 +197,9 @@ bool TaskFollower::was_nothing(double t_s) {
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
 	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
-	return now.value < BACK_VALUE && (now.hold > STOPPED || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
+	const double wander = std::max(TURNED_BACK, RETURN_WANDERS * wander_.deviation(t_s));
+	const bool has_returned = furthest_ - now.value > wander || now.hold > RESTS;
+	return now.value < BACK_VALUE && (has_returned || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand

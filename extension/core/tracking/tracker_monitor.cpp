@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace steadyhand {
 
@@ -167,6 +168,7 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	r_measurement.status = MeasurementStatus::OUTLIER;
 	r_measurement.jump_m = off_m.norm();
 	jump_ = Jump{ .since_s = r_measurement.t_s,
+		.gap_s = std::exchange(r_measurement.gap_s, 0.0),
 		.way_m = r_measurement.position_m - hand_.position_m(),
 		.velocity_m_s = (r_measurement.position_m - before.position_m()) / std::max(dt_s, BURST_S),
 		.track = HandTrack(r_measurement.t_s, r_measurement.position_m, before.velocity_m_s(), noise_m) };
@@ -193,7 +195,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
 	if (is_motion) { // of which nothing was seen
 		r_measurement.status = MeasurementStatus::REAPPEARED;
-		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
+		r_measurement.gap_s = r_jump.gap_s + t_s - r_jump.since_s;
 		hand_ = HandTrack(t_s, r_measurement.position_m, r_jump.velocity_m_s, noise_m);
 		--faults_.jumps;
 		jump_.reset();
@@ -202,7 +204,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	if (hand >= std::max(jumped, elsewhere)) {
 		retracted_since_s_ = r_jump.since_s;
 		r_measurement.status = MeasurementStatus::REAPPEARED;
-		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
+		r_measurement.gap_s = r_jump.gap_s + t_s - r_jump.since_s;
 		hand_.correct(r_measurement.position_m, noise_m);
 		jump_.reset();
 		return;
@@ -215,7 +217,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	}
 	if (t_s - r_jump.since_s >= LONGEST_JUMP_S) {
 		r_measurement.status = MeasurementStatus::REAPPEARED;
-		r_measurement.gap_s = std::max(r_measurement.gap_s, t_s - r_jump.since_s);
+		r_measurement.gap_s = r_jump.gap_s + t_s - r_jump.since_s;
 		accept_jump(r_jump);
 		return;
 	}

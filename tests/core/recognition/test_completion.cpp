@@ -52,7 +52,7 @@ TEST_CASE("a hand that stays beyond a completion of 70 % ends once, where it sta
 			const Events events = with_completion(0.7, to(far, 0.5, duration_s), duration_s + 2.0);
 			CHECK(events.said == test::times(1, "sideways"));
 			CHECK(test::x_m(to(far, 0.5, duration_s), events.last_ended_s) > (far - 0.01) * TASK_M);
-			CHECK(events.last_ended_s < 0.5 + duration_s + 0.6);
+			CHECK(events.last_ended_s < 0.5 + duration_s + 0.8);
 			CHECK(std::abs(events.last_value_m - far * TASK_M) < 0.002);
 		}
 	}

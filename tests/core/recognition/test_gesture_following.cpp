@@ -107,7 +107,7 @@ TEST_CASE("`phase` catches a drag that began while the tracker was frozen") {
 		} else {
 			// A live sensor's last digits never stand still.
 			for (double &coordinate : last = frame.position(Joint::INDEX)) {
-				coordinate += 1e-6 * digits.normal();
+				coordinate += 1e-5 * digits.normal();
 			}
 			frame.set(Joint::INDEX, last);
 		}

@@ -150,7 +150,7 @@ TEST_CASE("a twitch that is none of the gesture is given up within a second, and
 	}
 }
 
-TEST_CASE("a turn back before a third of the way is aborted within 0.2 s of the return") {
+TEST_CASE("a turn back before a third of the way is aborted within 0.3 s of the return") {
 	struct Turn {
 		double far, duration_s; ///< of either way
 	};
@@ -162,7 +162,7 @@ TEST_CASE("a turn back before a third of the way is aborted within 0.2 s of the 
 			const Drag out = going(turn.far, 1.3 + later_s(repetition), turn.duration_s);
 			const Drag back = going(-turn.far, out.onset_s + turn.duration_s, turn.duration_s);
 			const double back_s = back.onset_s + back.duration_s;
-			CHECK(in_the_task(along(X, { out, back }), back_s + 0.2, FINE_M).said ==
+			CHECK(in_the_task(along(X, { out, back }), back_s + 0.3, FINE_M).said ==
 					std::vector<std::string>{ "started sideways", "aborted sideways" });
 		}
 	}

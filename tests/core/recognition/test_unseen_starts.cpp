@@ -69,14 +69,12 @@ TEST_CASE("a gesture that begins unseen is one, however still the hand was befor
 	}
 }
 
-TEST_CASE("a gesture that begins in a freeze is one, before a tracker that trembles and one that does not") {
-	for (const double tremor_m : { 0.0, 1e-4, 1e-3 }) {
+// Without any noise a freeze is the same as a hand that rests.
+TEST_CASE("a gesture that begins in a freeze is one, before a tracker that trembles") {
+	for (const double tremor_m : { 1e-4, 1e-3 }) {
 		for (const double duration_s : { 0.4, 0.8 }) {
 			for (const double freeze_s : { 0.1, 0.2, 0.3 }) {
 				for (const double share : { -0.2, -0.05, 0.05, 0.1, 0.2 }) {
-					if (tremor_m == 0.0 && freeze_s > 0.5 * duration_s) {
-						continue; // nearly all of the way at once may be the tracker's step
-					}
 					CAPTURE(tremor_m);
 					CAPTURE(duration_s);
 					CAPTURE(freeze_s);

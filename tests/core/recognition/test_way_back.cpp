@@ -212,7 +212,7 @@ TEST_CASE("a hand that goes back at once after a rest is shown back, at any qual
 					frame.set(Joint::INDEX, { there.x_m(frame.t_s) - back.x_m(frame.t_s), 0.0, 0.0 });
 					recogniser.push(frame);
 				}
-				CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m) < 0.5e-3);
+				CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m) < 1e-3);
 				CHECK(recogniser.gesture() == -1);
 			}
 		}
