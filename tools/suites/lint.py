@@ -24,7 +24,6 @@ def outcomes() -> Iterator[Outcome]:
     yield one_end()
     yield tests_of_page("docs/numerics.md")
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
-    yield check("tuning variants", [sys.executable, "tools/tuning/variants.py", "--check"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
     yield of_changed("gdformat", gd, "--check")
     yield of_changed("gdlint", gd)

@@ -49,8 +49,8 @@ inline constexpr double FAULTY_LATENCY_S = 0.03;
 /// Error of a lagging tracker: critically damped noise; standard deviation at the start, what it has more at
 /// the end of the way, and rate.
 inline constexpr double LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGING_ERROR_RATE_PER_S = 8.0;
-/// Dropouts and freezes, and jumps as they begin, of a lagging tracker against those of a sound one, as the logarithm of their
-/// rates' ratio.
+/// Dropouts and freezes, and jumps as they begin, of a lagging tracker against those of a sound one, as the
+/// logarithm of their rates' ratio.
 inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 /// What is added per s while a fault goes on, and the most that one comes to: those of a sound tracker are
 /// short, 0.025 s in the mean against 0.13 s.

@@ -58,7 +58,7 @@ private:
 	/// Where the tracker shows the hand since it jumped.
 	struct Jump {
 		double since_s = 0.0;
-		double gap_s = 0.0; ///< time without news before it
+		double gap_s = 0.0;                                     ///< time without news before it
 		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from where the hand would have been
 		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< if a hand had made it
 		HandTrack track;

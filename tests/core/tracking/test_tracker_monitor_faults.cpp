@@ -68,7 +68,7 @@ TEST_CASE("a freeze with 0.1 mm of noise is found within 3.5 periods") {
 				if (measurement.status == MeasurementStatus::FROZEN && !found_s) {
 					found_s = t_s - new_s;
 				}
-				if (measurement.status == MeasurementStatus::REAPPEARED) {
+				if (measurement.status == MeasurementStatus::REAPPEARED && !over_s) {
 					over_s = measurement.gap_s;
 				}
 			}
