@@ -38,8 +38,7 @@ TARGETS = """## What is to be reached
 
 {table}
 
-What a frame costs, training, bridging and the vibration are measured elsewhere, not by this command. What
-oracles come to that know the lag and the faults, or how the hand moves: [evidence.md](evidence.md#what-could-be-had).
+What a frame costs, training, bridging and the vibration are measured elsewhere, not by this command. 
 """
 
 SET = """## {title}
@@ -51,7 +50,7 @@ SET = """## {title}
 
 PREDICTORS = """## Beside other predictors
 
-Filters and published predictors ([method.md](method.md#other-predictors)) on the same frames, task given.
+Filters and published predictors ([method.md](method.md#conditions-that-it-is-compared-with)) on the same frames, task given.
 {text}"""
 
 SPEED = """## Speed of execution

@@ -8,7 +8,7 @@
 namespace steadyhand {
 
 /// By which rule a stream of symbols is turned into states. The default is the paper's, and what the nodes
-/// use; the others are there to be compared with it (docs/evidence.md, "What accuracy costs").
+/// use; the others are there to be compared with it (bench_quality).
 struct StateDecoding {
 	enum class Rule {
 		VITERBI, ///< the state `lag` symbols ago on the best path over the symbols so far

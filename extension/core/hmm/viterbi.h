@@ -16,7 +16,7 @@ ViterbiPath viterbi(const DiscreteHmm &hmm, std::span<const Symbol> symbols);
 /// exactly what viterbi() over the same symbols ends with, at a constant cost and with no memory of the past.
 ///
 /// In float each symbol may lose 6e-8 of the difference between two states: one that is far behind does not
-/// come back on its symbol (docs/evidence.md, "What accuracy costs").
+/// come back on its symbol (bench_quality).
 template <class Scalar = double> class OnlineViterbi {
 public:
 	using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;

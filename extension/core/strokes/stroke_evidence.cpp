@@ -9,7 +9,7 @@
 namespace steadyhand {
 namespace {
 
-// Set on synthetic subjects of the tuning population and on recorded hands; docs/evidence.md says how.
+// Set on synthetic subjects of the tuning population and on recorded hands.
 
 // In the open: radians off the model's axis within which tasks lie, and by which a way may yet turn from its
 // beginning on.
