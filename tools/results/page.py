@@ -50,7 +50,7 @@ SET = """## {title}
 
 PREDICTORS = """## Beside other predictors
 
-Filters and published predictors ([method.md](method.md#conditions-that-it-is-compared-with)) on the same frames, task given.
+Filters and published predictors ([method.md](method.md#compared-conditions)) on the same frames, task given.
 {text}"""
 
 SPEED = """## Speed of execution
