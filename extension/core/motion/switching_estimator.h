@@ -37,8 +37,8 @@ struct MotionEstimate {
 class SwitchingEstimator {
 public:
 	/// model must outlive the estimator. amplitude_m: of the task. latency_s: how old what a frame shows
-	/// always is; the estimate is that much ahead of the frames. gain_spread: how many times as freely as
-	/// with a task a hand may go further than 1, or less far.
+	/// always is; the estimate is that much ahead of the frames. gain_spread: standard deviation of how far
+	/// hands go, amplitudes.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, double gain_spread = parameters::GAIN_SPREAD);
 
