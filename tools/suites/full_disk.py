@@ -39,7 +39,7 @@ func _initialize() -> void:
 
 
 func _keep(gesture: String) -> Error:
-	var place := {position = Vector3.ZERO, seconds = 1.0, faults_per_s = 0.0, jitter = 0.0}
+	var place := {position = Vector3.ZERO, seconds = 1.0, lost_share = 0.0, noise = 0.0}
 	return Participant.new("ann", _folder).keep(gesture, {contrast = 1.0, stable = place, unstable = place})
 
 
