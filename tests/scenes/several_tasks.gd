@@ -61,7 +61,7 @@ func test_a_gesture_is_felt_the_same_where_the_hand_goes_on_from_the_last_ones_e
 	var both := _felt([drag, tap], places)
 	var set_out := roundi(1000.0 * (3.0 * REST_S + 2.0 * MOVE_S))
 	var instants := range(set_out, mini(both.size(), alone.size()))
-	# What was seen of the hand before differs, and by that when the tap's end is known, by some ms.
+	# The tap's own estimator starts later beside a drag, so that its end may differ by some ms.
 	var off := instants.map(
 		func(i: int) -> float:
 			var near := range(maxi(i - 3, 0), mini(i + 4, both.size()))

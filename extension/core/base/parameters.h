@@ -22,7 +22,7 @@ inline constexpr double SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
 inline constexpr double GAIN_SPREAD = 0.041;
 /// The same without a task, which says how far to go.
 inline constexpr double OPEN_GAIN_SPREAD = 0.12;
-/// What a hand does beside the model's curve: critically damped noise, standard deviation and rate.
+/// Deviation of a hand from the model's curve: critically damped noise, standard deviation and rate.
 inline constexpr double DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// A hand that holds still: standard deviation of its velocity, per s, and the rate of that. Tremor, sway,
 /// and a tracker's slow error.
@@ -44,7 +44,7 @@ inline constexpr double HOLD_TO_FREE_PER_S = 0.3;
 inline constexpr double LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
 /// Lag at the end of a long way: mean and standard deviation, s. It builds up over LAG_SETTLING_S.
 inline constexpr double LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
-/// What one that has had a fault is late beyond that, s.
+/// Latency of a lagging tracker that has had a fault, beside that lag, s.
 inline constexpr double FAULTY_LATENCY_S = 0.03;
 /// Error of a lagging tracker: critically damped noise; standard deviation at the start, what it has more at
 /// the end of the way, and rate.
@@ -52,8 +52,8 @@ inline constexpr double LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGI
 /// Dropouts and freezes, and jumps as they begin, of a lagging tracker against those of a sound one, as the
 /// logarithm of their rates' ratio.
 inline constexpr double LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
-/// What is added per s while a fault goes on, and the most that one comes to: those of a sound tracker are
-/// short, 0.025 s in the mean against 0.13 s.
+/// Added per s while a fault lasts, and the most that one fault counts: faults of a sound tracker last
+/// 0.025 s in the mean, those of a lagging one 0.13 s.
 inline constexpr double LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
 /// By how many faults per s a lagging tracker has more.
 inline constexpr double FAULTS_PER_S = 1.1;

@@ -12,7 +12,7 @@ namespace steadyhand {
 
 enum class TrackerMode : std::uint8_t {
 	SOUND,  ///< shows where the hand is
-	LAGGING ///< is late, the more the further the hand has come, and errs
+	LAGGING ///< has a lag that grows along the way, and an error
 };
 
 /// A measurement of the motion element, in amplitudes, and how it is weighed.
@@ -23,7 +23,8 @@ struct ElementReading {
 	double power = 1.0;    ///< of its likelihood: how far its error is its own
 };
 
-/// What a measurement says of a prediction with this error and variance: a normal density, or an outlier's.
+/// Likelihood of a measurement at this distance from its prediction: a normal density mixed with an
+/// outlier's.
 struct ReadingLikelihood {
 	double density;
 	double share; ///< probability that it is no outlier

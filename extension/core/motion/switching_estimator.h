@@ -28,7 +28,7 @@ struct MotionEstimate {
 /// `phase` mode: a switching Kalman filter (Bar-Shalom, Li, Kirubarajan 2001, chapter 11) over what the hand
 /// does, HOLD, FREE or the gesture, and over the tracker, which is sound or lags. HOLD and FREE are one
 /// filter each; the gesture is a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over
-/// when it began and how long it takes. What is put out is the mean of all.
+/// when it began and how long it takes. The output is the mean of all.
 ///
 /// Of a faulty tracker only its rates of faults are known: they are likelier before one that lags. Frames
 /// that TrackerMonitor takes for outliers or repetitions change nothing else.
@@ -46,7 +46,7 @@ public:
 	void push(const Measurement &measurement, double x);
 	/// No frame came until t_s. is_overdue: one should have.
 	void wait(double t_s, bool is_overdue);
-	/// What comes next begins from where the hand is: it holds there. shift: of x from now on.
+	/// Forgets all gestures; the hand holds where it is. shift: added to x from now on.
 	void restart(double t_s, double shift = 0.0);
 	/// As made.
 	void reset();
@@ -86,7 +86,7 @@ private:
 	std::array<double, EstimatorEffort::MOST_DURATIONS> log_durations_{}, duration_weights_{};
 	double log_duration_deviation_ = 0.0;
 
-	/// What the measurements so far say.
+	/// State after the measurements so far.
 	struct Belief {
 		double time_s = NEVER_S;                     ///< that all are predicted to
 		double seen_s = NEVER_S;                     ///< when a measurement last said where the hand is

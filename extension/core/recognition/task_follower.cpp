@@ -37,7 +37,7 @@ constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.08;
 constexpr double BEYOND_DOUBT = 9.0;
 /// A hand that holds still at the start with this probability has given up.
 constexpr double RESTS = 0.95;
-/// What a hand that wanders at rest comes back by in the same way, standard deviations.
+/// A hand that wanders at rest comes back by less than this many standard deviations.
 constexpr double RETURN_WANDERS = 4.0;
 /// From here on the end is near.
 constexpr double NEAR_END = 0.75;

@@ -90,7 +90,7 @@ private:
 	/// NO_CELL where there is none, and none can be taken.
 	[[nodiscard]] std::size_t cell_at(const Eigen::Vector3d &position_m);
 	[[nodiscard]] std::span<const Cell> visited() const { return std::span(cells_).first(visited_); }
-	/// What was seen in the cells whose middles are `wanted`; some time was spent in one of them.
+	/// Sum over the cells whose middles are `wanted`; the hand was in at least one of them.
 	template <class Wanted> [[nodiscard]] Place gathered(Wanted wanted) const;
 	[[nodiscard]] std::vector<Place> candidates() const;
 };

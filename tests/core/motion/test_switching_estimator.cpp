@@ -35,7 +35,7 @@ std::vector<Reading> readings(const Path &hand, double rate_hz, double length_s,
 	return all;
 }
 
-/// What is put out at each ms until length_s; begin_s is added to all times.
+/// The output at each ms until length_s; begin_s is added to all times.
 std::vector<MotionEstimate> replay(
 		const std::vector<Reading> &readings, double length_s, double begin_s = 0.0) {
 	test::MonitoredEstimator estimator(test::drag_model());
