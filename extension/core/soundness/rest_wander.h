@@ -61,25 +61,9 @@ public:
 		return deviation_of_bends(std::span(bends).first(bend_count));
 	}
 
-	/// Standard deviation of all that was shown up to until_s, drift and all, in what is kept of it; 0 where
-	/// that is less than a quarter of a second.
-	[[nodiscard]] double spread(double until_s) const {
-		double sum = 0.0, squares = 0.0, count = 0.0;
-		for (std::size_t i = 0; i < values_.size() && values_[i].t_s <= until_s; ++i) {
-			const double off = values_[i].x - values_[0].x;
-			sum += off;
-			squares += off * off;
-			count += 1.0;
-		}
-		return count < FEWEST_OF_SPREAD
-				? 0.0
-				: std::sqrt(std::max(squares / count - sum * sum / (count * count), 0.0));
-	}
-
 private:
 	static constexpr std::size_t MOST = 64; ///< values, of 1.2 s and more
 	static constexpr std::size_t FEWEST = 6;
-	static constexpr double FEWEST_OF_SPREAD = 12.0;
 	static constexpr double APART_S = 0.019;
 	static constexpr double LONGEST_S = 0.3; ///< between values of one rest
 	static constexpr double BEND_S = 0.1, SETS_OUT_S = 0.1;

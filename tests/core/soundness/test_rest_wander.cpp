@@ -78,18 +78,4 @@ TEST_SUITE("rest wander") {
 		}
 		CHECK(wander.deviation(1.0) == 0.0);
 	}
-
-	TEST_CASE("the spread is of all that was shown until then, drift and all") {
-		RestWander wander;
-		CHECK(wander.spread(1.0) == 0.0);
-		// A drift of 0.1 a second, 50 frames a second: deviation of a uniform, its length over the root
-		// of 12.
-		for (int i = 0; i <= 50; ++i) {
-			CHECK(wander.push(0.02 * i, 0.5 + 0.1 * 0.02 * i));
-			CHECK_FALSE(wander.push(0.02 * i + 0.001, 7.0));
-		}
-		CHECK(wander.spread(0.2) == 0.0);
-		CHECK(wander.spread(0.5) == test::near(0.05 / std::sqrt(12.0)).epsilon(0.05));
-		CHECK(wander.spread(1.0) == test::near(0.1 / std::sqrt(12.0)).epsilon(0.05));
-	}
 }
