@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
 
-from suites import command, devices, fuzz, lint, lsl, openxr, oracles, predictors, scenes, study_export, unit
+from suites import command, devices, docs, fuzz, lint, lsl, openxr, oracles, predictors, scenes, study_export, unit
 from suites.outcome import Outcome
 
 SUITES = {
@@ -25,6 +25,7 @@ SUITES = {
     "command": command,
     "study_export": study_export,
     "predictors": predictors,
+    "docs": docs,
     "lint": lint,
     "openxr": openxr,
 }

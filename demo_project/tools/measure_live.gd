@@ -108,7 +108,7 @@ func _measure_changes() -> void:
 	await _change("gesture back", _wait_for.bind("horizontal_drag"))
 	await _change("pause", func() -> void: paused = true)
 	await _change("after the pause", func() -> void: paused = false)
-	await _change("game stands still for 0.4 s", func() -> void: OS.delay_usec(int(1e6 * STALL_S)))
+	await _change("game stops for 0.4 s", func() -> void: OS.delay_usec(int(1e6 * STALL_S)))
 	await _change("another bus", func() -> void: _synth.bus = _other_bus.name)
 	await _change("bus back", func() -> void: _synth.bus = _bus.name)
 	await _change("bus taken away", func() -> void: _synth.bus = &"")

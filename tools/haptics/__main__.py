@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the vibration from the outside and writes the tables into docs/haptics.md."""
+"""Measures the vibration from the outside and writes the tables into docs/haptics_measured.md."""
 
 import argparse
 import shutil
@@ -7,7 +7,9 @@ import subprocess
 from pathlib import Path
 
 from haptics import live, page, trials
+from page_tables import fill
 from results.evaluation import ROOT, run_tool
+
 
 REAL = ROOT.parent / "shared/real/drags"
 RATES_HZ = [44100, 8000, 48000, 96000, 192000]
@@ -16,7 +18,7 @@ GESTURES = "horizontal_drag,vertical_drag,tap,zoom"
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="haptics", description=__doc__)
-    parser.add_argument("--page", type=Path, default=ROOT / "docs/haptics.md", help="page whose tables are replaced")
+    parser.add_argument("--page", type=Path, default=ROOT / "docs/haptics_measured.md", help="page whose tables are replaced")
     parser.add_argument("--work", type=Path, default=ROOT / "build/haptics", help="for trials and recordings")
     parser.add_argument("--rates", type=int, nargs="+", default=RATES_HZ, help="mix rates (Hz)")
     parser.add_argument("--subjects", type=int, default=6, help="simulated people")
@@ -44,7 +46,7 @@ def main() -> None:
         said.append(subprocess.run([given.programs / program], check=True, capture_output=True, text=True).stdout)
     run_tool("soak", {"trials": synthetic, "minutes": given.minutes}, heard=said.append)
     tables["cost"] = page.as_text(said)
-    page.fill(given.page, tables)
+    fill(given.page, tables)
     for recording in [*given.work.rglob("*.wav"), *given.work.rglob("*.f32")]:
         recording.unlink()
     print(f"wrote {given.page}")

@@ -1,12 +1,12 @@
-"""The tables of docs/haptics.md."""
+"""The tables of docs/haptics_measured.md."""
 
 import re
 import statistics
 from collections.abc import Iterable
-from pathlib import Path
 
 from haptics.live import Live
 from haptics.trials import ENDS_WITH_A_CUE, Felt
+from page_tables import table
 
 CONDITIONS = {
     "reference": "the reference itself",
@@ -18,23 +18,6 @@ CONDITIONS = {
     "synthesised": "synthesised, `phase`",
 }
 ENGINE_SAYS = re.compile(r"Godot Engine|^\s*$")
-
-
-def fill(path: Path, tables: dict[str, str]) -> None:
-    """Replaces what stands between `<!-- NAME -->` and `<!-- end of NAME -->`."""
-    text = path.read_text()
-    for name, table in tables.items():
-        begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
-        before, found, rest = text.partition(begin)
-        if not found or end not in rest:
-            raise SystemExit(f"{path}: no place for the table '{name}'")
-        text = before + begin + "\n" + table + "\n" + end + rest.partition(end)[2]
-    path.write_text(text)
-
-
-def table(head: list[str], rows: Iterable[list[str]]) -> str:
-    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
-    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
 
 
 def milliseconds(seconds: float | None) -> str:
@@ -62,7 +45,7 @@ def live_tables(measured: Live) -> str:
         ),
     )
     followed = table(
-        ["gesture", "envelope late, ms", "error at that delay", "error at no delay", "cue late, ms"],
+        ["gesture", "delay of the envelope, ms", "error at that delay", "error without delay", "delay of the cue, ms"],
         (
             [
                 row.gesture.replace("_", " "),
@@ -76,10 +59,10 @@ def live_tables(measured: Live) -> str:
     )
     return (
         f"A hand held at half the amplitude, 180 Hz:\n\n{held}\n"
-        "Changes while a hand is held at full amplitude; the largest step from a sample to the next, over that of a "
-        f"sine of the\nrecording's own peak:\n\n{changes}\n"
-        f"A hand's track in real time, beside the same on the motion's own clock; the engine mixes "
-        f"{measured.block_frames} frames at a time here:\n\n{followed}"
+        "Changes while a hand is held at full amplitude. Each cell: the largest step between two samples, divided by the "
+        f"largest\nstep of a sine of the same amplitude.\n\n{changes}\n"
+        "A recorded hand in real time, compared with the same motion rendered afterwards. The engine mixes "
+        f"{measured.block_frames} samples at a time\nhere.\n\n{followed}"
     )
 
 

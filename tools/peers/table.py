@@ -14,7 +14,7 @@ PREDICTORS = {"hold": "hold", "ridge": "ridge", "minimum_jerk": "minimum jerk", 
 WIDTH = 120
 FIGURES = (
     "Every predictor knows the task and the mean duration of the gesture's model, as ours does. Ridge and ProMP are "
-    "trained on {source}. Each cell: mean R2 at no lag, median T_diff (ms), trials missed. Bold: the best R2 of a row."
+    "trained on {source}. Each cell: mean zero-lag R2, median T_diff (ms), trials missed. Bold: the best R2 of a row."
 )
 ERRORS = "Root mean square error (mm) of the predictions {horizons} ms ahead of each frame, all gestures together:"
 

@@ -23,7 +23,7 @@ T_DIFF_SHOWN_MS = (-700.0, 300.0)
 # Figure, its name on the axis, factor to the axis' unit, what is shown.
 ROWS = [
     ("r2", "R² at the best lag", 1, R2_SHOWN),
-    ("r2_zero", "R² at no lag", 1, R2_SHOWN),
+    ("r2_zero", "zero-lag R²", 1, R2_SHOWN),
     ("t_diff", "$T_{diff}$ (ms), above 0: ends early", 1000, T_DIFF_SHOWN_MS),
 ]
 

@@ -84,8 +84,8 @@ def main() -> None:
 
     rows = read_rows(given.rows)
     figure, panels = plt.subplots(1, 3, figsize=(14, 5), layout="constrained")
-    draw(panels[0], rows, "r2_zero_stable", "mean R$^2$ at no lag, stable tracking")
-    draw(panels[1], rows, "r2_zero_unstable", "mean R$^2$ at no lag, unstable tracking")
+    draw(panels[0], rows, "r2_zero_stable", "mean zero-lag R$^2$, stable tracking")
+    draw(panels[1], rows, "r2_zero_unstable", "mean zero-lag R$^2$, unstable tracking")
     draw(panels[2], rows, "t_diff_s", "mean size of T_diff, s", sign=-1)
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4, fontsize=9)
     save(figure, given.out)

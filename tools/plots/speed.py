@@ -37,9 +37,9 @@ def draw_speed(path: Path, durations: list[float], values: Values, recognised: S
         axes[1, column].axhline(0, color="black", lw=0.8, zorder=1)
     axes[0, 0].set_ylim(*R2_SHOWN)
     axes[1, 0].set_ylim(*T_DIFF_SHOWN_MS)
-    axes[0, 0].set_ylabel("mean R² at no lag")
+    axes[0, 0].set_ylabel("mean zero-lag R²")
     axes[1, 0].set_ylabel("median $T_{diff}$ (ms), above 0: early")
-    axes[2, 0].set_ylabel("recognised, nothing given (%)")
+    axes[2, 0].set_ylabel("recognised, without a task (%)")
     for below in axes[2]:
         below.set_xscale("log")
         below.set_xticks(durations, [f"{duration:g}" for duration in durations])

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Evaluates on synthetic people, and on real hands where their recordings are there, and writes the page of results."""
+"""Evaluates on synthetic people and on recorded real hands, if they are there, and writes the pages of results."""
 
 import argparse
 import json
@@ -18,7 +18,7 @@ from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all
 from results.made_trials import PACES, make_timed_trials, make_trials
 from results.other_hands import OtherHands
-from results.page import write_page
+from results.page import write_pages
 from results.rounds import EARLIER_ROUNDS, Rounds
 from results.sensors import Sensors
 from results.speed import DURATIONS_S, Speed
@@ -37,7 +37,7 @@ TYPICAL = ("horizontal_drag", "unstable")
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="results", description=__doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "docs", help="where results.md and images/ go")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs", help="folder of results*.md and images/")
     parser.add_argument("--work", type=Path, default=ROOT / "build/results", help="for trials and evaluations")
     parser.add_argument("--subjects", type=int, default=12, help="simulated people")
     parser.add_argument("--real", type=Path, default=REAL, help="trial set of real hands")
@@ -75,7 +75,7 @@ def main() -> None:
     images = given.out / "images"
     images.mkdir(parents=True, exist_ok=True)
     sets = {study.name: describe(study, given.subjects) for study in studies}
-    sets.setdefault("real", "their recordings were not there.")
+    sets.setdefault("real", "their recordings are not there.")
     pictures = draw(studies, images)
     draw_speed(images / "results_speed.png", given.durations, speed.values, speed.recognised)
     for model in models:
@@ -85,8 +85,8 @@ def main() -> None:
     scenes = {study.name: study.scene["phase"] for study in studies}
     compared = {name: compare_all(scene.trials, scene.out, trained) for name, scene in scenes.items()}
     predictors = as_markdown(compared, trained.source)
-    write_page(
-        given.out / "results.md",
+    write_pages(
+        given.out,
         studies,
         predictors,
         speed,
@@ -99,7 +99,7 @@ def main() -> None:
     )
     for evaluation in evaluations:
         evaluation.drop_curves()
-    print(f"wrote {given.out / 'results.md'}")
+    print(f"wrote {given.out / 'results.md'}, results_motion.md and results_conditions.md")
 
 
 def seconds(text: str) -> list[float]:
@@ -111,14 +111,14 @@ def describe(study: Study, subjects: int) -> str:
     trials = sum(group["trials"] for group in summary["groups"])
     if study.name == "real":
         return (
-            f"{trials} aimed 20 cm moves of recorded hands, as tracked and with recorded tracker errors added; "
-            "for evaluation alone, and not part of this repo."
+            f"{trials} aimed 20 cm moves of recorded hands. Stable: as tracked. Unstable: with recorded tracker errors "
+            "added. They serve evaluation only, and are not in the repository."
         )
     paces = ", ".join(f"{pace:g}" for pace in PACES)
     return (
-        f"{trials} trials of {subjects} simulated people of the population `evaluate`, whom neither training nor "
-        f"tuning knows, asked for {paces} times the duration that they would choose, through a simulated sensor; "
-        f"{summary['none_minutes']:.0f} minutes of other motion are among them."
+        f"{trials} trials of {subjects} simulated people in front of a simulated sensor. They make each gesture in "
+        f"{paces} times their own duration. No model was trained or tuned on these people. Among the trials are "
+        f"{summary['none_minutes']:.0f} minutes of other motion."
     )
 
 
@@ -166,13 +166,13 @@ def draw(studies: list[Study], images: Path) -> dict[str, str]:
         )
     tables = {f"{study.name}, phase mode": study.open["phase"].summary["confusion"] for study in studies}
     draw_confusions(
-        add("confusion", "results_confusion.png", "Confusion tables of `phase` mode, nothing given"), tables
+        add("confusion", "results_confusion.png", "Confusion tables of `phase` mode, without a task"), tables
     )
     return pictures
 
 
 def worst_title(row: dict) -> str:
-    return f"{row['trial']}\nR² at no lag {row['r2_zero_synthesised']:.3f}, measured {row['r2_zero_measured']:.3f}"
+    return f"{row['trial']}\nzero-lag R² {row['r2_zero_synthesised']:.3f}, measured {row['r2_zero_measured']:.3f}"
 
 
 if __name__ == "__main__":

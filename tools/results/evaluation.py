@@ -98,12 +98,12 @@ class Evaluation:
         return [row[column] for row in rows if row[column] != ""]
 
     def ranked(self, condition: str) -> list[dict]:
-        """Trials with figures, the lowest R2 at no lag of the condition first."""
+        """Trials with figures, the lowest zero-lag R2 of the condition first."""
         judged = [row for row in self.rows if row[f"r2_zero_{condition}"] != ""]
         return sorted(judged, key=lambda row: (row[f"r2_zero_{condition}"], row["trial"]))
 
     def typical(self, gesture: str, position: str) -> dict | None:
-        """The trial whose measured curve has the median R2 at no lag."""
+        """The trial whose measured curve has the median zero-lag R2."""
         rows = [row for row in self.ranked("measured") if (row["gesture"], row["position"]) == (gesture, position)]
         return rows[len(rows) // 2] if rows else None
 

@@ -1,4 +1,4 @@
-"""docs/results.md: every number and every mark of it is filled in here."""
+"""docs/results*.md: every number and every mark of them is filled in here."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -14,17 +14,22 @@ from results.targets import Target, percent, targets
 
 HEAD = """# Results
 
-Every number and picture on this page is made by `./steadyhand results`, none typed by hand. {origin}
+`./steadyhand results` makes every number and picture of this page. Two more pages have the details:
+[motion in each condition](results_motion.md), and [speed, repetition and sensors](results_conditions.md).
 
 {sets}
+- **made with**: {origin}
 
-*stable*, *unstable*: where the hand is before the sensor. Each trial runs through the real nodes in headless Godot.
-*Task given*: only the trial's own model is active, and the start, axis and length of the task are known
-(`--context scene`). *Nothing given*: all models, no task (`--context open`). **R2**: of a curve against the reference
-sensor's, at the lag within ±0.5 s that fits best, and at no lag. **T_diff**: end of the reference minus end of the
-curve; positive: the curve ends early. A curve that never gets there is *missed*, and takes part in T_diff with the
-bound that its record gives. **Worst 5 %**: the 5th percentile of the trials. For *measured*, R2 at the best lag is
-what a filter that knew the sensor's lag, and nothing else, could come to.
+| word | meaning |
+| --- | --- |
+| stable, unstable | position of the hand in front of the sensor: it tracks well there, or badly |
+| with a task | only the trial's own model is active, and the task's start, axis and length are known (`--context scene`) |
+| without a task | all models are active, and no task is known (`--context open`) |
+| R2 | of a curve against the reference sensor's curve, at the lag within ±0.5 s that fits best. 1: equal |
+| zero-lag R2 | the same without a shift. It counts what a user feels at each instant |
+| T_diff | end of the reference minus end of the curve. Positive: the curve ends early |
+| missed | the curve never reaches its end. T_diff then counts with the end of the record |
+| worst 5 % | the 5th percentile of the trials |
 """
 
 WIDTH = 120
@@ -32,68 +37,89 @@ POSITIONS = ["stable", "unstable"]
 FIGURES = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
 REACHED = {True: "reached", False: "**not reached**"}
 
-TARGETS = """## What is to be reached
+TARGETS = """## Goals
 
-`phase` mode, the default. {reached} of {judged} are reached.
+`phase` mode, the default. It reaches {reached} of {judged} goals.
 
 {table}
-
-What a frame costs, training, bridging and the vibration are measured elsewhere, not by this command. 
 """
 
-SET = """## {title}
+SET = """## {title}, with a task
 
 {text}
 
 {table}
 """
 
-PREDICTORS = """## Beside other predictors
+PREDICTORS = """## Other predictors
 
-Filters and published predictors ([method.md](method.md#compared-conditions)) on the same frames, task given.
+Filters and published predictors ([method](method.md#compared-conditions)) on the same frames, with a task.
 {text}"""
 
-SPEED = """## Speed of execution
+WITHOUT_A_TASK = """## Without a task
 
-The same people, asked for gestures of one duration, from onset to end; all gestures together. Recognised: all models
-active, nothing given; the rest with the task given.
+{picture}
+"""
+
+OTHERS = """### Real hands that make no gesture
+
+Without a task, in `phase` mode. Every gesture that ends is a false alarm. Some of these motions look like a gesture:
+the stroke of a 1 is straight and 20 cm long.
+
+{table}
+"""
+
+MOTION_HEAD = """# Results: motion
+
+The motion of each gesture in each condition. `./steadyhand results` makes this page. [Results](results.md) explains the
+words and the sets. R2 of *measured* at the best lag is the limit of a filter that knows only the sensor's lag.
+"""
+
+TYPICAL = """## A typical unstable trial
+
+The trial whose measured curve has the median zero-lag R2.
+"""
+
+WORST = """## The worst trials
+
+The six trials with the lowest zero-lag R2 of `phase` mode, the worst first. Dotted lines: start and end of the gesture.
+"""
+
+CONDITIONS_HEAD = """# Results: speed, repetition and sensors
+
+The same simulated people make the gestures under other conditions. `./steadyhand results` makes this page.
+[Results](results.md) explains the words. *Recognised* is without a task. All other figures are with a task.
+"""
+
+SPEED = """## Speed
+
+Gestures of one duration, from onset to end. All gestures together.
 
 ![Figures of a trial against the duration of the gesture](images/results_speed.png)
 
 {table}
 """
 
-ROUNDS = """## One after another
+ROUNDS = """## Repetition
 
-The same people at their own pace: a gesture that is the hand's first, beside the same execution after others of its
-kind. In between the hand comes back, with half a second of rest at either end. Recognised: all models active, nothing
-given; the rest with the task given.
+The first gesture of a hand, and the same gesture after others of its kind. Between two gestures the hand returns, and
+rests for half a second at both ends.
 
 {table}
 """
 
 SENSORS = """## Other sensors
 
-The same people at their own pace, before the same simulated sensor, but for what is said of its frames; all gestures
-together. Noise and rounding are per axis, and in frozen frames too; jumps and wandering begin at random, every 2 s in
-the mean (and 0.3 s), in any direction, where the hand is stable too. Recognised: all models active, nothing given; the
-rest with the task given.
-
-{table}
-"""
-
-OTHERS = """### Real hands that do something else
-
-Nothing given, `phase` mode. Every gesture that ends counts as a false alarm, though some of what these hands do is one
-but for its purpose: the stroke of a 1 is a straight way of 20 cm, and a hand that moves about may go up, stop, and go
-to the side.
+The same simulated sensor with one change. All gestures together. Noise and rounding act on each axis, also in frozen
+frames. Jumps and drifts begin at random, every 2 s on average, and last 0.3 s on average. They come at stable positions
+too.
 
 {table}
 """
 
 
-def write_page(
-    path: Path,
+def write_pages(
+    folder: Path,
     studies: list[Study],
     predictors: str,
     speed: Speed,
@@ -108,31 +134,31 @@ def write_page(
     bullets = (fill(f"- **{name}**: {text}", WIDTH, subsequent_indent="  ") for name, text in sets.items())
     parts = [HEAD.format(origin=origin, sets="\n".join(bullets))]
     parts.append(targets_part(list(targets(studies, others)), studies))
-    for study in studies:
-        title = f"{study.name.capitalize()}, task given"
-        text = "\n\n".join(pictures[name] for name in pictures if name.startswith(f"{study.name} boxes"))
-        parts.append(SET.format(title=title, text=text, table=table(conditions_table(study))))
     parts.append(PREDICTORS.format(text=predictors))
-    parts.append("## A typical unstable trial\n")
-    parts.append("The trial whose measured curve has the median R2 at no lag.\n")
-    parts += [pictures[name] + "\n" for name in pictures if name.endswith("typical")]
-    parts.append("## The worst trials\n")
-    parts.append(
-        "The six with the lowest R2 at no lag of `phase` mode, the worst first; dotted: start and end of the gesture.\n"
-    )
-    parts += [pictures[name] + "\n" for name in pictures if name.endswith("worst")]
-    parts.append("## Nothing given\n")
-    parts.append(pictures["confusion"] + "\n")
+    parts.append(WITHOUT_A_TASK.format(picture=pictures["confusion"]))
     for study in studies:
         text = f"{study.name.capitalize()}. {false_alarms(study)}".rstrip()
         parts.append(f"{text}\n\n{table(open_table(study))}\n")
     if others:
         parts.append(OTHERS.format(table=table(others_table(others))))
-    parts.append(SPEED.format(table=table(speed_table(speed))))
-    parts.append(ROUNDS.format(table=table(rounds_table(rounds))))
-    parts.append(SENSORS.format(table=table(sensors_table(sensors))))
-    parts.append("## The models\n")
-    parts += [pictures[name] + "\n" for name in pictures if name.startswith("model")]
+    write(folder / "results.md", parts)
+
+    def of(ending: str) -> list[str]:
+        return [f"{picture}\n" for name, picture in pictures.items() if name.endswith(ending)]
+
+    parts = [MOTION_HEAD]
+    for study in studies:
+        text = "\n\n".join(pictures[name] for name in pictures if name.startswith(f"{study.name} boxes"))
+        parts.append(SET.format(title=study.name.capitalize(), text=text, table=table(conditions_table(study))))
+    parts += [TYPICAL, *of("typical"), WORST, *of("worst"), "## The models\n"]
+    parts += [f"{picture}\n" for name, picture in pictures.items() if name.startswith("model")]
+    write(folder / "results_motion.md", parts)
+    tables = [(SPEED, speed_table(speed)), (ROUNDS, rounds_table(rounds)), (SENSORS, sensors_table(sensors))]
+    parts = [CONDITIONS_HEAD, *(text.format(table=table(rows)) for text, rows in tables)]
+    write(folder / "results_conditions.md", parts)
+
+
+def write(path: Path, parts: list[str]) -> None:
     path.write_text("\n".join(parts).rstrip() + "\n")
 
 
@@ -159,7 +185,7 @@ def targets_part(rows: list[Target], studies: list[Study]) -> str:
 
 
 def conditions_table(study: Study) -> Iterator[list[str]]:
-    r2 = ["R2", "worst 5 %", "R2 at no lag", "worst 5 %"]
+    r2 = ["R2", "worst 5 %", "zero-lag R2", "worst 5 %"]
     yield ["trials", "condition", *r2, "lag", "T_diff", "95 % of T_diff", "missed", "SPARC"]
     for gesture, position in study.groups():
         for condition, title in CONDITIONS.items():
@@ -179,8 +205,8 @@ def conditions_table(study: Study) -> Iterator[list[str]]:
 
 
 def open_table(study: Study) -> Iterator[list[str]]:
-    figures = [f"{what}, `{mode}`" for mode in MODES for what in ("recognised", "R2 at no lag", "T_diff", "missed")]
-    yield ["gesture", "position", "trials", "measured R2 at no lag", *figures]
+    figures = [f"{what}, `{mode}`" for mode in MODES for what in ("recognised", "zero-lag R2", "T_diff", "missed")]
+    yield ["gesture", "position", "trials", "measured zero-lag R2", *figures]
     for gesture, position in study.groups():
         group = study.group(gesture, position, "open")
         cells = [gesture.replace("_", " "), position, str(group["phase"]["n"])]
@@ -195,7 +221,7 @@ def open_table(study: Study) -> Iterator[list[str]]:
 
 
 def speed_table(speed: Speed) -> Iterator[list[str]]:
-    figures = ["R2", "worst 5 %", "R2 at no lag", "worst 5 %", "lag", "T_diff", "missed", "SPARC", "recognised"]
+    figures = ["R2", "worst 5 %", "zero-lag R2", "worst 5 %", "lag", "T_diff", "missed", "SPARC", "recognised"]
     yield ["gestures", "condition", *figures]
     for position in POSITIONS:
         for duration in speed.studies:
@@ -220,7 +246,7 @@ def speed_table(speed: Speed) -> Iterator[list[str]]:
 
 
 def rounds_table(rounds: Rounds) -> Iterator[list[str]]:
-    figures = ["measured: R2 at no lag", "`phase`: R2", "at no lag", "T_diff", "missed", "recognised"]
+    figures = ["measured: zero-lag R2", "`phase`: R2", "zero-lag R2", "T_diff", "missed", "recognised"]
     yield ["gestures", "before", *figures]
     for gesture, position in rounds.groups():
         for count in rounds.task_given:
@@ -241,10 +267,10 @@ def sensors_table(sensors: Sensors) -> Iterator[list[str]]:
         "sensor",
         "position",
         "measured: R2",
-        "at no lag",
+        "zero-lag R2",
         "`phase`: R2",
         "worst 5 %",
-        "at no lag",
+        "zero-lag R2",
         "T_diff",
         "missed",
         "recognised",
@@ -289,9 +315,9 @@ def false_alarms(study: Study) -> str:
         [runs[mode].summary["false_alarms_per_minute"] for mode in MODES] for runs in (study.open, study.scene)
     )
     return (
-        f"In {minutes:.0f} minutes of other motion: {nothing[0]:.2f} false alarms a minute in `paper` mode, "
-        f"{nothing[1]:.2f} in `phase` mode; where a scene waits for one task, {task[0]:.2f} and {task[1]:.2f}. "
-        "That motion is random, and its reaches keep 30 degrees away from the way of any drag or tap."
+        f"False alarms a minute, in {minutes:.0f} minutes of other motion without a task: {nothing[0]:.2f} in `paper` "
+        f"mode, {nothing[1]:.2f} in `phase` mode. With one task: {task[0]:.2f} and {task[1]:.2f}. This motion is "
+        "random, and keeps 30 degrees away from the axis of any drag or tap. Motion of people is harder to reject."
     )
 
 

@@ -10,7 +10,7 @@ EARLIER_ROUNDS = 4
 
 @dataclass
 class Rounds:
-    """By the number of rounds before, in `phase` mode: task given, nothing given."""
+    """By the number of rounds before, in `phase` mode: with a task, without a task."""
 
     task_given: dict[int, Evaluation]
     nothing_given: dict[int, Evaluation]
@@ -35,10 +35,10 @@ class Rounds:
         return [(group["gesture"], group["position"]) for group in first.groups()]
 
     def figures(self, rounds: int, gesture: str, position: str) -> dict[str, dict]:
-        """By condition, as in summary.json; the task given."""
+        """By condition, as in summary.json, with a task."""
         return self.task_given[rounds].group(gesture, position)["conditions"]
 
     def recognised(self, rounds: int, gesture: str, position: str) -> float:
-        """Share of the trials whose last gesture was this one, all models active and nothing given."""
+        """Share of the trials whose last gesture was this one, all models active, without a task."""
         group = self.nothing_given[rounds].group(gesture, position)
         return group["recognised"] / group["trials"]

@@ -113,7 +113,7 @@ class Sensors:
         return [*self.task_given.values(), *self.nothing_given.values()]
 
     def values(self, sensor: str, position: str, figure: str, condition: str) -> np.ndarray:
-        """Of each trial: r2, r2_zero or t_diff, the task given."""
+        """Of each trial: r2, r2_zero or t_diff, with a task."""
         column = f"{figure}_{condition}"
         return np.array([row[column] for row in self.task_given[sensor].rows if row["position"] == position])
 
@@ -122,7 +122,7 @@ class Sensors:
         return sum(group["conditions"]["synthesised"]["missed"] for group in groups)
 
     def recognised(self, sensor: str, position: str) -> float:
-        """Share of the trials, all models active and nothing given."""
+        """Share of the trials, all models active, without a task."""
         groups = [group for group in self.nothing_given[sensor].groups() if group["position"] == position]
         return sum(group["recognised"] for group in groups) / sum(group["trials"] for group in groups)
 

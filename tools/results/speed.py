@@ -33,7 +33,7 @@ class Speed:
         return sum(study.group(gesture, position)[condition]["missed"] for gesture in study.gestures())
 
     def recognised(self, duration_s: float, position: str, mode: str) -> float:
-        """Share of the trials, all models active and nothing given."""
+        """Share of the trials, all models active, without a task."""
         study = self.studies[duration_s]
         groups = [study.open[mode].group(gesture, position) for gesture in study.gestures()]
         return sum(group["recognised"] for group in groups) / sum(group["trials"] for group in groups)

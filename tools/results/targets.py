@@ -34,14 +34,14 @@ def targets(studies: list[Study], others: list[OtherHands]) -> Iterator[Target]:
     verdicts = {study.name: verdict for study in studies if (verdict := false_alarms(study))}
     if others:
         verdicts["real"] = false_alarms_of_others(others)
-    yield Target("false alarms a minute of other motion, nothing given", "-", "< 0.2", verdicts)
+    yield Target("false alarms a minute of other motion, without a task", "-", "< 0.2", verdicts)
 
 
 def rows_of(gesture: str):
     """What, the paper's figure, the figure to reach, and who judges it: a function of a study, None where it cannot."""
     yield "mean R2, unstable", "> 0.7", ">= 0.99", at_least(gesture, "r2", "mean", 0.99)
     yield "R2 of the worst 5 %, unstable", "-", ">= 0.96", at_least(gesture, "r2", "p5", 0.96)
-    yield "mean R2 at no lag, unstable", "-", ">= 0.985", at_least(gesture, "r2_zero", "mean", 0.985)
+    yield "mean zero-lag R2, unstable", "-", ">= 0.985", at_least(gesture, "r2_zero", "mean", 0.985)
     yield "mean R2 over the best of measured and filters, unstable", "-", "> 0", above_others(gesture)
     yield "mean R2 below measured, stable", "like measured", "<= 0.005", below_measured(gesture)
     if gesture in DRAGS:
@@ -55,7 +55,7 @@ def rows_of(gesture: str):
             wanted = "within 15 ms"
             yield f"median T_diff, {position}", "30 ms early", wanted, median_t_diff(gesture, position, 0.015)
     paper = PAPER_RECOGNITION.get(gesture, "-")
-    yield "recognised, all models active, nothing given", paper, ">= 99 %", recognised(gesture)
+    yield "recognised, all models active, without a task", paper, ">= 99 %", recognised(gesture)
 
 
 def at_least(gesture: str, figure: str, statistic: str, limit: float):

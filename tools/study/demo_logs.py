@@ -1,4 +1,4 @@
-"""Fitts throughput of the logs that the demo's task scenes write (docs/formats.md, "Study logs")."""
+"""Fitts throughput of the logs that the demo's task scenes write (docs/study_logs.md)."""
 
 import csv
 import sys

@@ -186,7 +186,7 @@ def unreadable() -> Outcome:
 
 
 def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
-    """One simulated person: R2 at no lag, T_diff and missed of each curve, against results.csv and summary.json."""
+    """One simulated person: zero-lag R2, T_diff and missed of each curve, against results.csv and summary.json."""
     status, output = build()
     trials, out = folder / "trials", folder / "out"
     gestures = "horizontal_drag,tap,vertical_drag,zoom"
@@ -217,6 +217,6 @@ def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
             wanted.append([float(told[trial.name][f"{what}_{condition}"]) for what in ("r2_zero", "t_diff")])
             counted[condition] += of.missed
     good = len(found) == 8 * len(CONDITIONS) and np.allclose(found, wanted, rtol=0.0, atol=2e-6)
-    yield Outcome.of("predictors/metrics: R2 at no lag and T_diff as in results.csv", good, f"{found}\n{wanted}")
+    yield Outcome.of("predictors/metrics: zero-lag R2 and T_diff as in results.csv", good, f"{found}\n{wanted}")
     yield Outcome.of("predictors/metrics: missed as in summary.json", counted == missed, f"{counted} {missed}")
     yield Outcome.of("predictors/trials: the reference is the curve of evaluate", apart < 1e-6, f"{apart}")

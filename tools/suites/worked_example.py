@@ -45,7 +45,7 @@ def figures(summary: dict) -> Iterator[Outcome]:
     """Where tracking is bad the gesture has to be better than what the tracker saw, and all filters."""
     for group in summary["groups"]:
         means = {name: figure["r2_zero"]["mean"] for name, figure in group["conditions"].items()}
-        name = f"command/new gesture: {group['position']}: {group['trials']} trials, mean R2 at no lag {means}"
+        name = f"command/new gesture: {group['position']}: {group['trials']} trials, mean zero-lag R2 {means}"
         best = max(mean for condition, mean in means.items() if condition != "synthesised")
         allowed = best if group["position"] == "unstable" else best - 0.005
         yield Outcome.of(name, group["trials"] == 18 and means["synthesised"] >= allowed)

@@ -1,0 +1,22 @@
+"""Generated tables between marks of a page that is otherwise written by hand."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+
+def fill(path: Path, tables: dict[str, str]) -> None:
+    """Replaces the text between `<!-- NAME -->` and `<!-- end of NAME -->`. Raises SystemExit without these marks."""
+    text = path.read_text()
+    for name, table in tables.items():
+        begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
+        before, found, rest = text.partition(begin)
+        if not found or end not in rest:
+            raise SystemExit(f"{path}: no place for the table '{name}'")
+        text = before + begin + "\n" + table + "\n" + end + rest.partition(end)[2]
+    path.write_text(text)
+
+
+def table(head: list[str], rows: Iterable[list[str]]) -> str:
+    """The first column is text, the others are numbers."""
+    lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
+    return "".join("| " + " | ".join(line) + " |\n" for line in lines)
