@@ -206,7 +206,7 @@ func test_the_source_of_the_docs() -> void:
 	var sender := PacketPeerUDP.new()
 	sender.connect_to_host("127.0.0.1", 39771)
 	sender.put_packet('{"t": 1.5, "10": [0.1, 0.2, -0.3]}'.to_utf8_buffer())
-	# expects one error: UdpSource: a packet is no JSON with a "t": nonsense
+	# expects one error: UdpSource: a packet has no number "t": nonsense
 	sender.put_packet("nonsense".to_utf8_buffer())
 	for i in 20:
 		await process_frame

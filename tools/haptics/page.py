@@ -59,8 +59,8 @@ def live_tables(measured: Live) -> str:
     )
     return (
         f"A hand held at half the amplitude, 180 Hz:\n\n{held}\n"
-        "Changes while a hand is held at full amplitude. Each cell: the largest step between two samples, divided by the "
-        f"largest\nstep of a sine of the same amplitude.\n\n{changes}\n"
+        "Changes while a hand is held at full amplitude. Each cell: the largest step between two samples, divided by "
+        f"the largest\nstep of a sine of the same amplitude.\n\n{changes}\n"
         "A recorded hand in real time, compared with the same motion rendered afterwards. The engine mixes "
         f"{measured.block_frames} samples at a time\nhere.\n\n{followed}"
     )

@@ -23,7 +23,7 @@ HEAD = """# Results
 | word | meaning |
 | --- | --- |
 | stable, unstable | position of the hand in front of the sensor: it tracks well there, or badly |
-| with a task | only the trial's own model is active, and the task's start, axis and length are known (`--context scene`) |
+| with a task | only the trial's model is active, and the task's start, axis and length are known (`--context scene`) |
 | without a task | all models are active, and no task is known (`--context open`) |
 | R2 | of a curve against the reference sensor's curve, at the lag within ±0.5 s that fits best. 1: equal |
 | zero-lag R2 | the same without a shift. It counts what a user feels at each instant |

@@ -220,9 +220,7 @@ def results(folder: Path) -> Iterator[Outcome]:
     mean = statistics.fmean(float(row["r2_zero_synthesised"]) for row in own)
     at = page.find(f"| 4 s, unstable: {len(own)} | measured |")
     found = page[at:].splitlines()[2].split("|")[5].strip() if at >= 0 else ""
-    yield Outcome.of(
-        "command/results: mean zero-lag R2 of gestures of 4 s", found == f"{mean:.3f}", f"{mean}, {found}"
-    )
+    yield Outcome.of("command/results: mean zero-lag R2 of gestures of 4 s", found == f"{mean:.3f}", f"{mean}, {found}")
 
     with (folder / "work/rounds/4_scene/results.csv").open(newline="") as file:
         own = [row for row in csv.DictReader(file) if (row["gesture"], row["position"]) == ("tap", "unstable")]

@@ -16,6 +16,7 @@ LONGEST_README = 120
 LONGEST_CHANGE = 100  # characters of a line in the changelog
 LONGEST_SENTENCE = 25  # words
 FOR_NEW_USERS = ["README.md", "docs/get_started.md"]
+FETCHED = re.compile(r'<(?:script|img|link rel="stylesheet")[^>]*(?:src|href)="(https?:[^"]*)"')
 OPTION = re.compile(r"--[a-z][a-z-]*")
 
 
@@ -91,7 +92,9 @@ def commands(pages: dict[str, Page]) -> Iterator[Outcome]:
             if not helps[verb]:
                 faults.append(f"{name}:{number}: no verb '{verb}'")
             faults += [f"{name}:{number}: {verb} knows no {word}" for word in unknown]
-    yield Outcome.of(f"docs/{count} commands have a verb and options that exist", count > 0 and not faults, "\n".join(faults))
+    yield Outcome.of(
+        f"docs/{count} commands have a verb and options that exist", count > 0 and not faults, "\n".join(faults)
+    )
 
 
 def site() -> Outcome:
@@ -101,7 +104,9 @@ def site() -> Outcome:
         status, output = run(command, PYTHONPATH=str(ROOT / "tools"))
         fetched = []
         for page in Path(folder).rglob("*.html"):
-            found = re.findall(r'<(?:script|img|link rel="stylesheet")[^>]*(?:src|href)="(https?:[^"]*)"', page.read_text())
+            found = re.findall(
+                r'<(?:script|img|link rel="stylesheet")[^>]*(?:src|href)="(https?:[^"]*)"', page.read_text()
+            )
             fetched += [f"{page.name} fetches {address}" for address in found]
         good = status == 0 and not fetched and Path(folder, "search/search_index.js").is_file()
     return Outcome.of("docs/the site is built and needs no network", good, "\n".join([output, *fetched]))

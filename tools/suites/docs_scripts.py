@@ -4,6 +4,7 @@ import os
 import re
 import sys
 import tempfile
+import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -16,6 +17,7 @@ COMPLETE = "<!-- complete scene -->"
 # The nodes that a piece of a script is about; it becomes the body of a function.
 AROUND_A_PIECE = """extends Node3D
 
+{constants}
 var tracker: HandTracker
 var hmm: GestureHMM
 var synth: HapticSynth
@@ -31,11 +33,13 @@ def outcomes(pages: dict[str, Page]) -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_docs") as folder:
         saved = {}  # path of a script by the place of its block
         for name, page in pages.items():
+            classes = {}  # that earlier scripts of the page define
             for block in page.blocks:
                 if block.language == "gdscript":
                     path = Path(folder, f"{page.path.stem}_{block.line}.gd")
-                    path.write_text(as_script(block.text))
+                    path.write_text(as_script(block.text, classes))
                     saved[f"{name}:{block.line}"] = path
+                    classes |= {defined: path for defined in re.findall(r"^class_name (\w+)", block.text, re.MULTILINE)}
         yield compiled(saved)
         yield linted(saved)
         for name, page in pages.items():
@@ -44,16 +48,11 @@ def outcomes(pages: dict[str, Page]) -> Iterator[Outcome]:
                     yield scene(f"{name}:{block.line}", saved[f"{name}:{block.line}"])
 
 
-def as_script(text: str) -> str:
+def as_script(text: str, classes: dict[str, Path]) -> str:
     if "extends " in text:
         return text
-    lines = text.rstrip("\n").split("\n")
-    body = [f"\t{line}" if line else "" for line in lines]
-    declared = re.findall(r"^var (\w+)", text, re.MULTILINE)
-    around = "".join(
-        line for line in AROUND_A_PIECE.splitlines(True) if not any(line.startswith(f"var {name}:") for name in declared)
-    )
-    return around + "\n".join(body) + "\n"
+    constants = "".join(f'const {name} := preload("{path}")\n' for name, path in classes.items())
+    return AROUND_A_PIECE.format(constants=constants) + textwrap.indent(text, "\t")
 
 
 def compiled(saved: dict[str, Path]) -> Outcome:

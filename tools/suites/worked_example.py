@@ -12,7 +12,7 @@ from suites.process import ROOT, run
 PAGE = ROOT / "docs/new_gesture.md"
 FOLDER = ROOT / "build/new_gesture"
 BLOCK = re.compile(r"^```(gdscript|sh)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-SAVED_AS = re.compile(r"[Ss]ave (?:this )?as\s+`([^`]+)`")
+SAVED_AS = re.compile(r"[Ss]ave\s+(?:this\s+|it\s+)?as\s+`([^`]+)`")
 # The engine goes on after an error, and exits with 0.
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT )?ERROR:|Parse Error", re.MULTILINE)
 
