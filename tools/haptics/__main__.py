@@ -18,9 +18,7 @@ GESTURES = "horizontal_drag,vertical_drag,tap,zoom"
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="haptics", description=__doc__)
-    parser.add_argument(
-        "--page", type=Path, default=ROOT / "docs/haptics_measured.md", help="page whose tables are replaced"
-    )
+    parser.add_argument("--page", type=Path, default=PAGE, help="page whose tables are replaced")
     parser.add_argument("--work", type=Path, default=ROOT / "build/haptics", help="for trials and recordings")
     parser.add_argument("--rates", type=int, nargs="+", default=RATES_HZ, help="mix rates (Hz)")
     parser.add_argument("--subjects", type=int, default=6, help="simulated people")

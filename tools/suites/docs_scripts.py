@@ -8,6 +8,7 @@ import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
+from docs_site.class_page import read_classes
 from suites.markdown import Page
 from suites.outcome import Outcome
 from suites.process import ROOT, run
@@ -22,6 +23,7 @@ var tracker: HandTracker
 var hmm: GestureHMM
 var synth: HapticSynth
 var alignment: TrackerAlignment
+var fingertip: Vector3
 
 
 func run() -> void:
@@ -40,6 +42,12 @@ def outcomes(pages: dict[str, Page]) -> Iterator[Outcome]:
                     path.write_text(as_script(block.text, classes))
                     saved[f"{name}:{block.line}"] = path
                     classes |= {defined: path for defined in re.findall(r"^class_name (\w+)", block.text, re.MULTILINE)}
+        for name, page in read_classes().items():
+            text = page.findtext("description", "").expandtabs(4)
+            for number, piece in enumerate(re.findall(r"\[codeblock\]\n(.*?)\[/codeblock\]", text, re.DOTALL)):
+                path = Path(folder, f"{name.lower()}_{number}.gd")
+                path.write_text(as_script(textwrap.dedent(piece).replace("    ", "\t"), {}))
+                saved[f"{name}.xml"] = path
         yield compiled(saved)
         yield linted(saved)
         for name, page in pages.items():
@@ -51,6 +59,8 @@ def outcomes(pages: dict[str, Page]) -> Iterator[Outcome]:
 def as_script(text: str, classes: dict[str, Path]) -> str:
     if "extends " in text:
         return text
+    if "func _" in text:
+        return f"extends Node3D\n\n{text}"
     constants = "".join(f'const {name} := preload("{path}")\n' for name, path in classes.items())
     return AROUND_A_PIECE.format(constants=constants) + textwrap.indent(text, "\t")
 

@@ -77,6 +77,6 @@ class Page:
             else:
                 paragraphs[-1] += " " + line.strip()
             last = number
-        plain = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "code", text)) for text in paragraphs]
+        plain = [re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", re.sub(r"`[^`]*`", "Code", text)) for text in paragraphs]
         found = [sentence.strip() for text in plain for sentence in END_OF_SENTENCE.split(text)]
         return [sentence for sentence in found if len(sentence.split()) > words]
