@@ -188,20 +188,21 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 		for (const bool has_task : { true, false }) {
 			for (const int count : { 0, 1, 2, 4 }) {
 				const Models active(models.begin(), models.begin() + count);
-				rows.push_back({ "frame, " + mode_name + (has_task ? ", scene, " : ", open, ") +
-								std::to_string(count) + " of 4 gestures",
-						[&trials, active, has_task, mode] {
-							return ns_a_frame(trials, active, has_task, mode, -1);
-						},
-						count == 4 ? 1000.0 : 0.0 });
+				rows.push_back(
+						{ "frame, " + mode_name + (has_task ? ", with a task, " : ", without a task, ") +
+										std::to_string(count) + " of 4 gestures",
+								[&trials, active, has_task, mode] {
+									return ns_a_frame(trials, active, has_task, mode, -1);
+								},
+								count == 4 ? 1000.0 : 0.0 });
 			}
 		}
 		for (const auto &[name, quality] :
 				{ std::pair{ "fast", Quality::FAST }, std::pair{ "balanced", Quality::BALANCED } }) {
 			for (const bool has_task : { true, false }) {
 				if (mode == MotionMode::PHASE) {
-					rows.push_back({ std::string("frame, ") + name + (has_task ? ", scene" : ", open") +
-									", 4 of 4 gestures",
+					rows.push_back({ std::string("frame, ") + name +
+									(has_task ? ", with a task" : ", without a task") + ", 4 of 4 gestures",
 							[&trials, &models, has_task, mode, quality = quality] {
 								return ns_a_frame(trials, models, has_task, mode, -1, quality);
 							},
@@ -211,8 +212,8 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 		}
 		for (const double apart_m : { 0.04, 0.3 }) {
 			if (mode == MotionMode::PHASE) {
-				rows.push_back({ "frame, phase, scene, 30 taps " + std::string(apart_m < 0.1 ? "4" : "30") +
-								" cm apart",
+				rows.push_back({ "frame, phase, with a task, 30 taps " +
+								std::string(apart_m < 0.1 ? "4" : "30") + " cm apart",
 						[&trials, &models, apart_m] {
 							return ns_a_frame_of_keys(trials[2], models, apart_m);
 						} });

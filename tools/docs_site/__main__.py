@@ -21,6 +21,7 @@ LINKS = {
     "](LICENSE)": "](LICENSE.txt)",
     **{f"]({prefix}{name}": f"]({page}" for name, page in OUTSIDE.items() for prefix in ("../", "")},
 }
+ASSETS = ["iframe-worker.js", "wide.css"]
 QUIET = {"NO_MKDOCS_2_WARNING": "1"}  # an advertisement of 20 lines
 
 
@@ -54,7 +55,8 @@ def gather(pages: Path) -> None:
     shutil.copytree(ROOT / "models", pages / "models", ignore=shutil.ignore_patterns("*.gesture"))
     shutil.copyfile(ROOT / "LICENSE", pages / "LICENSE.txt")
     (pages / "assets").mkdir()
-    shutil.copyfile(HERE / "iframe-worker.js", pages / "assets/iframe-worker.js")
+    for name in ASSETS:
+        shutil.copyfile(HERE / name, pages / "assets" / name)
     for name, page in OUTSIDE.items():
         shutil.copyfile(ROOT / name, pages / page)
     for page in pages.glob("*.md"):

@@ -6,6 +6,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from docs_site.readme import rows
 from suites import docs_scripts
 from suites.markdown import Page
 from suites.outcome import Outcome
@@ -31,6 +32,7 @@ def outcomes() -> Iterator[Outcome]:
     yield from sentences(pages)
     yield from commands(pages)
     yield from docs_scripts.outcomes(pages)
+    yield readme_table()
     yield site()
 
 
@@ -94,6 +96,24 @@ def commands(pages: dict[str, Page]) -> Iterator[Outcome]:
             faults += [f"{name}:{number}: {verb} knows no {word}" for word in unknown]
     yield Outcome.of(
         f"docs/{count} commands have a verb and options that exist", count > 0 and not faults, "\n".join(faults)
+    )
+
+
+def readme_table() -> Outcome:
+    """Median and worst zero-lag R2 of three made-up trials; a trial without figures does not count."""
+    with tempfile.TemporaryDirectory(prefix="steadyhand_docs") as folder:
+        results = Path(folder, "real/results.csv")
+        results.parent.mkdir()
+        lines = ["position,r2_zero_measured,r2_zero_one_euro,r2_zero_synthesised", "unstable,,,", "stable,1,0.9,0.95"]
+        lines += [f"unstable,{raw},{raw},{ours}" for raw, ours in ((0.5, 0.9), (0.75, 0.5), (0.1, 0.7))]
+        results.write_text("\n".join(lines) + "\n")
+        found = rows(Path(folder))
+    wanted = [
+        ["3", "0.500 / 0.10", "0.500 / 0.10", "0.700 / 0.50"],
+        ["1", "1.000 / 1.00", "0.900 / 0.90", "0.950 / 0.95"],
+    ]
+    return Outcome.of(
+        "docs/the README's table has medians and worst trials", [row[1:] for row in found] == wanted, f"{found}"
     )
 
 
