@@ -1,5 +1,5 @@
 extends SceneTree
-## Plays the script whose path is given, on a Node3D, until its GestureHMM reports the end of a gesture.
+## Plays the script whose path is given, on a Node3D, until its GestureHMM reports an end.
 
 const PATIENCE_FRAMES := 1200
 

@@ -2,7 +2,7 @@
 """Analyse a study: statistics, tables and figures in one report.
 
 A folder with session.json files (docs/study_files.md) gives OUT/report.html, OUT/*.csv and OUT/*.png. Logs of the
-demo's task scenes (docs/formats.md) give tables of Fitts throughput.
+demo's task scenes (docs/study_logs.md) give tables of Fitts throughput.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-"""The demo's logs, trials.csv of each session, as docs/formats.md has them."""
+"""The demo's logs, trials.csv of each session, as docs/study_logs.md has them."""
 
 import csv
 from collections.abc import Iterator
