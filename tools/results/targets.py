@@ -42,8 +42,8 @@ def rows_of(gesture: str):
     yield "mean R2, unstable", "> 0.7", ">= 0.99", at_least(gesture, "r2", "mean", 0.99)
     yield "R2 of the worst 5 %, unstable", "-", ">= 0.96", at_least(gesture, "r2", "p5", 0.96)
     yield "mean zero-lag R2, unstable", "-", ">= 0.985", at_least(gesture, "r2_zero", "mean", 0.985)
-    yield "mean R2 over the best of measured and filters, unstable", "-", "> 0", above_others(gesture)
-    yield "mean R2 below measured, stable", "like measured", "<= 0.005", below_measured(gesture)
+    yield "mean R2 minus that of the best filter or raw data, unstable", "-", "> 0", above_others(gesture)
+    yield "loss of mean R2 against raw data, stable", "like measured", "<= 0.005", below_measured(gesture)
     if gesture in DRAGS:
         for position in ("stable", "unstable"):
             wanted = "within 20 ms"
