@@ -3,9 +3,9 @@
     python tools/tuning/vector_hmm.py --train DIR --trials DIR
 
 The other reading of the paper (docs/method.md, "Recognition without a task"): one codebook for all gestures over the
-index tip's place and the radius of the three tips' circle, both counted from where the hand is at start_s, and their velocities.
-A left-right HMM of four states for each gesture is trained on the first trial set (`./steadyhand train` leaves
-build/train); each gesture of the second is cut out by its true start and end, and named by the greatest forward
+index tip's place and the radius of the three tips' circle, both counted from where the hand is at start_s, and their
+velocities. A left-right HMM of four states for each gesture is trained on the first trial set (`./steadyhand train`
+leaves build/train); each gesture of the second is cut out by its true start and end, and named by the greatest forward
 likelihood. `./steadyhand results` leaves build/results/trials.
 """
 
