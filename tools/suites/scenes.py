@@ -3,7 +3,8 @@
 A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
 Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
 it provokes it; `# expects one error: TEXT`, that it comes no second time. `# expects warning: TEXT` and `# expects
-one warning: TEXT` say the same of a warning, which fails nothing where it is not announced.
+one warning: TEXT` say the same of a warning, which fails nothing where it is not announced. `# engine options: WORDS`
+are Godot's own, for example `--fixed-fps 90`.
 """
 
 import os
@@ -23,6 +24,7 @@ EXPECTED = re.compile(r"^\s*#+ expects (?:one )?error: (.+)$", re.MULTILINE)
 ERROR_ONCE = re.compile(r"^\s*#+ expects one error: (.+)$", re.MULTILINE)
 WARNING = re.compile(r"^\s*WARNING: (.*)$", re.MULTILINE)
 EXPECTED_WARNING = re.compile(r"^\s*#+ expects warning: (.+)$", re.MULTILINE)
+ENGINE_OPTIONS = re.compile(r"^# engine options: (.+)$", re.MULTILINE)
 EXPECTED_ONCE = re.compile(r"^\s*#+ expects one warning: (.+)$", re.MULTILINE)
 
 
@@ -50,7 +52,8 @@ def run_script(
     godot: str, script: Path, wrapper: Sequence = (), arguments: Sequence[str] = (), name: str = ""
 ) -> Outcome:
     """`wrapper`: a program that runs the engine as its child. `arguments`: the script's own."""
-    engine = [godot, "--headless", "--path", PROJECT, "--script", script, "--", *arguments]
+    options = " ".join(ENGINE_OPTIONS.findall(script.read_text())).split()
+    engine = [godot, "--headless", *options, "--path", PROJECT, "--script", script, "--", *arguments]
     status, output = run([*wrapper, *engine], kill_s=KILL_S)
     return outcome_of(name or f"scenes/{script.stem}", script, status, output)
 

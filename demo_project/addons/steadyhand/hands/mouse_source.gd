@@ -1,0 +1,107 @@
+class_name MouseSource
+extends HandSource
+## The mouse in place of a hand, to try a scene at a desk. The pointer covers the tip of the index
+## finger, on a plane through the start of the task of place_at(), seen by the viewport's camera.
+## The left button brings thumb and index together. At a tap's task it strikes along the task's
+## direction, and at a zoom's the wheel opens and closes three fingertips.
+
+const HandPose := preload("hand_pose.gd")
+const MinimumJerk := preload("minimum_jerk.gd")
+
+const STRIKE_S := 0.25
+const PINCH_S := 0.15
+const OPENING_S := 0.4
+## Share of the task's amplitude for a notch of the wheel.
+const NOTCH := 0.5
+
+var _start_place := Vector3.ZERO
+var _axis := Vector3.RIGHT
+var _amplitude := 0.0
+var _start_radius := 0.0
+var _is_tap := false
+
+var _pointer: Pointer = null
+## Shares: of a pinch or a strike, and of the amplitude of a zoom.
+var _press := MinimumJerk.new(0.0)
+var _opening := MinimumJerk.new(0.0)
+
+
+## Takes place, direction and gesture of `task`, as they are now.
+func place_at(task: GestureTask) -> void:
+	_start_place = task.get_start()
+	_axis = task.get_axis()
+	_amplitude = task.amplitude
+	_start_radius = task.start_radius
+	_is_tap = task.gesture == &"tap"
+
+
+func _start(tracker: HandTracker) -> String:
+	_pointer = Pointer.new()
+	tracker.add_child(_pointer, false, Node.INTERNAL_MODE_BACK)
+	return ""
+
+
+func _stop(_tracker: HandTracker) -> void:
+	_pointer.queue_free()
+
+
+func _poll(tracker: HandTracker, time_s: float) -> void:
+	var hit: Variant = _hit(tracker.get_viewport().get_camera_3d())
+	if hit == null:
+		tracker.push_frame(time_s, {})
+		return
+	var pressed := 1.0 if _pointer.is_pressed else 0.0
+	if pressed != _press.target:
+		_press.go(pressed, time_s, STRIKE_S if _is_tap else PINCH_S)
+	if _pointer.opening != _opening.target:
+		_opening.go(_pointer.opening, time_s, OPENING_S)
+	tracker.push_frame(time_s, _joints(hit as Vector3 + HandPose.tremor(time_s), time_s))
+
+
+func _joints(place: Vector3, time_s: float) -> Dictionary:
+	if _start_radius > 0.0:
+		var opening: float = _opening.at(time_s)
+		return HandPose.circle(place, _start_radius + opening * _amplitude)
+	var press: float = _press.at(time_s)
+	if _is_tap:
+		return HandPose.pointing(place + press * _amplitude * _axis, HandPose.OPEN_M)
+	return HandPose.pointing(place, lerpf(HandPose.OPEN_M, HandPose.PINCHED_M, press))
+
+
+## Where the pointer is on the plane, m; null where it is not, or nobody looks. A tap's plane is
+## across its direction; any other holds the direction, and faces the camera.
+func _hit(camera: Camera3D) -> Variant:
+	if camera == null:
+		return null
+	var normal := camera.global_basis.z
+	if _is_tap:
+		normal = _axis
+	elif _start_radius <= 0.0:
+		normal = (normal - _axis * normal.dot(_axis)).normalized()
+	return Plane(normal, _start_place).intersects_ray(
+		camera.project_ray_origin(_pointer.position), camera.project_ray_normal(_pointer.position)
+	)
+
+
+## What the mouse has done; a resource gets no input.
+class Pointer:
+	extends Node
+	var position := Vector2.ZERO
+	var is_pressed := false
+	## 0..1 of a zoom.
+	var opening := 0.0
+
+	func _input(event: InputEvent) -> void:
+		var mouse := event as InputEventMouse
+		if mouse == null:
+			return
+		position = mouse.position
+		var button := mouse as InputEventMouseButton
+		if button == null:
+			return
+		if button.button_index == MOUSE_BUTTON_LEFT:
+			is_pressed = button.pressed
+		elif button.pressed and button.button_index == MOUSE_BUTTON_WHEEL_UP:
+			opening = minf(opening + NOTCH, 1.0)
+		elif button.pressed and button.button_index == MOUSE_BUTTON_WHEEL_DOWN:
+			opening = maxf(opening - NOTCH, 0.0)

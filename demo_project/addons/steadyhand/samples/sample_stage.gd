@@ -1,0 +1,46 @@
+extends Node3D
+## What the samples have around them: a desk, a camera or a headset, the fingertips, and the
+## vibration as it is felt. Your own game needs none of it.
+
+const SampleHand := preload("sample_hand.gd")
+
+const CHOOSER := "res://addons/steadyhand/samples/samples.tscn"
+const TIPS: Array[HandTracker.Joint] = [
+	HandTracker.JOINT_INDEX, HandTracker.JOINT_THUMB, HandTracker.JOINT_MIDDLE
+]
+
+@export var hand: HandTracker
+@export var haptic_synth: HapticSynth
+## Of the camera, or of the seated player's head.
+@export var eye := Vector3(0.0, 1.3, 0.0)
+@export var looks_at := Vector3(0.0, 1.0, -0.45)
+
+@onready var _tips: Array[Node] = $Fingertips.get_children()
+@onready var _tip_material: StandardMaterial3D = (_tips[0] as MeshInstance3D).material_override
+
+
+func _ready() -> void:
+	($Camera3D as Camera3D).look_at_from_position(eye, looks_at)
+	($Screen/Vibration as HapticStrip).synth = haptic_synth
+	if not SampleHand.is_xr_running():
+		($Camera3D as Camera3D).make_current()
+		return
+	get_viewport().use_xr = true
+	($XROrigin3D/XRCamera3D as XRCamera3D).make_current()
+	($XROrigin3D as Node3D).position = eye
+	# The head has no pose in the first frames.
+	await get_tree().create_timer(1.0).timeout
+	XRServer.center_on_hmd(XRServer.RESET_BUT_KEEP_TILT, false)
+
+
+func _unhandled_key_input(event: InputEvent) -> void:
+	if event.is_action_pressed(&"ui_cancel") and get_tree().current_scene != null:
+		get_tree().change_scene_to_file(CHOOSER)
+
+
+func _process(_delta: float) -> void:
+	for i in TIPS.size():
+		var tip := _tips[i] as MeshInstance3D
+		tip.visible = hand.is_joint_tracked(TIPS[i])
+		tip.global_position = hand.get_joint_position(TIPS[i])
+	_tip_material.emission_energy_multiplier = 3.0 * haptic_synth.get_amplitude()

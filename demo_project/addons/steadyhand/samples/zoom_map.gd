@@ -1,0 +1,40 @@
+extends Node3D
+## A map that grows as three fingers open. Strokes add up; one more at the largest scale shows the
+## whole map again.
+
+signal zoomed(factor: float)
+
+const LARGEST := 27.0
+
+var zoom := 1.0
+
+var _zoom_before := 1.0
+
+@onready var _hmm: GestureHMM = $GestureHMM
+@onready var _task: GestureTask = $GestureTask
+@onready var _map: ShaderMaterial = ($Map as MeshInstance3D).material_override
+
+
+func _ready() -> void:
+	_hmm.gesture_started.connect(_on_gesture_started)
+	_hmm.gesture_aborted.connect(func(_g: StringName, _t: GestureTask) -> void: zoom = _zoom_before)
+	_hmm.gesture_ended.connect(_on_gesture_ended)
+
+
+func _process(_delta: float) -> void:
+	if _hmm.gesture != &"":
+		# What was between the fingertips stays between them, and stays so while the hand closes.
+		var factor := 1.0 + _hmm.value / _task.start_radius
+		zoom = clampf(_zoom_before * factor, zoom, LARGEST)
+	_map.set_shader_parameter(&"zoom", zoom)
+	($Factor as Label3D).text = "x %.1f" % zoom
+
+
+func _on_gesture_started(_gesture: StringName, _at: GestureTask) -> void:
+	if zoom >= LARGEST:
+		zoom = 1.0
+	_zoom_before = zoom
+
+
+func _on_gesture_ended(_gesture: StringName, _time: float, _at: GestureTask, _f: float) -> void:
+	zoomed.emit(zoom)

@@ -1,0 +1,189 @@
+class_name GestureTestHand
+extends HandSource
+## A simulated hand that a test moves. Its methods last as long as the motion does: call them with
+## `await` to go on afterwards, or without to do something else meanwhile.
+##
+## The hand's time is the game's. Run tests with `godot --headless --fixed-fps 90`: they are
+## repeatable then, and faster than real time.
+## [codeblock]
+## var hand := GestureTestHand.attach($Hand)
+## await hand.make_gesture($Key/GestureTask)
+## [/codeblock]
+
+const HandPose := preload("../hands/hand_pose.gd")
+const MinimumJerk := preload("../hands/minimum_jerk.gd")
+
+## From onset to end, s, where make_gesture() is given no duration.
+const DURATIONS_S: Dictionary[StringName, float] = {&"tap": 0.3}
+const DURATION_S := 0.8
+## Before and after a gesture, s. A hand that passes its task's start without a rest makes none.
+const REST_S := 0.7
+const FINGERS_S := 0.15
+
+## make_gesture() pinches at the start of a task and releases at the end.
+var pinches := false
+## make_gesture() is under way.
+var is_busy := false
+
+var _tracker: HandTracker = null
+var _time_s := 0.0
+var _place := MinimumJerk.new(Vector3.ZERO)
+var _thumb_gap := MinimumJerk.new(HandPose.OPEN_M)
+## Of the three tips' circle, m; 0: the hand points.
+var _radius := MinimumJerk.new(0.0)
+var _lost_until_s := -INF
+var _frozen_until_s := -INF
+var _jumped_until_s := -INF
+var _jump := Vector3.ZERO
+var _last_joints := {}
+
+
+## Makes a hand the source of `tracker`, which must be in the tree, and starts it. `faults` spoil the
+## tracking at random. For single faults see drop_out(), freeze() and jump().
+static func attach(tracker: HandTracker, faults: DegradedSource = null) -> GestureTestHand:
+	var hand := GestureTestHand.new()
+	if faults != null:
+		faults.source = hand
+	tracker.source = hand if faults == null else faults
+	tracker.start()
+	return hand
+
+
+## Where the tip of the index finger is, or the middle of a zoom's three tips; m, without tremor.
+func get_place() -> Vector3:
+	return _place.at(_time_s)
+
+
+## Puts the hand somewhere at once, m: only where it has not been seen yet.
+func place_at(place: Vector3) -> void:
+	_place = MinimumJerk.new(place)
+
+
+## Goes to the start of `task` and rests there.
+func reach(task: GestureTask) -> void:
+	if task.start_radius > 0.0:
+		await spread(task.start_radius, FINGERS_S)
+	else:
+		_radius = MinimumJerk.new(0.0)
+		await move_to(task.get_start(), DURATION_S)
+	await rest(REST_S)
+
+
+## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: as people do) and rests
+## again. `fraction`: of the task's amplitude, where the hand stops.
+func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void:
+	if duration_s <= 0.0:
+		duration_s = DURATIONS_S.get(task.gesture, DURATION_S)
+	var way := fraction * task.amplitude
+	is_busy = true
+	await reach(task)
+	if pinches:
+		await pinch()
+	if not _is_followed():
+		return
+	if task.start_radius > 0.0:
+		await spread(task.start_radius + way, duration_s)
+	else:
+		await move_to(task.get_start() + way * task.get_axis(), duration_s)
+	await rest(REST_S)
+	if pinches:
+		await release()
+	is_busy = false
+
+
+## To `place`, m, in `duration_s`.
+func move_to(place: Vector3, duration_s: float) -> void:
+	_place.go(place, _time_s, duration_s)
+	await rest(duration_s)
+
+
+## Opens or closes the circle of thumb, index and middle finger to `radius_m`.
+func spread(radius_m: float, duration_s: float) -> void:
+	_radius.go(radius_m, _time_s, duration_s)
+	await rest(duration_s)
+
+
+func pinch() -> void:
+	_thumb_gap.go(HandPose.PINCHED_M, _time_s, FINGERS_S)
+	await rest(FINGERS_S)
+
+
+func release() -> void:
+	_thumb_gap.go(HandPose.OPEN_M, _time_s, FINGERS_S)
+	await rest(FINGERS_S)
+
+
+## The tracker does not see the hand for `duration_s` from now on. Does not wait.
+func drop_out(duration_s: float) -> void:
+	_lost_until_s = _time_s + duration_s
+
+
+## The tracker repeats what it has seen for `duration_s` from now on. Does not wait.
+func freeze(duration_s: float) -> void:
+	_frozen_until_s = _time_s + duration_s
+
+
+## The tracker shows the hand `offset` (m) off its place for `duration_s`. Does not wait.
+func jump(offset: Vector3, duration_s: float) -> void:
+	_jump = offset
+	_jumped_until_s = _time_s + duration_s
+
+
+## Lets `duration_s` of the game's time pass. The hand goes on with what it does.
+func rest(duration_s: float) -> void:
+	var _alive := self  # Godot leaks what waits in an object that is freed.
+	var until_s := _time_s + duration_s
+	while _time_s < until_s and _is_followed():
+		await _tracker.get_tree().process_frame
+
+
+## Whether `awaited` is emitted within `timeout_s` of the game's time.
+func wait_for(awaited: Signal, timeout_s: float) -> bool:
+	var _alive := self
+	var seen: Array[bool] = []
+	_note(awaited, seen)
+	var until_s := _time_s + timeout_s
+	while seen.is_empty() and _time_s < until_s and _is_followed():
+		await _tracker.get_tree().process_frame
+	return not seen.is_empty()
+
+
+## `await` takes a signal with any number of arguments.
+static func _note(awaited: Signal, seen: Array[bool]) -> void:
+	await awaited
+	seen.append(true)
+
+
+func _start(tracker: HandTracker) -> String:
+	_tracker = tracker
+	return ""
+
+
+func _poll(tracker: HandTracker, time_s: float) -> void:
+	_time_s = time_s
+	if time_s >= _frozen_until_s:
+		_last_joints = _joints()
+	tracker.push_frame(time_s, {} if time_s < _lost_until_s else _last_joints)
+
+
+func _stop(_stopped: HandTracker) -> void:
+	_tracker = null
+
+
+## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
+func _is_followed() -> bool:
+	if _tracker == null and is_zero_approx(_time_s):
+		push_error(
+			"GestureTestHand: no HandTracker follows it. Call GestureTestHand.attach() first."
+		)
+	return _tracker != null and _tracker.is_inside_tree()
+
+
+func _joints() -> Dictionary:
+	var place := get_place() + HandPose.tremor(_time_s)
+	if _time_s < _jumped_until_s:
+		place += _jump
+	var radius: float = _radius.at(_time_s)
+	if radius > 0.0:
+		return HandPose.circle(place, radius)
+	return HandPose.pointing(place, _thumb_gap.at(_time_s) as float)

@@ -1,0 +1,209 @@
+extends "support/scene_test.gd"
+## The add-on's samples, each with a simulated hand and with a scripted mouse.
+
+# engine options: --fixed-fps 90
+
+const SampleHand := preload("res://addons/steadyhand/samples/sample_hand.gd")
+
+const FOLDER := "res://addons/steadyhand/samples/%s.tscn"
+const PATIENCE_S := 3.0
+
+var _scene: Node = null
+var _hmm: GestureHMM = null
+var _said: Array[String] = []
+var _pointer := Vector2.ZERO
+
+
+func test_the_key_that_is_tapped_is_the_key_that_is_pressed() -> void:
+	var hand := _open("key_panel")
+	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
+	var keys := ""
+	for task in _hmm.tasks:
+		await hand.make_gesture(task)
+		keys += (task.get_node("../Cap/Label") as Label3D).text
+	check_equal("".join(_said), keys, "all keys")
+	_close()
+
+
+func test_the_drawer_opens_and_closes() -> void:
+	var hand := _open("drawer")
+	await hand.make_gesture(_hmm.tasks[0], 0.0, 0.5)
+	check_near(_scene.call("get_opening"), 0.5, 0.05, "pulled half-way")
+	await hand.move_to(_hmm.tasks[0].get_start(), 0.8)
+	await hand.make_gesture(_hmm.tasks[0])
+	check_near(_scene.call("get_opening"), 1.0, 0.01, "pulled")
+	await hand.make_gesture(_hmm.tasks[1])
+	check_near(_scene.call("get_opening"), 0.0, 0.01, "pushed back")
+	_close()
+
+
+func test_the_slider_is_within_1_cm_of_a_hand_that_stops() -> void:
+	var hand := _open("slider")
+	var task := _hmm.task
+	await hand.reach(task)
+	for stop: float in [0.3, 0.62, 1.0, 0.45, 0.1, 0.8, 0.0]:
+		await hand.move_to(task.get_start() + stop * task.amplitude * task.get_axis(), 0.8)
+		await hand.rest(0.5)
+		var way: float = _scene.get("value") * task.amplitude
+		check_near(way, stop * task.amplitude, 0.01, "at %s" % stop)
+	_close()
+
+
+func test_the_slider_stays_where_the_hand_leaves_it() -> void:
+	var hand := _open("slider")
+	var task := _hmm.task
+	await hand.make_gesture(task, 0.8, 0.5)
+	var left: float = _scene.get("value")
+	await hand.move_to(hand.get_place() + 0.2 * Vector3.UP, 0.6)
+	await hand.move_to(hand.get_place() + 0.1 * Vector3.RIGHT, 0.6)
+	check_near(_scene.get("value"), left, 0.02, "there")
+	_close()
+
+
+func test_the_box_moves_only_in_a_pinch() -> void:
+	var hand := _open("pinch_drag")
+	var box := _scene.get_node("Box") as Node3D
+	var start := box.position.x
+	_scene.connect(&"box_placed", func() -> void: _said.append("placed"))
+	_scene.connect(&"box_dropped", func() -> void: _said.append("dropped"))
+	await hand.make_gesture(_hmm.task)
+	check_near(box.position.x, start, 0.0, "open fingers")
+	hand.pinches = true
+	await hand.make_gesture(_hmm.task)
+	check_near(box.position.x, start + _hmm.task.amplitude, 0.01, "pinched")
+	check_equal(_said, ["placed"] as Array[String], "placed")
+	_close()
+
+
+func test_a_box_that_is_let_go_half_way_is_back_at_its_start() -> void:
+	var hand := _open("pinch_drag")
+	var box := _scene.get_node("Box") as Node3D
+	var start := box.position.x
+	await hand.reach(_hmm.task)
+	await hand.pinch()
+	await hand.move_to(hand.get_place() + 0.5 * _hmm.task.amplitude * _hmm.task.get_axis(), 0.8)
+	await hand.rest(0.5)
+	check_near(box.position.x, start + 0.5 * _hmm.task.amplitude, 0.01, "half-way")
+	await hand.release()
+	await hand.rest(0.5)
+	check_near(box.position.x, start, 0.0, "let go")
+	_close()
+
+
+func test_the_map_grows_by_as_much_as_the_fingers_open() -> void:
+	var hand := _open("zoom_map")
+	var whole := (_hmm.task.start_radius + _hmm.task.amplitude) / _hmm.task.start_radius
+	hand.place_at(_hmm.task.get_start())
+	await hand.make_gesture(_hmm.task)
+	check_near(_scene.get("zoom"), whole, 0.15, "a stroke")
+	await hand.make_gesture(_hmm.task)
+	check_near(_scene.get("zoom"), whole * whole, 0.9, "and another")
+	_close()
+
+
+func test_the_fingertips_light_up_as_the_vibration_is_felt() -> void:
+	var hand := _open("drawer")
+	var tip := _scene.get_node("SampleStage/Fingertips/Index") as MeshInstance3D
+	var material := tip.material_override as StandardMaterial3D
+	await hand.reach(_hmm.task)
+	check_near(material.emission_energy_multiplier, 0.0, 0.1, "at rest")
+	hand.move_to(_hmm.task.get_start() + _hmm.task.amplitude * _hmm.task.get_axis(), 0.8)
+	await hand.rest(0.5)
+	check(material.emission_energy_multiplier > 0.5, "in the middle of a pull")
+	_close()
+
+
+func test_every_sample_shows_by_itself_how_it_is_done() -> void:
+	for sample: String in ["key_panel", "drawer", "slider", "pinch_drag", "zoom_map"]:
+		_open(sample)
+		var hand := _scene.get_node("Hand") as SampleHand
+		hand.use(SampleHand.Device.SHOWN)
+		_hmm.gesture_ended.connect(
+			func(_g: StringName, _time_s: float, _t: GestureTask, _f: float) -> void:
+				_said.append("ended")
+		)
+		for frame in 600:
+			await process_frame
+		check(not _said.is_empty(), sample)
+		_close()
+
+
+func test_clicks_press_keys() -> void:
+	_open("key_panel")
+	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
+	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
+	for key: int in [0, 4, 11]:
+		_point(_hmm.tasks[key].get_start())
+		await _frames(60)
+		_button(MOUSE_BUTTON_LEFT, true)
+		await _frames(40)
+		_button(MOUSE_BUTTON_LEFT, false)
+		await _frames(40)
+	check_equal("".join(_said), "15#", "three clicks")
+	_close()
+
+
+func test_the_mouse_drags_the_box_with_its_button_down() -> void:
+	_open("pinch_drag")
+	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
+	var box := _scene.get_node("Box") as Node3D
+	var start := box.position.x
+	_point(_hmm.task.get_start())
+	await _frames(80)
+	_button(MOUSE_BUTTON_LEFT, true)
+	await _frames(40)
+	for frame in 61:
+		var way := smoothstep(0.0, 60.0, frame) * _hmm.task.amplitude
+		_point(_hmm.task.get_start() + way * _hmm.task.get_axis())
+		await _frames(1)
+	await _frames(40)
+	check_near(box.position.x, start + _hmm.task.amplitude, 0.01, "it is there")
+	_close()
+
+
+func test_the_wheel_zooms_the_map() -> void:
+	_open("zoom_map")
+	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
+	_point(_hmm.task.get_start())
+	await _frames(80)
+	for notch in 2:
+		_button(MOUSE_BUTTON_WHEEL_UP, true)
+		await _frames(1)
+	await _frames(80)
+	check_near(_scene.get("zoom"), 3.0, 0.15, "two notches")
+	_close()
+
+
+## A sample with a simulated hand that has just come.
+func _open(sample: String) -> GestureTestHand:
+	_said.clear()
+	_scene = (load(FOLDER % sample) as PackedScene).instantiate()
+	root.add_child(_scene)
+	_hmm = _scene.get_node("GestureHMM")
+	var hand := GestureTestHand.attach(_scene.get_node("Hand") as HandTracker)
+	hand.place_at(_hmm.task.get_start())
+	return hand
+
+
+func _close() -> void:
+	_scene.free()
+
+
+func _frames(count: int) -> void:
+	for frame in count:
+		await process_frame
+
+
+func _point(place: Vector3) -> void:
+	_pointer = root.get_camera_3d().unproject_position(place)
+	var motion := InputEventMouseMotion.new()
+	motion.position = _pointer
+	root.push_input(motion, true)
+
+
+func _button(index: MouseButton, is_pressed: bool) -> void:
+	var button := InputEventMouseButton.new()
+	button.button_index = index
+	button.pressed = is_pressed
+	button.position = _pointer
+	root.push_input(button, true)
