@@ -93,7 +93,6 @@ func test_a_box_that_is_let_go_half_way_is_back_at_its_start() -> void:
 func test_the_map_grows_by_as_much_as_the_fingers_open() -> void:
 	var hand := _open("zoom_map")
 	var whole := (_hmm.task.start_radius + _hmm.task.amplitude) / _hmm.task.start_radius
-	hand.place_at(_hmm.task.get_start())
 	await hand.make_gesture(_hmm.task)
 	check_near(_scene.get("zoom"), whole, 0.15, "a stroke")
 	await hand.make_gesture(_hmm.task)
@@ -181,7 +180,6 @@ func _open(sample: String) -> GestureTestHand:
 	root.add_child(_scene)
 	_hmm = _scene.get_node("GestureHMM")
 	var hand := GestureTestHand.attach(_scene.get_node("Hand") as HandTracker)
-	hand.place_at(_hmm.task.get_start())
 	return hand
 
 

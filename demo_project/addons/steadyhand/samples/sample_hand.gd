@@ -8,6 +8,7 @@ enum Device { AUTOMATIC, OPENXR, MOUSE, SHOWN }
 @export var device := Device.AUTOMATIC
 ## Of the sample; its tasks say where the mouse and the shown hand move.
 @export var gesture_hmm: GestureHMM
+
 ## Shows how it is done; null where somebody else does it.
 var _shown: GestureTestHand = null
 var _turn := 0
@@ -34,7 +35,6 @@ func use(new_device: Device) -> void:
 	_shown = null
 	if new_device == Device.SHOWN:
 		_shown = GestureTestHand.attach(self)
-		_shown.place_at(gesture_hmm.task.get_start())
 		_shown.pinches = gesture_hmm.start_condition == GestureHMM.START_PINCH
 	elif new_device == Device.OPENXR or (new_device == Device.AUTOMATIC and is_xr_running()):
 		source = XRSource.new()

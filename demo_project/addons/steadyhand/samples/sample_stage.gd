@@ -12,8 +12,8 @@ const TIPS: Array[HandTracker.Joint] = [
 @export var hand: HandTracker
 @export var haptic_synth: HapticSynth
 ## Of the camera, or of the seated player's head.
-@export var eye := Vector3(0.0, 1.3, 0.0)
-@export var looks_at := Vector3(0.0, 1.0, -0.45)
+@export var eye := Vector3(0.0, 1.3, 0.05)
+@export var looks_at := Vector3(0.0, 1.03, -0.45)
 
 @onready var _tips: Array[Node] = $Fingertips.get_children()
 @onready var _tip_material: StandardMaterial3D = (_tips[0] as MeshInstance3D).material_override
@@ -43,4 +43,4 @@ func _process(_delta: float) -> void:
 		var tip := _tips[i] as MeshInstance3D
 		tip.visible = hand.is_joint_tracked(TIPS[i])
 		tip.global_position = hand.get_joint_position(TIPS[i])
-	_tip_material.emission_energy_multiplier = 3.0 * haptic_synth.get_amplitude()
+	_tip_material.emission_energy_multiplier = 2.0 * haptic_synth.get_amplitude()

@@ -2,8 +2,6 @@ extends Node3D
 ## A map that grows as three fingers open. Strokes add up; one more at the largest scale shows the
 ## whole map again.
 
-signal zoomed(factor: float)
-
 const LARGEST := 27.0
 
 var zoom := 1.0
@@ -18,7 +16,6 @@ var _zoom_before := 1.0
 func _ready() -> void:
 	_hmm.gesture_started.connect(_on_gesture_started)
 	_hmm.gesture_aborted.connect(func(_g: StringName, _t: GestureTask) -> void: zoom = _zoom_before)
-	_hmm.gesture_ended.connect(_on_gesture_ended)
 
 
 func _process(_delta: float) -> void:
@@ -34,7 +31,3 @@ func _on_gesture_started(_gesture: StringName, _at: GestureTask) -> void:
 	if zoom >= LARGEST:
 		zoom = 1.0
 	_zoom_before = zoom
-
-
-func _on_gesture_ended(_gesture: StringName, _time: float, _at: GestureTask, _f: float) -> void:
-	zoomed.emit(zoom)

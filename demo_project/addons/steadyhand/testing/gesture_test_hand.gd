@@ -26,6 +26,9 @@ var pinches := false
 var is_busy := false
 
 var _tracker: HandTracker = null
+## On the tracker's clock, when the hand was first seen; NAN: it was not yet.
+var _first_s := NAN
+## Since then.
 var _time_s := 0.0
 var _place := MinimumJerk.new(Vector3.ZERO)
 var _thumb_gap := MinimumJerk.new(HandPose.OPEN_M)
@@ -38,8 +41,8 @@ var _jump := Vector3.ZERO
 var _last_joints := {}
 
 
-## Makes a hand the source of `tracker`, which must be in the tree, and starts it. `faults` spoil the
-## tracking at random. For single faults see drop_out(), freeze() and jump().
+## Makes a hand the source of `tracker`, which must be in the tree, and starts it. `faults` spoil
+## the tracking at random. For single faults see drop_out(), freeze() and jump().
 static func attach(tracker: HandTracker, faults: DegradedSource = null) -> GestureTestHand:
 	var hand := GestureTestHand.new()
 	if faults != null:
@@ -59,14 +62,13 @@ func place_at(place: Vector3) -> void:
 	_place = MinimumJerk.new(place)
 
 
-## Goes to the start of `task` and rests there.
+## Goes to the start of `task` and rests there. A hand that has not been seen yet appears there.
 func reach(task: GestureTask) -> void:
-	if task.start_radius > 0.0:
-		await spread(task.start_radius, FINGERS_S)
-	else:
-		_radius = MinimumJerk.new(0.0)
-		await move_to(task.get_start(), DURATION_S)
-	await rest(REST_S)
+	if is_nan(_first_s):
+		place_at(task.get_start())
+	_place.go(task.get_start(), _time_s, DURATION_S)
+	_radius.go(task.start_radius, _time_s, DURATION_S)
+	await rest(DURATION_S + REST_S)
 
 
 ## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: as people do) and rests
@@ -131,7 +133,7 @@ func jump(offset: Vector3, duration_s: float) -> void:
 
 ## Lets `duration_s` of the game's time pass. The hand goes on with what it does.
 func rest(duration_s: float) -> void:
-	var _alive := self  # Godot leaks what waits in an object that is freed.
+	var alive := self  # Godot leaks what waits in an object that is freed.
 	var until_s := _time_s + duration_s
 	while _time_s < until_s and _is_followed():
 		await _tracker.get_tree().process_frame
@@ -139,7 +141,7 @@ func rest(duration_s: float) -> void:
 
 ## Whether `awaited` is emitted within `timeout_s` of the game's time.
 func wait_for(awaited: Signal, timeout_s: float) -> bool:
-	var _alive := self
+	var alive := self
 	var seen: Array[bool] = []
 	_note(awaited, seen)
 	var until_s := _time_s + timeout_s
@@ -160,10 +162,12 @@ func _start(tracker: HandTracker) -> String:
 
 
 func _poll(tracker: HandTracker, time_s: float) -> void:
-	_time_s = time_s
-	if time_s >= _frozen_until_s:
+	if is_nan(_first_s):
+		_first_s = time_s
+	_time_s = time_s - _first_s
+	if _time_s >= _frozen_until_s:
 		_last_joints = _joints()
-	tracker.push_frame(time_s, {} if time_s < _lost_until_s else _last_joints)
+	tracker.push_frame(time_s, {} if _time_s < _lost_until_s else _last_joints)
 
 
 func _stop(_stopped: HandTracker) -> void:
@@ -172,7 +176,7 @@ func _stop(_stopped: HandTracker) -> void:
 
 ## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
 func _is_followed() -> bool:
-	if _tracker == null and is_zero_approx(_time_s):
+	if _tracker == null and is_nan(_first_s):
 		push_error(
 			"GestureTestHand: no HandTracker follows it. Call GestureTestHand.attach() first."
 		)
