@@ -10,6 +10,9 @@ extends HandSource
 ## await hand.make_gesture($Key/GestureTask)
 ## [/codeblock]
 
+## A frame of the game is over, or the tracker has stopped: nothing waits for good.
+signal _frame_passed
+
 const HandPose := preload("../hands/hand_pose.gd")
 const MinimumJerk := preload("../hands/minimum_jerk.gd")
 
@@ -19,6 +22,8 @@ const DURATION_S := 0.8
 ## Before and after a gesture, s. A hand that passes its task's start without a rest makes none.
 const REST_S := 0.7
 const FINGERS_S := 0.15
+## Of the tracker, white, on each axis. Without any, a freeze looks like a hand at rest.
+const NOISE_M := 2e-4
 
 ## make_gesture() pinches at the start of a task and releases at the end.
 var pinches := false
@@ -26,6 +31,7 @@ var pinches := false
 var is_busy := false
 
 var _tracker: HandTracker = null
+var _tree: SceneTree = null
 ## On the tracker's clock, when the hand was first seen; NAN: it was not yet.
 var _first_s := NAN
 ## Since then.
@@ -39,6 +45,11 @@ var _frozen_until_s := -INF
 var _jumped_until_s := -INF
 var _jump := Vector3.ZERO
 var _last_joints := {}
+var _random := RandomNumberGenerator.new()
+
+
+func _init() -> void:
+	_random.seed = 0
 
 
 ## Makes a hand the source of `tracker`, which must be in the tree, and starts it. `faults` spoil
@@ -81,7 +92,7 @@ func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void
 	await reach(task)
 	if pinches:
 		await pinch()
-	if not _is_followed():
+	if _tracker == null:
 		return
 	if task.start_radius > 0.0:
 		await spread(task.start_radius + way, duration_s)
@@ -133,20 +144,18 @@ func jump(offset: Vector3, duration_s: float) -> void:
 
 ## Lets `duration_s` of the game's time pass. The hand goes on with what it does.
 func rest(duration_s: float) -> void:
-	var alive := self  # Godot leaks what waits in an object that is freed.
 	var until_s := _time_s + duration_s
 	while _time_s < until_s and _is_followed():
-		await _tracker.get_tree().process_frame
+		await _frame_passed
 
 
 ## Whether `awaited` is emitted within `timeout_s` of the game's time.
 func wait_for(awaited: Signal, timeout_s: float) -> bool:
-	var alive := self
 	var seen: Array[bool] = []
 	_note(awaited, seen)
 	var until_s := _time_s + timeout_s
 	while seen.is_empty() and _time_s < until_s and _is_followed():
-		await _tracker.get_tree().process_frame
+		await _frame_passed
 	return not seen.is_empty()
 
 
@@ -158,6 +167,8 @@ static func _note(awaited: Signal, seen: Array[bool]) -> void:
 
 func _start(tracker: HandTracker) -> String:
 	_tracker = tracker
+	_tree = tracker.get_tree()
+	_tree.process_frame.connect(_frame_passed.emit)
 	return ""
 
 
@@ -171,7 +182,9 @@ func _poll(tracker: HandTracker, time_s: float) -> void:
 
 
 func _stop(_stopped: HandTracker) -> void:
+	_tree.process_frame.disconnect(_frame_passed.emit)
 	_tracker = null
+	_frame_passed.emit()
 
 
 ## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
@@ -184,7 +197,8 @@ func _is_followed() -> bool:
 
 
 func _joints() -> Dictionary:
-	var place := get_place() + HandPose.tremor(_time_s)
+	var noise := Vector3(_random.randfn(), _random.randfn(), _random.randfn())
+	var place := get_place() + HandPose.tremor(_time_s) + NOISE_M * noise
 	if _time_s < _jumped_until_s:
 		place += _jump
 	var radius: float = _radius.at(_time_s)
