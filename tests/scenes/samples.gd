@@ -3,7 +3,9 @@ extends "support/scene_test.gd"
 
 # engine options: --fixed-fps 90
 
+const PushedHand := preload("support/pushed_hand.gd")
 const SampleHand := preload("res://addons/steadyhand/samples/sample_hand.gd")
+const XRHand := preload("support/xr_hand.gd")
 
 const FOLDER := "res://addons/steadyhand/samples/%s.tscn"
 const PATIENCE_S := 3.0
@@ -132,12 +134,7 @@ func test_clicks_press_keys() -> void:
 	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
 	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
 	for key: int in [0, 4, 11]:
-		_point(_hmm.tasks[key].get_start())
-		await _frames(60)
-		_button(MOUSE_BUTTON_LEFT, true)
-		await _frames(40)
-		_button(MOUSE_BUTTON_LEFT, false)
-		await _frames(40)
+		await _click(_hmm.tasks[key])
 	check_equal("".join(_said), "15#", "three clicks")
 	_close()
 
@@ -171,6 +168,76 @@ func test_the_wheel_zooms_the_map() -> void:
 	await _frames(80)
 	check_near(_scene.get("zoom"), 3.0, 0.15, "two notches")
 	_close()
+
+
+func test_a_click_in_the_chooser_opens_its_sample_and_escape_leads_back() -> void:
+	change_scene_to_file(FOLDER % "samples")
+	await _frames(3)
+	_hmm = current_scene.get_node("GestureHMM")
+	await _click(_hmm.tasks[1])
+	await _frames(3)
+	check_equal(current_scene.name, &"Drawer", "the second one")
+	var escape := InputEventKey.new()
+	escape.keycode = KEY_ESCAPE
+	escape.pressed = true
+	root.push_input(escape)
+	await _frames(3)
+	check_equal(current_scene.name, &"Samples", "and back")
+	current_scene.free()
+
+
+func test_an_xr_hand_pulls_the_drawer_and_taps_the_way_back() -> void:
+	var xr_hand := XRHand.new()
+	xr_hand.register()
+	change_scene_to_file(FOLDER % "drawer")
+	await _frames(3)
+	_hmm = current_scene.get_node("GestureHMM")
+	(current_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.OPENXR)
+	var back: GestureTask = current_scene.get_node("SampleStage").call("add_back_key")
+	await _move_xr_hand(xr_hand, _hmm.task, 0.8)
+	check_near(current_scene.call("get_opening"), 1.0, 0.01, "it is open")
+	await _move_xr_hand(xr_hand, back, 0.3)
+	check_equal(current_scene.name, &"Samples", "the chooser")
+	current_scene.free()
+	xr_hand.remove()
+
+
+func test_the_add_on_uses_nothing_outside_its_folder() -> void:
+	var outside := RegEx.create_from_string('res://(?!addons/steadyhand/)[^"]*')
+	var folders: Array[String] = ["res://addons/steadyhand"]
+	var files := 0
+	while not folders.is_empty():
+		var folder: String = folders.pop_back()
+		for name in DirAccess.get_directories_at(folder):
+			folders.append(folder.path_join(name))
+		for name in DirAccess.get_files_at(folder):
+			if name.get_extension() in ["gd", "tscn", "tres"]:
+				var path := folder.path_join(name)
+				var found := outside.search(FileAccess.get_file_as_string(path))
+				if found != null and not folder.ends_with("templates"):
+					check(false, "%s uses %s" % [path, found.get_string()])
+				files += 1
+	check(files > 20, "%d files" % files)
+
+
+## From rest at the start of `task` to rest at its end.
+func _move_xr_hand(xr_hand: XRHand, task: GestureTask, duration_s: float) -> void:
+	var start := task.get_start()
+	var way := task.amplitude * task.get_axis()
+	for frame in roundi(90.0 * (duration_s + 1.6)):
+		var time_s := frame / 90.0
+		var share := PushedHand.share((time_s - 0.8) / duration_s)
+		xr_hand.place(start + share * way + PushedHand.tremor(time_s))
+		await process_frame
+
+
+func _click(task: GestureTask) -> void:
+	_point(task.get_start())
+	await _frames(60)
+	_button(MOUSE_BUTTON_LEFT, true)
+	await _frames(40)
+	_button(MOUSE_BUTTON_LEFT, false)
+	await _frames(40)
 
 
 ## A sample with a simulated hand that has just come.

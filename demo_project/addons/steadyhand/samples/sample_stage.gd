@@ -4,6 +4,8 @@ extends Node3D
 
 const SampleHand := preload("sample_hand.gd")
 
+const Key := preload("key.tscn")
+const Tap := preload("../models/tap.gesture")
 const CHOOSER := "res://addons/steadyhand/samples/samples.tscn"
 const TIPS: Array[HandTracker.Joint] = [
 	HandTracker.JOINT_INDEX, HandTracker.JOINT_THUMB, HandTracker.JOINT_MIDDLE
@@ -31,11 +33,33 @@ func _ready() -> void:
 	# The head has no pose in the first frames.
 	await get_tree().create_timer(1.0).timeout
 	XRServer.center_on_hmd(XRServer.RESET_BUT_KEEP_TILT, false)
+	add_back_key()
+
+
+## A key that leads back to the chooser, where there is no keyboard.
+func add_back_key() -> GestureTask:
+	var key := Key.instantiate() as Node3D
+	key.position = Vector3(-0.28, 1.0, -0.4)
+	(key.get_node(^"Cap/Label") as Label3D).text = "<"
+	add_child(key)
+	var hmm := GestureHMM.new()
+	hmm.models = [Tap]
+	hmm.task = key.get_node(^"GestureTask")
+	hmm.tracker = hand
+	hmm.gesture_ended.connect(
+		func(_g: StringName, _time_s: float, _t: GestureTask, _f: float) -> void: open_chooser()
+	)
+	add_child(hmm)
+	return hmm.task
+
+
+func open_chooser() -> void:
+	get_tree().change_scene_to_file(CHOOSER)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"ui_cancel") and get_tree().current_scene != null:
-		get_tree().change_scene_to_file(CHOOSER)
+		open_chooser()
 
 
 func _process(_delta: float) -> void:
