@@ -46,8 +46,8 @@ func _stop(_tracker: HandTracker) -> void:
 
 
 func _poll(tracker: HandTracker, time_s: float) -> void:
-	var hit: Variant = _hit(tracker.get_viewport().get_camera_3d())
-	if hit == null:
+	var place: Variant = _place_of(tracker.get_viewport().get_camera_3d())
+	if place == null:
 		tracker.push_frame(time_s, {})
 		return
 	var pressed := 1.0 if _pointer.is_pressed else 0.0
@@ -55,7 +55,7 @@ func _poll(tracker: HandTracker, time_s: float) -> void:
 		_press.go(pressed, time_s, STRIKE_S if _is_tap else PINCH_S)
 	if _pointer.opening != _opening.target:
 		_opening.go(_pointer.opening, time_s, OPENING_S)
-	tracker.push_frame(time_s, _joints(hit as Vector3 + HandPose.tremor(time_s), time_s))
+	tracker.push_frame(time_s, _joints(place as Vector3 + HandPose.tremor(time_s), time_s))
 
 
 func _joints(place: Vector3, time_s: float) -> Dictionary:
@@ -68,18 +68,26 @@ func _joints(place: Vector3, time_s: float) -> Dictionary:
 	return HandPose.pointing(place, lerpf(HandPose.OPEN_M, HandPose.PINCHED_M, press))
 
 
-## Where the pointer is on the plane, m; null where it is not, or nobody looks. A tap's plane is
-## across its direction; any other holds the direction, and faces the camera.
-func _hit(camera: Camera3D) -> Variant:
+## Where the pointer is on the task's plane, m; null where it is not, or nobody looks. A tap's plane
+## is across its direction.
+func _place_of(camera: Camera3D) -> Variant:
 	if camera == null:
 		return null
-	var normal := camera.global_basis.z
 	if _is_tap:
-		normal = _axis
-	elif _start_radius <= 0.0:
-		normal = (normal - _axis * normal.dot(_axis)).normalized()
-	return Plane(normal, _start_place).intersects_ray(
-		camera.project_ray_origin(_pointer.position), camera.project_ray_normal(_pointer.position)
+		return hit(camera, _pointer.position, Plane(_axis, _start_place))
+	return hit(camera, _pointer.position, plane_along(_axis, _start_place, camera))
+
+
+## Holds `axis` and `place`, m, and faces the camera as far as that goes.
+static func plane_along(axis: Vector3, place: Vector3, camera: Camera3D) -> Plane:
+	var view := camera.global_basis.z
+	return Plane((view - axis * view.dot(axis)).normalized(), place)
+
+
+## Where `pointer`, a point of the viewport, covers `plane`, m; null where it does not.
+static func hit(camera: Camera3D, pointer: Vector2, plane: Plane) -> Variant:
+	return plane.intersects_ray(
+		camera.project_ray_origin(pointer), camera.project_ray_normal(pointer)
 	)
 
 

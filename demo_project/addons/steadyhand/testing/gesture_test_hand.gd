@@ -11,7 +11,7 @@ extends HandSource
 ## [/codeblock]
 
 ## A frame of the game is over, or the tracker has stopped: nothing waits for good.
-signal _frame_passed
+signal frame_passed
 
 const HandPose := preload("../hands/hand_pose.gd")
 const MinimumJerk := preload("../hands/minimum_jerk.gd")
@@ -146,7 +146,7 @@ func jump(offset: Vector3, duration_s: float) -> void:
 func rest(duration_s: float) -> void:
 	var until_s := _time_s + duration_s
 	while _time_s < until_s and _is_followed():
-		await _frame_passed
+		await frame_passed
 
 
 ## Whether `awaited` is emitted within `timeout_s` of the game's time.
@@ -155,7 +155,7 @@ func wait_for(awaited: Signal, timeout_s: float) -> bool:
 	_note(awaited, seen)
 	var until_s := _time_s + timeout_s
 	while seen.is_empty() and _time_s < until_s and _is_followed():
-		await _frame_passed
+		await frame_passed
 	return not seen.is_empty()
 
 
@@ -168,7 +168,7 @@ static func _note(awaited: Signal, seen: Array[bool]) -> void:
 func _start(tracker: HandTracker) -> String:
 	_tracker = tracker
 	_tree = tracker.get_tree()
-	_tree.process_frame.connect(_frame_passed.emit)
+	_tree.process_frame.connect(frame_passed.emit)
 	return ""
 
 
@@ -182,9 +182,9 @@ func _poll(tracker: HandTracker, time_s: float) -> void:
 
 
 func _stop(_stopped: HandTracker) -> void:
-	_tree.process_frame.disconnect(_frame_passed.emit)
+	_tree.process_frame.disconnect(frame_passed.emit)
 	_tracker = null
-	_frame_passed.emit()
+	frame_passed.emit()
 
 
 ## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
