@@ -11,6 +11,7 @@ const SCENES: Dictionary[String, String] = {
 const MORE_SCENES: Dictionary[String, String] = {
 	"Tap on a wall": "res://scenes/tap_wall.tscn",
 	"Study": STUDY,
+	"Samples": "res://addons/steadyhand/samples/samples.tscn",
 }
 const TITLES: Dictionary[String, String] = {
 	"horizontal_drag": "Horizontal drag",

@@ -1,19 +1,10 @@
-extends "support/scene_test.gd"
-## The add-on's samples, each with a simulated hand and with a scripted mouse.
+extends "support/sample_test.gd"
+## The add-on's samples with a simulated hand, a recording and an OpenXR hand.
 
 # engine options: --fixed-fps 90
 
 const PushedHand := preload("support/pushed_hand.gd")
-const SampleHand := preload("res://addons/steadyhand/samples/sample_hand.gd")
 const XRHand := preload("support/xr_hand.gd")
-
-const FOLDER := "res://addons/steadyhand/samples/%s.tscn"
-const PATIENCE_S := 3.0
-
-var _scene: Node = null
-var _hmm: GestureHMM = null
-var _said: Array[String] = []
-var _pointer := Vector2.ZERO
 
 
 func test_the_key_that_is_tapped_is_the_key_that_is_pressed() -> void:
@@ -129,61 +120,21 @@ func test_every_sample_shows_by_itself_how_it_is_done() -> void:
 		_close()
 
 
-func test_clicks_press_keys() -> void:
-	_open("key_panel")
-	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
-	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
-	for key: int in [0, 4, 11]:
-		await _click(_hmm.tasks[key])
-	check_equal("".join(_said), "15#", "three clicks")
+func test_a_recording_in_the_hand_s_source_is_played() -> void:
+	var hand := _open("drawer")
+	var track := DirAccess.create_temp("steadyhand_samples")
+	var path := track.get_current_dir().path_join("pull.csv")
+	_hmm.tracker.start_recording(path)
+	await hand.make_gesture(_hmm.task)
 	_close()
-
-
-func test_the_mouse_drags_the_box_with_its_button_down() -> void:
-	_open("pinch_drag")
-	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
-	var box := _scene.get_node("Box") as Node3D
-	var start := box.position.x
-	_point(_hmm.task.get_start())
-	await _frames(80)
-	_button(MOUSE_BUTTON_LEFT, true)
-	await _frames(40)
-	for frame in 61:
-		var way := smoothstep(0.0, 60.0, frame) * _hmm.task.amplitude
-		_point(_hmm.task.get_start() + way * _hmm.task.get_axis())
-		await _frames(1)
-	await _frames(40)
-	check_near(box.position.x, start + _hmm.task.amplitude, 0.01, "it is there")
+	var recording := RecordedSource.new()
+	recording.track = path
+	_scene = (load(FOLDER % "drawer") as PackedScene).instantiate()
+	(_scene.get_node("Hand") as HandTracker).source = recording
+	root.add_child(_scene)
+	await _frames(250)
+	check_near(_scene.call("get_opening"), 1.0, 0.01, "the drawer is open")
 	_close()
-
-
-func test_the_wheel_zooms_the_map() -> void:
-	_open("zoom_map")
-	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
-	_point(_hmm.task.get_start())
-	await _frames(80)
-	for notch in 2:
-		_button(MOUSE_BUTTON_WHEEL_UP, true)
-		await _frames(1)
-	await _frames(80)
-	check_near(_scene.get("zoom"), 3.0, 0.15, "two notches")
-	_close()
-
-
-func test_a_click_in_the_chooser_opens_its_sample_and_escape_leads_back() -> void:
-	change_scene_to_file(FOLDER % "samples")
-	await _frames(3)
-	_hmm = current_scene.get_node("GestureHMM")
-	await _click(_hmm.tasks[1])
-	await _frames(3)
-	check_equal(current_scene.name, &"Drawer", "the second one")
-	var escape := InputEventKey.new()
-	escape.keycode = KEY_ESCAPE
-	escape.pressed = true
-	root.push_input(escape)
-	await _frames(3)
-	check_equal(current_scene.name, &"Samples", "and back")
-	current_scene.free()
 
 
 func test_an_xr_hand_pulls_the_drawer_and_taps_the_way_back() -> void:
@@ -229,46 +180,3 @@ func _move_xr_hand(xr_hand: XRHand, task: GestureTask, duration_s: float) -> voi
 		var share := PushedHand.share((time_s - 0.8) / duration_s)
 		xr_hand.place(start + share * way + PushedHand.tremor(time_s))
 		await process_frame
-
-
-func _click(task: GestureTask) -> void:
-	_point(task.get_start())
-	await _frames(60)
-	_button(MOUSE_BUTTON_LEFT, true)
-	await _frames(40)
-	_button(MOUSE_BUTTON_LEFT, false)
-	await _frames(40)
-
-
-## A sample with a simulated hand that has just come.
-func _open(sample: String) -> GestureTestHand:
-	_said.clear()
-	_scene = (load(FOLDER % sample) as PackedScene).instantiate()
-	root.add_child(_scene)
-	_hmm = _scene.get_node("GestureHMM")
-	var hand := GestureTestHand.attach(_scene.get_node("Hand") as HandTracker)
-	return hand
-
-
-func _close() -> void:
-	_scene.free()
-
-
-func _frames(count: int) -> void:
-	for frame in count:
-		await process_frame
-
-
-func _point(place: Vector3) -> void:
-	_pointer = root.get_camera_3d().unproject_position(place)
-	var motion := InputEventMouseMotion.new()
-	motion.position = _pointer
-	root.push_input(motion, true)
-
-
-func _button(index: MouseButton, is_pressed: bool) -> void:
-	var button := InputEventMouseButton.new()
-	button.button_index = index
-	button.pressed = is_pressed
-	button.position = _pointer
-	root.push_input(button, true)

@@ -1,9 +1,10 @@
+@icon("../icons/hand_source.svg")
 class_name MouseSource
 extends HandSource
 ## The mouse in place of a hand, to try a scene at a desk. The pointer covers the tip of the index
-## finger, on a plane through the start of the task of place_at(), seen by the viewport's camera.
-## The left button brings thumb and index together. At a tap's task it strikes along the task's
-## direction, and at a zoom's the wheel opens and closes three fingertips.
+## finger, on a plane through the start of a task, seen by the viewport's camera. The left button
+## brings thumb and index together. At a tap's task the button strikes where the pointer is, and at
+## a zoom's the wheel opens and closes three fingertips.
 
 const HandPose := preload("hand_pose.gd")
 const MinimumJerk := preload("minimum_jerk.gd")
@@ -14,6 +15,10 @@ const OPENING_S := 0.4
 ## Share of the task's amplitude for a notch of the wheel.
 const NOTCH := 0.5
 
+## The GestureTask, as seen from the HandTracker; not needed after place_at().
+@export_node_path("GestureTask") var task_path: NodePath
+
+var _is_placed := false
 var _start_place := Vector3.ZERO
 var _axis := Vector3.RIGHT
 var _amplitude := 0.0
@@ -28,6 +33,7 @@ var _opening := MinimumJerk.new(0.0)
 
 ## Takes place, direction and gesture of `task`, as they are now.
 func place_at(task: GestureTask) -> void:
+	_is_placed = true
 	_start_place = task.get_start()
 	_axis = task.get_axis()
 	_amplitude = task.amplitude
@@ -36,6 +42,11 @@ func place_at(task: GestureTask) -> void:
 
 
 func _start(tracker: HandTracker) -> String:
+	var task := tracker.get_node_or_null(task_path) as GestureTask
+	if task != null:
+		place_at(task)
+	elif not _is_placed:
+		return "set task_path of the MouseSource to a GestureTask, or call place_at()"
 	_pointer = Pointer.new()
 	tracker.add_child(_pointer, false, Node.INTERNAL_MODE_BACK)
 	return ""
@@ -64,17 +75,18 @@ func _joints(place: Vector3, time_s: float) -> Dictionary:
 		return HandPose.circle(place, _start_radius + opening * _amplitude)
 	var press: float = _press.at(time_s)
 	if _is_tap:
-		return HandPose.pointing(place + press * _amplitude * _axis, HandPose.OPEN_M)
+		return HandPose.pointing(place - (1.0 - press) * _amplitude * _axis, HandPose.OPEN_M)
 	return HandPose.pointing(place, lerpf(HandPose.OPEN_M, HandPose.PINCHED_M, press))
 
 
 ## Where the pointer is on the task's plane, m; null where it is not, or nobody looks. A tap's plane
-## is across its direction.
+## is the surface that it strikes.
 func _place_of(camera: Camera3D) -> Variant:
 	if camera == null:
 		return null
 	if _is_tap:
-		return hit(camera, _pointer.position, Plane(_axis, _start_place))
+		var surface := Plane(_axis, _start_place + _amplitude * _axis)
+		return hit(camera, _pointer.position, surface)
 	return hit(camera, _pointer.position, plane_along(_axis, _start_place, camera))
 
 

@@ -1,3 +1,4 @@
+@icon("../icons/hand_source.svg")
 class_name GestureTestHand
 extends HandSource
 ## A simulated hand that a test moves. Its methods last as long as the motion does: call them with
