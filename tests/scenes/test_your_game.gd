@@ -113,9 +113,23 @@ func test_a_signal_that_does_not_come_is_waited_for_as_long_as_asked() -> void:
 
 
 func test_a_hand_that_no_tracker_follows_says_so() -> void:
-	# expects error: GestureTestHand: no HandTracker follows it
+	# expects one error: GestureTestHand: no HandTracker follows it
 	await GestureTestHand.new().rest(1.0)
 	check(true, "it returns")
+
+
+func test_a_hand_whose_time_stands_still_says_so() -> void:
+	# expects one error: GestureTestHand: its time stands still, as HandTracker 'Paused' is paused
+	# expects one error: as HandTracker 'Manual' is advanced by hand: set update_mode
+	var hand := _make_nodes()
+	_tracker.name = &"Paused"
+	paused = true
+	check(not await hand.wait_for(_hmm.gesture_ended, 1.0), "in a paused game")
+	paused = false
+	_tracker.name = &"Manual"
+	_tracker.update_mode = HandTracker.UPDATE_MANUAL
+	check(not await hand.wait_for(_hmm.gesture_ended, 1.0), "by a script")
+	_free_nodes()
 
 
 func _make_nodes(faults: DegradedSource = null) -> GestureTestHand:

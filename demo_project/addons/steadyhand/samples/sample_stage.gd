@@ -67,4 +67,16 @@ func _process(_delta: float) -> void:
 		var tip := _tips[i] as MeshInstance3D
 		tip.visible = hand.is_joint_tracked(TIPS[i])
 		tip.global_position = hand.get_joint_position(TIPS[i])
+		_show_finger(tip)
 	_tip_material.emission_energy_multiplier = 2.0 * haptic_synth.get_amplitude()
+
+
+## From the tip to the palm, where the tracker sees that.
+func _show_finger(tip: Node3D) -> void:
+	var finger := tip.get_node(^"Finger") as Node3D
+	finger.visible = hand.is_joint_tracked(HandTracker.JOINT_PALM)
+	var way := hand.get_joint_position(HandTracker.JOINT_PALM) - tip.global_position
+	if finger.visible and not way.is_zero_approx():
+		tip.quaternion = Quaternion(Vector3.UP, way.normalized())
+		finger.position.y = 0.5 * way.length()
+		finger.scale.y = way.length()

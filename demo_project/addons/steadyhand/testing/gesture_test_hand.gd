@@ -93,12 +93,11 @@ func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void
 	await reach(task)
 	if pinches:
 		await pinch()
-	if _tracker == null:
-		return
-	if task.start_radius > 0.0:
-		await spread(task.start_radius + way, duration_s)
-	else:
-		await move_to(task.get_start() + way * task.get_axis(), duration_s)
+	if _tracker != null:  # otherwise the scene has ended, and the task with it
+		if task.start_radius > 0.0:
+			await spread(task.start_radius + way, duration_s)
+		else:
+			await move_to(task.get_start() + way * task.get_axis(), duration_s)
 	await rest(REST_S)
 	if pinches:
 		await release()
@@ -191,10 +190,22 @@ func _stop(_stopped: HandTracker) -> void:
 ## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
 func _is_followed() -> bool:
 	if _tracker == null and is_nan(_first_s):
+		push_error("GestureTestHand: no HandTracker follows it. Call attach() first.")
+	if _tracker == null:
+		return false
+	var is_manual := _tracker.update_mode == HandTracker.UPDATE_MANUAL
+	if is_manual or not _tracker.can_process():
 		push_error(
-			"GestureTestHand: no HandTracker follows it. Call GestureTestHand.attach() first."
+			(
+				"GestureTestHand: its time stands still, as HandTracker '%s' %s."
+				% [
+					_tracker.name,
+					"is advanced by hand: set update_mode" if is_manual else "is paused or disabled"
+				]
+			)
 		)
-	return _tracker != null and _tracker.is_inside_tree()
+		return false
+	return true
 
 
 func _joints() -> Dictionary:
