@@ -80,6 +80,9 @@ func test_a_click_in_the_chooser_opens_its_sample_and_escape_leads_back() -> voi
 	root.push_input(escape)
 	await _frames(3)
 	check_equal(current_scene.name, &"Samples", "and back")
+	root.push_input(escape)
+	await _frames(3)
+	check_equal(current_scene.name, &"Menu", "from there to the project's main scene")
 	current_scene.free()
 
 

@@ -3,8 +3,8 @@ extends SceneTree
 ## begins with `test_`, prints a line for each check and, last, `END <n> passed, <m> failed`. A
 ## check that needs data which is not there says SKIP. Errors of the engine that a test provokes are
 ## announced to the runner by a comment of that test's: `# expects error: TEXT`; warnings that must
-## come: `# expects warning: TEXT`, once and no more: `# expects one warning: TEXT`. The engine's own
-## options are in `# engine options: WORDS`.
+## come: `# expects warning: TEXT`, once and no more: `# expects one warning: TEXT`. Options for the
+## engine itself: `# engine options: WORDS`.
 
 ## What was freed while it played fades out in one and is let go of in another.
 const AUDIO_RELEASE_MIXES := 4

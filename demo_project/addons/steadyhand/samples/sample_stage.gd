@@ -36,7 +36,7 @@ func _ready() -> void:
 	add_back_key()
 
 
-## A key that leads back to the chooser, where there is no keyboard.
+## A key in place of Esc, where there is no keyboard.
 func add_back_key() -> GestureTask:
 	var key := Key.instantiate() as Node3D
 	key.position = Vector3(-0.28, 1.0, -0.4)
@@ -47,19 +47,22 @@ func add_back_key() -> GestureTask:
 	hmm.task = key.get_node(^"GestureTask")
 	hmm.tracker = hand
 	hmm.gesture_ended.connect(
-		func(_g: StringName, _time_s: float, _t: GestureTask, _f: float) -> void: open_chooser()
+		func(_g: StringName, _time_s: float, _t: GestureTask, _f: float) -> void: leave()
 	)
 	add_child(hmm)
 	return hmm.task
 
 
-func open_chooser() -> void:
-	get_tree().change_scene_to_file(CHOOSER)
+## To the chooser, or from there to the project's main scene.
+func leave() -> void:
+	var main: String = ProjectSettings.get_setting("application/run/main_scene")
+	var is_chooser := get_tree().current_scene.scene_file_path == CHOOSER
+	get_tree().change_scene_to_file(main if is_chooser and not main.is_empty() else CHOOSER)
 
 
 func _unhandled_key_input(event: InputEvent) -> void:
 	if event.is_action_pressed(&"ui_cancel") and get_tree().current_scene != null:
-		open_chooser()
+		leave()
 
 
 func _process(_delta: float) -> void:
