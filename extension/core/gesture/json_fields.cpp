@@ -27,6 +27,12 @@ std::size_t values_before(const Json &document, const Json *place) {
 	return 0;
 }
 
+/// From 1: of the character at that place of the text.
+std::size_t line_at(std::string_view text, std::size_t place) {
+	const std::string_view passed = text.substr(0, place);
+	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+}
+
 /// Line on which the value begins that `before` others begin before, in text that is JSON.
 std::size_t line_of_value(std::string_view text, std::size_t before) {
 	constexpr std::string_view SPACE = " \t\r\n";
@@ -93,6 +99,10 @@ private:
 	bool is_exceeded_ = false;
 };
 
+Error error_at(std::string_view source, std::size_t line, std::string_view what) {
+	return { std::string(source) + ":" + std::to_string(line) + ": " + std::string(what) };
+}
+
 } // namespace
 
 void parse(std::string_view text, Json &r_document) {
@@ -104,13 +114,22 @@ void parse(std::string_view text, Json &r_document) {
 	r_document = Json::parse(text);
 }
 
-std::size_t line_at(std::string_view text, std::size_t place) {
-	const std::string_view passed = text.substr(0, place);
-	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
+Error error_of(const Json::parse_error &fault, std::string_view text, std::string_view source) {
+	return error_at(source, line_at(text, std::max<std::size_t>(fault.byte, 1) - 1),
+			fault.byte > text.size() ? "not valid JSON: the file ends here" : "not valid JSON");
 }
 
-std::size_t line_of(std::string_view text, const Json &document, const Json &value) {
-	return line_of_value(text, values_before(document, &value));
+Error error_of(const Json::exception &fault, std::string_view text, std::string_view source) {
+	// "[json.exception.out_of_range.406] number overflow parsing '1e999'": where that is it does not say.
+	const std::string_view what = fault.what();
+	const std::size_t begin = what.find('\''), end = what.rfind('\'');
+	const bool names_number = begin < end && end != std::string_view::npos;
+	const std::size_t at = names_number ? text.find(what.substr(begin + 1, end - begin - 1)) : 0;
+	return error_at(source, line_at(text, at), what.substr(what.find("] ") + 2));
+}
+
+Error error_of(const Fault &fault, const Json &document, std::string_view text, std::string_view source) {
+	return error_at(source, line_of_value(text, values_before(document, fault.place)), fault.what());
 }
 
 const Json &member(const Json &object, const char *key) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/result.h"
+
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
@@ -27,10 +29,27 @@ inline constexpr std::size_t MOST_MEMBERS = 64;
 /// an object has more than MOST_MEMBERS members.
 void parse(std::string_view text, Json &r_document);
 
-/// From 1: of the character at that place of the text.
-[[nodiscard]] std::size_t line_at(std::string_view text, std::size_t place);
-/// Of a value, in the text that the document was parsed from.
-[[nodiscard]] std::size_t line_of(std::string_view text, const Json &document, const Json &value);
+// "SOURCE:LINE: what is wrong", of each of the three ways in which reading a text ends.
+[[nodiscard]] Error error_of(const Json::parse_error &fault, std::string_view text, std::string_view source);
+[[nodiscard]] Error error_of(const Json::exception &fault, std::string_view text, std::string_view source);
+[[nodiscard]] Error error_of(
+		const Fault &fault, const Json &document, std::string_view text, std::string_view source);
+
+/// What `read` makes of the document, or the one error, with its line in the file `source`.
+template <class Value, class Read>
+[[nodiscard]] Result<Value> read_text(std::string_view text, std::string_view source, Read read) {
+	Json document; // outlives the faults, which point into it
+	try {
+		parse(text, document);
+		return read(document);
+	} catch (const Json::parse_error &fault) {
+		return error_of(fault, text, source);
+	} catch (const Json::exception &fault) {
+		return error_of(fault, text, source);
+	} catch (const Fault &fault) {
+		return error_of(fault, document, text, source);
+	}
+}
 
 [[nodiscard]] const Json &member(const Json &object, const char *key);
 /// Finite.

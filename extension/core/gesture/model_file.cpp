@@ -229,26 +229,7 @@ std::string format_model(const GestureModel &model) {
 }
 
 Result<GestureModel> parse_model(std::string_view text, std::string_view source_name) {
-	const std::string source(source_name);
-	Json document; // outlives the faults, which point into it
-	try {
-		json_fields::parse(text, document);
-		return model_from_json(document);
-	} catch (const Json::parse_error &fault) {
-		return Error{ source + ":" + std::to_string(line_at(text, std::max<std::size_t>(fault.byte, 1) - 1)) +
-			": not valid JSON" + (fault.byte > text.size() ? ": the file ends here" : "") };
-	} catch (const Json::exception &fault) {
-		// "[json.exception.out_of_range.406] number overflow parsing '1e999'": where that is it does not say.
-		const std::string_view what = fault.what();
-		const std::size_t begin = what.find('\''), end = what.rfind('\'');
-		const bool names_number = begin < end && end != std::string_view::npos;
-		const std::size_t at = names_number ? text.find(what.substr(begin + 1, end - begin - 1)) : 0;
-		return Error{ source + ":" + std::to_string(line_at(text, at)) + ": " +
-			std::string(what.substr(what.find("] ") + 2)) };
-	} catch (const Fault &fault) {
-		return Error{ source + ":" + std::to_string(line_of(text, document, *fault.place)) + ": " +
-			fault.what() };
-	}
+	return read_text<GestureModel>(text, source_name, model_from_json);
 }
 
 } // namespace steadyhand

@@ -32,6 +32,7 @@ Effect adapted(const Effect &effect, const DeviceProfile &device) {
 	Effect driven = effect;
 	if (device.resonance_hz > 0.0) {
 		driven.frequency_hz = device.resonance_hz;
+		driven.frequency_table = {};
 	}
 	double best = 0.0;
 	for (const DeviceProfile::Point &point : device.response) {

@@ -113,6 +113,14 @@ LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double ampl
 	return held({ effect.gain * drive.value, effect.gain * drive.slope }, effect.most);
 }
 
+double frequency_of(const Effect &effect, const MotionPoint &motion, double amplitude_m) {
+	if (effect.frequency_table.count == 0) {
+		return effect.frequency_hz;
+	}
+	const double cells = static_cast<double>(effect.frequency_table.count - 1);
+	return effect.frequency_table.value(cells * held(drive_of(effect, motion, amplitude_m), 1.0).value);
+}
+
 bool is_smooth(const Effect &effect, const MotionPoint &from, const MotionPoint &to, double from_value,
 		double to_value) {
 	const auto rests = [](const MotionPoint &motion) {
@@ -179,7 +187,7 @@ Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &mo
 	double strongest = 0.0;
 	for (std::size_t i = 0; i < effects.count; ++i) {
 		const Effect &effect = effects.effects[i];
-		double amplitude = 0.0;
+		double amplitude = 0.0, frequency_hz = effect.frequency_hz;
 		if (effect.trigger == Trigger::ARRIVAL) {
 			const double since_s = t_s - arrival.time_s;
 			if (arrival.number == 0 || !(since_s >= 0.0) || since_s >= effect.length_s()) {
@@ -197,14 +205,15 @@ Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &mo
 			}
 		} else if (effect.trigger == Trigger::ALWAYS || is_moving) {
 			amplitude = level_of(effect, motion, amplitude_m).value;
+			frequency_hz = frequency_of(effect, motion, amplitude_m);
 		}
 		strength.amplitude += amplitude;
-		if (effect.frequency_hz < Strength::LOW_BELOW_HZ) {
+		if (frequency_hz < Strength::LOW_BELOW_HZ) {
 			strength.low += amplitude;
 		}
 		if (amplitude > strongest) {
 			strongest = amplitude;
-			strength.frequency_hz = effect.frequency_hz;
+			strength.frequency_hz = frequency_hz;
 		}
 	}
 	const double most = std::min(effects.most(), 1.0);

@@ -55,6 +55,8 @@ struct Effect {
 	double inertia_s2_m = 0.25;  ///< amplitude by the acceleration, for each m/s^2
 	Table table;                 ///< of a curve or samples
 	double table_rate_hz = 48e3; ///< of samples
+	bool fades = true;           ///< samples swell and die away; otherwise they begin and end at 0 themselves
+	Table frequency_table;       ///< of a curve that follows the drive: its carrier over the drive, Hz
 
 	/// How long it goes on after an arrival.
 	[[nodiscard]] double length_s() const;
@@ -92,6 +94,8 @@ struct LevelPoint {
 /// The amplitude that the motion gives a sustained effect, or an inertial-viscous cue while it lasts. 0 where
 /// the motion is no number.
 [[nodiscard]] LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double amplitude_m);
+/// The frequency of a sustained effect's carrier at a motion, Hz.
+[[nodiscard]] double frequency_of(const Effect &effect, const MotionPoint &motion, double amplitude_m);
 /// Whether that amplitude has no corner between two motions that one polynomial joins, given its values there
 /// and that a cubic by them stays within 0..most: it has where it is held to a limit, where what it follows
 /// changes its sign, and along a curve.

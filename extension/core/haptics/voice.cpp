@@ -35,9 +35,12 @@ LevelPoint wanted_of(const Effect &effect, const MotionPoint &motion, const Stre
 
 bool SustainedVoice::look_at(const Effect &effect, bool wanted, const Stretch &stretch) {
 	// A voice that dies away keeps the frequency that it had.
-	if ((wanted && effect.frequency_hz != frequency_hz_) || stretch.sample_rate_hz != sample_rate_hz_) {
+	const double frequency_hz = wanted || frequency_hz_ == 0.0
+			? frequency_of(effect, stretch.from, stretch.amplitude_m)
+			: frequency_hz_;
+	if (frequency_hz != frequency_hz_ || stretch.sample_rate_hz != sample_rate_hz_) {
 		turn_to(stretch.first_run);
-		frequency_hz_ = wanted || frequency_hz_ == 0.0 ? effect.frequency_hz : frequency_hz_;
+		frequency_hz_ = frequency_hz;
 		sample_rate_hz_ = stretch.sample_rate_hz;
 		carrier_.set_step(phase_step(frequency_hz_, sample_rate_hz_));
 	}
@@ -89,8 +92,9 @@ void ArrivalVoice::start(const Effect &effect, std::uint64_t generation, const A
 	has_level_ = false;
 	next_ = -first;
 	length_ = std::llround(effect.length_s() * rate);
-	const double ramp =
-			std::min(RAMP_PERIODS * rate / effect.frequency_hz, 0.5 * static_cast<double>(length_));
+	const double ramp = effect.fades
+			? std::min(RAMP_PERIODS * rate / effect.frequency_hz, 0.5 * static_cast<double>(length_))
+			: 0.0;
 	window_ = { static_cast<float>(std::max(ramp, 1.0)), static_cast<float>(length_) };
 	const std::uint64_t step = phase_step(effect.frequency_hz, rate);
 	carrier_.set_step(step);

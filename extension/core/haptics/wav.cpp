@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 namespace steadyhand {
@@ -69,6 +70,60 @@ void wav_encode(std::span<const float> samples, std::span<std::byte> out) {
 		const long rounded = std::lround(std::clamp(sample, -1.0F, 1.0F) * 32767.0F);
 		writer.number(static_cast<std::uint16_t>(rounded));
 	}
+}
+
+Result<WavSamples> parse_wav(std::span<const std::byte> bytes, std::string_view source_name) {
+	const auto refused = [&](const char *what) {
+		return Error{ std::string(source_name) + ": " + what +
+			"; save it as 16-bit PCM WAV at 8 to 192 kHz" };
+	};
+	const auto number = [&](std::size_t at, std::size_t size) {
+		std::uint32_t value = 0;
+		for (std::size_t i = 0; i < size; ++i) {
+			value |= std::to_integer<std::uint32_t>(bytes[at + i]) << (8 * i);
+		}
+		return value;
+	};
+	const auto has_name = [&](std::size_t at, std::string_view name) {
+		return at + name.size() <= bytes.size() &&
+				std::equal(name.begin(), name.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+						[](char letter, std::byte byte) { return static_cast<std::byte>(letter) == byte; });
+	};
+	if (!has_name(0, "RIFF") || !has_name(8, "WAVE")) {
+		return refused("no WAV file");
+	}
+	WavSamples wav;
+	wav.format.channels = 0;
+	constexpr std::size_t CHUNK_HEADER_BYTES = 8, FORMAT_BYTES = 16;
+	for (std::size_t at = 12; at + CHUNK_HEADER_BYTES <= bytes.size();) {
+		const std::size_t size = number(at + 4, 4), content = at + CHUNK_HEADER_BYTES;
+		if (has_name(at, "fmt ") && content + FORMAT_BYTES <= bytes.size()) {
+			constexpr std::uint32_t PCM = 1;
+			if (number(content, 2) != PCM || number(content + 14, 2) != 8 * WAV_SAMPLE_BYTES) {
+				return refused("its samples are not 16-bit PCM");
+			}
+			wav.format.channels = static_cast<std::uint16_t>(number(content + 2, 2));
+			wav.format.sample_rate_hz = number(content + 4, 4);
+		} else if (has_name(at, "data") && wav.format.channels > 0) {
+			const std::size_t frame = WAV_SAMPLE_BYTES * std::size_t{ wav.format.channels };
+			const std::size_t end = content + std::min(size, bytes.size() - content);
+			constexpr float LARGEST = 32767.0F; // as wav_encode() writes
+			for (std::size_t place = content; place + frame <= end; place += frame) {
+				const auto value = static_cast<std::int16_t>(number(place, WAV_SAMPLE_BYTES));
+				wav.samples.push_back(std::max(static_cast<float>(value) / LARGEST, -1.0F));
+			}
+			break;
+		}
+		at = content + size + size % 2;
+	}
+	constexpr std::uint32_t LOWEST_HZ = 8000, HIGHEST_HZ = 192000;
+	if (wav.samples.empty()) {
+		return refused("it has no samples");
+	}
+	if (wav.format.sample_rate_hz < LOWEST_HZ || wav.format.sample_rate_hz > HIGHEST_HZ) {
+		return refused("its sample rate is not within 8 to 192 kHz");
+	}
+	return wav;
 }
 
 } // namespace steadyhand

@@ -1,9 +1,13 @@
 #pragma once
 
+#include "base/result.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace steadyhand {
 
@@ -25,5 +29,14 @@ inline constexpr std::uint16_t WAV_SAMPLE_BYTES = 2;
 /// Samples (channels interleaved) as the file holds them, 16-bit PCM: -1..1 to -32767..32767, rounded, beyond
 /// that held; NaN is silence. `out` must have samples.size() * WAV_SAMPLE_BYTES bytes.
 void wav_encode(std::span<const float> samples, std::span<std::byte> out);
+
+struct WavSamples {
+	WavFormat format;
+	std::vector<float> samples; ///< -1..1, of the first channel
+};
+
+/// Reads a file of 16-bit PCM at 8 to 192 kHz. One that was cut off ends where it does. The error names
+/// source_name.
+[[nodiscard]] Result<WavSamples> parse_wav(std::span<const std::byte> bytes, std::string_view source_name);
 
 } // namespace steadyhand

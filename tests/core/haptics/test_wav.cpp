@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -63,4 +64,25 @@ TEST_CASE("16-bit samples are rounded, held to full scale, and silent where ther
 	for (std::size_t i = 0; i < samples.size(); ++i) {
 		CHECK(static_cast<std::int16_t>(number_at(bytes, 2 * i, 2)) == expected[i]);
 	}
+}
+
+TEST_CASE("a WAV file reads back what was written, to half a step of 16 bits") {
+	const std::vector<float> samples{ 0.0F, 0.5F, -0.25F, 1.0F, -1.0F };
+	const auto header = wav_header({ 44100, 1 }, samples.size());
+	std::vector<std::byte> bytes(header.begin(), header.end());
+	bytes.resize(bytes.size() + samples.size() * WAV_SAMPLE_BYTES);
+	wav_encode(samples, std::span(bytes).subspan(WAV_HEADER_BYTES));
+	const Result<WavSamples> read = parse_wav(bytes, "a.wav");
+	REQUIRE(read.ok());
+	CHECK(read.value().format.sample_rate_hz == 44100);
+	REQUIRE(read.value().samples.size() == samples.size());
+	for (std::size_t i = 0; i < samples.size(); ++i) {
+		CHECK(std::abs(read.value().samples[i] - samples[i]) <= 0.5F / 32767.0F);
+	}
+	bytes.resize(bytes.size() - 3);
+	CHECK(parse_wav(bytes, "a.wav").value().samples.size() == 3);
+	bytes.resize(20);
+	CHECK(parse_wav(bytes, "a.wav").error() ==
+			"a.wav: it has no samples; save it as 16-bit PCM WAV at 8 to 192 kHz");
+	CHECK(parse_wav({}, "a.wav").error().starts_with("a.wav: no WAV file; "));
 }
