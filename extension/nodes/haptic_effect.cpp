@@ -1,8 +1,10 @@
 #include "haptic_effect.h"
 
 #include "conversions.h"
+#include "text_file.h"
 
 #include "haptics/effect_preview.h"
+#include "haptics/wav.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -26,13 +28,13 @@ PackedFloat32Array packed(const std::vector<float> &values) {
 /// Samples taken of a Curve.
 constexpr int CURVE_POINTS = 257;
 
-steadyhand::Table keep(HapticEffect::Tables &r_tables, std::vector<float> p_values) {
+} // namespace
+
+steadyhand::Table HapticEffect::keep(Tables &r_tables, std::vector<float> p_values) {
 	r_tables.push_back(std::make_shared<const std::vector<float>>(std::move(p_values)));
 	const std::vector<float> &kept = *r_tables.back();
 	return { kept.data(), static_cast<std::uint32_t>(kept.size()) };
 }
-
-} // namespace
 
 void HapticEffect::set_positive(double &r_member, double p_value, const char *p_name) {
 	ERR_FAIL_COND_MSG(!(p_value > 0.0) || !std::isfinite(p_value),
@@ -100,6 +102,20 @@ PackedFloat32Array HapticEffect::get_preview_spectrum(const PackedFloat32Array &
 	const std::vector<float> samples = steadyhand::preview_of(to_core(tables), SPECTRUM_RATE_HZ);
 	return packed(steadyhand::spectrum_of(samples, SPECTRUM_RATE_HZ,
 			std::span(p_frequencies_hz.ptr(), static_cast<std::size_t>(p_frequencies_hz.size()))));
+}
+
+Error HapticEffect::save_preview_wav(const String &p_path, int p_sample_rate_hz) const {
+	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), ERR_INVALID_PARAMETER,
+			sample_rate_fault(String(get_class()) + ": the sample rate"));
+	Tables tables;
+	const std::vector<float> samples = steadyhand::preview_of(to_core(tables), p_sample_rate_hz);
+	const auto header = steadyhand::wav_header(
+			{ .sample_rate_hz = static_cast<std::uint32_t>(p_sample_rate_hz) }, samples.size());
+	std::string bytes(header.size() + steadyhand::WAV_SAMPLE_BYTES * samples.size(), '\0');
+	const std::span<std::byte> out = std::as_writable_bytes(std::span(bytes));
+	std::copy(header.begin(), header.end(), out.begin());
+	steadyhand::wav_encode(samples, out.subspan(header.size()));
+	return write_text_file(p_path, bytes);
 }
 
 void SpringEffect::set_drive(Drive p_drive) {
@@ -170,6 +186,8 @@ void HapticEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_channels", "channels"), &HapticEffect::set_channels);
 	ClassDB::bind_method(D_METHOD("get_channels"), &HapticEffect::get_channels);
 	ClassDB::bind_method(D_METHOD("get_preview", "sample_rate"), &HapticEffect::get_preview);
+	ClassDB::bind_method(
+			D_METHOD("save_preview_wav", "path", "sample_rate"), &HapticEffect::save_preview_wav);
 	ClassDB::bind_method(
 			D_METHOD("get_preview_spectrum", "frequencies"), &HapticEffect::get_preview_spectrum);
 

@@ -34,6 +34,7 @@ public:
 
 	PackedFloat32Array get_preview(int p_sample_rate_hz) const;
 	PackedFloat32Array get_preview_spectrum(const PackedFloat32Array &p_frequencies_hz) const;
+	Error save_preview_wav(const String &p_path, int p_sample_rate_hz) const;
 
 	/// r_tables: those that the effect reads are added to it.
 	virtual steadyhand::Effect to_core(Tables &) const { return effect_; }
@@ -54,6 +55,8 @@ protected:
 	void set_positive(double &r_member, double p_value, const char *p_name);
 	void set_not_negative(double &r_member, double p_value, const char *p_name);
 	void set_within(double &r_member, double p_value, const char *p_name, double p_least, double p_most);
+	/// The table is added to r_tables.
+	static steadyhand::Table keep(Tables &r_tables, std::vector<float> p_values);
 	/// What is felt at an arrival ends in time.
 	void set_duration(double p_duration) {
 		set_within(effect_.duration_s, p_duration, "duration", 0.001, 10.0);

@@ -8,6 +8,8 @@
 #include "gesture_trainer.h"
 #include "hand_frame.h"
 #include "hand_tracker.h"
+#include "haptic_clip.h"
+#include "haptic_clip_format.h"
 #include "haptic_device_profile.h"
 #include "haptic_effect.h"
 #include "haptic_stream.h"
@@ -43,22 +45,30 @@ LoadHelpPage load_help_page = nullptr;
 /// Held by the engine's lists while the library is loaded. Plain pointers, since a static Ref would outlive
 /// the engine.
 struct Formats {
-	Ref<GestureFormatLoader> loader;
-	Ref<GestureFormatSaver> saver;
+	Ref<GestureFormatLoader> gesture_loader;
+	Ref<GestureFormatSaver> gesture_saver;
+	Ref<HapticClipFormatLoader> clip_loader;
+	Ref<HapticClipFormatSaver> clip_saver;
 };
 Formats *formats = nullptr;
 
 void add_formats() {
 	formats = new Formats;
-	formats->loader.instantiate();
-	formats->saver.instantiate();
-	ResourceLoader::get_singleton()->add_resource_format_loader(formats->loader);
-	ResourceSaver::get_singleton()->add_resource_format_saver(formats->saver);
+	formats->gesture_loader.instantiate();
+	formats->gesture_saver.instantiate();
+	formats->clip_loader.instantiate();
+	formats->clip_saver.instantiate();
+	ResourceLoader::get_singleton()->add_resource_format_loader(formats->gesture_loader);
+	ResourceLoader::get_singleton()->add_resource_format_loader(formats->clip_loader);
+	ResourceSaver::get_singleton()->add_resource_format_saver(formats->gesture_saver);
+	ResourceSaver::get_singleton()->add_resource_format_saver(formats->clip_saver);
 }
 
 void remove_formats() {
-	ResourceLoader::get_singleton()->remove_resource_format_loader(formats->loader);
-	ResourceSaver::get_singleton()->remove_resource_format_saver(formats->saver);
+	ResourceLoader::get_singleton()->remove_resource_format_loader(formats->gesture_loader);
+	ResourceLoader::get_singleton()->remove_resource_format_loader(formats->clip_loader);
+	ResourceSaver::get_singleton()->remove_resource_format_saver(formats->gesture_saver);
+	ResourceSaver::get_singleton()->remove_resource_format_saver(formats->clip_saver);
 	delete formats;
 	formats = nullptr;
 }
@@ -89,12 +99,15 @@ void initialise(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(InertialViscousEffect);
 		GDREGISTER_CLASS(ImpulseEffect);
 		GDREGISTER_CLASS(CustomEffect);
+		GDREGISTER_CLASS(HapticClip);
 		GDREGISTER_CLASS(HapticDeviceProfile);
 		GDREGISTER_CLASS(HapticSynth);
 		GDREGISTER_INTERNAL_CLASS(HapticStreamPlayback);
 		GDREGISTER_INTERNAL_CLASS(HapticStream);
 		GDREGISTER_INTERNAL_CLASS(GestureFormatLoader);
 		GDREGISTER_INTERNAL_CLASS(GestureFormatSaver);
+		GDREGISTER_INTERNAL_CLASS(HapticClipFormatLoader);
+		GDREGISTER_INTERNAL_CLASS(HapticClipFormatSaver);
 		add_formats();
 	} else if (p_level == MODULE_INITIALIZATION_LEVEL_EDITOR && load_help_page != nullptr) {
 		for (const char *const *page = STEADYHAND_DOC_XML; *page != nullptr; ++page) {

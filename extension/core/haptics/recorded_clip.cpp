@@ -48,6 +48,7 @@ std::vector<HalfWave> half_waves(std::span<const float> samples, double sample_r
 	const auto end_wave = [&](double end_s) {
 		wave.end_s = end_s;
 		set_peak(wave, samples, largest, sample_rate_hz);
+		wave.peak_s = std::clamp(wave.peak_s, wave.begin_s, std::max(wave.begin_s, wave.end_s));
 		if (wave.end_s > wave.begin_s && !wave.is_silent()) {
 			waves.push_back(wave);
 		}
