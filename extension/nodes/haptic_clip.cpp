@@ -58,12 +58,9 @@ steadyhand::HapticClip HapticClip::core() const {
 	return clip;
 }
 
-void HapticClip::set_range(double p_lowest_hz, double p_highest_hz) {
-	ERR_FAIL_COND_MSG(!(p_lowest_hz >= 1.0) || !(p_highest_hz <= MOST_HZ) || !(p_lowest_hz < p_highest_hz),
-			"HapticClip: lowest_frequency must be below highest_frequency, both within 1..1000 Hz");
-	clip_.playback.range = { p_lowest_hz, p_highest_hz };
+void HapticClip::set_range_end(double &r_end_hz, double p_hz, const char *p_name) {
 	rendered_.clear();
-	emit_changed();
+	set_within(r_end_hz, p_hz, p_name, 1.0, MOST_HZ);
 }
 
 String HapticClip::to_text() const {
@@ -178,6 +175,7 @@ void HapticClip::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_highest_frequency", "frequency"), &HapticClip::set_highest_frequency);
 	ClassDB::bind_method(D_METHOD("get_highest_frequency"), &HapticClip::get_highest_frequency);
 	ClassDB::bind_method(D_METHOD("set_text", "text"), &HapticClip::set_text);
+	ClassDB::bind_method(D_METHOD("get_text"), &HapticClip::to_text);
 	ClassDB::bind_method(D_METHOD("to_text"), &HapticClip::to_text);
 	ClassDB::bind_method(D_METHOD("parse_text", "text"), &HapticClip::parse_text);
 	ClassDB::bind_method(D_METHOD("get_duration"), &HapticClip::get_duration);
@@ -193,7 +191,7 @@ void HapticClip::_bind_methods() {
 	// For duplicate() and clips inside a scene; one that has a file of its own is stored as its path.
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
-			"set_text", "to_text");
+			"set_text", "get_text");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving,At Arrival"),
 			"set_trigger", "get_trigger");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,

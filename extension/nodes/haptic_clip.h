@@ -20,7 +20,7 @@ class HapticClip : public HapticEffect {
 	/// What to_core() has rendered of clip_; empty where that has changed.
 	mutable Tables rendered_;
 
-	void set_range(double p_lowest_hz, double p_highest_hz);
+	void set_range_end(double &r_end_hz, double p_hz, const char *p_name);
 
 public:
 	HapticClip() { set_clip({}); }
@@ -34,9 +34,13 @@ public:
 	Trigger get_trigger() const { return HapticEffect::get_trigger(); }
 	void set_full_scale(double p_full_scale) { set_positive(effect_.full_scale, p_full_scale, "full_scale"); }
 	double get_full_scale() const { return effect_.full_scale; }
-	void set_lowest_frequency(double p_hz) { set_range(p_hz, clip_.playback.range.highest_hz); }
+	void set_lowest_frequency(double p_hz) {
+		set_range_end(clip_.playback.range.lowest_hz, p_hz, "lowest_frequency");
+	}
 	double get_lowest_frequency() const { return clip_.playback.range.lowest_hz; }
-	void set_highest_frequency(double p_hz) { set_range(clip_.playback.range.lowest_hz, p_hz); }
+	void set_highest_frequency(double p_hz) {
+		set_range_end(clip_.playback.range.highest_hz, p_hz, "highest_frequency");
+	}
 	double get_highest_frequency() const { return clip_.playback.range.highest_hz; }
 
 	/// The content of a `.haptic` file; empty where the clip is.

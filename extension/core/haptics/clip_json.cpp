@@ -46,9 +46,6 @@ ClipPlayback playback_from_json(const Json &metadata) {
 	FrequencyRange &range = playback.range;
 	range.lowest_hz = within_or(json, "lowest_hz", 1.0, MOST_HZ, range.lowest_hz);
 	range.highest_hz = within_or(json, "highest_hz", 1.0, MOST_HZ, range.highest_hz);
-	if (!(range.lowest_hz < range.highest_hz)) {
-		throw Fault(json, "steadyhand: lowest_hz must be below highest_hz");
-	}
 	return playback;
 }
 

@@ -19,7 +19,8 @@ constexpr double FADE_S = 0.002;
 } // namespace
 
 double FrequencyRange::normalised(double frequency_hz) const {
-	return std::clamp((frequency_hz - lowest_hz) / (highest_hz - lowest_hz), 0.0, 1.0);
+	const double width_hz = highest_hz - lowest_hz;
+	return width_hz == 0.0 ? DEFAULT_FREQUENCY : std::clamp((frequency_hz - lowest_hz) / width_hz, 0.0, 1.0);
 }
 
 double HapticClip::duration_s() const {

@@ -16,7 +16,7 @@ struct FrequencyRange {
 	[[nodiscard]] double hz(double normalised) const {
 		return lowest_hz + normalised * (highest_hz - lowest_hz);
 	}
-	/// Within 0..1.
+	/// Held to 0..1; 0.5 where the range is a single frequency.
 	[[nodiscard]] double normalised(double frequency_hz) const;
 };
 
