@@ -37,10 +37,12 @@ std::vector<Breakpoint> simplified(std::span<const Breakpoint> points, double er
 			return (value - kept.back().value) / (points[i].time_s - kept.back().time_s);
 		};
 		const bool steps = !(points[i].time_s > points[i - 1].time_s);
-		if (steps || !(slope_to(points[i].value) >= lowest && slope_to(points[i].value) <= highest)) {
-			if (kept.back().time_s < points[i - 1].time_s || kept.back().value != points[i - 1].value) {
-				keep(points[i - 1]);
-			}
+		const bool ends_piece =
+				steps || slope_to(points[i].value) < lowest || slope_to(points[i].value) > highest;
+		const bool is_kept =
+				kept.back().time_s == points[i - 1].time_s && kept.back().value == points[i - 1].value;
+		if (ends_piece && !is_kept) {
+			keep(points[i - 1]);
 		}
 		if (steps) {
 			keep(points[i]);
