@@ -51,7 +51,10 @@ void GestureTrainer::set_r2_threshold(double p_threshold) {
 }
 
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
-	ERR_FAIL_COND_V_MSG(p_trial_set.is_null(), Ref<GestureModel>(), "GestureTrainer: there is no trial set");
+	error_message_ = String();
+	if (p_trial_set.is_null()) {
+		return fail("GestureTrainer: there is no trial set");
+	}
 	const Ref<GestureTrainer> kept(this); // whoever is told of progress may let go of it
 	cancelled_ = false;
 	is_training_ = true;
@@ -60,12 +63,19 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 	return model;
 }
 
+Ref<GestureModel> GestureTrainer::fail(const String &p_reason) {
+	error_message_ = p_reason;
+	ERR_FAIL_V_MSG(Ref<GestureModel>(), p_reason);
+}
+
 Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
 	// Before any track is read; of other names the trial set has no trials.
-	ERR_FAIL_COND_V_MSG(gesture == steadyhand::NO_GESTURE, Ref<GestureModel>(),
-			"GestureTrainer: the gesture's name 'none' " + to_godot(steadyhand::gesture_name_fault(gesture)));
+	if (gesture == steadyhand::NO_GESTURE) {
+		return fail("GestureTrainer: the gesture's name 'none' " +
+				to_godot(steadyhand::gesture_name_fault(gesture)));
+	}
 	std::vector<const steadyhand::Trial *> wanted;
 	std::set<std::string> gestures;
 	for (const steadyhand::Trial &trial : p_trial_set->core()) {
@@ -74,9 +84,10 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 			wanted.push_back(&trial);
 		}
 	}
-	ERR_FAIL_COND_V_MSG(wanted.empty(), Ref<GestureModel>(),
-			p_trial_set->get_path() + String(": no trial of the gesture '") + String(p_gesture) +
-					String(gestures.empty() ? "'" : "', but of ") + listed(gestures));
+	if (wanted.empty()) {
+		return fail(p_trial_set->get_path() + String(": no trial of the gesture '") + String(p_gesture) +
+				String(gestures.empty() ? "'" : "', but of ") + listed(gestures));
+	}
 
 	steadyhand::TrainingOptions options;
 	options.states = states_;
@@ -88,7 +99,9 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	};
 	std::string feature = to_core(feature_);
 	const std::string fault = feature.empty() ? "" : steadyhand::training_error(feature, options);
-	ERR_FAIL_COND_V_MSG(!fault.empty(), Ref<GestureModel>(), to_godot(gesture + ": " + fault));
+	if (!fault.empty()) {
+		return fail(to_godot(gesture + ": " + fault));
+	}
 
 	std::vector<steadyhand::TrainingRecording> recordings;
 	std::vector<steadyhand::NormalisedRecording> unread;
@@ -106,14 +119,17 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 			return {};
 		}
 	}
-	ERR_FAIL_COND_V_MSG(recordings.empty(), Ref<GestureModel>(), to_godot(unread.front().oddity));
+	if (recordings.empty()) {
+		return fail(to_godot(unread.front().oddity));
+	}
 
 	if (feature.empty()) {
 		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
-		ERR_FAIL_NULL_V_MSG(chosen, Ref<GestureModel>(),
-				p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
-						String(p_gesture) + String("'; trial ") +
-						to_godot(steadyhand::no_feature_reason(recordings)));
+		if (chosen == nullptr) {
+			return fail(p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
+					String(p_gesture) + String("'; trial ") +
+					to_godot(steadyhand::no_feature_reason(recordings)));
+		}
 		feature = chosen->name;
 	}
 	std::string warning;
@@ -123,7 +139,9 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 		return {};
 	}
 	recordings_.insert(recordings_.end(), unread.begin(), unread.end());
-	ERR_FAIL_COND_V_MSG(!trained, Ref<GestureModel>(), to_godot(trained.error()));
+	if (!trained) {
+		return fail(to_godot(trained.error()));
+	}
 	if (!warning.empty()) {
 		WARN_PRINT(to_godot("GestureTrainer: " + gesture + ": " + warning));
 	}
@@ -135,9 +153,10 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	core.provenance.trained_with = std::string("SteadyHand ").append(steadyhand::VERSION);
 	const steadyhand::Result<steadyhand::GestureModel> read =
 			steadyhand::parse_model(steadyhand::format_model(core), gesture);
-	ERR_FAIL_COND_V_MSG(!read, Ref<GestureModel>(),
-			to_godot(gesture) + String(": the recordings give no model that could be used: ") +
-					to_godot(read.error()));
+	if (!read) {
+		return fail(to_godot(gesture) + String(": the recordings give no model that could be used: ") +
+				to_godot(read.error()));
+	}
 	Ref<GestureModel> model;
 	model.instantiate();
 	model->set_core(std::make_shared<const steadyhand::GestureModel>(std::move(core)));
@@ -184,6 +203,7 @@ void GestureTrainer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("train", "trial_set", "gesture"), &GestureTrainer::train);
 	ClassDB::bind_method(D_METHOD("cancel"), &GestureTrainer::cancel);
 	ClassDB::bind_method(D_METHOD("is_cancelled"), &GestureTrainer::is_cancelled);
+	ClassDB::bind_method(D_METHOD("get_error_message"), &GestureTrainer::get_error_message);
 	ClassDB::bind_method(D_METHOD("get_recordings"), &GestureTrainer::get_recordings);
 	ClassDB::bind_static_method("GestureTrainer", D_METHOD("get_version"), &GestureTrainer::get_version);
 
@@ -197,6 +217,9 @@ void GestureTrainer::_bind_methods() {
 			"set_symbols", "get_symbols");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "r2_threshold", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_r2_threshold", "get_r2_threshold");
+	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
+	ADD_PROPERTY(PropertyInfo(Variant::STRING, "error_message", PROPERTY_HINT_NONE, "", READ_ONLY), "",
+			"get_error_message");
 
 	ADD_SIGNAL(MethodInfo("progressed", PropertyInfo(Variant::FLOAT, "done")));
 }

@@ -25,8 +25,11 @@ class GestureTrainer : public RefCounted {
 	std::atomic<bool> is_training_ = false;
 	std::atomic<bool> cancelled_ = false;
 	std::vector<steadyhand::NormalisedRecording> recordings_; ///< of the last training
+	String error_message_; ///< of the last training
 
 	Ref<GestureModel> train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
+	/// Null.
+	Ref<GestureModel> fail(const String &p_reason);
 
 protected:
 	static void _bind_methods();
@@ -47,6 +50,8 @@ public:
 	/// The training that goes on, if any; from any thread.
 	void cancel() { cancelled_ = cancelled_ || is_training_; }
 	bool is_cancelled() const { return cancelled_; }
+	/// Why the last train() gave no model; empty where it did, or was cancelled.
+	String get_error_message() const { return error_message_; }
 	TypedArray<Dictionary> get_recordings() const;
 	static String get_version();
 };

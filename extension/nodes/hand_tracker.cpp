@@ -89,8 +89,8 @@ void HandTracker::start_if_due() {
 }
 
 Error HandTracker::start() {
-	ERR_FAIL_COND_V_MSG(Engine::get_singleton()->is_editor_hint(), ERR_UNAVAILABLE,
-			"HandTracker: nothing is opened inside the editor; run the scene");
+	ERR_FAIL_COND_V_MSG(is_part_of_edited_scene(), ERR_UNAVAILABLE,
+			"HandTracker: nothing is opened in a scene that is edited; run the scene");
 	const Watch watch(listeners_);
 	end_run();
 	if (watch.is_gone()) {
