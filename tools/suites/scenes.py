@@ -1,5 +1,7 @@
 """The scene tests: each GDScript of tests/scenes in a headless Godot of its own, through the public API alone.
 
+A script whose name begins with `editor_` runs inside the editor, with the add-on's plugin.
+
 A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
 Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
 it provokes it; `# expects one error: TEXT`, that it comes no second time. `# expects warning: TEXT` and `# expects
@@ -18,6 +20,7 @@ from suites.process import ROOT, run, scons
 
 PROJECT = ROOT / "demo_project"
 KILL_S = 60
+IN_EDITOR = "editor_"
 END = re.compile(r"^END (\d+) passed, (\d+) failed$")
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR): (.*)|.*(Parse Error.*)")
 EXPECTED = re.compile(r"^\s*#+ expects (?:one )?error: (.+)$", re.MULTILINE)

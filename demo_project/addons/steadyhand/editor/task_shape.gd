@@ -5,6 +5,8 @@ const CIRCLE_POINTS := 48
 ## Shares of the amplitude.
 const HEAD_LENGTH := 0.15
 const HEAD_WIDTH := 0.06
+## A gesture that begins farther from the start is none: see GestureTask.
+const START_REACH := 0.6
 
 
 static func lines(task: GestureTask) -> PackedVector3Array:
@@ -13,6 +15,27 @@ static func lines(task: GestureTask) -> PackedVector3Array:
 		points.append_array(_circle(task.start_radius + task.amplitude))
 		return points
 	return _arrow(task)
+
+
+## Around the start, along the axis; empty for a radius, which has no place.
+static func start_cylinder(task: GestureTask) -> PackedVector3Array:
+	var basis := task.global_basis if task.is_inside_tree() else task.basis
+	var points := PackedVector3Array()
+	if task.start_radius > 0.0 or is_zero_approx(basis.determinant()):
+		return points
+	var reach := START_REACH * task.amplitude
+	var axis := task.get_axis()
+	var turn := Basis(Quaternion(Vector3.BACK, axis))
+	var to_own := basis.inverse() * turn
+	var circle := _circle(reach)
+	for side: float in [-1.0, 1.0]:
+		for point in circle:
+			points.append(to_own * (point + side * reach * Vector3.BACK))
+	for i in 4:
+		var edge := reach * Vector3.RIGHT.rotated(Vector3.BACK, 0.5 * PI * i)
+		points.append(to_own * (edge - reach * Vector3.BACK))
+		points.append(to_own * (edge + reach * Vector3.BACK))
+	return points
 
 
 ## Its length is the amplitude in the world, whatever the node's scale.

@@ -1,0 +1,315 @@
+@tool
+extends Control
+## The "Gestures" panel of the editor: records takes of a gesture, trims them, trains a model and
+## saves it. Everything that a button does is a public function.
+
+signal training_finished
+signal comparison_finished
+
+const HandRecorder := preload("hand_recorder.gd")
+const ModelComparison := preload("model_comparison.gd")
+const ModelPanel := preload("model_panel.gd")
+const ModelTraining := preload("model_training.gd")
+const Movements := preload("movements.gd")
+const NextStep := preload("next_step.gd")
+const RecordPanel := preload("record_panel.gd")
+const TakePanel := preload("take_panel.gd")
+const TakeSet := preload("take_set.gd")
+const TrackCurves := preload("track_curves.gd")
+
+const HEIGHT := 280.0
+const RECORD_WIDTH := 230.0
+const COUNT_EVERY_S := 1.0
+
+## Null while no gesture is open.
+var takes: TakeSet = null
+var model: GestureModel = null
+## The editor's, or null: then nothing can be undone.
+var undo_redo: EditorUndoRedoManager = null
+## Where takes are kept.
+var root_folder := TakeSet.ROOT
+
+var _recorder := HandRecorder.new()
+var _training := ModelTraining.new()
+var _comparison := ModelComparison.new()
+var _record_panel := RecordPanel.new()
+var _take_panel := TakePanel.new()
+var _model_panel := ModelPanel.new()
+var _saved_to := ""
+## Of the recording under way.
+var _movements := 0
+var _counted_s := 0.0
+
+
+func _init() -> void:
+	name = "Gestures"
+	custom_minimum_size = Vector2(0.0, HEIGHT * EditorInterface.get_editor_scale())
+	for node: Node in [_recorder, _training, _comparison]:
+		add_child(node)
+	_recorder.finished.connect(stop_recording)
+	_recorder.failed.connect(_on_recorder_failed)
+	_training.progressed.connect(_model_panel.show_progress)
+	_training.finished.connect(_on_trained)
+	_comparison.progressed.connect(_model_panel.show_progress)
+	_comparison.finished.connect(_on_compared)
+	_record_panel.gesture_chosen.connect(_on_gesture_chosen)
+	_record_panel.record_pressed.connect(toggle_recording)
+	_take_panel.trim_changed.connect(trim_take)
+	_take_panel.trim_proposed.connect(propose_trim)
+	_take_panel.delete_pressed.connect(delete_takes)
+	_model_panel.train_pressed.connect(train)
+	_model_panel.cancel_pressed.connect(cancel_training)
+	_model_panel.compare_pressed.connect(compare)
+	_model_panel.save_chosen.connect(save)
+	_record_panel.custom_minimum_size.x = RECORD_WIDTH * EditorInterface.get_editor_scale()
+	var columns := HSplitContainer.new()
+	columns.set_anchors_preset(Control.PRESET_FULL_RECT)
+	add_child(columns)
+	columns.add_child(_record_panel)
+	var right := HSplitContainer.new()
+	columns.add_child(right)
+	for panel: Control in [_take_panel, _model_panel]:
+		panel.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+		right.add_child(panel)
+
+
+func _ready() -> void:
+	_record_panel.list_gestures(TakeSet.list(root_folder))
+	_take_panel.show_takes(null)
+	_update()
+
+
+## The HandTrackers of `scene_root` may be recorded from; null: there is no scene.
+func set_scene(scene_root: Node) -> void:
+	if not _recorder.is_recording():
+		_record_panel.list_trackers(scene_root)
+		_update()
+
+
+func choose_tracker(tracker: HandTracker) -> void:
+	_record_panel.choose_tracker(tracker)
+	_update()
+
+
+## Its takes, and those of a recording that was under way when the editor closed.
+func open_gesture(gesture: String) -> void:
+	stop_recording()
+	cancel_training()
+	model = null
+	takes = null
+	_saved_to = ""
+	var fault := TakeSet.name_fault(gesture)
+	_say("" if gesture.is_empty() else fault)
+	if fault.is_empty():
+		takes = TakeSet.new(gesture, root_folder)
+		takes.changed.connect(_on_takes_changed)
+		_say(takes.error)
+		var recovered := takes.recover(_record_panel.shape)
+		if not recovered.is_empty():
+			takes.set_rows(takes.rows + recovered)
+			_say("%d takes of a recording that was cut off are back." % recovered.size())
+	_record_panel.show_gesture(gesture)
+	_model_panel.view.show_model(null, [])
+	_take_panel.show_takes(takes)
+	_update()
+
+
+func toggle_recording() -> void:
+	if _recorder.is_recording():
+		stop_recording()
+	else:
+		start_recording()
+
+
+## Whether it records; else the panel says why not.
+func start_recording() -> bool:
+	if takes == null:
+		_say(TakeSet.name_fault(_record_panel.gesture()))
+		return false
+	var error := HandRecorder.advice_for(_record_panel.tracker())
+	if error.is_empty():
+		var path := takes.begin_recording()
+		error = takes.error
+		if error.is_empty():
+			error = _recorder.begin(_record_panel.tracker(), path, takes.rows.size())
+	_movements = 0
+	_counted_s = 0.0
+	_say(error)
+	_update()
+	return error.is_empty()
+
+
+## Splits what was recorded into takes.
+func stop_recording() -> void:
+	if not _recorder.is_recording():
+		return
+	_recorder.end()
+	var found := takes.finish_recording(_recorder.path, _record_panel.shape)
+	_say(takes.error)
+	_record_panel.list_gestures(TakeSet.list(root_folder))
+	if not found.is_empty():
+		_change_takes("Record %d Takes of %s" % [found.size(), takes.gesture], takes.rows + found)
+		_take_panel.select(takes.rows.size() - 1)
+	else:
+		_take_panel.show_takes(takes)
+	_update()
+
+
+func trim_take(take: int, start_s: float, end_s: float) -> void:
+	var rows := takes.trimmed(take, start_s, end_s)
+	_say(takes.error)
+	if rows.is_empty():
+		_take_panel.show_takes(takes)
+	else:
+		_change_takes("Trim Take %s" % takes.rows[take]["trial"], rows)
+
+
+## Where the movement itself begins and ends.
+func propose_trim(take: int) -> void:
+	var trim := takes.proposed_trim(take)
+	trim_take(take, trim.x, trim.y)
+
+
+func delete_takes(which: PackedInt32Array) -> void:
+	var rows: Array[Dictionary] = []
+	for i in takes.rows.size():
+		if i not in which:
+			rows.append(takes.rows[i])
+	_change_takes("Delete %d Takes of %s" % [which.size(), takes.gesture], rows)
+
+
+## Emits `training_finished`.
+func train() -> void:
+	if takes == null or takes.rows.is_empty():
+		_say("Record some takes first.")
+		training_finished.emit.call_deferred()
+		return
+	_say("")
+	_model_panel.show_progress(0.0)
+	_training.begin(takes.folder, takes.gesture, takes.feature_of(0))
+	_update()
+
+
+func cancel_training() -> void:
+	_training.cancel()
+
+
+## Emits `comparison_finished`.
+func compare() -> void:
+	_say("")
+	_model_panel.show_progress(0.0)
+	_comparison.begin(model, root_folder)
+	_update()
+
+
+func save(path: String) -> Error:
+	DirAccess.make_dir_recursive_absolute(path.get_base_dir())
+	var saved := ResourceSaver.save(model, path)
+	if saved == OK:
+		_saved_to = path
+		_say("")
+		EditorInterface.get_resource_filesystem().scan()
+	else:
+		_say("%s cannot be written: %s." % [path, error_string(saved)])
+	_update()
+	return saved
+
+
+## What to do next.
+func hint() -> String:
+	if _recorder.is_recording():
+		return NextStep.while_recording(_movements)
+	var name_so_far := _record_panel.gesture()
+	return NextStep.of(_record_panel.tracker(), name_so_far, takes, model, _saved_to)
+
+
+## What the panel says is wrong; empty where nothing is.
+func get_message() -> String:
+	return _model_panel.get_message()
+
+
+## As MotionMetrics.confusion(), of the last comparison.
+func get_confusion() -> Dictionary:
+	return _model_panel.confusion.table
+
+
+func get_recorder() -> HandRecorder:
+	return _recorder
+
+
+func show_model() -> void:
+	_model_panel.show_tab(_model_panel.view)
+
+
+func select_take(take: int) -> void:
+	_take_panel.select(take)
+
+
+func _process(delta: float) -> void:
+	if not _recorder.is_recording():
+		return
+	_counted_s += delta
+	if _counted_s > COUNT_EVERY_S:
+		_counted_s = 0.0
+		var so_far := TrackCurves.read(_recorder.path)
+		_movements = Movements.find(so_far, _record_panel.shape).size()
+	_record_panel.show_state(_recorder.describe(), hint(), true)
+	_take_panel.view.show_trace(_recorder.trace_times, _recorder.trace_points)
+
+
+func _change_takes(title: String, rows: Array[Dictionary]) -> void:
+	if undo_redo == null:
+		takes.set_rows(rows)
+		return
+	undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, takes)
+	undo_redo.add_do_method(takes, &"set_rows", rows)
+	undo_redo.add_undo_method(takes, &"set_rows", takes.rows)
+	undo_redo.commit_action()
+
+
+func _on_gesture_chosen(gesture: String) -> void:
+	if takes == null or takes.gesture != gesture:
+		open_gesture(gesture)
+
+
+func _on_takes_changed() -> void:
+	_take_panel.show_takes(takes)
+	_say(takes.error)
+	_update()
+
+
+func _on_recorder_failed(reason: String) -> void:
+	stop_recording.call_deferred()
+	_say.call_deferred(reason)
+
+
+func _on_trained(trained: GestureModel) -> void:
+	if trained != null:
+		model = trained
+		_saved_to = ""
+		_model_panel.file_name = model.gesture
+		_model_panel.view.show_model(model, _training.recordings)
+		_model_panel.show_tab(_model_panel.view)
+	_say(_training.error)
+	_take_panel.mark(_training.recordings)
+	_update()
+	training_finished.emit()
+
+
+func _on_compared(table: Dictionary) -> void:
+	_model_panel.confusion.show_table(table, _comparison.left_out)
+	_model_panel.show_tab(_model_panel.confusion)
+	_update()
+	comparison_finished.emit()
+
+
+func _say(text: String) -> void:
+	_model_panel.show_message(text)
+
+
+func _update() -> void:
+	var has_takes := takes != null and not takes.rows.is_empty()
+	_model_panel.show_state(
+		has_takes, model != null, _training.is_training(), _comparison.is_comparing()
+	)
+	_record_panel.show_state(_recorder.describe(), hint(), _recorder.is_recording())

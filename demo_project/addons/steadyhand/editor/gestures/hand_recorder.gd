@@ -1,0 +1,115 @@
+@tool
+extends Node
+## Records a hand to a track file, from the source of a scene's HandTracker. The scene's own
+## tracker stays closed: this node has one of its own, open only while it records.
+
+signal finished
+signal failed(reason: String)
+
+## What is shown of the last frames, s.
+const TRACE_S := 8.0
+
+## m and s, of the index tip; INF where it is not tracked.
+var trace_points := PackedVector3Array()
+var trace_times := PackedFloat64Array()
+var path := ""
+
+var _tracker := HandTracker.new()
+
+
+func _init() -> void:
+	_tracker.autostart = false
+	_tracker.frame_received.connect(_on_frame)
+	_tracker.failed.connect(func(reason: String) -> void: failed.emit(reason))
+	_tracker.finished.connect(func() -> void: finished.emit())
+	add_child(_tracker)
+
+
+## Opens the source of `scene_tracker` and records to `to_path`. `take`: a simulated person makes
+## another execution for each. Returns why it cannot, and what to do; empty where it records.
+func begin(scene_tracker: HandTracker, to_path: String, take: int) -> String:
+	var advice := advice_for(scene_tracker)
+	if not advice.is_empty():
+		return advice
+	trace_points.clear()
+	trace_times.clear()
+	_tracker.source = _own_source(scene_tracker, take)
+	path = to_path
+	var began := _tracker.start_recording(path)
+	if began == OK:
+		began = _tracker.start()
+	if began != OK:
+		_tracker.stop_recording()
+		return "The source cannot be opened: see the Output panel."
+	return ""
+
+
+func end() -> void:
+	_tracker.stop_recording()
+	_tracker.stop()
+
+
+func get_tracker() -> HandTracker:
+	return _tracker
+
+
+func is_recording() -> bool:
+	return _tracker.is_running()
+
+
+## Such as "Hand tracked, 90 Hz, noise 0.3 mm".
+func describe() -> String:
+	if not is_recording():
+		return "Not recording"
+	if _tracker.frame_rate <= 0.0:
+		return "Waiting for the tracker's first frames"
+	var text := "Hand tracked" if _tracker.is_hand_tracked() else "No hand in view"
+	text += ", %.0f Hz" % _tracker.frame_rate
+	if is_finite(_tracker.noise):
+		text += ", noise %.1f mm" % (1e3 * _tracker.noise)
+	var faults := _tracker.dropout_count + _tracker.freeze_count + _tracker.jump_count
+	return text if faults == 0 else text + ", %d faults" % faults
+
+
+## Why nothing can be recorded from a tracker, and what to do; empty where it can.
+static func advice_for(scene_tracker: HandTracker) -> String:
+	if scene_tracker == null:
+		return "Add a HandTracker to the scene and set its source."
+	var source := scene_tracker.source
+	if source == null:
+		return "Set the source of '%s', for example to a LeapSource." % scene_tracker.name
+	if source is XRSource:
+		return (
+			"An XRSource has frames only in a running game. Record there with "
+			+ "HandTracker.start_recording(), and play the file here with a RecordedSource."
+		)
+	var script := source.get_script() as Script
+	if script != null and not script.is_tool():
+		return "Put @tool at the top of %s: it has to run in the editor." % script.resource_path
+	return ""
+
+
+func _own_source(scene_tracker: HandTracker, take: int) -> HandSource:
+	var simulated := scene_tracker.source as SyntheticSource
+	if simulated == null:
+		return scene_tracker.source
+	var own := simulated.duplicate() as SyntheticSource
+	own.seed += take
+	if simulated.placement == SyntheticSource.PLACEMENT_TASK:
+		var task := scene_tracker.get_node_or_null(simulated.task_path) as GestureTask
+		if task != null:
+			own.place_at(task)
+	return own
+
+
+func _on_frame(frame: HandFrame) -> void:
+	var is_tracked := frame.has_joint(HandTracker.JOINT_INDEX)
+	trace_times.append(frame.time)
+	trace_points.append(
+		frame.get_joint_position(HandTracker.JOINT_INDEX) if is_tracked else Vector3.INF
+	)
+	# Twice the time that is shown, cut off now and then.
+	if frame.time - trace_times[0] > 2.0 * TRACE_S:
+		var from := trace_times.bsearch(frame.time - TRACE_S)
+		trace_times = trace_times.slice(from)
+		trace_points = trace_points.slice(from)

@@ -1,0 +1,43 @@
+@tool
+extends RefCounted
+## What the user of the "Gestures" panel does next.
+
+const HandRecorder := preload("hand_recorder.gd")
+const TakeSet := preload("take_set.gd")
+
+## People differ less from a mean of this many than a person does from one time to the next.
+const ENOUGH_TAKES := 8
+const LEAST_TAKES := 3
+
+
+static func while_recording(movements: int) -> String:
+	return (
+		"Make the gesture, rest, come back, rest. Repeat it, faster and slower. "
+		+ "%d of %d made." % [movements, ENOUGH_TAKES]
+	)
+
+
+## `takes`: null while no gesture is open. `saved_to`: empty while `model` is not saved.
+static func of(
+	tracker: HandTracker, name: String, takes: TakeSet, model: GestureModel, saved_to: String
+) -> String:
+	if takes == null:
+		return TakeSet.name_fault(name)
+	if model != null:
+		return _with_model(saved_to)
+	var count := takes.rows.size()
+	if count >= ENOUGH_TAKES:
+		return "Press Train."
+	var advice := HandRecorder.advice_for(tracker)
+	if not advice.is_empty():
+		return advice
+	if count == 0:
+		return "Press Record, make the gesture %d times, and press Stop." % ENOUGH_TAKES
+	var more := "Record %d more takes." % (ENOUGH_TAKES - count)
+	return more if count < LEAST_TAKES else more + " Or train with these: it will be less exact."
+
+
+static func _with_model(saved_to: String) -> String:
+	if saved_to.is_empty():
+		return "Press Save, or Compare to see what the takes are recognised as."
+	return "Add %s to the models of a GestureHMM." % saved_to.get_file()

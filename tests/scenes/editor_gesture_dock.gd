@@ -1,0 +1,212 @@
+extends "support/editor_test.gd"
+## The editor's "Gestures" panel, from a recording to a model that recognises the gesture.
+
+const ModelComparison := preload("res://addons/steadyhand/editor/gestures/model_comparison.gd")
+const RecordedGestures := preload("support/recorded_gestures.gd")
+
+const WAY := Vector3(0.15, 0.2, 0.0)
+const GESTURE := "shelf"
+
+var _folder := DirAccess.create_temp("steadyhand_takes")
+
+
+func test_a_gesture_of_ones_own() -> void:
+	var scene := _open_scene(ScriptSource.new())
+	check_equal(dock.takes, null, "no gesture is open")
+	check(dock.hint().begins_with("Name the gesture"), "it says what to do first")
+	dock.open_gesture("my gesture")
+	check(dock.get_message().contains("letters, digits and _"), "a name that cannot be one")
+
+	dock.open_gesture(GESTURE)
+	check(dock.hint().begins_with("Press Record"), "what to do next")
+	check(dock.start_recording(), "it records: %s" % dock.get_message())
+	var hand := RecordedGestures.new(dock.get_recorder().get_tracker())
+	hand.repeat(WAY, 8)
+	check(dock.get_recorder().describe().begins_with("Hand tracked, 90 Hz"), "live state")
+	dock.stop_recording()
+	check_equal(dock.takes.rows.size(), 8, "each movement is a take, the way back is none")
+	for row in dock.takes.rows:
+		check_near(row["amplitude_m"], WAY.length(), 0.005, "amplitude of %s" % row["trial"])
+	var files := DirAccess.get_files_at(dock.takes.folder)
+	check("trials.csv" in files and "001_8.measured.csv" in files, "a trial set in the project")
+	check("recording_001.csv" in files, "the whole recording is kept")
+
+	dock.train()
+	await dock.training_finished
+	check_equal(dock.get_message(), "", "the training has no error")
+	check(dock.model != null and dock.model.gesture == GESTURE, "a model of the gesture")
+	check_near(dock.model.duration_mean, 0.6, 0.15, "that takes as long as the takes")
+
+	dock.compare()
+	await dock.comparison_finished
+	check_equal(_row(GESTURE), {GESTURE: 8}, "all takes are recognised among all models")
+
+	var path := _folder.get_current_dir().path_join("shelf.gesture")
+	check_equal(dock.save(path), OK, "saved")
+	_check_recognises(load(path) as GestureModel)
+	_close_scene(scene)
+
+
+func test_trim_and_delete_are_undone() -> void:
+	var scene := _open_scene(ScriptSource.new())
+	dock.open_gesture("undone")
+	dock.start_recording()
+	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 3)
+	dock.stop_recording()
+	var recorded := dock.takes.rows.duplicate(true)
+	var undo := dock.undo_redo.get_history_undo_redo(EditorUndoRedoManager.GLOBAL_HISTORY)
+	dock.trim_take(1, recorded[1]["start_s"] + 0.1, recorded[1]["end_s"])
+	check(dock.takes.rows[1]["amplitude_m"] < recorded[1]["amplitude_m"], "trimmed")
+	dock.propose_trim(1)
+	check_near(dock.takes.rows[1]["start_s"], recorded[1]["start_s"], 0.01, "trimmed as proposed")
+	dock.delete_takes([0, 2])
+	check_equal(dock.takes.rows.size(), 1, "deleted")
+	var stored := TrialSet.load_folder(dock.takes.folder)
+	check_equal(stored.get_count(), 1, "on the disk too")
+	check(FileAccess.file_exists(dock.takes.folder.path_join("001_1.measured.csv")), "files stay")
+	undo.undo()
+	check_equal(dock.takes.rows.size(), 3, "the deletion is undone")
+	undo.undo()
+	undo.undo()
+	check_equal(dock.takes.rows[1]["start_s"], recorded[1]["start_s"], "the trim is undone")
+	_close_scene(scene)
+
+
+func test_a_recording_that_was_cut_off_comes_back() -> void:
+	var scene := _open_scene(ScriptSource.new())
+	dock.open_gesture("cut_off")
+	dock.start_recording()
+	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 2)
+	# As if the editor ended here.
+	var folder := dock.takes.folder
+	dock.get_recorder().end()
+	check(FileAccess.file_exists(folder.path_join("recording_001.part.csv")), "it is on the disk")
+	dock.open_gesture("cut_off")
+	check_equal(dock.takes.rows.size(), 2, "its takes are back")
+	check(dock.get_message().contains("2 takes of a recording that was cut off"), "and it says so")
+	_close_scene(scene)
+
+
+func test_a_circle() -> void:
+	var scene := _open_scene(ScriptSource.new())
+	dock.open_gesture("loop")
+	dock.start_recording()
+	var hand := RecordedGestures.new(dock.get_recorder().get_tracker())
+	hand.rest(0.6)
+	for i in 4:
+		hand.circle(0.08, 1.0 + 0.1 * i)
+		hand.rest(0.6)
+	hand.circle(0.08, 1.0, -1.0)
+	hand.rest(0.6)
+	dock.stop_recording()
+	check_equal(dock.takes.rows.size(), 4, "counterclockwise ones alone")
+	for row in dock.takes.rows:
+		check_near(row["amplitude_m"], TAU * 0.08, 0.02, "the circumference")
+		check_near((row["axis"] as Vector3).x, 1.0, 0.05, "it begins to the right")
+	dock.train()
+	await dock.training_finished
+	check(dock.model != null and dock.model.feature == "index_along_circle", "by its feature")
+	_close_scene(scene)
+
+
+func test_simulated_people_make_a_take_at_each_press() -> void:
+	var source := SyntheticSource.new()
+	source.gesture = &"zoom"
+	var scene := _open_scene(source)
+	dock.open_gesture("spread")
+	for take in 3:
+		check(dock.start_recording(), dock.get_message())
+		dock.get_recorder().get_tracker().advance(20.0)
+		await process_frame
+	check_equal(dock.takes.rows.size(), 3, "the end of the track ends the recording")
+	var axis: Vector3 = dock.takes.rows[0]["axis"]
+	check(axis.is_zero_approx(), "fingers that open are a radius")
+	dock.train()
+	await dock.training_finished
+	check(dock.model != null and dock.model.feature == "tips_circumradius", "by its feature")
+	_close_scene(scene)
+
+
+func test_what_is_wrong_is_said() -> void:
+	var scene := _open_scene(null)
+	dock.open_gesture("nothing")
+	check(not dock.start_recording(), "no source, no recording")
+	check(dock.get_message().begins_with("Set the source of 'HandTracker'"), dock.get_message())
+	dock.train()
+	await dock.training_finished
+	check_equal(dock.get_message(), "Record some takes first.", "nothing to train with")
+	(scene.get_child(0) as HandTracker).source = XRSource.new()
+	dock.start_recording()
+	check(dock.get_message().contains("only in a running game"), dock.get_message())
+	(scene.get_child(0) as HandTracker).source = ScriptSource.new()
+	dock.start_recording()
+	dock.stop_recording()
+	check(dock.get_message().begins_with("The tracker sent no frame"), dock.get_message())
+	dock.start_recording()
+	RecordedGestures.new(dock.get_recorder().get_tracker()).rest(2.0)
+	dock.stop_recording()
+	check(dock.get_message().begins_with("No movement was found"), dock.get_message())
+	_close_scene(scene)
+
+
+func test_a_scene_that_is_edited_opens_nothing() -> void:
+	EditorInterface.open_scene_from_path("res://scenes/tap.tscn")
+	await process_frame
+	var tracker := EditorInterface.get_edited_scene_root().get_node("HandTracker") as HandTracker
+	tracker.source = SyntheticSource.new()
+	# expects error: nothing is opened in a scene that is edited
+	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")
+
+
+func _open_scene(source: HandSource) -> Node:
+	var scene := Node3D.new()
+	var tracker := HandTracker.new()
+	tracker.name = "HandTracker"
+	tracker.autostart = false
+	tracker.source = source
+	scene.add_child(tracker)
+	root.add_child(scene)
+	dock.root_folder = _folder.get_current_dir()
+	dock.set_scene(scene)
+	return scene
+
+
+func _close_scene(scene: Node) -> void:
+	dock.set_scene(null)
+	dock.open_gesture("")
+	scene.free()
+
+
+## What the takes of a gesture were recognised as, without what they never were.
+func _row(gesture: String) -> Dictionary:
+	var row: Dictionary = dock.get_confusion().get(gesture, {})
+	var counts := {}
+	for recognised: String in row:
+		if row[recognised] > 0:
+			counts[recognised] = row[recognised]
+	return counts
+
+
+## A hand that the model has not been trained with, at a task.
+func _check_recognises(model: GestureModel) -> void:
+	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
+	var task := GestureTask.new()
+	var hmm := GestureHMM.new()
+	task.gesture = GESTURE
+	task.direction = WAY
+	task.amplitude = WAY.length()
+	root.add_child(task)
+	hmm.models = [model]
+	hmm.tracker = tracker
+	hmm.task = task
+	tracker.start()
+	var hand := RecordedGestures.new(tracker)
+	task.global_position = hand.place
+	task.force_update_transform()
+	hand.rest(1.0)
+	hand.move(WAY, 0.7)
+	hand.rest(1.0)
+	check_equal(hmm.recognised, StringName(GESTURE), "the saved model recognises the gesture")
+	for node: Node in [hmm, task, tracker]:
+		node.free()
