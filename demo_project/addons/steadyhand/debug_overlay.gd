@@ -1,63 +1,110 @@
 extends CanvasLayer
-## Shows how a HandTracker does: its source, whether the hand is tracked, rate, jitter, latency,
-## noise and faults. Add tracker_hud.tscn to a scene and set `tracker`.
+## Shows in a running game how a HandTracker does, what a GestureHMM makes of it, and why no gesture
+## starts; and in the scene the measured fingertip beside the motion that is put out. Add
+## debug_overlay.tscn to a scene and set `gesture_hmm`, or `tracker` alone.
 
+const IdleReason := preload("debug_overlay/idle_reason.gd")
+const MotionStrip := preload("debug_overlay/motion_strip.gd")
+const ScenePoints := preload("debug_overlay/scene_points.gd")
+
+@export var gesture_hmm: GestureHMM:
+	set(value):
+		gesture_hmm = value
+		_follow()
+## The tracker of `gesture_hmm` if that is set.
 @export var tracker: HandTracker:
 	set(value):
-		if is_instance_valid(tracker):
-			tracker.failed.disconnect(_on_failed)
-			tracker.source_ready.disconnect(_on_source_ready)
 		tracker = value
-		_failure = ""
-		if tracker != null:
-			tracker.failed.connect(_on_failed)
-			tracker.source_ready.connect(_on_source_ready)
+		_follow()
 
-var _failure := ""
+var _followed: HandTracker = null
+var _reason := IdleReason.new()
 
-@onready var _label: Label = $Panel/Label
-
-
-func _process(_delta: float) -> void:
-	_label.text = describe()
+@onready var _tracker_label: Label = $Panel/Rows/Tracker
+@onready var _gesture_label: Label = $Panel/Rows/Gesture
+@onready var _progress: ProgressBar = $Panel/Rows/Progress
+@onready var _strip: MotionStrip = $Panel/Rows/Strip
+@onready var _points: ScenePoints = $Points
 
 
-func describe() -> String:
-	if not is_instance_valid(tracker):
+func _process(delta: float) -> void:
+	_follow()
+	_reason.pass_time(delta)
+	_tracker_label.text = describe_tracker()
+	_gesture_label.text = describe_gesture()
+	var has_gesture := is_instance_valid(gesture_hmm)
+	_gesture_label.visible = has_gesture
+	_progress.visible = has_gesture
+	_strip.visible = has_gesture
+	if has_gesture:
+		_progress.value = gesture_hmm.progress if not gesture_hmm.gesture.is_empty() else 0.0
+		_strip.note(gesture_hmm)
+		_points.show_motion(gesture_hmm)
+
+
+## Source, state, rate, noise and faults of the tracker, in three lines.
+func describe_tracker() -> String:
+	_follow()
+	if not is_instance_valid(_followed):
 		return "no tracker"
-	if tracker.is_hand_tracked():
-		_failure = ""
-	var source := "no source" if tracker.source == null else tracker.source.get_class()
+	var source := "no source" if _followed.source == null else _followed.source.get_class()
 	var state := "not running"
-	if not _failure.is_empty():
-		state = _failure
-	elif tracker.is_running():
-		state = "hand tracked" if tracker.is_hand_tracked() else "no hand"
+	if not _reason.failure.is_empty():
+		state = _reason.failure
+	elif _followed.is_running():
+		state = "hand tracked" if _followed.is_hand_tracked() else "no hand"
 	var latency := "latency unknown"
-	if is_finite(tracker.latency):
-		latency = "latency %.0f ms" % (1e3 * tracker.latency)
+	if is_finite(_followed.latency):
+		latency = "latency %.0f ms" % (1e3 * _followed.latency)
 	var noise := "noise unknown"
-	if is_finite(tracker.noise):
-		noise = "noise %.2f mm" % (1e3 * tracker.noise)
+	if is_finite(_followed.noise):
+		noise = "noise %.2f mm" % (1e3 * _followed.noise)
 	return (
 		"%s: %s\n%.1f Hz, jitter %.2f ms, %s, %s\n%d dropouts, %d freezes, %d jumps"
 		% [
 			source,
 			state,
-			tracker.frame_rate,
-			1e3 * tracker.frame_jitter,
+			_followed.frame_rate,
+			1e3 * _followed.frame_jitter,
 			latency,
 			noise,
-			tracker.dropout_count,
-			tracker.freeze_count,
-			tracker.jump_count
+			_followed.dropout_count,
+			_followed.freeze_count,
+			_followed.jump_count
 		]
 	)
 
 
-func _on_failed(reason: String) -> void:
-	_failure = reason
+## The gesture under way, or why none starts.
+func describe_gesture() -> String:
+	_follow()
+	if not is_instance_valid(gesture_hmm):
+		return ""
+	if gesture_hmm.gesture.is_empty():
+		return _reason.of(gesture_hmm)
+	return (
+		"%s: %.0f %%, %.1f cm\nconfidence %.2f, state %d"
+		% [
+			gesture_hmm.gesture,
+			100.0 * gesture_hmm.progress,
+			100.0 * gesture_hmm.value,
+			gesture_hmm.confidence,
+			gesture_hmm.state
+		]
+	)
 
 
-func _on_source_ready() -> void:
-	_failure = ""
+## The tracker may be exchanged at any time.
+func _follow() -> void:
+	var wanted := tracker
+	if is_instance_valid(gesture_hmm):
+		wanted = gesture_hmm.tracker
+	if is_instance_valid(wanted) and wanted == _followed:
+		return
+	if not is_instance_valid(wanted):
+		wanted = null
+	if is_instance_valid(_followed):
+		_reason.leave(_followed)
+	_followed = wanted
+	if _followed != null:
+		_reason.follow(_followed)

@@ -1,0 +1,98 @@
+extends "support/scene_test.gd"
+## What the debug overlay says of a scene in which no gesture starts.
+
+const DebugOverlay := preload("res://addons/steadyhand/debug_overlay.gd")
+const Rig := preload("support/rig.gd")
+
+const FRAME_S := 1.0 / 90.0
+
+var _tracker := HandTracker.new()
+var _task := GestureTask.new()
+var _hmm := GestureHMM.new()
+var _overlay: DebugOverlay = null
+var _frame := 0
+var _random := RandomNumberGenerator.new()
+
+
+func test_each_reason_in_turn() -> void:
+	var scene := load("res://addons/steadyhand/debug_overlay.tscn") as PackedScene
+	_overlay = scene.instantiate() as DebugOverlay
+	_tracker.name = "Hand"
+	_task.name = "Key"
+	_task.position = Vector3(0.5, 1.0, -0.3)
+	for node: Node in [_tracker, _task, _hmm, _overlay]:
+		root.add_child(node)
+	_hmm.name = "Recogniser"
+	_overlay.gesture_hmm = _hmm
+	_says('No tracker: set "tracker" of Recogniser.')
+	_hmm.tracker = _tracker
+	_says('No source: set "source" of Hand.')
+	_tracker.source = ScriptSource.new()
+	_tracker.autostart = false
+	_tracker.stop()
+	_says("Hand is stopped: call start().")
+	_tracker.start()
+	_says('No models: set "models" of Recogniser.')
+	_hmm.models = [load(Rig.MODEL % "horizontal_drag"), load(Rig.MODEL % "zoom")]
+	await create_timer(0.7).timeout
+	check(_overlay.describe_gesture().begins_with("No frame for "), _overlay.describe_gesture())
+	_tracker.push_frame(0.0, {})
+	_says("No hand in view.")
+	_task.gesture = &"zoom"
+	_task.start_radius = 0.03
+	_hmm.task = _task
+	_push(Vector3.ZERO, 1)
+	_says("'zoom' needs joints that are not tracked: thumb, middle finger.")
+	_task.gesture = &"horizontal_drag"
+	_task.start_radius = 0.0
+	_push(Vector3(0.2, 1.0, -0.3), 30)
+	_says("The hand is 30 cm from the start of Key: it has to come within 12 cm.")
+	_push(_task.position, 90)
+	_says("Ready: waits for a movement.")
+	_hmm.start_condition = GestureHMM.START_PINCH
+	_says("Start condition: a pinch, but the thumb is not tracked.")
+	_push(_task.position, 2, {HandTracker.JOINT_THUMB: _task.position + Vector3(0.0, 0.06, 0.0)})
+	_says("Start condition: pinch. Thumb and index finger are 6.0 cm apart, not 2.5 cm.")
+	_hmm.start_condition = GestureHMM.START_DWELL
+	_push(_task.position + Vector3(0.05, 0.0, 0.0), 10)
+	_says("Start condition: hold the fingertip still for 0.5 s.")
+	_hmm.start_condition = GestureHMM.START_NONE
+
+
+func test_a_frozen_tracker() -> void:
+	_hmm.tasks = []
+	for i in 200:
+		_push(Vector3(0.1 * sin(0.1 * i), 1.0, -0.3), 1)
+	for i in 60:
+		_tracker.push_frame(_time(), {HandTracker.JOINT_INDEX: Vector3(0.1, 1.0, -0.3)})
+	var said := _overlay.describe_gesture()
+	check(said.contains("it is frozen") or not _hmm.gesture.is_empty(), said)
+
+
+func test_a_gesture_under_way_is_shown() -> void:
+	_hmm.task = _task
+	_push(_task.position, 90)
+	for i in 40:
+		_push(_task.position + Vector3(0.1 * i / 40.0, 0.0, 0.0), 1)
+	var said := _overlay.describe_gesture()
+	check(said.begins_with("horizontal_drag: "), said)
+	check(said.contains(" cm\nconfidence "), said)
+	for node: Node in [_overlay, _hmm, _task, _tracker]:
+		node.free()
+
+
+func _says(text: String) -> void:
+	check_equal(_overlay.describe_gesture(), text, text)
+
+
+func _push(place: Vector3, frames: int, others: Dictionary = {}) -> void:
+	for i in frames:
+		var noise := 3e-4 * Vector3(_random.randfn(), _random.randfn(), _random.randfn())
+		var joints := {HandTracker.JOINT_INDEX: place + noise}
+		joints.merge(others)
+		_tracker.push_frame(_time(), joints)
+
+
+func _time() -> float:
+	_frame += 1
+	return _frame * FRAME_S
