@@ -18,7 +18,7 @@ const TakeSet := preload("take_set.gd")
 const TrackCurves := preload("track_curves.gd")
 
 const HEIGHT := 280.0
-const RECORD_WIDTH := 230.0
+const RECORD_WIDTH := 220.0
 const COUNT_EVERY_S := 1.0
 
 ## Null while no gesture is open.

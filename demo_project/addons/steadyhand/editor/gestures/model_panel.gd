@@ -31,7 +31,7 @@ func _init() -> void:
 	_train.pressed.connect(_on_train_pressed)
 	_train.tooltip_text = "Train a model with all takes of this gesture."
 	_compare.text = "Compare"
-	_compare.tooltip_text = ("Run all takes of the project through a GestureHMM with all of its models.")
+	_compare.tooltip_text = "Run all takes of the project through all of its models."
 	_compare.pressed.connect(func() -> void: compare_pressed.emit())
 	_save.text = "Save..."
 	_save.tooltip_text = "Save the model as a *.gesture file."

@@ -29,6 +29,8 @@ const SHORTEST_WAY := 0.4
 const SAME_WAY := 0.5
 ## Area of a closed path, as a share of the circle's that is as long.
 const ROUND := 0.5
+## Of the way out: a hand that comes back by more has turned.
+const TURNED := 0.3
 ## The radius grows by this share of the index tip's way when fingers open.
 const OPENS := 0.3
 
@@ -53,7 +55,11 @@ static func find(curves: TrackCurves, shape: Shape, others: Array[int] = []) -> 
 ## Every movement, whichever way it goes.
 static func find_all(curves: TrackCurves, shape: Shape) -> Array[Dictionary]:
 	var rows: Array[Dictionary] = []
-	for span in _spans(_points(curves, shape)):
+	var points := _points(curves, shape)
+	var spans := _spans(points)
+	if shape != Shape.CIRCLE:
+		spans = _split_at_turns(points, spans)
+	for span in spans:
 		rows.append(describe(curves, shape, curves.time_at(span.x), curves.time_at(span.y)))
 	return rows
 
@@ -107,11 +113,13 @@ static func guess_shape(curves: TrackCurves) -> Shape:
 			box = box.expand(point)
 		if radii.max() - radii.min() > OPENS * box.size.length():
 			return Shape.OPENING
-	var circles := 0
-	var spans := _spans(curves.index)
-	for span in spans:
-		circles += int(_is_round(curves.index.slice(span.x, span.y + 1)))
-	return Shape.CIRCLE if 2 * circles > spans.size() else Shape.STRAIGHT
+	var moved := 0
+	var circled := 0
+	for span in _spans(curves.index):
+		moved += span.y - span.x
+		if _is_round(curves.index.slice(span.x, span.y + 1)):
+			circled += span.y - span.x
+	return Shape.CIRCLE if 2 * circled > moved else Shape.STRAIGHT
 
 
 static func _points(curves: TrackCurves, shape: Shape) -> PackedVector3Array:
@@ -151,6 +159,24 @@ static func _spans(points: PackedVector3Array) -> Array[Vector2i]:
 	)
 
 
+## A hand that turns back at once, as after a tap, has made two movements.
+static func _split_at_turns(points: PackedVector3Array, spans: Array[Vector2i]) -> Array[Vector2i]:
+	var parts: Array[Vector2i] = []
+	for span in spans:
+		var farthest := span.x
+		for i in range(span.x, span.y + 1):
+			var way := points[i].distance_to(points[span.x])
+			if way > points[farthest].distance_to(points[span.x]):
+				farthest = i
+		var out := points[farthest].distance_to(points[span.x])
+		if points[span.y].distance_to(points[farthest]) > TURNED * out:
+			parts.append(Vector2i(span.x, farthest))
+			parts.append(Vector2i(farthest, span.y))
+		else:
+			parts.append(span)
+	return parts
+
+
 ## m/s
 static func _speeds(points: PackedVector3Array) -> PackedFloat64Array:
 	var speeds := PackedFloat64Array()
@@ -173,18 +199,15 @@ static func _goes_like(row: Dictionary, rows: Array[Dictionary], shape: Shape) -
 
 static func _is_round(path: PackedVector3Array) -> bool:
 	var length := 0.0
-	for i in range(1, path.size()):
-		length += path[i].distance_to(path[i - 1])
-	return 4.0 * PI * absf(_area(path)) > ROUND * length * length
+	# From point to point noise would make it longer.
+	var step := int(SPEED_SPAN_S * TrackCurves.RATE_HZ)
+	for i in range(step, path.size(), step):
+		length += path[i].distance_to(path[i - step])
+	return 4.0 * PI * absf(_area_and_centroid(path).z) > ROUND * length * length
 
 
-## Of the closed path in the xy plane, m^2; positive where it turns counterclockwise.
-static func _area(path: PackedVector3Array) -> float:
-	return _area_and_centroid(path).z
-
-
-## x and y: centroid of the closed path's area, m, which does not depend on how fast the hand was
-## where; z: the area, m^2.
+## Of the closed path in the xy plane: x and y, the centroid, m, which does not depend on the speed
+## along the path; z, the area, m^2, positive where it turns counterclockwise.
 static func _area_and_centroid(path: PackedVector3Array) -> Vector3:
 	var area := 0.0
 	var centroid := Vector2.ZERO

@@ -40,7 +40,7 @@ func _init() -> void:
 	_names.get_popup().index_pressed.connect(_on_name_picked)
 	name_row.add_child(_name)
 	name_row.add_child(_names)
-	_tracker.fit_to_longest_item = false
+	_tracker.clip_text = true
 	_tracker.tooltip_text = "The HandTrackers of the edited scene"
 	for of_shape in SHAPES:
 		_shape.add_item(SHAPES[of_shape], of_shape)
@@ -118,7 +118,7 @@ func show_state(state: String, hint: String, is_recording: bool) -> void:
 	for control: BaseButton in [_tracker, _shape, _names]:
 		control.disabled = is_recording
 	if is_inside_tree():
-		_record.icon = get_theme_icon(&"Stop" if is_recording else &"Record", &"EditorIcons")
+		_record.icon = get_theme_icon(&"Stop" if is_recording else &"AutoKey", &"EditorIcons")
 
 
 func _notification(what: int) -> void:

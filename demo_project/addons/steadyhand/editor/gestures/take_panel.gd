@@ -10,7 +10,9 @@ const TakeSet := preload("take_set.gd")
 const TakeView := preload("take_view.gd")
 const TrackCurves := preload("track_curves.gd")
 
-const TITLES: Array[String] = ["Take", "Time", "Length", "R²"]
+const COLUMN_WIDTH := 64.0
+const VIEW_WIDTH := 160.0
+const TITLES: Array[String] = ["Take", "Time (s)", "Way (cm)", "R²"]
 
 var view := TakeView.new()
 
@@ -32,8 +34,11 @@ func _init() -> void:
 	for column in TITLES.size():
 		_list.set_column_title(column, TITLES[column])
 		_list.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
+		var width := COLUMN_WIDTH * EditorInterface.get_editor_scale()
+		_list.set_column_custom_minimum_width(column, int(width))
 	_list.size_flags_vertical = SIZE_EXPAND_FILL
-	_list.custom_minimum_size.x = 230.0 * EditorInterface.get_editor_scale()
+	var list_width := (TITLES.size() + 0.5) * COLUMN_WIDTH
+	_list.custom_minimum_size.x = list_width * EditorInterface.get_editor_scale()
 	_list.multi_selected.connect(func(_i: TreeItem, _c: int, _s: bool) -> void: _show_selected())
 	_list.gui_input.connect(_on_list_input)
 	left.add_child(_list)
@@ -48,6 +53,7 @@ func _init() -> void:
 	for button: Button in [_trim, _delete]:
 		buttons.add_child(button)
 	view.size_flags_horizontal = SIZE_EXPAND_FILL
+	view.custom_minimum_size.x = VIEW_WIDTH * EditorInterface.get_editor_scale()
 	view.trim_changed.connect(
 		func(start_s: float, end_s: float) -> void: trim_changed.emit(selected()[0], start_s, end_s)
 	)
@@ -99,8 +105,8 @@ func _add_item(take: int, is_selected: bool) -> void:
 	var row := _takes.rows[take]
 	var item := _list.create_item()
 	item.set_text(0, row["trial"])
-	item.set_text(1, "%.2f s" % (row["end_s"] - row["start_s"]))
-	item.set_text(2, "%.1f cm" % (100.0 * row["amplitude_m"]))
+	item.set_text(1, "%.2f" % (row["end_s"] - row["start_s"]))
+	item.set_text(2, "%.1f" % (100.0 * row["amplitude_m"]))
 	var recording: Dictionary = _recordings.get(row["trial"], {})
 	if not recording.is_empty():
 		var oddity: String = recording["oddity"]

@@ -81,10 +81,13 @@ func begin_recording() -> String:
 	return folder.path_join("%s%03d%s" % [RECORDING, number, UNFINISHED])
 
 
-## Splits a recording into takes, whose rows are returned: set_rows() adds them.
+## Splits a recording into takes, whose rows are returned: set_rows() adds them. With
+## Shape.AUTOMATIC they are of the shape of those that are there.
 func finish_recording(path: String, shape: Movements.Shape) -> Array[Dictionary]:
 	error = ""
 	var curves := TrackCurves.read(path)
+	if shape == Movements.Shape.AUTOMATIC and not rows.is_empty():
+		shape = Movements.shape_of(curves_of(0), rows[0])
 	var others: Array[int] = []
 	var found := Movements.find(curves, shape, others)
 	var whole := path.trim_suffix(UNFINISHED)
