@@ -9,7 +9,7 @@ extends SceneTree
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
 const SCENE := "res://drawer.tscn"
-const SIZE := Vector2i(1600, 960)
+const SIZE := Vector2i(1920, 1080)
 const GESTURE := &"circle"
 const TAKES := 8
 const LONGEST_TAKE_S := 30.0
@@ -89,8 +89,7 @@ func _draw_gizmos() -> void:
 	EditorInterface.set_main_screen_editor("3D")
 	await _settle()
 	var root_node := EditorInterface.get_edited_scene_root()
-	for name: String in ["HandTracker", "Pull"]:
-		EditorInterface.get_selection().add_node(root_node.get_node(name))
+	EditorInterface.get_selection().add_node(root_node.get_node("Pull"))
 	await _settle()
 	_press_view_item("Focus Selection")
 	_press_view_item("View Transform Gizmo")

@@ -4,15 +4,16 @@ extends "tool.gd"
 ##     --out DIR [--trials DIR]
 ##
 ## A picture of each task's scene, DIR/scene_GESTURE.png, in the middle of the first trial of
-## --trials (default: a synthetic person's), and of the inspector's previews of the effects,
-## DIR/effects.png. Of the study, DIR/study_*.png: a trial of each gesture, the questionnaire, a
-## rest, the operator's panel, and what the headset shows.
+## --trials (default: a synthetic person's); one with the debug overlay, DIR/overlay.png; and the
+## inspector's previews of the effects, DIR/effects.png. Of the study, DIR/study_*.png: a trial of
+## each gesture, the questionnaire, a rest, the operator's panel, and what the headset shows.
 
 const Tasks := preload("res://scripts/tasks.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 
 const StudyScene := preload("res://study/study_scene.gd")
 
+const DebugOverlay := preload("res://addons/steadyhand/debug_overlay.gd")
 const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
 
 const STEP_S := 1e-3
@@ -21,6 +22,9 @@ const MOMENT := 0.6
 ## Until the trial's task is in its place; until shaders are compiled and labels laid out.
 const PLACING_FRAMES := 2
 const SETTLING_FRAMES := 5
+const OVERLAY := "res://addons/steadyhand/debug_overlay.tscn"
+## Of the motion, from one picture to the next.
+const OVERLAY_STEPS := 16
 const PREVIEW_WIDTH := 320
 const SPACE := 16
 
@@ -43,6 +47,7 @@ func _draw_all(arguments: PackedStringArray) -> void:
 	else:
 		exit_code = 0
 		await _draw_effects(out_folder)
+		await _draw_overlay(trials_folder, out_folder)
 		for gesture in Tasks.SCENES:
 			await _draw(gesture, trials_folder, out_folder)
 		for gesture in Tasks.SCENES:
@@ -52,6 +57,42 @@ func _draw_all(arguments: PackedStringArray) -> void:
 
 
 func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
+	var scene := _open_task(gesture, trials_folder, out_folder)
+	for i in PLACING_FRAMES:
+		await process_frame
+	var strip: HapticStrip = scene.get_node("Readout/Panel/Rows/Vibration")
+	var moment_m := MOMENT * scene.task.amplitude
+	while scene.gesture_hmm.value < moment_m and not scene.tracker.is_finished():
+		scene.tracker.advance(STEP_S)
+		strip.note()
+	for i in SETTLING_FRAMES:
+		await process_frame
+	_save(out_folder.path_join("scene_%s.png" % gesture), root.get_texture().get_image())
+	scene.free()
+
+
+## A simulated hand before an unsteady tracker, so that the two points are apart.
+func _draw_overlay(trials_folder: String, out_folder: String) -> void:
+	var scene := _open_task(Tasks.SCENES.keys()[0], trials_folder, out_folder)
+	(scene.get_node("Readout") as CanvasLayer).visible = false
+	var overlay := (load(OVERLAY) as PackedScene).instantiate() as DebugOverlay
+	overlay.gesture_hmm = scene.gesture_hmm
+	scene.add_child(overlay)
+	for i in PLACING_FRAMES:
+		await process_frame
+	var moment_m := MOMENT * scene.task.amplitude
+	while scene.gesture_hmm.value < moment_m and not scene.tracker.is_finished():
+		for step in OVERLAY_STEPS:
+			scene.tracker.advance(STEP_S)
+		await process_frame
+	for i in SETTLING_FRAMES:
+		await process_frame
+	_save(out_folder.path_join("overlay.png"), root.get_texture().get_image())
+	scene.free()
+
+
+## With its first trial begun.
+func _open_task(gesture: String, trials_folder: String, out_folder: String) -> TaskScene:
 	var scene: TaskScene = (load(Tasks.SCENES[gesture]) as PackedScene).instantiate()
 	scene.autoplay = false
 	scene.trial_folder = trials_folder
@@ -60,17 +101,7 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	root.add_child(scene)
 	scene.play_next()
-	for i in PLACING_FRAMES:
-		await process_frame
-	var strip: HapticStrip = scene.get_node("Readout/Panel/Rows/Vibration")
-	var moment_m := MOMENT * scene.task.amplitude
-	while scene.gesture_hmm.value < moment_m and tracker.is_running() and not tracker.is_finished():
-		tracker.advance(STEP_S)
-		strip.note()
-	for i in SETTLING_FRAMES:
-		await process_frame
-	_save(out_folder.path_join("scene_%s.png" % gesture), root.get_texture().get_image())
-	scene.free()
+	return scene
 
 
 ## A trial; for the first gesture also what comes after it.

@@ -15,6 +15,7 @@ var _random := RandomNumberGenerator.new()
 
 
 func test_each_reason_in_turn() -> void:
+	_random.seed = 1
 	var scene := load("res://addons/steadyhand/debug_overlay.tscn") as PackedScene
 	_overlay = scene.instantiate() as DebugOverlay
 	_tracker.name = "Hand"
@@ -51,7 +52,9 @@ func test_each_reason_in_turn() -> void:
 	_says("Ready: waits for a movement.")
 	_hmm.start_condition = GestureHMM.START_PINCH
 	_says("Start condition: a pinch, but the thumb is not tracked.")
-	_push(_task.position, 2, {HandTracker.JOINT_THUMB: _task.position + Vector3(0.0, 0.06, 0.0)})
+	var thumb := _task.position + Vector3(0.0, 0.06, 0.0)
+	var joints := {HandTracker.JOINT_INDEX: _task.position, HandTracker.JOINT_THUMB: thumb}
+	_tracker.push_frame(_time(), joints)
 	_says("Start condition: pinch. Thumb and index finger are 6.0 cm apart, not 2.5 cm.")
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_push(_task.position + Vector3(0.05, 0.0, 0.0), 10)
@@ -85,12 +88,10 @@ func _says(text: String) -> void:
 	check_equal(_overlay.describe_gesture(), text, text)
 
 
-func _push(place: Vector3, frames: int, others: Dictionary = {}) -> void:
+func _push(place: Vector3, frames: int) -> void:
 	for i in frames:
 		var noise := 3e-4 * Vector3(_random.randfn(), _random.randfn(), _random.randfn())
-		var joints := {HandTracker.JOINT_INDEX: place + noise}
-		joints.merge(others)
-		_tracker.push_frame(_time(), joints)
+		_tracker.push_frame(_time(), {HandTracker.JOINT_INDEX: place + noise})
 
 
 func _time() -> float:

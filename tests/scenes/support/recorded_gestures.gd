@@ -17,6 +17,7 @@ var _tracker: HandTracker
 
 func _init(tracker: HandTracker) -> void:
 	_tracker = tracker
+	_random.seed = 1
 
 
 func rest(seconds: float) -> void:

@@ -8,7 +8,7 @@ const TaskShape := preload("task_shape.gd")
 
 func _init() -> void:
 	create_material("way", Color(0.2, 0.75, 1.0))
-	create_material("start", Color(0.2, 0.75, 1.0, 0.3))
+	create_material("start", Color(0.2, 0.75, 1.0, 0.5))
 
 
 func _get_gizmo_name() -> String:

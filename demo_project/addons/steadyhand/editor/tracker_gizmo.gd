@@ -6,7 +6,7 @@ const TrackerShape := preload("tracker_shape.gd")
 
 
 func _init() -> void:
-	create_material("range", Color(0.45, 0.95, 0.75, 0.8))
+	create_material("range", Color(0.45, 0.95, 0.75))
 
 
 func _get_gizmo_name() -> String:

@@ -18,7 +18,7 @@ const TakeSet := preload("take_set.gd")
 const TrackCurves := preload("track_curves.gd")
 
 const HEIGHT := 280.0
-const RECORD_WIDTH := 220.0
+const RECORD_WIDTH := 200.0
 const COUNT_EVERY_S := 1.0
 
 ## Null while no gesture is open.
@@ -62,9 +62,15 @@ func _init() -> void:
 	_model_panel.compare_pressed.connect(compare)
 	_model_panel.save_chosen.connect(save)
 	_record_panel.custom_minimum_size.x = RECORD_WIDTH * EditorInterface.get_editor_scale()
+	# Of a window that is too narrow.
+	var scroll := ScrollContainer.new()
+	scroll.vertical_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	scroll.set_anchors_preset(Control.PRESET_FULL_RECT)
+	add_child(scroll)
 	var columns := HSplitContainer.new()
-	columns.set_anchors_preset(Control.PRESET_FULL_RECT)
-	add_child(columns)
+	columns.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	columns.size_flags_vertical = Control.SIZE_EXPAND_FILL
+	scroll.add_child(columns)
 	columns.add_child(_record_panel)
 	var right := HSplitContainer.new()
 	columns.add_child(right)

@@ -5,6 +5,7 @@ extends Control
 
 const PlotArea := preload("plot_area.gd")
 
+const WIDTH := 220.0
 const HEIGHT := 120.0
 const SPREAD_OPACITY := 0.25
 const ELEMENT_POINTS := 24
@@ -18,7 +19,7 @@ var _recordings: Array[Dictionary] = []
 
 
 func _init() -> void:
-	custom_minimum_size = Vector2(0.0, HEIGHT * EditorInterface.get_editor_scale())
+	custom_minimum_size = Vector2(WIDTH, HEIGHT) * EditorInterface.get_editor_scale()
 	clip_contents = true
 
 

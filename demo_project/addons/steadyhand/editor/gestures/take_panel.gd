@@ -10,9 +10,10 @@ const TakeSet := preload("take_set.gd")
 const TakeView := preload("take_view.gd")
 const TrackCurves := preload("track_curves.gd")
 
-const COLUMN_WIDTH := 64.0
-const VIEW_WIDTH := 160.0
+const VIEW_WIDTH := 140.0
 const TITLES: Array[String] = ["Take", "Time (s)", "Way (cm)", "R²"]
+const WIDTHS: Array[float] = [70.0, 58.0, 64.0, 52.0]
+const SCROLL_BAR_WIDTH := 14.0
 
 var view := TakeView.new()
 
@@ -34,11 +35,12 @@ func _init() -> void:
 	for column in TITLES.size():
 		_list.set_column_title(column, TITLES[column])
 		_list.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
-		var width := COLUMN_WIDTH * EditorInterface.get_editor_scale()
+		var width := WIDTHS[column] * EditorInterface.get_editor_scale()
 		_list.set_column_custom_minimum_width(column, int(width))
+		_list.custom_minimum_size.x += width
 	_list.size_flags_vertical = SIZE_EXPAND_FILL
-	var list_width := (TITLES.size() + 0.5) * COLUMN_WIDTH
-	_list.custom_minimum_size.x = list_width * EditorInterface.get_editor_scale()
+	_list.custom_minimum_size.x += SCROLL_BAR_WIDTH * EditorInterface.get_editor_scale()
+	_list.scroll_horizontal_enabled = false
 	_list.multi_selected.connect(func(_i: TreeItem, _c: int, _s: bool) -> void: _show_selected())
 	_list.gui_input.connect(_on_list_input)
 	left.add_child(_list)
