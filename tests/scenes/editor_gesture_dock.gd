@@ -22,7 +22,7 @@ func test_a_gesture_of_ones_own() -> void:
 	check(dock.start_recording(), "it records: %s" % dock.get_message())
 	var hand := RecordedGestures.new(dock.get_recorder().get_tracker())
 	hand.repeat(WAY, 8)
-	check(dock.get_recorder().describe().begins_with("Hand tracked, 90 Hz"), "live state")
+	check(dock.get_recorder().describe(null).begins_with("Hand tracked, 90 Hz"), "live state")
 	dock.stop_recording()
 	check_equal(dock.takes.rows.size(), 8, "each movement is a take, the way back is none")
 	for row in dock.takes.rows:

@@ -19,6 +19,8 @@ const TrackCurves := preload("track_curves.gd")
 
 const HEIGHT := 280.0
 const RECORD_WIDTH := 200.0
+## Of the width that the model has.
+const TAKES_STRETCH := 1.3
 const COUNT_EVERY_S := 1.0
 
 ## Null while no gesture is open.
@@ -77,6 +79,7 @@ func _init() -> void:
 	for panel: Control in [_take_panel, _model_panel]:
 		panel.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 		right.add_child(panel)
+	_take_panel.size_flags_stretch_ratio = TAKES_STRETCH
 
 
 func _ready() -> void:
@@ -259,7 +262,7 @@ func _process(delta: float) -> void:
 		_counted_s = 0.0
 		var so_far := TrackCurves.read(_recorder.path)
 		_movements = Movements.find(so_far, _record_panel.shape).size()
-	_record_panel.show_state(_recorder.describe(), hint(), true)
+	_show_state()
 	_take_panel.view.show_trace(_recorder.trace_times, _recorder.trace_points)
 
 
@@ -318,4 +321,9 @@ func _update() -> void:
 	_model_panel.show_state(
 		has_takes, model != null, _training.is_training(), _comparison.is_comparing()
 	)
-	_record_panel.show_state(_recorder.describe(), hint(), _recorder.is_recording())
+	_show_state()
+
+
+func _show_state() -> void:
+	var state := _recorder.describe(_record_panel.tracker())
+	_record_panel.show_state(state, hint(), _recorder.is_recording())

@@ -57,10 +57,11 @@ func is_recording() -> bool:
 	return _tracker.is_running()
 
 
-## Such as "Hand tracked, 90 Hz, noise 0.3 mm".
-func describe() -> String:
+## Such as "Hand tracked, 90 Hz, noise 0.3 mm". `scene_tracker`: what is chosen, or null.
+func describe(scene_tracker: HandTracker) -> String:
 	if not is_recording():
-		return "Not recording"
+		var has_source := scene_tracker != null and scene_tracker.source != null
+		return "%s, closed" % scene_tracker.source.get_class() if has_source else "No source"
 	if _tracker.frame_rate <= 0.0:
 		return "Waiting for the tracker's first frames"
 	var text := "Hand tracked" if _tracker.is_hand_tracked() else "No hand in view"

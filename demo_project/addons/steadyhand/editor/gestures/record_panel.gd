@@ -81,10 +81,7 @@ func list_trackers(scene_root: Node) -> void:
 	if scene_root != null:
 		_collect(scene_root)
 	for one in _trackers:
-		var source := "no source"
-		if one.source != null:
-			source = one.source.get_class()
-		_tracker.add_item("%s (%s)" % [one.name, source])
+		_tracker.add_item(one.name)
 	_tracker.disabled = _trackers.is_empty()
 	choose_tracker(chosen)
 
