@@ -25,7 +25,7 @@ class GestureTrainer : public RefCounted {
 	std::atomic<bool> is_training_ = false;
 	std::atomic<bool> cancelled_ = false;
 	std::vector<steadyhand::NormalisedRecording> recordings_; ///< of the last training
-	String error_message_; ///< of the last training
+	String error_message_;                                    ///< of the last training
 
 	Ref<GestureModel> train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
 	/// Null.

@@ -3,6 +3,7 @@ extends CanvasLayer
 ## starts; and in the scene the measured fingertip beside the motion that is put out. Add
 ## debug_overlay.tscn to a scene and set `gesture_hmm`, or `tracker` alone.
 
+const EditorLink := preload("debug_overlay/editor_link.gd")
 const IdleReason := preload("debug_overlay/idle_reason.gd")
 const MotionStrip := preload("debug_overlay/motion_strip.gd")
 const ScenePoints := preload("debug_overlay/scene_points.gd")
@@ -25,6 +26,11 @@ var _reason := IdleReason.new()
 @onready var _progress: ProgressBar = $Panel/Rows/Progress
 @onready var _strip: MotionStrip = $Panel/Rows/Strip
 @onready var _points: ScenePoints = $Points
+@onready var _link: EditorLink = $EditorLink
+
+
+func _ready() -> void:
+	_link.follow(_followed)
 
 
 func _process(delta: float) -> void:
@@ -108,3 +114,5 @@ func _follow() -> void:
 	_followed = wanted
 	if _followed != null:
 		_reason.follow(_followed)
+	if is_node_ready():
+		_link.follow(_followed)

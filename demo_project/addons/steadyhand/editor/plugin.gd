@@ -3,6 +3,7 @@ extends EditorPlugin
 ## What the add-on adds to the editor. The nodes work without it.
 
 const EffectInspector := preload("effect_inspector.gd")
+const GameLink := preload("gestures/game_link.gd")
 const GestureDock := preload("gestures/gesture_dock.gd")
 const TaskGizmo := preload("task_gizmo.gd")
 const TrackerGizmo := preload("tracker_gizmo.gd")
@@ -10,6 +11,7 @@ const TrackerGizmo := preload("tracker_gizmo.gd")
 var _inspector := EffectInspector.new()
 var _task_gizmo := TaskGizmo.new()
 var _tracker_gizmo := TrackerGizmo.new()
+var _game_link := GameLink.new()
 var _dock: GestureDock = null
 
 
@@ -19,12 +21,15 @@ func _enter_tree() -> void:
 	add_node_3d_gizmo_plugin(_tracker_gizmo)
 	_dock = GestureDock.new()
 	_dock.undo_redo = get_undo_redo()
+	_dock.set_game_link(_game_link)
+	add_debugger_plugin(_game_link)
 	add_control_to_bottom_panel(_dock, "Gestures")
 	_dock.visibility_changed.connect(_show_scene)
 	scene_changed.connect(_dock.set_scene)
 
 
 func _exit_tree() -> void:
+	remove_debugger_plugin(_game_link)
 	remove_control_from_bottom_panel(_dock)
 	_dock.queue_free()
 	remove_node_3d_gizmo_plugin(_tracker_gizmo)

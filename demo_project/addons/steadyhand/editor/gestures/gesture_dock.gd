@@ -6,22 +6,20 @@ extends Control
 signal training_finished
 signal comparison_finished
 
+const GameLink := preload("game_link.gd")
 const HandRecorder := preload("hand_recorder.gd")
 const ModelComparison := preload("model_comparison.gd")
 const ModelPanel := preload("model_panel.gd")
 const ModelTraining := preload("model_training.gd")
-const Movements := preload("movements.gd")
 const NextStep := preload("next_step.gd")
 const RecordPanel := preload("record_panel.gd")
 const TakePanel := preload("take_panel.gd")
 const TakeSet := preload("take_set.gd")
-const TrackCurves := preload("track_curves.gd")
 
 const HEIGHT := 280.0
 const RECORD_WIDTH := 200.0
 ## Of the width that the model has.
 const TAKES_STRETCH := 1.3
-const COUNT_EVERY_S := 1.0
 
 ## Null while no gesture is open.
 var takes: TakeSet = null
@@ -37,10 +35,8 @@ var _comparison := ModelComparison.new()
 var _record_panel := RecordPanel.new()
 var _take_panel := TakePanel.new()
 var _model_panel := ModelPanel.new()
+var _scene_root: Node = null
 var _saved_to := ""
-## Of the recording under way.
-var _movements := 0
-var _counted_s := 0.0
 
 
 func _init() -> void:
@@ -88,16 +84,19 @@ func _ready() -> void:
 	_update()
 
 
+## A game that runs from this editor may be recorded from, too.
+func set_game_link(link: GameLink) -> void:
+	_recorder.set_game_link(link)
+	link.game_started.connect(_on_game_changed)
+	link.game_ended.connect(_on_game_changed.bind(""))
+
+
 ## The HandTrackers of `scene_root` may be recorded from; null: there is no scene.
 func set_scene(scene_root: Node) -> void:
+	_scene_root = scene_root
 	if not _recorder.is_recording():
 		_record_panel.list_trackers(scene_root)
 		_update()
-
-
-func choose_tracker(tracker: HandTracker) -> void:
-	_record_panel.choose_tracker(tracker)
-	_update()
 
 
 ## Its takes, and those of a recording that was under way when the editor closed.
@@ -111,6 +110,7 @@ func open_gesture(gesture: String) -> void:
 	_say("" if gesture.is_empty() else fault)
 	if fault.is_empty():
 		takes = TakeSet.new(gesture, root_folder)
+		takes.undo_redo = undo_redo
 		takes.changed.connect(_on_takes_changed)
 		_say(takes.error)
 		var recovered := takes.recover(_record_panel.shape)
@@ -135,14 +135,12 @@ func start_recording() -> bool:
 	if takes == null:
 		_say(TakeSet.name_fault(_record_panel.gesture()))
 		return false
-	var error := HandRecorder.advice_for(_record_panel.tracker())
+	var error := _advice()
 	if error.is_empty():
 		var path := takes.begin_recording()
 		error = takes.error
 		if error.is_empty():
 			error = _recorder.begin(_record_panel.tracker(), path, takes.rows.size())
-	_movements = 0
-	_counted_s = 0.0
 	_say(error)
 	_update()
 	return error.is_empty()
@@ -157,7 +155,7 @@ func stop_recording() -> void:
 	_say(takes.error)
 	_record_panel.list_gestures(TakeSet.list(root_folder))
 	if not found.is_empty():
-		_change_takes("Record %d Takes of %s" % [found.size(), takes.gesture], takes.rows + found)
+		takes.change("Record %d Takes of %s" % [found.size(), takes.gesture], takes.rows + found)
 		_take_panel.select(takes.rows.size() - 1)
 	else:
 		_take_panel.show_takes(takes)
@@ -170,7 +168,7 @@ func trim_take(take: int, start_s: float, end_s: float) -> void:
 	if rows.is_empty():
 		_take_panel.show_takes(takes)
 	else:
-		_change_takes("Trim Take %s" % takes.rows[take]["trial"], rows)
+		takes.change("Trim Take %s" % takes.rows[take]["trial"], rows)
 
 
 ## Where the movement itself begins and ends.
@@ -184,7 +182,7 @@ func delete_takes(which: PackedInt32Array) -> void:
 	for i in takes.rows.size():
 		if i not in which:
 			rows.append(takes.rows[i])
-	_change_takes("Delete %d Takes of %s" % [which.size(), takes.gesture], rows)
+	takes.change("Delete %d Takes of %s" % [which.size(), takes.gesture], rows)
 
 
 ## Emits `training_finished`.
@@ -227,9 +225,8 @@ func save(path: String) -> Error:
 ## What to do next.
 func hint() -> String:
 	if _recorder.is_recording():
-		return NextStep.while_recording(_movements)
-	var name_so_far := _record_panel.gesture()
-	return NextStep.of(_record_panel.tracker(), name_so_far, takes, model, _saved_to)
+		return NextStep.while_recording(_recorder.count_movements(_record_panel.shape))
+	return NextStep.of(_advice(), _record_panel.gesture(), takes, model, _saved_to)
 
 
 ## What the panel says is wrong; empty where nothing is.
@@ -246,34 +243,30 @@ func get_recorder() -> HandRecorder:
 	return _recorder
 
 
-func show_model() -> void:
-	_model_panel.show_tab(_model_panel.view)
-
-
 func select_take(take: int) -> void:
 	_take_panel.select(take)
 
 
-func _process(delta: float) -> void:
+func _process(_delta: float) -> void:
 	if not _recorder.is_recording():
 		return
-	_counted_s += delta
-	if _counted_s > COUNT_EVERY_S:
-		_counted_s = 0.0
-		var so_far := TrackCurves.read(_recorder.path)
-		_movements = Movements.find(so_far, _record_panel.shape).size()
 	_show_state()
 	_take_panel.view.show_trace(_recorder.trace_times, _recorder.trace_points)
 
 
-func _change_takes(title: String, rows: Array[Dictionary]) -> void:
-	if undo_redo == null:
-		takes.set_rows(rows)
-		return
-	undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, takes)
-	undo_redo.add_do_method(takes, &"set_rows", rows)
-	undo_redo.add_undo_method(takes, &"set_rows", takes.rows)
-	undo_redo.commit_action()
+## Why nothing can be recorded, and what to do; empty where it can.
+func _advice() -> String:
+	if _record_panel.is_game_chosen():
+		return ""
+	return HandRecorder.advice_for(_record_panel.tracker())
+
+
+func _on_game_changed(tracker_name: String) -> void:
+	stop_recording()
+	if not is_instance_valid(_scene_root):
+		_scene_root = null
+	_record_panel.show_game(tracker_name, _scene_root)
+	_update()
 
 
 func _on_gesture_chosen(gesture: String) -> void:
@@ -326,4 +319,6 @@ func _update() -> void:
 
 func _show_state() -> void:
 	var state := _recorder.describe(_record_panel.tracker())
+	if _record_panel.is_game_chosen() and not _recorder.is_recording():
+		state = "The game runs"
 	_record_panel.show_state(state, hint(), _recorder.is_recording())

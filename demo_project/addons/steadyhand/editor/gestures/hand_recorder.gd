@@ -6,8 +6,14 @@ extends Node
 signal finished
 signal failed(reason: String)
 
+const GameLink := preload("game_link.gd")
+const Movements := preload("movements.gd")
+const TrackCurves := preload("track_curves.gd")
+
 ## What is shown of the last frames, s.
 const TRACE_S := 8.0
+const COUNT_EVERY_S := 1.0
+const RUN_GAME := "Add debug_overlay.tscn to the scene, set its tracker, and run the scene."
 
 ## m and s, of the index tip; INF where it is not tracked.
 var trace_points := PackedVector3Array()
@@ -15,6 +21,10 @@ var trace_times := PackedFloat64Array()
 var path := ""
 
 var _tracker := HandTracker.new()
+var _game_link: GameLink = null
+var _is_game := false
+var _counted_at_s := 0.0
+var _movements := 0
 
 
 func _init() -> void:
@@ -25,16 +35,30 @@ func _init() -> void:
 	add_child(_tracker)
 
 
-## Opens the source of `scene_tracker` and records to `to_path`. `take`: a simulated person makes
-## another execution for each. Returns why it cannot, and what to do; empty where it records.
+func set_game_link(link: GameLink) -> void:
+	_game_link = link
+	link.frame_received.connect(_on_game_frame)
+
+
+## Opens the source of `scene_tracker`, or listens to the running game if that is null, and records
+## to `to_path`. `take`: a simulated person makes another execution for each. Returns why it cannot,
+## and what to do; empty where it records.
 func begin(scene_tracker: HandTracker, to_path: String, take: int) -> String:
-	var advice := advice_for(scene_tracker)
-	if not advice.is_empty():
-		return advice
+	_is_game = scene_tracker == null
+	var source := ScriptSource.new() if _is_game else _own_source(scene_tracker, take)
+	var error := _open(source, to_path)
+	if error.is_empty() and _is_game:
+		_game_link.record(true)
+	return error
+
+
+func _open(source: HandSource, to_path: String) -> String:
 	trace_points.clear()
 	trace_times.clear()
-	_tracker.source = _own_source(scene_tracker, take)
+	_tracker.source = source
 	path = to_path
+	_movements = 0
+	_counted_at_s = 0.0
 	var began := _tracker.start_recording(path)
 	if began == OK:
 		began = _tracker.start()
@@ -45,6 +69,8 @@ func begin(scene_tracker: HandTracker, to_path: String, take: int) -> String:
 
 
 func end() -> void:
+	if _is_game:
+		_game_link.record(false)
 	_tracker.stop_recording()
 	_tracker.stop()
 
@@ -55,6 +81,15 @@ func get_tracker() -> HandTracker:
 
 func is_recording() -> bool:
 	return _tracker.is_running()
+
+
+## Of the recording so far, as its file has it: counted anew every second.
+func count_movements(shape: Movements.Shape) -> int:
+	var now_s := 1e-3 * Time.get_ticks_msec()
+	if now_s - _counted_at_s > COUNT_EVERY_S:
+		_counted_at_s = now_s
+		_movements = Movements.find(TrackCurves.read(path), shape).size()
+	return _movements
 
 
 ## Such as "Hand tracked, 90 Hz, noise 0.3 mm". `scene_tracker`: what is chosen, or null.
@@ -80,10 +115,7 @@ static func advice_for(scene_tracker: HandTracker) -> String:
 	if source == null:
 		return "Set the source of '%s', for example to a LeapSource." % scene_tracker.name
 	if source is XRSource:
-		return (
-			"An XRSource has frames only in a running game. Record there with "
-			+ "HandTracker.start_recording(), and play the file here with a RecordedSource."
-		)
+		return "An XRSource has frames only in a running game. " + RUN_GAME
 	var script := source.get_script() as Script
 	if script != null and not script.is_tool():
 		return "Put @tool at the top of %s: it has to run in the editor." % script.resource_path
@@ -101,6 +133,11 @@ func _own_source(scene_tracker: HandTracker, take: int) -> HandSource:
 		if task != null:
 			own.place_at(task)
 	return own
+
+
+func _on_game_frame(time_s: float, joints: Dictionary, confidence: float) -> void:
+	if is_recording() and _is_game:
+		_tracker.push_frame(time_s, joints, confidence)
 
 
 func _on_frame(frame: HandFrame) -> void:

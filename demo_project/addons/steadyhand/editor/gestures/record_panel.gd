@@ -23,7 +23,9 @@ var _shape := OptionButton.new()
 var _record := Button.new()
 var _state := Label.new()
 var _hint := Label.new()
+## Null: the running game's.
 var _trackers: Array[HandTracker] = []
+var _game_tracker := ""
 
 
 func _init() -> void:
@@ -76,27 +78,44 @@ func list_gestures(gestures: PackedStringArray) -> void:
 
 func list_trackers(scene_root: Node) -> void:
 	var chosen := tracker()
+	var had_game := is_game_chosen()
 	_trackers = []
-	_tracker.clear()
 	if scene_root != null:
 		_collect(scene_root)
+	if not _game_tracker.is_empty():
+		_trackers.append(null)
+	_tracker.clear()
 	for one in _trackers:
-		_tracker.add_item(one.name)
+		_tracker.add_item(one.name if one != null else "%s (running game)" % _game_tracker)
 	_tracker.disabled = _trackers.is_empty()
-	choose_tracker(chosen)
+	if had_game or chosen != null:
+		choose_tracker(chosen)
 
 
+## `tracker_name`: empty when the game ends. A game is chosen when it starts.
+func show_game(tracker_name: String, scene_root: Node) -> void:
+	_game_tracker = tracker_name
+	list_trackers(scene_root)
+	if not tracker_name.is_empty():
+		choose_tracker(null)
+
+
+## Null: the running game's.
 func choose_tracker(wanted: HandTracker) -> void:
 	if wanted in _trackers:
 		_tracker.select(_trackers.find(wanted))
 
 
-## Null where the scene has none.
+## Null where the scene has none, and for the running game's.
 func tracker() -> HandTracker:
 	var index := _tracker.selected
 	if index < 0 or index >= _trackers.size() or not is_instance_valid(_trackers[index]):
 		return null
 	return _trackers[index]
+
+
+func is_game_chosen() -> bool:
+	return not _game_tracker.is_empty() and _tracker.selected == _trackers.size() - 1
 
 
 func gesture() -> String:

@@ -30,6 +30,8 @@ var folder := ""
 var rows: Array[Dictionary] = []
 ## Why the last operation failed, and what to do; empty where it did not.
 var error := ""
+## The editor's, or null: then nothing can be undone.
+var undo_redo: EditorUndoRedoManager = null
 
 var _curves: Dictionary[String, TrackCurves] = {}
 
@@ -116,6 +118,17 @@ func recover(shape: Movements.Shape) -> Array[Dictionary]:
 			if file.ends_with(UNFINISHED):
 				found.append_array(finish_recording(folder.path_join(file), shape))
 	return found
+
+
+## As set_rows(), and can be undone.
+func change(title: String, new_rows: Array[Dictionary]) -> void:
+	if undo_redo == null:
+		set_rows(new_rows)
+		return
+	undo_redo.create_action(title, UndoRedo.MERGE_DISABLE, self)
+	undo_redo.add_do_method(self, &"set_rows", new_rows)
+	undo_redo.add_undo_method(self, &"set_rows", rows)
+	undo_redo.commit_action()
 
 
 ## Replaces the takes, and writes the table.
