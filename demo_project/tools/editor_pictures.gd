@@ -4,7 +4,8 @@ extends SceneTree
 ##     --out DIR
 ##
 ## Pictures of what the add-on adds to the editor: DIR/editor_dock.png, the panel with simulated
-## takes of a circle; DIR/editor_gizmos.png, a task and the range of a tracker.
+## takes of a circle; DIR/editor_recording.png, while it records, after a comparison;
+## DIR/editor_gizmos.png, a task and the range of a tracker.
 
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
@@ -13,6 +14,7 @@ const SIZE := Vector2i(1920, 1080)
 const GESTURE := &"circle"
 const TAKES := 8
 const LONGEST_TAKE_S := 30.0
+const RECORDED_S := 7.0
 const ZOOM_STEPS := 18
 ## The editor shows how far it has zoomed for so long.
 const ZOOM_BAR_S := 2.0
@@ -63,6 +65,14 @@ func _draw_dock(dock: GestureDock) -> void:
 	await dock.training_finished
 	await _settle()
 	_save("editor_dock.png", dock.get_global_rect())
+	dock.compare()
+	await dock.comparison_finished
+	source.loop = true
+	dock.start_recording()
+	dock.get_recorder().get_tracker().advance(RECORDED_S)
+	await _settle()
+	_save("editor_recording.png", dock.get_global_rect())
+	dock.stop_recording()
 	dock.set_scene(null)
 	scene.free()
 

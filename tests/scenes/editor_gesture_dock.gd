@@ -2,6 +2,7 @@ extends "support/editor_test.gd"
 ## The editor's "Gestures" panel, from a recording to a model that recognises the gesture.
 
 const ModelComparison := preload("res://addons/steadyhand/editor/gestures/model_comparison.gd")
+const TakeView := preload("res://addons/steadyhand/editor/gestures/take_view.gd")
 const RecordedGestures := preload("support/recorded_gestures.gd")
 
 const WAY := Vector3(0.15, 0.2, 0.0)
@@ -69,6 +70,29 @@ func test_trim_and_delete_are_undone() -> void:
 	undo.undo()
 	undo.undo()
 	check_equal(dock.takes.rows[1]["start_s"], recorded[1]["start_s"], "the trim is undone")
+	_close_scene(scene)
+
+
+func test_an_edge_is_dragged() -> void:
+	var scene := _open_scene(ScriptSource.new())
+	EditorPlugin.new().make_bottom_panel_item_visible(dock)
+	dock.open_gesture("dragged")
+	dock.start_recording()
+	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 1)
+	dock.stop_recording()
+	var row := dock.takes.rows[0]
+	var view: TakeView = null
+	for control in dock.find_children("*", "Control", true, false):
+		view = control as TakeView if control is TakeView else view
+	for frame in 3:
+		await process_frame
+	var edge := view.get_edge(1)
+	_drag(view, edge, edge - 0.1 * view.size.x)
+	var end_s: float = dock.takes.rows[0]["end_s"]
+	check(end_s < row["end_s"] and end_s > row["start_s"], "the end is earlier: %s" % end_s)
+	check_equal(dock.takes.rows[0]["start_s"], row["start_s"], "the start is as it was")
+	_drag(view, view.get_edge(0), 2.0 * view.size.x)
+	check(dock.takes.rows[0]["start_s"] < end_s, "the start stays before the end")
 	_close_scene(scene)
 
 
@@ -156,6 +180,19 @@ func test_a_scene_that_is_edited_opens_nothing() -> void:
 	tracker.source = SyntheticSource.new()
 	# expects error: nothing is opened in a scene that is edited
 	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")
+
+
+func _drag(view: TakeView, from_x: float, to_x: float) -> void:
+	var click := InputEventMouseButton.new()
+	click.button_index = MOUSE_BUTTON_LEFT
+	click.pressed = true
+	click.position = Vector2(from_x, 50.0)
+	view._gui_input(click)
+	var motion := InputEventMouseMotion.new()
+	motion.position = Vector2(to_x, 50.0)
+	view._gui_input(motion)
+	click.pressed = false
+	view._gui_input(click)
 
 
 func _open_scene(source: HandSource) -> Node:

@@ -2,6 +2,7 @@
 extends VBoxContainer
 ## How often the takes of each gesture were recognised as which: a row for each gesture made.
 
+const NONE := "none"
 const TITLE := "made \\ recognised"
 
 var table := {}
@@ -35,7 +36,8 @@ func show_table(counts: Dictionary, left_out: PackedStringArray) -> void:
 		var item := _grid.create_item()
 		item.set_text(0, made)
 		for i in columns.size():
-			_fill(item, i + 1, counts[made][columns[i]], columns[i] == made)
+			var expected := NONE if made in left_out else made
+			_fill(item, i + 1, counts[made][columns[i]], columns[i] == expected)
 	var notes := PackedStringArray()
 	if counts.is_empty():
 		notes.append("There are no takes to compare.")

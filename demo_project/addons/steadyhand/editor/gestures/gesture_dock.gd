@@ -174,7 +174,7 @@ func trim_take(take: int, start_s: float, end_s: float) -> void:
 ## Where the movement itself begins and ends.
 func propose_trim(take: int) -> void:
 	var trim := takes.proposed_trim(take)
-	trim_take(take, trim.x, trim.y)
+	trim_take(take, trim[0], trim[1])
 
 
 func delete_takes(which: PackedInt32Array) -> void:
@@ -188,7 +188,7 @@ func delete_takes(which: PackedInt32Array) -> void:
 ## Emits `training_finished`.
 func train() -> void:
 	if takes == null or takes.rows.is_empty():
-		_say("Record some takes first.")
+		_say_of_model("Record some takes first.")
 		training_finished.emit.call_deferred()
 		return
 	_say("")
@@ -214,10 +214,11 @@ func save(path: String) -> Error:
 	var saved := ResourceSaver.save(model, path)
 	if saved == OK:
 		_saved_to = path
+		model.take_over_path(path)
 		_say("")
 		EditorInterface.get_resource_filesystem().scan()
 	else:
-		_say("%s cannot be written: %s." % [path, error_string(saved)])
+		_say_of_model("%s cannot be written: %s." % [path, error_string(saved)])
 	_update()
 	return saved
 
@@ -231,7 +232,8 @@ func hint() -> String:
 
 ## What the panel says is wrong; empty where nothing is.
 func get_message() -> String:
-	return _model_panel.get_message()
+	var text := _record_panel.get_message()
+	return _model_panel.get_message() if text.is_empty() else text
 
 
 ## As MotionMetrics.confusion(), of the last comparison.
@@ -292,7 +294,7 @@ func _on_trained(trained: GestureModel) -> void:
 		_model_panel.file_name = model.gesture
 		_model_panel.view.show_model(model, _training.recordings)
 		_model_panel.show_tab(_model_panel.view)
-	_say(_training.error)
+	_say_of_model(_training.error)
 	_take_panel.mark(_training.recordings)
 	_update()
 	training_finished.emit()
@@ -305,7 +307,15 @@ func _on_compared(table: Dictionary) -> void:
 	comparison_finished.emit()
 
 
+## About the takes, below the button that records.
 func _say(text: String) -> void:
+	_record_panel.show_message(text)
+	_model_panel.show_message("")
+
+
+## About the model, above its curve.
+func _say_of_model(text: String) -> void:
+	_record_panel.show_message("")
 	_model_panel.show_message(text)
 
 

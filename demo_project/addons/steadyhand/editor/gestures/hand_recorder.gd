@@ -102,7 +102,7 @@ func describe(scene_tracker: HandTracker) -> String:
 	var text := "Hand tracked" if _tracker.is_hand_tracked() else "No hand in view"
 	text += ", %.0f Hz" % _tracker.frame_rate
 	if is_finite(_tracker.noise):
-		text += ", noise %.1f mm" % (1e3 * _tracker.noise)
+		text += ", noise %.2f mm" % (1e3 * _tracker.noise)
 	var faults := _tracker.dropout_count + _tracker.freeze_count + _tracker.jump_count
 	return text if faults == 0 else text + ", %d faults" % faults
 

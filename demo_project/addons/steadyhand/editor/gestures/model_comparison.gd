@@ -102,7 +102,7 @@ static func project_models(folder: String = "res://") -> Array[GestureModel]:
 		return models
 	for file in DirAccess.get_files_at(folder):
 		if file.get_extension() == "gesture":
-			models = _with(load(folder.path_join(file)) as GestureModel, models)
+			models = _with(GestureModel.load_file(folder.path_join(file)), models)
 	for child in DirAccess.get_directories_at(folder):
 		if not child.begins_with("."):
 			for model in project_models(folder.path_join(child)):

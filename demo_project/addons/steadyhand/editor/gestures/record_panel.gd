@@ -23,6 +23,7 @@ var _shape := OptionButton.new()
 var _record := Button.new()
 var _state := Label.new()
 var _hint := Label.new()
+var _message := Label.new()
 ## Null: the running game's.
 var _trackers: Array[HandTracker] = []
 var _game_tracker := ""
@@ -63,7 +64,7 @@ func _init() -> void:
 		fields.add_child(controls[i])
 	_record.pressed.connect(func() -> void: record_pressed.emit())
 	add_child(_record)
-	for label: Label in [_state, _hint]:
+	for label: Label in [_state, _hint, _message]:
 		label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 		label.custom_minimum_size.x = 1.0
 		add_child(label)
@@ -135,6 +136,16 @@ func show_state(state: String, hint: String, is_recording: bool) -> void:
 		control.disabled = is_recording
 	if is_inside_tree():
 		_record.icon = get_theme_icon(&"Stop" if is_recording else &"AutoKey", &"EditorIcons")
+
+
+## What is wrong with the recording; empty: nothing.
+func show_message(text: String) -> void:
+	_message.text = text
+	_message.visible = not text.is_empty()
+
+
+func get_message() -> String:
+	return _message.text
 
 
 func _notification(what: int) -> void:

@@ -143,7 +143,7 @@ func _show_selected() -> void:
 	)
 	for i in curve.size():
 		curve[i] *= row["amplitude_m"]
-	view.show_take(curve, curves.start_s, Vector2(row["start_s"], row["end_s"]))
+	view.show_take(curve, curves.start_s, [row["start_s"], row["end_s"]])
 
 
 func _on_list_input(event: InputEvent) -> void:

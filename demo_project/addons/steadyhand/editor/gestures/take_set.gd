@@ -153,15 +153,15 @@ func trimmed(take: int, start_s: float, end_s: float) -> Array[Dictionary]:
 	return changed_rows
 
 
-## The trim that the movement itself proposes: x is start_s, y is end_s.
-func proposed_trim(take: int) -> Vector2:
+## The trim that the movement itself proposes: start_s and end_s.
+func proposed_trim(take: int) -> PackedFloat64Array:
 	var curves := curves_of(take)
 	var row := rows[take]
 	var middle_s: float = 0.5 * (row["start_s"] + row["end_s"])
-	var best := Vector2(row["start_s"], row["end_s"])
+	var best := PackedFloat64Array([row["start_s"], row["end_s"]])
 	for found in Movements.find_all(curves, Movements.shape_of(curves, row)):
 		if found["start_s"] <= middle_s and found["end_s"] >= middle_s:
-			best = Vector2(found["start_s"], found["end_s"])
+			best = PackedFloat64Array([found["start_s"], found["end_s"]])
 	return best
 
 

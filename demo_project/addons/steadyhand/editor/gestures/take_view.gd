@@ -14,12 +14,15 @@ const GRIP_WIDTH := 8.0
 const SHADE_OPACITY := 0.1
 const AROUND := 0.08
 const SHORTEST_S := 0.05
+## Of the hand while it is recorded.
+const SHOWN_S := 8.0
 
 var message := ""
 
 var _curve := PackedFloat64Array()
 var _start_s := 0.0
-var _trim := Vector2.ZERO
+## Start and end of the movement, s, on the track's clock.
+var _trim := PackedFloat64Array([0.0, 0.0])
 var _trace_times := PackedFloat64Array()
 var _trace_points := PackedVector3Array()
 ## -1: no end is dragged; 0 the start, 1 the end.
@@ -33,7 +36,7 @@ func _init() -> void:
 
 
 ## `curve`: m at TrackCurves.RATE_HZ from `start_s` on. `trim`: start and end of the movement, s.
-func show_take(curve: PackedFloat64Array, start_s: float, trim: Vector2) -> void:
+func show_take(curve: PackedFloat64Array, start_s: float, trim: PackedFloat64Array) -> void:
 	_curve = curve
 	_start_s = start_s
 	_trim = trim
@@ -50,7 +53,12 @@ func show_trace(times: PackedFloat64Array, points: PackedVector3Array) -> void:
 
 func show_message(text: String) -> void:
 	message = text
-	show_take(PackedFloat64Array(), 0.0, Vector2.ZERO)
+	show_take(PackedFloat64Array(), 0.0, [0.0, 0.0])
+
+
+## Where the edge of the movement is drawn, pixels. 0: its start, 1: its end.
+func get_edge(side: int) -> float:
+	return _plot.place(_trim[side] - _start_s, 0.0).x
 
 
 func _draw() -> void:
@@ -77,8 +85,8 @@ func _draw_take() -> void:
 		points.append(plot.place(i / TrackCurves.RATE_HZ, 100.0 * _curve[i]))
 	var text_colour := get_theme_color(&"font_color", &"Label")
 	plot.draw_curve(points, Color(text_colour, 0.35), 1.5)
-	var first := clampi(_point_of(_trim.x), 0, points.size() - 1)
-	var last := clampi(_point_of(_trim.y), first, points.size() - 1)
+	var first := clampi(_point_of(_trim[0]), 0, points.size() - 1)
+	var last := clampi(_point_of(_trim[1]), first, points.size() - 1)
 	var left := points[first].x
 	var right := points[last].x
 	var shown := Rect2(left, plot.rect.position.y, right - left, plot.rect.size.y)
@@ -103,20 +111,21 @@ func _draw_trace() -> void:
 			has_box = true
 	var last := _trace_times[-1]
 	var span := maxf(100.0 * box.get_longest_axis_size(), 5.0)
-	plot.low = Vector2(last - 8.0, -0.6 * span)
-	plot.high = Vector2(last, 0.6 * span)
+	plot.low = Vector2(-SHOWN_S, -0.6 * span)
+	plot.high = Vector2(0.0, 0.6 * span)
 	plot.draw_grid(" s", " cm")
 	for axis in 3:
 		var line := PackedVector2Array()
 		for i in _trace_times.size():
-			if _trace_times[i] < plot.low.x:
+			var ago := _trace_times[i] - last
+			if ago < -SHOWN_S:
 				continue
 			if not _trace_points[i].is_finite():
 				plot.draw_curve(line, plot.hue(axis / 3.0), 1.5)
 				line = PackedVector2Array()
 				continue
 			var value := 100.0 * (_trace_points[i] - box.get_center())[axis]
-			line.append(plot.place(_trace_times[i], value))
+			line.append(plot.place(ago, value))
 		plot.draw_curve(line, plot.hue(axis / 3.0), 1.5)
 		var at := plot.rect.position + Vector2(6.0 + 1.5 * plot.text_height() * axis, 2.0)
 		plot.write(at, ["x", "y", "z"][axis], 0.0, 0.0, plot.hue(axis / 3.0))
@@ -131,7 +140,7 @@ func _gui_input(event: InputEvent) -> void:
 			_dragged = _grip_at(click.position.x)
 		elif _dragged >= 0:
 			_dragged = -1
-			trim_changed.emit(_trim.x, _trim.y)
+			trim_changed.emit(_trim[0], _trim[1])
 		accept_event()
 	var motion := event as InputEventMouseMotion
 	if motion == null:
@@ -143,16 +152,16 @@ func _gui_input(event: InputEvent) -> void:
 	var time_s := _start_s + _plot.value_at(motion.position.x)
 	var end_s := _start_s + (_curve.size() - 1) / TrackCurves.RATE_HZ
 	if _dragged == 0:
-		_trim.x = clampf(time_s, _start_s, _trim.y - SHORTEST_S)
+		_trim[0] = clampf(time_s, _start_s, _trim[1] - SHORTEST_S)
 	else:
-		_trim.y = clampf(time_s, _trim.x + SHORTEST_S, end_s)
+		_trim[1] = clampf(time_s, _trim[0] + SHORTEST_S, end_s)
 	queue_redraw()
 
 
 func _grip_at(x: float) -> int:
 	var reach := GRIP_WIDTH * EditorInterface.get_editor_scale()
 	for side in 2:
-		if absf(_plot.place(_trim[side] - _start_s, 0.0).x - x) <= reach:
+		if absf(get_edge(side) - x) <= reach:
 			return side
 	return -1
 
