@@ -27,6 +27,8 @@ const SHORTEST_S := 0.1
 const SHORTEST_WAY := 0.4
 ## Cosine of 60 degrees: another direction is the way back, or something else.
 const SAME_WAY := 0.5
+## Of a circle's length, between its ends: three quarters of a circle count.
+const CLOSED := 0.3
 ## Area of a closed path, as a share of the circle's that is as long.
 const ROUND := 0.5
 ## Of the way out: a hand that comes back by more has turned.
@@ -203,7 +205,9 @@ static func _is_round(path: PackedVector3Array) -> bool:
 	var step := int(SPEED_SPAN_S * TrackCurves.RATE_HZ)
 	for i in range(step, path.size(), step):
 		length += path[i].distance_to(path[i - step])
-	return 4.0 * PI * absf(_area_and_centroid(path).z) > ROUND * length * length
+	var gap := path[0].distance_to(path[-1])
+	var round_area := (length + gap) ** 2 / (4.0 * PI)
+	return gap < CLOSED * length and absf(_area_and_centroid(path).z) > ROUND * round_area
 
 
 ## Of the closed path in the xy plane: x and y, the centroid, m, which does not depend on the speed
