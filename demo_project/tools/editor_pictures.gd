@@ -9,7 +9,6 @@ extends SceneTree
 
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
-const SCENE := "res://drawer.tscn"
 const SIZE := Vector2i(1920, 1080)
 const GESTURE := &"circle"
 const TAKES := 8
@@ -51,11 +50,10 @@ func _draw_dock(dock: GestureDock) -> void:
 	var source := SyntheticSource.new()
 	source.gesture = GESTURE
 	tracker.source = source
-	var scene := Node3D.new()
-	scene.add_child(tracker)
+	var edited: Node = await _open_scene("res://circle.tscn", [tracker])
 	EditorPlugin.new().make_bottom_panel_item_visible(dock)
 	dock.root_folder = folder.get_current_dir()
-	dock.set_scene(scene)
+	dock.set_scene(edited)
 	dock.open_gesture(GESTURE)
 	for take in TAKES:
 		dock.start_recording()
@@ -67,20 +65,16 @@ func _draw_dock(dock: GestureDock) -> void:
 	_save("editor_dock.png", dock.get_global_rect())
 	dock.compare()
 	await dock.comparison_finished
-	source.loop = true
+	((edited.get_child(0) as HandTracker).source as SyntheticSource).loop = true
 	dock.start_recording()
 	dock.get_recorder().get_tracker().advance(RECORDED_S)
 	await _settle()
 	_save("editor_recording.png", dock.get_global_rect())
 	dock.stop_recording()
-	dock.set_scene(null)
-	scene.free()
 
 
 ## A task in front of a Leap device, as seen when the whole scene is selected.
 func _draw_gizmos() -> void:
-	var scene := Node3D.new()
-	scene.name = "Drawer"
 	var tracker := HandTracker.new()
 	tracker.name = "HandTracker"
 	tracker.source = LeapSource.new()
@@ -88,17 +82,9 @@ func _draw_gizmos() -> void:
 	task.name = "Pull"
 	task.gesture = &"horizontal_drag"
 	task.position = Vector3(-0.1, 0.25, 0.0)
-	var packed := PackedScene.new()
-	for node: Node in [tracker, task]:
-		scene.add_child(node)
-		node.owner = scene
-	packed.pack(scene)
-	ResourceSaver.save(packed, SCENE)
-	scene.free()
-	EditorInterface.open_scene_from_path(SCENE)
+	var root_node: Node = await _open_scene("res://drawer.tscn", [tracker, task])
 	EditorInterface.set_main_screen_editor("3D")
 	await _settle()
-	var root_node := EditorInterface.get_edited_scene_root()
 	EditorInterface.get_selection().add_node(root_node.get_node("Pull"))
 	await _settle()
 	_press_view_item("Focus Selection")
@@ -127,6 +113,21 @@ func _zoom_in() -> void:
 	for control: Control in view.find_children("*", "Control", true, false):
 		for step in ZOOM_STEPS if control.get_signal_connection_list("gui_input").size() > 0 else 0:
 			control.gui_input.emit(wheel)
+
+
+func _open_scene(path: String, nodes: Array[Node]) -> Node:
+	var scene := Node3D.new()
+	scene.name = "Scene"
+	for node in nodes:
+		scene.add_child(node)
+		node.owner = scene
+	var packed := PackedScene.new()
+	packed.pack(scene)
+	ResourceSaver.save(packed, path)
+	scene.free()
+	EditorInterface.open_scene_from_path(path)
+	await _settle()
+	return EditorInterface.get_edited_scene_root()
 
 
 func _settle() -> void:

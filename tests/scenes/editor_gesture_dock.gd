@@ -12,7 +12,7 @@ var _folder := DirAccess.create_temp("steadyhand_takes")
 
 
 func test_a_gesture_of_ones_own() -> void:
-	var scene := _open_scene(ScriptSource.new())
+	await _open_scene(ScriptSource.new())
 	check_equal(dock.takes, null, "no gesture is open")
 	check(dock.hint().begins_with("Name the gesture"), "it says what to do first")
 	dock.open_gesture("my gesture")
@@ -42,14 +42,17 @@ func test_a_gesture_of_ones_own() -> void:
 	await dock.comparison_finished
 	check_equal(_row(GESTURE), {GESTURE: 8}, "all takes are recognised among all models")
 
+	_press("Save...")
+	var dialog := dock.find_children("*", "EditorFileDialog", true, false)[0] as EditorFileDialog
+	check(dialog.visible and dialog.current_file == "shelf.gesture", "it asks where to save")
+	dialog.hide()
 	var path := _folder.get_current_dir().path_join("shelf.gesture")
 	check_equal(dock.save(path), OK, "saved")
 	_check_recognises(load(path) as GestureModel)
-	_close_scene(scene)
 
 
 func test_trim_and_delete_are_undone() -> void:
-	var scene := _open_scene(ScriptSource.new())
+	await _open_scene(ScriptSource.new())
 	dock.open_gesture("undone")
 	dock.start_recording()
 	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 3)
@@ -70,11 +73,10 @@ func test_trim_and_delete_are_undone() -> void:
 	undo.undo()
 	undo.undo()
 	check_equal(dock.takes.rows[1]["start_s"], recorded[1]["start_s"], "the trim is undone")
-	_close_scene(scene)
 
 
 func test_an_edge_is_dragged() -> void:
-	var scene := _open_scene(ScriptSource.new())
+	await _open_scene(ScriptSource.new())
 	EditorPlugin.new().make_bottom_panel_item_visible(dock)
 	dock.open_gesture("dragged")
 	dock.start_recording()
@@ -93,11 +95,10 @@ func test_an_edge_is_dragged() -> void:
 	check_equal(dock.takes.rows[0]["start_s"], row["start_s"], "the start is as it was")
 	_drag(view, view.get_edge(0), 2.0 * view.size.x)
 	check(dock.takes.rows[0]["start_s"] < end_s, "the start stays before the end")
-	_close_scene(scene)
 
 
 func test_a_recording_that_was_cut_off_comes_back() -> void:
-	var scene := _open_scene(ScriptSource.new())
+	await _open_scene(ScriptSource.new())
 	dock.open_gesture("cut_off")
 	dock.start_recording()
 	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 2)
@@ -108,11 +109,10 @@ func test_a_recording_that_was_cut_off_comes_back() -> void:
 	dock.open_gesture("cut_off")
 	check_equal(dock.takes.rows.size(), 2, "its takes are back")
 	check(dock.get_message().contains("2 takes of a recording that was cut off"), "and it says so")
-	_close_scene(scene)
 
 
 func test_a_circle() -> void:
-	var scene := _open_scene(ScriptSource.new())
+	await _open_scene(ScriptSource.new())
 	dock.open_gesture("loop")
 	dock.start_recording()
 	var hand := RecordedGestures.new(dock.get_recorder().get_tracker())
@@ -130,13 +130,12 @@ func test_a_circle() -> void:
 	dock.train()
 	await dock.training_finished
 	check(dock.model != null and dock.model.feature == "index_along_circle", "by its feature")
-	_close_scene(scene)
 
 
 func test_simulated_people_make_a_take_at_each_press() -> void:
 	var source := SyntheticSource.new()
 	source.gesture = &"zoom"
-	var scene := _open_scene(source)
+	await _open_scene(source)
 	dock.open_gesture("spread")
 	for take in 3:
 		check(dock.start_recording(), dock.get_message())
@@ -148,21 +147,20 @@ func test_simulated_people_make_a_take_at_each_press() -> void:
 	dock.train()
 	await dock.training_finished
 	check(dock.model != null and dock.model.feature == "tips_circumradius", "by its feature")
-	_close_scene(scene)
 
 
 func test_what_is_wrong_is_said() -> void:
-	var scene := _open_scene(null)
+	var tracker: HandTracker = await _open_scene(null)
 	dock.open_gesture("nothing")
 	check(not dock.start_recording(), "no source, no recording")
 	check(dock.get_message().begins_with("Set the source of 'HandTracker'"), dock.get_message())
 	dock.train()
 	await dock.training_finished
 	check_equal(dock.get_message(), "Record some takes first.", "nothing to train with")
-	(scene.get_child(0) as HandTracker).source = XRSource.new()
+	tracker.source = XRSource.new()
 	dock.start_recording()
 	check(dock.get_message().contains("only in a running game"), dock.get_message())
-	(scene.get_child(0) as HandTracker).source = ScriptSource.new()
+	tracker.source = ScriptSource.new()
 	dock.start_recording()
 	dock.stop_recording()
 	check(dock.get_message().begins_with("The tracker sent no frame"), dock.get_message())
@@ -170,16 +168,22 @@ func test_what_is_wrong_is_said() -> void:
 	RecordedGestures.new(dock.get_recorder().get_tracker()).rest(2.0)
 	dock.stop_recording()
 	check(dock.get_message().begins_with("No movement was found"), dock.get_message())
-	_close_scene(scene)
 
 
 func test_a_scene_that_is_edited_opens_nothing() -> void:
-	EditorInterface.open_scene_from_path("res://scenes/tap.tscn")
-	await process_frame
-	var tracker := EditorInterface.get_edited_scene_root().get_node("HandTracker") as HandTracker
-	tracker.source = SyntheticSource.new()
+	var tracker: HandTracker = await _open_scene(SyntheticSource.new())
 	# expects error: nothing is opened in a scene that is edited
 	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")
+	dock.open_gesture("closed")
+	check(dock.start_recording(), "the panel records from its source")
+	check(not tracker.is_running(), "and the tracker stays closed")
+	dock.stop_recording()
+
+
+func _press(text: String) -> void:
+	for button: Button in dock.find_children("*", "Button", true, false):
+		if button.text == text:
+			button.pressed.emit()
 
 
 func _drag(view: TakeView, from_x: float, to_x: float) -> void:
@@ -195,23 +199,13 @@ func _drag(view: TakeView, from_x: float, to_x: float) -> void:
 	view._gui_input(click)
 
 
-func _open_scene(source: HandSource) -> Node:
-	var scene := Node3D.new()
+func _open_scene(source: HandSource) -> HandTracker:
 	var tracker := HandTracker.new()
 	tracker.name = "HandTracker"
-	tracker.autostart = false
 	tracker.source = source
-	scene.add_child(tracker)
-	root.add_child(scene)
 	dock.root_folder = _folder.get_current_dir()
-	dock.set_scene(scene)
-	return scene
-
-
-func _close_scene(scene: Node) -> void:
-	dock.set_scene(null)
-	dock.open_gesture("")
-	scene.free()
+	var scene: Node = await open_scene([tracker])
+	return scene.get_child(0) as HandTracker
 
 
 ## What the takes of a gesture were recognised as, without what they never were.

@@ -4,9 +4,12 @@ extends "scene_test.gd"
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
 const LOADING_FRAMES := 20
+const PATIENCE_FRAMES := 600
 
 ## The panel that the plugin has added.
 var dock: GestureDock = null
+
+var _scenes := 0
 
 
 func _run() -> void:
@@ -20,3 +23,32 @@ func _run() -> void:
 		await _finish()
 	else:
 		await super()
+
+
+## Opens a new scene with `nodes` in it, as a user does; returns its root.
+func open_scene(nodes: Array[Node]) -> Node:
+	_scenes += 1
+	var path := "res://edited_%d.tscn" % _scenes
+	var scene := Node3D.new()
+	scene.name = "Scene"
+	for node in nodes:
+		scene.add_child(node)
+		node.owner = scene
+	var packed := PackedScene.new()
+	packed.pack(scene)
+	ResourceSaver.save(packed, path)
+	scene.free()
+	# Whoever emitted the signal that the test waited for has returned by then.
+	await process_frame
+	EditorInterface.open_scene_from_path(path)
+	var patience := PATIENCE_FRAMES
+	while _edited_path() != path and patience > 0:
+		patience -= 1
+		await process_frame
+	dock.set_scene(EditorInterface.get_edited_scene_root())
+	return EditorInterface.get_edited_scene_root()
+
+
+func _edited_path() -> String:
+	var scene := EditorInterface.get_edited_scene_root()
+	return "" if scene == null else scene.scene_file_path

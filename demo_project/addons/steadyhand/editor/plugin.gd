@@ -8,6 +8,9 @@ const GestureDock := preload("gestures/gesture_dock.gd")
 const TaskGizmo := preload("task_gizmo.gd")
 const TrackerGizmo := preload("tracker_gizmo.gd")
 
+## The panel follows the edited scene.
+const REFRESH_S := 0.5
+
 var _inspector := EffectInspector.new()
 var _task_gizmo := TaskGizmo.new()
 var _tracker_gizmo := TrackerGizmo.new()
@@ -25,6 +28,11 @@ func _enter_tree() -> void:
 	add_debugger_plugin(_game_link)
 	add_control_to_bottom_panel(_dock, "Gestures")
 	_dock.visibility_changed.connect(_show_scene)
+	var timer := Timer.new()
+	timer.wait_time = REFRESH_S
+	timer.autostart = true
+	timer.timeout.connect(_show_scene)
+	_dock.add_child(timer)
 	scene_changed.connect(_dock.set_scene)
 
 
@@ -37,7 +45,7 @@ func _exit_tree() -> void:
 	remove_inspector_plugin(_inspector)
 
 
-## Trackers may have been added since the panel was last open.
+## Trackers and their sources may have changed.
 func _show_scene() -> void:
-	if _dock.visible:
+	if _dock.is_visible_in_tree():
 		_dock.set_scene(EditorInterface.get_edited_scene_root())

@@ -12,7 +12,9 @@ const TrackCurves := preload("track_curves.gd")
 
 ## What is shown of the last frames, s.
 const TRACE_S := 8.0
-const COUNT_EVERY_S := 1.0
+const COUNT_EVERY_MS := 1000
+## The movements are counted in one part in so many of the time.
+const COUNT_COST := 20
 const RUN_GAME := "Add debug_overlay.tscn to the scene, set its tracker, and run the scene."
 
 ## m and s, of the index tip; INF where it is not tracked.
@@ -23,7 +25,7 @@ var path := ""
 var _tracker := HandTracker.new()
 var _game_link: GameLink = null
 var _is_game := false
-var _counted_at_s := 0.0
+var _count_due_ms := 0
 var _movements := 0
 
 
@@ -58,7 +60,7 @@ func _open(source: HandSource, to_path: String) -> String:
 	_tracker.source = source
 	path = to_path
 	_movements = 0
-	_counted_at_s = 0.0
+	_count_due_ms = Time.get_ticks_msec() + COUNT_EVERY_MS
 	var began := _tracker.start_recording(path)
 	if began == OK:
 		began = _tracker.start()
@@ -83,12 +85,13 @@ func is_recording() -> bool:
 	return _tracker.is_running()
 
 
-## Of the recording so far, as its file has it: counted anew every second.
+## Of the recording so far, as its file has it. Counted anew now and then: a long file takes time.
 func count_movements(shape: Movements.Shape) -> int:
-	var now_s := 1e-3 * Time.get_ticks_msec()
-	if now_s - _counted_at_s > COUNT_EVERY_S:
-		_counted_at_s = now_s
+	var now_ms := Time.get_ticks_msec()
+	if now_ms >= _count_due_ms:
 		_movements = Movements.find(TrackCurves.read(path), shape).size()
+		var taken_ms := Time.get_ticks_msec() - now_ms
+		_count_due_ms = now_ms + maxi(COUNT_EVERY_MS, COUNT_COST * taken_ms)
 	return _movements
 
 

@@ -10,6 +10,9 @@ signal save_chosen(path: String)
 const ConfusionTable := preload("confusion_table.gd")
 const ModelView := preload("model_view.gd")
 
+## Of the editor's window.
+const DIALOG_RATIO := 0.5
+
 var view := ModelView.new()
 var confusion := ConfusionTable.new()
 ## Name of the file that the dialog proposes.
@@ -102,4 +105,4 @@ func _ask_where_to_save() -> void:
 		_file_dialog.file_selected.connect(func(path: String) -> void: save_chosen.emit(path))
 		add_child(_file_dialog)
 	_file_dialog.current_path = "res://%s.gesture" % file_name
-	_file_dialog.popup_file_dialog()
+	_file_dialog.popup_centered_ratio(DIALOG_RATIO)

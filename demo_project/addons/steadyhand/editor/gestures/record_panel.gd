@@ -77,17 +77,25 @@ func list_gestures(gestures: PackedStringArray) -> void:
 	_names.disabled = gestures.is_empty()
 
 
+## What is chosen stays chosen. May be called at any time: an unchanged list is left alone.
 func list_trackers(scene_root: Node) -> void:
+	var found: Array[HandTracker] = []
+	if scene_root != null:
+		_collect(scene_root, found)
+	if not _game_tracker.is_empty():
+		found.append(null)
+	var names := found.map(
+		func(one: HandTracker) -> String:
+			return String(one.name) if one != null else "%s (running game)" % _game_tracker
+	)
+	if found == _trackers and names == range(_tracker.item_count).map(_tracker.get_item_text):
+		return
 	var chosen := tracker()
 	var had_game := is_game_chosen()
-	_trackers = []
-	if scene_root != null:
-		_collect(scene_root)
-	if not _game_tracker.is_empty():
-		_trackers.append(null)
+	_trackers = found
 	_tracker.clear()
-	for one in _trackers:
-		_tracker.add_item(one.name if one != null else "%s (running game)" % _game_tracker)
+	for text: String in names:
+		_tracker.add_item(text)
 	_tracker.disabled = _trackers.is_empty()
 	if had_game or chosen != null:
 		choose_tracker(chosen)
@@ -154,11 +162,11 @@ func _notification(what: int) -> void:
 		_state.add_theme_color_override(&"font_color", get_theme_color(&"accent_color", &"Editor"))
 
 
-func _collect(node: Node) -> void:
+func _collect(node: Node, found: Array[HandTracker]) -> void:
 	if node is HandTracker:
-		_trackers.append(node)
+		found.append(node)
 	for child in node.get_children():
-		_collect(child)
+		_collect(child, found)
 
 
 func _on_name_left() -> void:
