@@ -111,6 +111,24 @@ func test_a_recording_that_was_cut_off_comes_back() -> void:
 	check(dock.get_message().contains("2 takes of a recording that was cut off"), "and it says so")
 
 
+func test_a_row_that_cannot_be_read_is_kept_in_a_copy() -> void:
+	await _open_scene(ScriptSource.new())
+	dock.open_gesture("spoilt")
+	dock.start_recording()
+	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 2)
+	dock.stop_recording()
+	var table := dock.takes.folder.path_join("trials.csv")
+	var spoilt := FileAccess.get_file_as_string(table).replace(
+		"001_2,spoilt,stable", "001_2,spoilt,lost"
+	)
+	FileAccess.open(table, FileAccess.WRITE).store_string(spoilt)
+	# expects error: is neither stable nor unstable
+	dock.open_gesture("spoilt")
+	check_equal(dock.takes.rows.size(), 1, "the other take is there")
+	check(dock.get_message().contains("A copy is kept as .bak"), dock.get_message())
+	check_equal(FileAccess.get_file_as_string(table + ".bak"), spoilt, "all rows are in the copy")
+
+
 func test_a_circle() -> void:
 	await _open_scene(ScriptSource.new())
 	dock.open_gesture("loop")

@@ -1,5 +1,5 @@
 @tool
-extends Control
+extends "gesture_panels.gd"
 ## The "Gestures" panel of the editor: records takes of a gesture, trims them, trains a model and
 ## saves it. Everything that a button does is a public function.
 
@@ -9,17 +9,9 @@ signal comparison_finished
 const GameLink := preload("game_link.gd")
 const HandRecorder := preload("hand_recorder.gd")
 const ModelComparison := preload("model_comparison.gd")
-const ModelPanel := preload("model_panel.gd")
 const ModelTraining := preload("model_training.gd")
 const NextStep := preload("next_step.gd")
-const RecordPanel := preload("record_panel.gd")
-const TakePanel := preload("take_panel.gd")
 const TakeSet := preload("take_set.gd")
-
-const HEIGHT := 280.0
-const RECORD_WIDTH := 200.0
-## Of the width that the model has.
-const TAKES_STRETCH := 1.3
 
 ## Null while no gesture is open.
 var takes: TakeSet = null
@@ -32,16 +24,12 @@ var root_folder := TakeSet.ROOT
 var _recorder := HandRecorder.new()
 var _training := ModelTraining.new()
 var _comparison := ModelComparison.new()
-var _record_panel := RecordPanel.new()
-var _take_panel := TakePanel.new()
-var _model_panel := ModelPanel.new()
 var _scene_root: Node = null
 var _saved_to := ""
 
 
 func _init() -> void:
-	name = "Gestures"
-	custom_minimum_size = Vector2(0.0, HEIGHT * EditorInterface.get_editor_scale())
+	super()
 	for node: Node in [_recorder, _training, _comparison]:
 		add_child(node)
 	_recorder.finished.connect(stop_recording)
@@ -59,23 +47,6 @@ func _init() -> void:
 	_model_panel.cancel_pressed.connect(cancel_training)
 	_model_panel.compare_pressed.connect(compare)
 	_model_panel.save_chosen.connect(save)
-	_record_panel.custom_minimum_size.x = RECORD_WIDTH * EditorInterface.get_editor_scale()
-	# Of a window that is too narrow.
-	var scroll := ScrollContainer.new()
-	scroll.vertical_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
-	scroll.set_anchors_preset(Control.PRESET_FULL_RECT)
-	add_child(scroll)
-	var columns := HSplitContainer.new()
-	columns.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	columns.size_flags_vertical = Control.SIZE_EXPAND_FILL
-	scroll.add_child(columns)
-	columns.add_child(_record_panel)
-	var right := HSplitContainer.new()
-	columns.add_child(right)
-	for panel: Control in [_take_panel, _model_panel]:
-		panel.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-		right.add_child(panel)
-	_take_panel.size_flags_stretch_ratio = TAKES_STRETCH
 
 
 func _ready() -> void:
@@ -230,23 +201,8 @@ func hint() -> String:
 	return NextStep.of(_advice(), _record_panel.gesture(), takes, model, _saved_to)
 
 
-## What the panel says is wrong; empty where nothing is.
-func get_message() -> String:
-	var text := _record_panel.get_message()
-	return _model_panel.get_message() if text.is_empty() else text
-
-
-## As MotionMetrics.confusion(), of the last comparison.
-func get_confusion() -> Dictionary:
-	return _model_panel.confusion.table
-
-
 func get_recorder() -> HandRecorder:
 	return _recorder
-
-
-func select_take(take: int) -> void:
-	_take_panel.select(take)
 
 
 func _process(_delta: float) -> void:
@@ -305,18 +261,6 @@ func _on_compared(table: Dictionary) -> void:
 	_model_panel.show_tab(_model_panel.confusion)
 	_update()
 	comparison_finished.emit()
-
-
-## About the takes, below the button that records.
-func _say(text: String) -> void:
-	_record_panel.show_message(text)
-	_model_panel.show_message("")
-
-
-## About the model, above its curve.
-func _say_of_model(text: String) -> void:
-	_record_panel.show_message("")
-	_model_panel.show_message(text)
 
 
 func _update() -> void:

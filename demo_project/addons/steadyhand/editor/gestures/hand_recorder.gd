@@ -30,6 +30,7 @@ var _movements := 0
 
 
 func _init() -> void:
+	_tracker.name = "GestureRecorder"
 	_tracker.autostart = false
 	_tracker.frame_received.connect(_on_frame)
 	_tracker.failed.connect(func(reason: String) -> void: failed.emit(reason))
@@ -52,22 +53,6 @@ func begin(scene_tracker: HandTracker, to_path: String, take: int) -> String:
 	if error.is_empty() and _is_game:
 		_game_link.record(true)
 	return error
-
-
-func _open(source: HandSource, to_path: String) -> String:
-	trace_points.clear()
-	trace_times.clear()
-	_tracker.source = source
-	path = to_path
-	_movements = 0
-	_count_due_ms = Time.get_ticks_msec() + COUNT_EVERY_MS
-	var began := _tracker.start_recording(path)
-	if began == OK:
-		began = _tracker.start()
-	if began != OK:
-		_tracker.stop_recording()
-		return "The source cannot be opened: see the Output panel."
-	return ""
 
 
 func end() -> void:
@@ -122,6 +107,22 @@ static func advice_for(scene_tracker: HandTracker) -> String:
 	var script := source.get_script() as Script
 	if script != null and not script.is_tool():
 		return "Put @tool at the top of %s: it has to run in the editor." % script.resource_path
+	return ""
+
+
+func _open(source: HandSource, to_path: String) -> String:
+	trace_points.clear()
+	trace_times.clear()
+	_tracker.source = source
+	path = to_path
+	_movements = 0
+	_count_due_ms = Time.get_ticks_msec() + COUNT_EVERY_MS
+	var began := _tracker.start_recording(path)
+	if began == OK:
+		began = _tracker.start()
+	if began != OK:
+		_tracker.stop_recording()
+		return "The source cannot be opened: see the Output panel."
 	return ""
 
 

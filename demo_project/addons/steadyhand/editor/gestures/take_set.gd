@@ -14,6 +14,7 @@ const IGNORE := ".gdignore"
 const TABLE := "trials.csv"
 const MEASURED := ".measured.csv"
 const REFERENCE := ".reference.csv"
+const KEPT := ".bak"
 ## A recording that has not been split into takes yet.
 const UNFINISHED := ".part.csv"
 const RECORDING := "recording_"
@@ -42,11 +43,11 @@ func _init(of_gesture: String, root: String = ROOT) -> void:
 	if not FileAccess.file_exists(folder.path_join(TABLE)):
 		return
 	var trials := TrialSet.load_folder(folder)
-	if trials == null:
-		error = "%s cannot be read: see the Output panel" % folder.path_join(TABLE)
-		return
-	for i in trials.get_count():
-		rows.append(trials.get_trial(i))
+	if trials == null or trials.get_left_out_count() > 0:
+		_keep_table()
+	if trials != null:
+		for i in trials.get_count():
+			rows.append(trials.get_trial(i))
 
 
 ## Names of the gestures that have takes.
@@ -198,6 +199,13 @@ func _write_take(recording: String, row: Dictionary) -> bool:
 			error = "%s cannot be written. The recording is kept: %s" % [path + ending, recording]
 			return false
 	return true
+
+
+## The table is written anew, without what could not be read.
+func _keep_table() -> void:
+	var table := folder.path_join(TABLE)
+	DirAccess.copy_absolute(table, table + KEPT)
+	error = "Rows of %s cannot be read: see the Output panel. A copy is kept as %s." % [table, KEPT]
 
 
 func _write_table() -> bool:
