@@ -3,6 +3,7 @@ extends RefCounted
 
 ## Of what, and how much it is trained on.
 const GESTURES: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
+const CLASSIFIER := "gestures.classifier"
 const SUBJECTS := 12
 const TRIALS_PER_SUBJECT := 6
 ## As the paper's subjects, who were asked for different speeds: as they like, fast, very fast.

@@ -82,7 +82,11 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	for gesture in OwnModels.GESTURES:
 		if not _train(trial_set, gesture, models_folder.path_join(gesture + ".gesture")):
 			return false
-	return true
+	var classifier_file := models_folder.path_join(OwnModels.CLASSIFIER)
+	print("training %s, which the next build puts into the add-on" % OwnModels.CLASSIFIER)
+	if not _can_write(classifier_file):
+		return false
+	return GestureTrainer.write_own_classifier(classifier_file) == OK
 
 
 func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:

@@ -2,11 +2,14 @@
 
 #include "conversions.h"
 #include "name_suggestions.h"
+#include "text_file.h"
 
 #include "base/version.h"
+#include "gesture/classifier_file.h"
 #include "gesture/feature.h"
 #include "gesture/feature_choice.h"
 #include "gesture/model_file.h"
+#include "simulation/classifier_set.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -163,6 +166,12 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	return model;
 }
 
+Error GestureTrainer::write_own_classifier(const String &p_path) {
+	const steadyhand::Result<steadyhand::ClassifierModel> model = steadyhand::train_own_classifier();
+	ERR_FAIL_COND_V_MSG(!model, ERR_BUG, to_godot(model.error()));
+	return write_text_file(p_path, steadyhand::format_classifier(model.value()));
+}
+
 TypedArray<Dictionary> GestureTrainer::get_recordings() const {
 	TypedArray<Dictionary> rows;
 	for (const steadyhand::NormalisedRecording &recording : recordings_) {
@@ -205,6 +214,8 @@ void GestureTrainer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_cancelled"), &GestureTrainer::is_cancelled);
 	ClassDB::bind_method(D_METHOD("get_error_message"), &GestureTrainer::get_error_message);
 	ClassDB::bind_method(D_METHOD("get_recordings"), &GestureTrainer::get_recordings);
+	ClassDB::bind_static_method("GestureTrainer", D_METHOD("write_own_classifier", "path"),
+			&GestureTrainer::write_own_classifier);
 	ClassDB::bind_static_method("GestureTrainer", D_METHOD("get_version"), &GestureTrainer::get_version);
 
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "feature"), "set_feature", "get_feature");

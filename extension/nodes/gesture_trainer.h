@@ -47,6 +47,8 @@ public:
 
 	/// Null where it is cancelled; null and one error in the log where it fails.
 	Ref<GestureModel> train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
+	/// The classifier of all four gestures that the add-on brings, into a file. Blocks for some 10 s.
+	static Error write_own_classifier(const String &p_path);
 	/// The training that goes on, if any; from any thread.
 	void cancel() { cancelled_ = cancelled_ || is_training_; }
 	bool is_cancelled() const { return cancelled_; }

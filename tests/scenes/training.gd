@@ -43,6 +43,20 @@ func test_own_models_come_out_again() -> void:
 		)
 
 
+func test_own_classifier_comes_out_again() -> void:
+	var path := _path("classifier")
+	check_equal(GestureTrainer.write_own_classifier(path), OK, "written")
+	check(
+		(
+			FileAccess.get_file_as_string(path)
+			== FileAccess.get_file_as_string(
+				Repository.absolute(Repository.MODELS).path_join(OwnModels.CLASSIFIER)
+			)
+		),
+		"models/%s is what ./steadyhand train makes, bit for bit" % OwnModels.CLASSIFIER
+	)
+
+
 func test_where_a_model_cannot_be_written_is_told_before_the_training() -> void:
 	for out: String in ["/proc/none.gesture", _path("few/new.gesture")]:
 		var options := ["--trials", _path("few"), "--gesture", String(GESTURE), "--out", out]

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,22 @@ struct Fault : std::runtime_error {
 	Fault(const Json &value, const std::string &what) : std::runtime_error(what), place(&value) {}
 	const Json *place; ///< of the document that is read
 };
+
+/// Numbers that read back to the same bits; what is not finite as null.
+template <class Row> Json row_to_json(const Row &row) {
+	Json out = Json::array();
+	for (Eigen::Index i = 0; i < row.size(); ++i) {
+		out.push_back(std::isfinite(row(i)) ? Json(row(i)) : Json());
+	}
+	return out;
+}
+template <class Matrix> Json matrix_to_json(const Matrix &matrix) {
+	Json out = Json::array();
+	for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+		out.push_back(row_to_json(matrix.row(i)));
+	}
+	return out;
+}
 
 /// No object of a file has more members: to find one, an ordered_json goes through all of them, so a file of
 /// many would take quadratic time.

@@ -26,22 +26,6 @@ constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a 
 constexpr double MOST_DEVIATION = 10.0;           // of the recordings, amplitudes
 constexpr double AXIS_TOLERANCE = 0.01;           // of its length: trial sets round it
 
-template <class Row> Json row_to_json(const Row &row) {
-	Json out = Json::array();
-	for (Eigen::Index i = 0; i < row.size(); ++i) {
-		out.push_back(std::isfinite(row(i)) ? Json(row(i)) : Json());
-	}
-	return out;
-}
-
-template <class Matrix> Json matrix_to_json(const Matrix &matrix) {
-	Json out = Json::array();
-	for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-		out.push_back(row_to_json(matrix.row(i)));
-	}
-	return out;
-}
-
 Json element_to_json(const PrimitiveMotionElement &element) {
 	return { { "phase_begin", element.phase_begin }, { "phase_end", element.phase_end },
 		{ "polynomial", element.curve.coefficients }, { "deviation", element.deviation },

@@ -1,0 +1,140 @@
+#include "gesture/classifier_file.h"
+
+#include "gesture/gesture_model.h"
+#include "gesture/json_fields.h"
+#include "gesture/task.h"
+#include "tracking/csv_text.h"
+#include "tracking/frame.h"
+
+#include <cmath>
+#include <utility>
+
+namespace steadyhand {
+
+extern const std::string_view OWN_CLASSIFIER; // the text of models/gestures.classifier, by the build
+
+using namespace json_fields;
+
+namespace {
+
+constexpr const char *FORMAT_NAME = "steadyhand-classifier";
+constexpr int FORMAT_VERSION = 1;
+constexpr double LENGTH_TOLERANCE = 1e-6;                       // of an axis
+constexpr double LEAST_DEVIATION = 1e-3, MOST_DEVIATION = 10.0; // of logarithms
+constexpr int SIZE = MotionCodebook::Point::RowsAtCompileTime;
+
+Json gesture_to_json(const DirectedHmm &gesture) {
+	return { { "gesture", gesture.gesture }, { "axis", row_to_json(gesture.axis) },
+		{ "is_radius", gesture.is_radius }, { "reach_m", gesture.reach_m },
+		{ "reach_deviation", gesture.reach_deviation }, { "log_pi", row_to_json(gesture.hmm.log_pi) },
+		{ "log_a", matrix_to_json(gesture.hmm.log_a) }, { "log_b", matrix_to_json(gesture.hmm.log_b) } };
+}
+
+DirectedHmm gesture_from_json(const Json &json, int symbols) {
+	DirectedHmm gesture;
+	gesture.gesture = text(json, "gesture");
+	if (const std::string_view fault = gesture_name_fault(gesture.gesture); !fault.empty()) {
+		throw Fault(json["gesture"],
+				"gesture: " + steadyhand::quoted(gesture.gesture) + " " + std::string(fault));
+	}
+	gesture.axis = point(json, "axis");
+	gesture.is_radius = optional_flag(json, "is_radius");
+	const double length = gesture.is_radius ? 0.0 : 1.0;
+	if (!(std::abs(gesture.axis.norm() - length) < LENGTH_TOLERANCE)) {
+		throw Fault(
+				json["axis"], gesture.is_radius ? "axis: a radius has none" : "axis: its length is not 1");
+	}
+	gesture.reach_m = within(json, "reach_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
+	gesture.reach_deviation = within(json, "reach_deviation", LEAST_DEVIATION, MOST_DEVIATION);
+	Result<DiscreteHmm> checked = validated({ vector(array(json, "log_pi"), "log_pi", true),
+			matrix(json, "log_a", true), matrix(json, "log_b", true) });
+	if (!checked) {
+		throw Fault(json, "gesture: " + checked.error());
+	}
+	gesture.hmm = std::move(checked).value();
+	if (gesture.hmm.symbols() != symbols) {
+		throw Fault(json["log_b"], "log_b: as many columns as the codebook has codewords are needed");
+	}
+	return gesture;
+}
+
+ClassifierModel classifier_from_json(const Json &json) {
+	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
+		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
+	}
+	if (number(json, "version") != FORMAT_VERSION) {
+		throw Fault(json["version"], "version: this program reads version " + std::to_string(FORMAT_VERSION));
+	}
+	const Json &quantiser = member(json, "quantiser");
+	const Eigen::MatrixXd codebook = matrix(quantiser, "codebook", false);
+	const Eigen::VectorXd scale = vector(member(quantiser, "scale"), "scale", false);
+	if (codebook.cols() != SIZE || scale.size() != SIZE || !(scale.minCoeff() > 0.0)) {
+		const std::string size = std::to_string(SIZE);
+		throw Fault(quantiser,
+				"quantiser: the codebook must be M x " + size + ", the scale " + size +
+						" numbers greater than 0");
+	}
+	ClassifierModel model;
+	model.codebook = MotionCodebook(codebook, scale);
+	for (const Json &gesture : array(json, "gestures")) {
+		model.gestures.push_back(gesture_from_json(gesture, model.codebook.symbols()));
+	}
+	const Json &other = member(json, "other");
+	const Eigen::MatrixXd other_log_a = matrix(other, "log_a", true);
+	Result<DiscreteHmm> checked = validated(
+			{ vector(array(other, "log_pi"), "log_pi", true), other_log_a, matrix(other, "log_b", true) });
+	if (!checked) {
+		throw Fault(other, "other: " + checked.error());
+	}
+	model.other = std::move(checked).value();
+	if (model.other.symbols() != model.codebook.symbols()) {
+		throw Fault(other["log_b"], "log_b: as many columns as the codebook has codewords are needed");
+	}
+	return model;
+}
+
+} // namespace
+
+std::string format_classifier(const ClassifierModel &model) {
+	Json gestures = Json::array();
+	for (const DirectedHmm &gesture : model.gestures) {
+		gestures.push_back(gesture_to_json(gesture));
+	}
+	const Json json = {
+		{ "format", FORMAT_NAME },
+		{ "version", FORMAT_VERSION },
+		{ "quantiser",
+				{ { "scale", row_to_json(model.codebook.scale()) },
+						{ "codebook", matrix_to_json(model.codebook.codebook()) } } },
+		{ "gestures", gestures },
+		{ "other",
+				{ { "log_pi", row_to_json(model.other.log_pi) },
+						{ "log_a", matrix_to_json(model.other.log_a) },
+						{ "log_b", matrix_to_json(model.other.log_b) } } },
+	};
+	// A row of numbers a line: no text in it holds a bracket.
+	std::string lines;
+	for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+		if (c == '{' || c == '[') {
+			lines += lines.ends_with('\n') || lines.empty() ? "" : "\n";
+		}
+		lines += c;
+	}
+	return lines + "\n";
+}
+
+std::shared_ptr<const ClassifierModel> own_classifier() {
+	// Never destroyed: the library may be unloaded before what uses it.
+	static const auto *const own = [] {
+		Result<ClassifierModel> read = parse_classifier(OWN_CLASSIFIER, "gestures.classifier");
+		return new std::shared_ptr<const ClassifierModel>(
+				std::make_shared<const ClassifierModel>(std::move(read).value()));
+	}();
+	return *own;
+}
+
+Result<ClassifierModel> parse_classifier(std::string_view text, std::string_view source_name) {
+	return read_text<ClassifierModel>(text, source_name, classifier_from_json);
+}
+
+} // namespace steadyhand

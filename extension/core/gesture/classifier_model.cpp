@@ -1,0 +1,36 @@
+#include "gesture/classifier_model.h"
+
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+constexpr double MOST_STAY = 0.95; ///< a state of the filler lasts 0.2 s at most, in the mean
+
+} // namespace
+
+FillerModel filler_of(const ClassifierModel &model, double evidence) {
+	Eigen::Index states = model.other.states();
+	for (const DirectedHmm &gesture : model.gestures) {
+		states += gesture.hmm.states();
+	}
+	const Eigen::Index symbols = model.codebook.symbols();
+	FillerModel filler;
+	filler.stay.resize(states);
+	filler.b.resize(states, symbols + 1);
+	Eigen::Index next = 0;
+	for (const DirectedHmm &gesture : model.gestures) {
+		const Eigen::Index n = gesture.hmm.states();
+		filler.stay.segment(next, n) = gesture.hmm.log_a.diagonal().array().exp();
+		filler.b.middleRows(next, n).leftCols(symbols) = (evidence * gesture.hmm.log_b).array().exp();
+		next += n;
+	}
+	filler.stay.tail(states - next) = model.other.log_a.diagonal().array().exp();
+	filler.b.bottomRows(states - next).leftCols(symbols) = (evidence * model.other.log_b).array().exp();
+	filler.b.rightCols<1>().setOnes();
+	// A gesture's last state lasts for ever, which would hold the filler there.
+	filler.stay = filler.stay.cwiseMin(MOST_STAY);
+	return filler;
+}
+
+} // namespace steadyhand

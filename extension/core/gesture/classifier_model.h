@@ -1,0 +1,44 @@
+#pragma once
+
+#include "gesture/vector_quantiser.h"
+#include "hmm/discrete_hmm.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace steadyhand {
+
+/// The HMM of one gesture in one direction. Its first state is the hand at rest before the onset, its last
+/// the hand that has arrived.
+struct DirectedHmm {
+	std::string gesture;
+	Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit vector; zero where the gesture has none
+	bool is_radius = false;                         ///< reach_m is a growth of the radius
+	double reach_m = 0.0;         ///< geometric mean of how far the hand has gone at the end
+	double reach_deviation = 0.0; ///< standard deviation of its natural logarithm
+	DiscreteHmm hmm;
+};
+
+/// What GestureClassifier compares hands with: HMMs of all gestures over one codebook, and the symbols of
+/// hands that do something else.
+struct ClassifierModel {
+	MotionCodebook codebook;
+	std::vector<DirectedHmm> gestures;
+	DiscreteHmm other; ///< of hands that make no gesture, and of gestures looked at from elsewhere
+};
+
+/// The filler, or threshold, model (Lee and Kim 1999, doi:10.1109/34.799904): the states of all gestures and
+/// of other motion, each leading to itself as before and to all others alike. Any order of the states is as
+/// likely as another, so that a hand which makes no gesture fits it better than the gesture's own HMM.
+/// Probabilities.
+struct FillerModel {
+	Eigen::VectorXd stay; ///< N: that the state lasts for another symbol
+	Eigen::MatrixXd b;    ///< N x (M + 1): the last column, all 1, is of UNSEEN
+};
+
+/// evidence: ClassifierOptions::evidence.
+[[nodiscard]] FillerModel filler_of(const ClassifierModel &model, double evidence);
+
+} // namespace steadyhand

@@ -1,0 +1,236 @@
+#include "gesture/classifier_trainer.h"
+
+#include "gesture/motion_sequences.h"
+#include "gesture/recorded_movements.h"
+#include "tracking/trial_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+namespace steadyhand {
+namespace {
+
+/// A gesture is looked at from the rest before it: from as long before its onset.
+constexpr int LATEST_REST = 5, EARLIEST_REST = 20, REST_STEP = 5; // symbols
+/// A hand has arrived so long after the end: then one that strikes has turned, and one that goes on is
+/// elsewhere. And how long it is looked at from there.
+constexpr double SETTLED_S = 0.12;
+constexpr int AFTER = 15; // symbols
+/// Of other motion: possible onsets, and how long hands are looked at from there.
+constexpr int OTHER_STEP = 20, OTHER_LENGTH = 150; // symbols
+/// The codebook is made of as many of the points.
+constexpr std::size_t MOST_POINTS = 8000;
+constexpr int CODEBOOK_ITERATIONS = 10, OTHER_ITERATIONS = 10;
+constexpr PseudoCounts PSEUDO;
+/// That a gesture begins in a later state: as good as never, but no 0, for which ScaledRecursion renews
+/// scales at each symbol.
+constexpr double LATE = 1e-9;
+
+struct Direction {
+	DirectedHmm model;
+	Eigen::Vector3d axes = Eigen::Vector3d::Zero();
+	std::vector<double> log_reaches;
+	std::vector<MotionSequence> sequences;
+};
+
+Direction &direction_of(
+		std::vector<Direction> &r_directions, const ClassifierRecording &recording, bool is_radius) {
+	const Eigen::Vector3d axis = is_radius ? Eigen::Vector3d::Zero() : recording.recording.task.axis;
+	for (Direction &direction : r_directions) {
+		const bool is_near = is_radius || direction.axes.normalized().dot(axis) > std::sqrt(0.5);
+		if (direction.model.gesture == recording.gesture && is_near) {
+			return direction;
+		}
+	}
+	Direction &added = r_directions.emplace_back();
+	added.model.gesture = recording.gesture;
+	added.model.is_radius = is_radius;
+	return added;
+}
+
+void add(std::vector<MotionSequence> &r_sequences, std::optional<MotionSequence> sequence) {
+	if (sequence) {
+		r_sequences.push_back(std::move(*sequence));
+	}
+}
+
+void add_other(std::vector<MotionSequence> &r_sequences, const MotionInstants &instants) {
+	for (int begin = 0; begin < instants.size(); begin += OTHER_STEP) {
+		add(r_sequences, instants.sequence({ begin, begin + 1, begin + 2, begin + OTHER_LENGTH }, 3));
+	}
+}
+
+SymbolSequence symbols_of(const MotionSequence &sequence, const MotionCodebook &codebook) {
+	SymbolSequence symbols;
+	for (const auto &point : sequence.points) {
+		symbols.push_back(point ? codebook.symbol(*point) : UNSEEN);
+	}
+	return symbols;
+}
+
+std::vector<SymbolSequence> symbols_of(
+		std::span<const MotionSequence> sequences, const MotionCodebook &codebook) {
+	std::vector<SymbolSequence> symbols;
+	symbols.reserve(sequences.size());
+	for (const MotionSequence &sequence : sequences) {
+		symbols.push_back(symbols_of(sequence, codebook));
+	}
+	return symbols;
+}
+
+std::vector<MotionObservation> points_of(std::span<const MotionSequence> sequences, std::size_t most) {
+	std::vector<MotionObservation> all, some;
+	for (const MotionSequence &sequence : sequences) {
+		for (const auto &point : sequence.points) {
+			if (point) {
+				all.push_back(*point);
+			}
+		}
+	}
+	const std::size_t step = all.size() / most + 1;
+	for (std::size_t i = 0; i < all.size(); i += step) {
+		some.push_back(all[i]);
+	}
+	return some;
+}
+
+/// Left-right without skips, from the states that the sequences are taken to be in.
+DiscreteHmm left_right(const std::vector<MotionSequence> &sequences,
+		const std::vector<SymbolSequence> &symbols, int states, int n_symbols) {
+	Eigen::MatrixXd a = Eigen::MatrixXd::Zero(states, states);
+	Eigen::MatrixXd b = Eigen::MatrixXd::Constant(states, n_symbols, PSEUDO.symbol);
+	for (int i = 0; i < states; ++i) {
+		a(i, i) = PSEUDO.transition;
+		if (i + 1 < states) {
+			a(i, i + 1) = PSEUDO.transition;
+		}
+	}
+	for (std::size_t s = 0; s < sequences.size(); ++s) {
+		for (std::size_t i = 0; i < symbols[s].size(); ++i) {
+			const int state = sequences[s].states[i];
+			if (symbols[s][i] != UNSEEN) {
+				b(state, symbols[s][i]) += 1.0;
+			}
+			if (i > 0) {
+				const int before = sequences[s].states[i - 1];
+				a(before, before + (state > before ? 1 : 0)) += 1.0;
+			}
+		}
+	}
+	DiscreteHmm hmm;
+	hmm.log_pi = Eigen::VectorXd::Constant(states, std::log(LATE));
+	hmm.log_pi(0) = std::log1p(-(states - 1) * LATE);
+	hmm.log_a = (a.array().colwise() / a.rowwise().sum().array()).log();
+	hmm.log_b = (b.array().colwise() / b.rowwise().sum().array()).log();
+	return hmm;
+}
+
+/// Of as many states, each leading to all; at first each is of a stretch of the codebook, as it is sorted.
+DiscreteHmm other_hmm(const std::vector<MotionSequence> &sequences, const Eigen::RowVectorXd &common,
+		const MotionCodebook &codebook, const ClassifierTrainingOptions &options) {
+	const int states = options.other_states, symbols = codebook.symbols();
+	constexpr double STAY = 0.9, OWN = 4.0; // at first
+	Eigen::MatrixXd a = Eigen::MatrixXd::Constant(states, states, (1.0 - STAY) / std::max(states - 1, 1));
+	a.diagonal().setConstant(states > 1 ? STAY : 1.0);
+	Eigen::MatrixXd b = common.replicate(states, 1);
+	for (int k = 0; k < symbols; ++k) {
+		b(k * states / symbols, k) *= OWN;
+	}
+	DiscreteHmm hmm;
+	hmm.log_pi = Eigen::VectorXd::Constant(states, -std::log(states));
+	hmm.log_a = a.array().log();
+	hmm.log_b = (b.array().colwise() / b.rowwise().sum().array()).log();
+	BaumWelchOptions training;
+	training.max_iterations = OTHER_ITERATIONS;
+	return baum_welch(std::move(hmm), symbols_of(sequences, codebook), training).hmm;
+}
+
+} // namespace
+
+Result<ClassifierModel> train_classifier(
+		std::span<const ClassifierRecording> recordings, const ClassifierTrainingOptions &options) {
+	std::vector<Direction> directions;
+	std::vector<MotionSequence> other;
+	for (const ClassifierRecording &recording : recordings) {
+		if (recording.recording.measured.frames.empty()) {
+			continue;
+		}
+		const MotionInstants instants(recording.recording.measured);
+		add_other(other, instants);
+		if (recording.gesture == NO_GESTURE) {
+			continue;
+		}
+		const Feature *const feature = find_feature(recording.feature);
+		if (feature == nullptr) {
+			return Error{ "there is no feature '" + recording.feature + "'" };
+		}
+		const Result<RecordedMovements> recorded =
+				recorded_movements(*feature, std::span(&recording.recording, 1));
+		if (!recorded) {
+			continue;
+		}
+		const MovementSpan span = recorded.value().movements.front().span;
+		Direction &direction = direction_of(directions, recording, feature->is_radius);
+		direction.axes += feature->is_radius ? Eigen::Vector3d::Zero() : recording.recording.task.axis;
+		const int onset = instants.index(span.onset_s), end = instants.index(span.end_s + SETTLED_S);
+		const auto at_onset = instants.seen_by(onset), at_end = instants.seen_by(end);
+		if (at_onset && at_end) {
+			const double reach_m = feature->is_radius ? at_end->radius_m - at_onset->radius_m
+													  : (at_end->tip_m - at_onset->tip_m).norm();
+			direction.log_reaches.push_back(std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M)));
+		}
+		for (int early = LATEST_REST; early <= EARLIEST_REST; early += REST_STEP) {
+			add(direction.sequences,
+					instants.sequence({ onset - early, onset, end, end + AFTER }, options.states));
+		}
+	}
+	std::erase_if(directions, [](const Direction &direction) {
+		return direction.sequences.empty() || direction.log_reaches.empty();
+	});
+	if (directions.empty()) {
+		return Error{ "there is no recording of a gesture to learn from" };
+	}
+
+	std::vector<MotionObservation> points = points_of(other, MOST_POINTS / 2);
+	for (const Direction &direction : directions) {
+		const std::vector<MotionObservation> own =
+				points_of(direction.sequences, MOST_POINTS / 2 / directions.size());
+		points.insert(points.end(), own.begin(), own.end());
+	}
+	ClassifierModel model;
+	model.codebook = MotionCodebook::trained(points, options.symbols, {}, CODEBOOK_ITERATIONS);
+
+	Eigen::RowVectorXd common = Eigen::RowVectorXd::Ones(options.symbols);
+	for (const MotionSequence &sequence : other) {
+		for (const Symbol symbol : symbols_of(sequence, model.codebook)) {
+			if (symbol != UNSEEN) {
+				common(symbol) += 1.0;
+			}
+		}
+	}
+	common /= common.sum();
+	model.other = other_hmm(other, common, model.codebook, options);
+
+	for (Direction &direction : directions) {
+		DiscreteHmm hmm = left_right(direction.sequences, symbols_of(direction.sequences, model.codebook),
+				options.states, options.symbols);
+		hmm.log_b = ((1.0 - options.odd_symbols) * hmm.log_b.array().exp() +
+				options.odd_symbols * common.array().replicate(options.states, 1))
+							.log();
+		direction.model.axis = direction.axes.normalized();
+		direction.model.hmm = std::move(hmm);
+		std::sort(direction.log_reaches.begin(), direction.log_reaches.end());
+		const auto &logs = direction.log_reaches;
+		const double median = logs[logs.size() / 2];
+		const double quartiles = logs[logs.size() * 3 / 4] - logs[logs.size() / 4];
+		direction.model.reach_m = std::exp(median);
+		direction.model.reach_deviation = std::max(quartiles / 1.349, options.reach_deviation);
+		model.gestures.push_back(std::move(direction.model));
+	}
+	return model;
+}
+
+} // namespace steadyhand

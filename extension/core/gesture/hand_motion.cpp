@@ -1,0 +1,71 @@
+#include "gesture/hand_motion.h"
+
+#include "gesture/feature.h"
+
+#include <cmath>
+
+namespace steadyhand {
+namespace {
+
+// Where asinh turns from linear to logarithmic: a quarter of a usual gesture.
+constexpr double WAY_UNIT_M = 0.05;
+constexpr double SPEED_UNIT_M_S = 0.15;
+constexpr double STILL_M_S = 0.05; ///< a hand at rest before a camera seems to be as fast
+constexpr double GROWTH_UNIT_M = 0.01;
+constexpr double RATE_UNIT_M_S = 0.04;
+/// Nearer to the onset the direction from there is noise, and any motion leads away.
+constexpr double NO_DIRECTION_M = 0.005;
+
+} // namespace
+
+template <class Value> void HandMotionWindow::Samples<Value>::push(double t_s, const Value &value) {
+	const std::size_t count = window.size();
+	if (count > 1 && t_s - window.t_s(count - 2) < LEAST_INTERVAL_S) {
+		window.drop_newest();
+	}
+	window.push(t_s, value, WINDOW_S);
+	newest = value;
+}
+
+bool HandMotionWindow::push(const HandFrame &frame) {
+	if (!frame.has(Joint::INDEX)) {
+		return false;
+	}
+	tip_.push(frame.t_s, frame.position(Joint::INDEX));
+	static const Feature *const radius = find_feature("tips_circumradius");
+	const std::optional<double> radius_m = radius->measure(frame, { .start_m = Eigen::Vector3d::Zero() });
+	has_radius_ = radius_m.has_value();
+	if (has_radius_) {
+		radius_.push(frame.t_s, *radius_m);
+	}
+	return true;
+}
+
+HandMotion HandMotionWindow::motion() const {
+	return { tip_.newest, tip_.window.slope(), radius_.newest, has_radius_ ? radius_.window.slope() : 0.0,
+		has_radius_ };
+}
+
+MotionObservation MotionObserver::observe(const HandMotion &motion) {
+	const Eigen::Vector3d way_m = motion.tip_m - onset_.tip_m;
+	const Eigen::Vector3d &velocity_m_s = motion.velocity_m_s;
+	const double distance_m = way_m.norm(), speed_m_s = velocity_m_s.norm();
+	double away_m_s = speed_m_s, across_m_s = 0.0;
+	if (distance_m > NO_DIRECTION_M) {
+		away_m_s = velocity_m_s.dot(way_m) / distance_m;
+		across_m_s = std::sqrt(std::max(speed_m_s * speed_m_s - away_m_s * away_m_s, 0.0));
+	}
+	// Fingers that are not all seen count as ones that do not open.
+	const bool is_seen = motion.has_radius && onset_.has_radius;
+	const double growth_m = is_seen ? motion.radius_m - onset_.radius_m : 0.0;
+	const double rate_m_s = is_seen ? motion.radius_rate_m_s : 0.0;
+	peak_m_s_ = std::max(peak_m_s_, speed_m_s);
+	const double usual_m_s = peak_m_s_ + STILL_M_S;
+	MotionObservation point;
+	point << std::asinh(distance_m / WAY_UNIT_M), away_m_s / usual_m_s, across_m_s / usual_m_s,
+			std::asinh(peak_m_s_ / SPEED_UNIT_M_S), std::asinh(growth_m / GROWTH_UNIT_M),
+			std::asinh(rate_m_s / RATE_UNIT_M_S);
+	return point;
+}
+
+} // namespace steadyhand

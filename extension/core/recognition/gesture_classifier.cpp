@@ -1,0 +1,266 @@
+#include "recognition/gesture_classifier.h"
+
+#include "gesture/task.h"
+#include "hmm/linear_hmm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <utility>
+
+namespace steadyhand {
+namespace {
+
+/// Other motion goes as far as hands do, 1 cm to 1 m, evenly in the logarithm: ln 100.
+constexpr double OTHER_REACHES = 4.605;
+/// An onset younger than this has had no chance to be likely, symbols.
+constexpr int YOUNG = 30;
+/// Onsets no further apart, of hands no further apart, are of one rest.
+constexpr int SAME_REST_SYMBOLS = 25;
+constexpr double SAME_REST_M = 0.005;
+
+/// With emissions that count as much of an observation.
+LinearHmm tempered(DiscreteHmm hmm, double evidence) {
+	hmm.log_b *= evidence;
+	return LinearHmm(hmm);
+}
+
+/// a / b; up to 2^900, so that sums of them are finite.
+double quotient(const ScaledNumber &a, const ScaledNumber &b) {
+	constexpr std::int64_t MOST = 900;
+	return a.mantissa / b.mantissa * power_of_two(std::min(a.exponent - b.exponent, MOST));
+}
+
+double normal_density(double off, double deviation) {
+	const double x = off / deviation;
+	return std::exp(-0.5 * x * x) / (deviation * std::sqrt(2.0 * std::numbers::pi));
+}
+
+/// How much likelier it is that the gesture ends so far from its onset than that other motion does.
+double reach_ratio(const DirectedHmm &model, double way_m, double growth_m) {
+	const double reach_m = model.is_radius ? growth_m : way_m;
+	const double off = std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M) / model.reach_m);
+	return OTHER_REACHES * normal_density(off, model.reach_deviation);
+}
+
+} // namespace
+
+GestureClassifier::GestureClassifier(std::shared_ptr<const ClassifierModel> model,
+		std::vector<std::string> gestures, const ClassifierOptions &options) :
+		model_(std::move(model)),
+		options_(options), directions_(options.cone_deg, options.cone_deviation_deg),
+		filler_(filler_of(*model_, options.evidence)), filler_filter_(filler_) {
+	expect(std::move(gestures));
+}
+
+void GestureClassifier::expect(std::vector<std::string> gestures) {
+	gestures_ = std::move(gestures);
+	candidates_.resize(gestures_.size());
+	greatest_.resize(gestures_.size());
+	std::vector<Hypothesis> before = std::exchange(hypotheses_, {});
+	for (const DirectedHmm &model : model_->gestures) {
+		const auto gesture = std::ranges::find(gestures_, model.gesture);
+		if (gesture == gestures_.end()) {
+			continue;
+		}
+		const auto index = static_cast<std::size_t>(gesture - gestures_.begin());
+		const auto known = std::ranges::find(before, &model, &Hypothesis::model);
+		hypotheses_.push_back(known != before.end() ? std::move(*known) : hypothesis_of(index, model));
+		hypotheses_.back().gesture = index;
+	}
+	evaluate(window_.motion());
+}
+
+/// A new one takes part in onsets that are still to come.
+GestureClassifier::Hypothesis GestureClassifier::hypothesis_of(
+		std::size_t gesture, const DirectedHmm &model) const {
+	LinearHmm linear = tempered(model.hmm, options_.evidence);
+	const std::vector<double> emissions(static_cast<std::size_t>(linear.states()) * ONSETS, 1.0);
+	ScaledRecursion<ONSETS> forward(linear.a, linear.b);
+	return { gesture, &model, std::move(linear.pi), std::move(linear.b), std::move(forward), emissions };
+}
+
+void GestureClassifier::reset() {
+	has_started_ = is_new_ = false;
+	until_onset_ = 0;
+	window_.reset();
+	recent_.clear();
+	for (Onset &onset : onsets_) {
+		onset.is_used = false;
+	}
+	std::ranges::fill(candidates_, GestureCandidate());
+	filler_posterior_ = 1.0;
+}
+
+void GestureClassifier::forget_before(double t_s) {
+	for (Onset &onset : onsets_) {
+		onset.is_used = onset.is_used && onset.t_s >= t_s;
+	}
+	evaluate(window_.motion());
+}
+
+void GestureClassifier::push(const HandFrame &frame) {
+	if (has_started_ && !(frame.t_s > last_s_)) {
+		return;
+	}
+	if (!has_started_) {
+		clock_.start(frame.t_s);
+		has_started_ = true;
+	} else if (frame.t_s - last_s_ > LONGEST_GESTURE_GAP_S) {
+		reset();
+		push(frame);
+		return;
+	}
+	last_s_ = frame.t_s;
+	// An instant before this frame saw only the frames before it.
+	for (; clock_.due(std::nextafter(frame.t_s, -INFINITY)); clock_.advance()) {
+		step(clock_.next_s());
+		is_new_ = false;
+	}
+	is_new_ = window_.push(frame) || is_new_;
+}
+
+void GestureClassifier::step(double t_s) {
+	const HandMotion motion = window_.motion();
+	step_onsets(motion);
+	if (!is_new_) {
+		return;
+	}
+	time_s_ = t_s;
+	recent_.push(motion);
+	if (--until_onset_ <= 0 && is_at_rest()) {
+		until_onset_ = ONSET_STEP;
+		start_onset(least_likely_onset(), motion);
+	}
+	evaluate(motion);
+}
+
+void GestureClassifier::step_onsets(const HandMotion &motion) {
+	for (std::size_t lane = 0; lane < ONSETS; ++lane) {
+		Onset &onset = onsets_[lane];
+		columns_[lane] = filler_.b.cols() - 1;
+		if (!onset.is_used) {
+			continue;
+		}
+		if (is_new_) {
+			columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
+		}
+		filler_filter_.step(static_cast<int>(lane), filler_.b.col(columns_[lane]).data());
+		++onset.age;
+	}
+	for (Hypothesis &hypothesis : hypotheses_) {
+		double *emission = hypothesis.emissions.data();
+		for (Eigen::Index j = 0; j < hypothesis.b.rows(); ++j) {
+			for (const Eigen::Index column : columns_) {
+				*emission++ = hypothesis.b(j, column);
+			}
+		}
+		hypothesis.forward.step(hypothesis.emissions.data(), hypothesis.emissions.data());
+	}
+}
+
+bool GestureClassifier::is_at_rest() const {
+	const HandMotion &now = recent_.newest();
+	for (std::size_t i = 0; i < recent_.size(); ++i) {
+		if ((recent_[i].tip_m - now.tip_m).norm() > options_.rest_m) {
+			return false;
+		}
+	}
+	return true;
+}
+
+/// One that is not used; else the less likely one of two that are of one rest; else the least likely of all.
+std::size_t GestureClassifier::least_likely_onset() const {
+	std::size_t least = 0, least_of_rest = ONSETS;
+	for (std::size_t i = 0; i < ONSETS; ++i) {
+		const Onset &onset = onsets_[i];
+		if (!onset.is_used) {
+			return i;
+		}
+		if (onset.age < YOUNG) {
+			continue;
+		}
+		if (onsets_[least].age < YOUNG || onset.weight < onsets_[least].weight) {
+			least = i;
+		}
+		const bool is_of_one_rest = std::ranges::any_of(onsets_, [&](const Onset &other) {
+			return &other != &onset && onset.weight <= other.weight &&
+					std::abs(other.age - onset.age) <= SAME_REST_SYMBOLS &&
+					(other.observer.onset().tip_m - onset.observer.onset().tip_m).norm() < SAME_REST_M &&
+					std::abs(other.observer.onset().radius_m - onset.observer.onset().radius_m) < SAME_REST_M;
+		});
+		if (is_of_one_rest && (least_of_rest == ONSETS || onset.weight < onsets_[least_of_rest].weight)) {
+			least_of_rest = i;
+		}
+	}
+	return least_of_rest < ONSETS ? least_of_rest : least;
+}
+
+void GestureClassifier::start_onset(std::size_t lane, const HandMotion &motion) {
+	Onset &onset = onsets_[lane] = { true, 0, time_s_, MotionObserver(motion) };
+	const Eigen::Index column = columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
+	filler_filter_.start(static_cast<int>(lane), filler_.b.col(column).data());
+	for (Hypothesis &hypothesis : hypotheses_) {
+		hypothesis.forward.start(
+				static_cast<int>(lane), hypothesis.pi.data(), hypothesis.b.col(column).data());
+	}
+}
+
+void GestureClassifier::evaluate(const HandMotion &motion) {
+	std::ranges::fill(candidates_, GestureCandidate());
+	std::ranges::fill(greatest_, -1.0);
+	for (std::size_t lane = 0; lane < ONSETS; ++lane) {
+		onsets_[lane].weight = 0.0;
+		for (const Hypothesis &hypothesis : hypotheses_) {
+			if (onsets_[lane].is_used) {
+				weigh(hypothesis, lane, motion);
+			}
+		}
+	}
+	double all = 1.0; // the filler
+	for (const GestureCandidate &candidate : candidates_) {
+		all += candidate.posterior;
+	}
+	for (GestureCandidate &candidate : candidates_) {
+		candidate.posterior /= all;
+	}
+	filler_posterior_ = 1.0 / all;
+}
+
+/// Adds to the posterior, before it is one: what speaks for a gesture and an onset, against the filler.
+void GestureClassifier::weigh(const Hypothesis &hypothesis, std::size_t lane, const HandMotion &motion) {
+	const DirectedHmm &model = *hypothesis.model;
+	Onset &onset = onsets_[lane];
+	const ScaledNumber all = hypothesis.forward.total(static_cast<int>(lane));
+	if (all.mantissa == 0.0) {
+		return; // not expected yet at this onset
+	}
+	const ScaledNumber &filler = filler_filter_.likelihood(static_cast<int>(lane));
+	const std::size_t last = static_cast<std::size_t>(hypothesis.pi.size() - 1) * ONSETS + lane;
+	const ScaledNumber in_last(hypothesis.forward.mantissas()[last], hypothesis.forward.exponents()[last]);
+
+	const HandMotion &start = onset.observer.onset();
+	const Eigen::Vector3d way_m = motion.tip_m - start.tip_m;
+	const double has_arrived = quotient(in_last, all);
+	const double there = has_arrived * reach_ratio(model, way_m.norm(), motion.radius_m - start.radius_m);
+	const double on_way = 1.0 - has_arrived + there;
+	double weight = options_.onset_prior * quotient(all, filler) * on_way;
+	if (!model.is_radius) {
+		weight *= directions_.ratio(way_m, model.axis, options_.jitter_m);
+	}
+	onset.weight = std::max(onset.weight, weight);
+	GestureCandidate &candidate = candidates_[hypothesis.gesture];
+	candidate.posterior += weight;
+	if (weight > greatest_[hypothesis.gesture]) {
+		greatest_[hypothesis.gesture] = weight;
+		candidate.onset_s = onset.t_s;
+		candidate.start_m = start.tip_m;
+		candidate.start_radius_m = start.radius_m;
+		candidate.axis = way_m.norm() > 0.0 ? Eigen::Vector3d(way_m.normalized()) : way_m;
+		candidate.log_likelihood_ratio = all.log() - filler.log();
+		candidate.end_probability = on_way > 0.0 ? there / on_way : 0.0;
+	}
+}
+
+} // namespace steadyhand

@@ -1,0 +1,78 @@
+#include "recognition/gesture_spotter.h"
+
+#include <algorithm>
+
+namespace steadyhand {
+namespace {
+
+/// Posteriors at which a gesture begins, is aborted, and ends: an end cannot be taken back.
+constexpr double BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99;
+constexpr double ARRIVED = 0.5; ///< GestureCandidate::end_probability at an end
+/// A hand that sets out in the opposite direction, within 45 degrees, so soon after a gesture goes back.
+constexpr double WAY_BACK_S = 1.0, OPPOSITE = -0.7;
+
+} // namespace
+
+void GestureSpotter::expect(std::vector<std::string> gestures) {
+	for (std::string &gesture : gestures) {
+		gesture_.reserve(gesture.size()); // push() does not allocate
+	}
+	const auto still = std::ranges::find(gestures, gesture_);
+	index_ = static_cast<std::size_t>(still - gestures.begin());
+	const bool is_gone = still == gestures.end();
+	classifier_.expect(std::move(gestures));
+	if (is_active_ && is_gone) {
+		drop();
+	}
+}
+
+void GestureSpotter::drop() {
+	is_active_ = false;
+	classifier_.forget_before(classifier_.time_s());
+}
+
+GestureSpotter::News GestureSpotter::push(const HandFrame &frame) {
+	classifier_.push(frame);
+	news_ = is_active_ ? follow() : look_for();
+	return news_;
+}
+
+GestureSpotter::News GestureSpotter::look_for() {
+	const auto candidates = classifier_.candidates();
+	const auto found = std::ranges::find_if(
+			candidates, [](const GestureCandidate &candidate) { return candidate.posterior > BEGINS; });
+	if (found == candidates.end()) {
+		return News::NOTHING;
+	}
+	if (is_way_back(*found)) {
+		drop();
+		return News::NOTHING;
+	}
+	index_ = static_cast<std::size_t>(found - candidates.begin());
+	gesture_ = classifier_.gestures()[index_];
+	candidate_ = *found;
+	is_active_ = true;
+	return News::BEGUN;
+}
+
+bool GestureSpotter::is_way_back(const GestureCandidate &candidate) const {
+	return candidate.onset_s - ended_s_ < WAY_BACK_S && candidate.axis.dot(ended_axis_) < OPPOSITE;
+}
+
+GestureSpotter::News GestureSpotter::follow() {
+	const GestureCandidate &now = classifier_.candidates()[index_];
+	if (now.posterior < ABORTED) {
+		is_active_ = false;
+		return News::ABORTED;
+	}
+	candidate_ = now;
+	if (now.posterior > CERTAIN && now.end_probability > ARRIVED) {
+		ended_s_ = classifier_.time_s();
+		ended_axis_ = now.axis;
+		drop();
+		return News::ENDED;
+	}
+	return News::NOTHING;
+}
+
+} // namespace steadyhand

@@ -1,0 +1,93 @@
+#include "simulation/classifier_set.h"
+
+#include "base/random.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace steadyhand {
+namespace {
+
+constexpr double MOST_TURN_DEG = 20.0;
+constexpr std::uint64_t TURN_SEED = 7, NOISE_SEED = 8;
+/// Of trackers whose frames err each by itself, which the simulated sensors do not.
+constexpr std::array NOISES_M{ 0.0, 0.0, 0.001, 0.0, 0.002 };
+
+/// Evenly over the cap about an axis.
+Eigen::Vector3d turned(const Eigen::Vector3d &axis, double most_deg, Random &r_random) {
+	const double cosine = r_random.uniform(std::cos(most_deg * std::numbers::pi / 180.0), 1.0);
+	const double side = r_random.uniform(0.0, 2.0 * std::numbers::pi);
+	const Eigen::Vector3d aside = axis.unitOrthogonal(), upright = axis.cross(aside);
+	return cosine * axis +
+			std::sqrt(1.0 - cosine * cosine) * (std::cos(side) * aside + std::sin(side) * upright);
+}
+
+void add_white_noise(Track &r_track, double deviation_m, Random &r_random) {
+	for (HandFrame &frame : r_track.frames) {
+		for (Eigen::Vector3d &position_m : frame.positions_m) {
+			for (double &coordinate_m : position_m) {
+				coordinate_m += r_random.normal(0.0, deviation_m);
+			}
+		}
+	}
+}
+
+} // namespace
+
+Result<std::vector<SyntheticTrial>> make_turned_trials(const SyntheticSetOptions &options) {
+	std::vector<SyntheticTrial> trials;
+	Random random(TURN_SEED);
+	bool is_down = false;
+	for (SyntheticTrialRequest request : plan_synthetic_set(options)) {
+		Result<SyntheticTrial> made = make_synthetic_trial(request);
+		if (made && made.value().trial.has_axis()) {
+			const Trial &straight = made.value().trial;
+			is_down = straight.gesture == "tap" && !is_down;
+			request.subject.pace = is_down ? std::min(request.subject.pace, 1.0) : request.subject.pace;
+			const Eigen::Vector3d axis = is_down ? -Eigen::Vector3d::UnitY() : straight.axis;
+			request.place = GestureTask{ straight.start_m, turned(axis, MOST_TURN_DEG, random),
+				straight.amplitude_m };
+			made = make_synthetic_trial(request);
+		}
+		if (!made) {
+			return Error{ made.error() };
+		}
+		trials.push_back(std::move(made.value()));
+	}
+	return trials;
+}
+
+std::vector<ClassifierRecording> classifier_recordings(const std::vector<SyntheticTrial> &trials) {
+	std::vector<ClassifierRecording> recordings;
+	for (const SyntheticTrial &made : trials) {
+		const Trial &trial = made.trial;
+		recordings.push_back({ trial.gesture, trial.has_axis() ? "index_along_axis" : "tips_circumradius",
+				{ trial.trial, { trial.start_m, trial.axis, trial.amplitude_m }, trial.start_s, trial.end_s,
+						made.measured, made.reference } });
+	}
+	return recordings;
+}
+
+Result<ClassifierModel> train_own_classifier() {
+	SyntheticSetOptions options;
+	options.population = Population::TRAIN;
+	options.subjects = 16;
+	options.repetitions = 8;
+	options.paces = { 1.0, 0.6, 0.4, 1.6 };
+	Result<std::vector<SyntheticTrial>> trials = make_turned_trials(options);
+	if (!trials) {
+		return Error{ trials.error() };
+	}
+	Random random(NOISE_SEED);
+	for (std::size_t i = 0; i < trials.value().size(); ++i) {
+		add_white_noise(trials.value()[i].measured, NOISES_M[i % NOISES_M.size()], random);
+	}
+	return train_classifier(classifier_recordings(trials.value()));
+}
+
+} // namespace steadyhand

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "gesture/classifier_trainer.h"
+#include "simulation/synthetic_trial.h"
+
+#include <vector>
+
+namespace steadyhand {
+
+/// The trials of a set as people make them where no task is seen: each along an axis of its own, up to 20
+/// degrees off the gesture's. Every other tap goes down; of those none is slower than the person likes, as
+/// that is a drag. Error: as make_synthetic_trial().
+[[nodiscard]] Result<std::vector<SyntheticTrial>> make_turned_trials(const SyntheticSetOptions &options);
+
+/// Recordings for train_classifier(), of trials of the simulated gestures and of none.
+[[nodiscard]] std::vector<ClassifierRecording> classifier_recordings(
+		const std::vector<SyntheticTrial> &trials);
+
+/// The classifier that the add-on brings, of synthetic people of all paces: equal bits on every run. Some 10
+/// s.
+[[nodiscard]] Result<ClassifierModel> train_own_classifier();
+
+} // namespace steadyhand

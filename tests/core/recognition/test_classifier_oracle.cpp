@@ -1,0 +1,136 @@
+#include "base/random.h"
+#include "classifier_streams.h"
+#include "hmm/hmm_all_paths.h"
+#include "hmm/hmm_log_space.h"
+#include "hmm/hmm_random.h"
+#include "near.h"
+
+#include <numbers>
+#include <random>
+
+namespace steadyhand::test {
+namespace {
+
+constexpr double EVIDENCE = 0.5, ONSET_PRIOR = 0.01;
+constexpr int ONSET_STEP = 5; // symbols, as GestureClassifier's
+
+/// Two gestures of three states over the codebook of the real one, and two states of other motion.
+std::shared_ptr<const ClassifierModel> small_model() {
+	std::mt19937_64 random(5);
+	ClassifierModel model;
+	model.codebook = own_classifier()->codebook;
+	const int symbols = model.codebook.symbols();
+	for (const std::string name : { "horizontal_drag", "vertical_drag" }) {
+		DirectedHmm gesture;
+		gesture.gesture = name;
+		gesture.axis = name == "horizontal_drag" ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+		gesture.reach_m = 0.2;
+		gesture.reach_deviation = 0.3;
+		gesture.hmm = random_hmm(random, 3, symbols);
+		model.gestures.push_back(gesture);
+	}
+	model.other = random_hmm(random, 2, symbols);
+	return std::make_shared<const ClassifierModel>(model);
+}
+
+/// The filler, written as an HMM.
+DiscreteHmm filler_hmm(const ClassifierModel &model) {
+	const FillerModel filler = filler_of(model, EVIDENCE);
+	const Eigen::Index n = filler.stay.size();
+	Eigen::MatrixXd a = ((1.0 - filler.stay.array()) / static_cast<double>(n - 1)).matrix().replicate(1, n);
+	a.diagonal() = filler.stay;
+	return { Eigen::VectorXd::Constant(n, -std::log(static_cast<double>(n))), a.array().log(),
+		filler.b.leftCols(filler.b.cols() - 1).array().log() };
+}
+
+/// log P(symbols, last state), by all paths where there are few of them, else by the recursion in logarithms.
+struct Likelihood {
+	double log_all = 0.0, last_share = 0.0;
+};
+
+Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
+	if (symbols.size() <= 7) {
+		const AllPaths all = enumerate(hmm, symbols);
+		return { std::log(all.ending_in.sum()), all.ending_in(hmm.states() - 1) / all.ending_in.sum() };
+	}
+	LongVector alpha = hmm.log_pi.cast<long double>() + hmm.log_b.col(symbols[0]).cast<long double>();
+	for (std::size_t t = 1; t < symbols.size(); ++t) {
+		LongVector next(hmm.states());
+		for (Eigen::Index j = 0; j < hmm.states(); ++j) {
+			next(j) = log_sum_exp(alpha + hmm.log_a.col(j).cast<long double>()) + hmm.log_b(j, symbols[t]);
+		}
+		alpha = next;
+	}
+	const long double all = log_sum_exp(alpha);
+	return { static_cast<double>(all), static_cast<double>(std::exp(alpha(hmm.states() - 1) - all)) };
+}
+
+/// The hand as it is seen at each instant of the symbol clock.
+std::vector<HandMotion> motions_of(const std::vector<HandFrame> &frames) {
+	std::vector<HandMotion> motions;
+	HandMotionWindow window;
+	for (const HandFrame &frame : frames) {
+		window.push(frame);
+		motions.push_back(window.motion());
+	}
+	return motions;
+}
+
+/// Sum over all segmentations: the filler up to an onset, and a gesture from there to the newest instant.
+double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
+		std::size_t newest) {
+	const DiscreteHmm filler = filler_hmm(model);
+	const DirectionPrior directions(22.0, 2.0);
+	std::array<double, 2> weights{};
+	for (std::size_t onset = 0; onset <= newest; onset += ONSET_STEP) {
+		MotionObserver observer(motions[onset]);
+		SymbolSequence symbols;
+		for (std::size_t i = onset; i <= newest; ++i) {
+			symbols.push_back(model.codebook.symbol(observer.observe(motions[i])));
+		}
+		const double log_filler = likelihood_of(filler, symbols).log_all;
+		const Eigen::Vector3d way_m = motions[newest].tip_m - motions[onset].tip_m;
+		for (std::size_t g = 0; g < weights.size(); ++g) {
+			const DirectedHmm &own = model.gestures[g];
+			DiscreteHmm hmm = own.hmm;
+			hmm.log_b *= EVIDENCE;
+			const Likelihood likelihood = likelihood_of(hmm, symbols);
+			const double off = std::log(std::max(way_m.norm(), 1e-6) / own.reach_m) / own.reach_deviation;
+			const double reach = 4.605 * std::exp(-0.5 * off * off) /
+					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
+			weights[g] += ONSET_PRIOR * std::exp(likelihood.log_all - log_filler) *
+					(1.0 + likelihood.last_share * (reach - 1.0)) * directions.ratio(way_m, own.axis, 0.005);
+		}
+	}
+	return weights[gesture] / (1.0 + weights[0] + weights[1]);
+}
+
+TEST_CASE("posteriors equal the sum over all onsets and state paths") {
+	const auto model = small_model();
+	ClassifierOptions options;
+	options.evidence = EVIDENCE;
+	options.onset_prior = ONSET_PRIOR;
+	options.rest_m = 1e9; // any instant may be an onset
+	GestureClassifier classifier(model, { "horizontal_drag", "vertical_drag" }, options);
+	// Short enough for no onset to be dropped. Frames between the instants: the clock sees each once.
+	const Reach reach{
+		.start_s = 0.05, .duration_s = 0.5, .length_s = 0.7, .rate_hz = 100.0, .clock_s = 0.995
+	};
+	std::vector<HandFrame> frames = frames_of(reach);
+	const std::vector<HandMotion> motions = motions_of(frames);
+	for (std::size_t i = 0; i < frames.size(); ++i) {
+		classifier.push(frames[i]);
+		// An instant is taken once a frame after it has come.
+		if (i == 0 || (i % 7 != 0 && i > 12)) {
+			continue;
+		}
+		CAPTURE(i);
+		for (std::size_t g = 0; g < 2; ++g) {
+			CHECK(classifier.candidates()[g].posterior ==
+					near(posterior_of(*model, g, motions, i - 1)).epsilon(1e-6));
+		}
+	}
+}
+
+} // namespace
+} // namespace steadyhand::test

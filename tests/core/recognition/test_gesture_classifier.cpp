@@ -1,0 +1,195 @@
+#include "classifier_streams.h"
+#include "near.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace steadyhand::test {
+namespace {
+
+using News = GestureSpotter::News;
+
+/// A gesture that begins and ends once, and nothing else.
+void check_one(const std::vector<Spotted> &spotted, const std::string &gesture) {
+	REQUIRE(spotted.size() == 2);
+	CHECK(spotted[0].news == News::BEGUN);
+	CHECK(spotted[1].news == News::ENDED);
+	CHECK(spotted[0].gesture == gesture);
+	CHECK(spotted[1].gesture == gesture);
+}
+
+TEST_CASE("a drag sideways begins on its way and ends where the hand has stopped") {
+	const Reach reach;
+	const std::vector<Spotted> spotted = spot(frames_of(reach));
+	check_one(spotted, "horizontal_drag");
+	CHECK(spotted[0].t_s > reach.start_s);
+	CHECK(spotted[0].t_s < reach.start_s + 0.75 * reach.duration_s);
+	CHECK(std::abs(spotted[1].t_s - (reach.start_s + reach.duration_s)) < 0.2);
+	const GestureCandidate &candidate = spotted[1].candidate;
+	CHECK((candidate.start_m - reach.from_m).norm() < 0.005);
+	CHECK(candidate.axis.dot(reach.way_m.normalized()) > 0.999);
+	CHECK(candidate.onset_s < reach.start_s + 0.15);
+}
+
+TEST_CASE("each direction of the models is told from the others") {
+	struct Expected {
+		Eigen::Vector3d way_m;
+		double duration_s;
+		std::string gesture;
+	};
+	for (const auto &[way_m, duration_s, gesture] : { Expected{ { 0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
+				 Expected{ { -0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
+				 Expected{ { 0.0, 0.2, 0.0 }, 0.9, "vertical_drag" },
+				 Expected{ { 0.0, -0.2, 0.0 }, 1.2, "vertical_drag" } }) {
+		check_one(spot(frames_of({ .way_m = way_m, .duration_s = duration_s })), gesture);
+	}
+}
+
+TEST_CASE("a hand that goes between two axes makes no gesture") {
+	CHECK(spot(frames_of({ .way_m = { 0.14, 0.14, 0.0 } })).empty());
+	CHECK(spot(frames_of({ .way_m = { 0.0, 0.0, 0.2 } })).empty()); // towards the user
+}
+
+TEST_CASE("a hand that goes a third of the way and stops ends no gesture") {
+	for (const Spotted &spotted : spot(frames_of({ .way_m = { 0.07, 0.0, 0.0 } }))) {
+		CHECK(spotted.news != News::ENDED);
+	}
+}
+
+TEST_CASE("a gesture elsewhere and at another hour gives the same answers") {
+	const std::vector<Spotted> here = spot(frames_of({}));
+	const double hours_s = 3.0 * 3600.0; // whole periods of the symbol clock
+	const Reach elsewhere{ .from_m = { 1.15, -0.7, 1.95 }, .clock_s = hours_s + 0.003 };
+	const std::vector<Spotted> there = spot(frames_of(elsewhere));
+	REQUIRE(here.size() == there.size());
+	for (std::size_t i = 0; i < here.size(); ++i) {
+		CHECK(there[i].gesture == here[i].gesture);
+		CHECK(there[i].t_s - hours_s == near(here[i].t_s).epsilon(1e-6));
+		CHECK(there[i].candidate.log_likelihood_ratio ==
+				near(here[i].candidate.log_likelihood_ratio).epsilon(1e-6));
+	}
+}
+
+TEST_CASE("sensors of 30 to 240 Hz find the same drag within 0.1 s of each other") {
+	const std::vector<Spotted> usual_rate = spot(frames_of({}));
+	for (const double rate_hz : { 30.0, 60.0, 90.0, 240.0 }) {
+		const std::vector<Spotted> spotted = spot(frames_of({ .rate_hz = rate_hz }));
+		CAPTURE(rate_hz);
+		check_one(spotted, "horizontal_drag");
+		CHECK(std::abs(spotted[1].t_s - usual_rate[1].t_s) < 0.1);
+	}
+}
+
+bool is_same(const GestureCandidate &one, const GestureCandidate &other) {
+	return one.posterior == other.posterior && one.onset_s == other.onset_s && one.start_m == other.start_m &&
+			one.axis == other.axis && one.log_likelihood_ratio == other.log_likelihood_ratio &&
+			one.end_probability == other.end_probability;
+}
+
+TEST_CASE("what is found depends on earlier frames alone, to the last bit") {
+	std::vector<HandFrame> frames = frames_of({}), others = frames;
+	const std::size_t cut = 160;
+	for (std::size_t i = cut; i < others.size(); ++i) {
+		others[i].set(Joint::INDEX, { 0.5, 0.01 * static_cast<double>(i), 0.0 });
+	}
+	GestureClassifier one = four_gestures(), other = four_gestures();
+	for (std::size_t i = 0; i < frames.size(); ++i) {
+		one.push(frames[i]);
+		other.push(others[i]);
+		for (std::size_t g = 0; i < cut && g < FOUR_GESTURES.size(); ++g) {
+			REQUIRE(is_same(one.candidates()[g], other.candidates()[g]));
+		}
+	}
+}
+
+TEST_CASE("a classifier that was reset is as a new one, to the last bit") {
+	GestureClassifier used = four_gestures();
+	for (const HandFrame &frame : frames_of({ .way_m = { 0.0, 0.2, 0.0 } })) {
+		used.push(frame);
+	}
+	used.reset();
+	GestureClassifier fresh = four_gestures();
+	for (const HandFrame &frame : frames_of({ .clock_s = 50.0 })) {
+		used.push(frame);
+		fresh.push(frame);
+		for (std::size_t g = 0; g < FOUR_GESTURES.size(); ++g) {
+			REQUIRE(is_same(used.candidates()[g], fresh.candidates()[g]));
+		}
+	}
+}
+
+TEST_CASE("ten minutes of rest before a drag change nothing") {
+	const std::vector<Spotted> early = spot(frames_of({}));
+	const std::vector<Spotted> spotted = spot(frames_of({ .start_s = 601.0, .length_s = 603.0 }));
+	check_one(spotted, "horizontal_drag");
+	for (std::size_t i = 0; i < 2; ++i) {
+		CHECK(spotted[i].t_s - 600.0 == near(early[i].t_s).epsilon(1e-6));
+		CHECK(spotted[i].candidate.log_likelihood_ratio ==
+				near(early[i].candidate.log_likelihood_ratio).epsilon(1e-3));
+	}
+}
+
+TEST_CASE("posteriors of gestures and filler add up to 1 at every instant") {
+	GestureClassifier classifier = four_gestures();
+	for (const HandFrame &frame : frames_of({})) {
+		classifier.push(frame);
+		double sum = classifier.filler_posterior();
+		for (const GestureCandidate &candidate : classifier.candidates()) {
+			CHECK(std::isfinite(candidate.posterior));
+			sum += candidate.posterior;
+		}
+		CHECK(sum == near(1.0).epsilon(1e-12));
+	}
+}
+
+TEST_CASE("clocks that stand still, go back or leap an hour do no harm") {
+	GestureSpotter spotter(four_gestures());
+	spot(spotter, frames_of({}));
+	spot(spotter, frames_of({})); // all of it passed over
+	check_one(spot(spotter, frames_of({ .clock_s = 3600.0 })), "horizontal_drag");
+}
+
+TEST_CASE("a hand that goes back at once makes no second gesture") {
+	const Reach there, back{ there.from_m + there.way_m, -there.way_m, 0.2, 0.9, 3.0, 97.0, 2.503 };
+	GestureSpotter spotter(four_gestures());
+	std::vector<HandFrame> frames = frames_of({ .length_s = 2.5 });
+	std::ranges::copy(frames_of(back), std::back_inserter(frames));
+	check_one(spot(spotter, frames), "horizontal_drag");
+	check_one(spot(spotter, frames_of({ .clock_s = 10.0 })), "horizontal_drag");
+}
+
+TEST_CASE("other gestures that are expected midway change nothing for the one under way") {
+	const std::vector<HandFrame> frames = frames_of({});
+	const std::vector<Spotted> plain = spot(frames);
+	GestureSpotter spotter(GestureClassifier(own_classifier(), { "tap", "horizontal_drag" }));
+	std::vector<Spotted> spotted;
+	for (const HandFrame &frame : frames) {
+		if (spotter.push(frame) != News::NOTHING) {
+			spotted.push_back({ spotter.news(), spotter.gesture(), frame.t_s, spotter.candidate() });
+			spotter.expect(FOUR_GESTURES);
+		}
+	}
+	check_one(spotted, "horizontal_drag");
+	CHECK(spotted[1].t_s == plain[1].t_s);
+	spotter.expect({ "zoom" });
+	CHECK(spot(spotter, frames_of({ .clock_s = 5.0 })).empty());
+}
+
+TEST_CASE("frames without an index tip, and hands a mile away, find nothing and fail at nothing") {
+	GestureClassifier classifier = four_gestures();
+	for (int i = 0; i < 300; ++i) {
+		HandFrame frame;
+		frame.t_s = 0.01 * i;
+		if (i % 3 == 0) {
+			frame.set(Joint::INDEX, Eigen::Vector3d::Constant(i % 2 == 0 ? 1e9 : -1e9));
+		}
+		classifier.push(frame);
+		for (const GestureCandidate &candidate : classifier.candidates()) {
+			CHECK(std::isfinite(candidate.posterior));
+			CHECK(candidate.posterior < 0.5);
+		}
+	}
+}
+
+} // namespace
+} // namespace steadyhand::test

@@ -1,0 +1,84 @@
+#include "gesture/classifier_file.h"
+#include "recognition/classifier_streams.h"
+#include "simulation/classifier_set.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+namespace steadyhand::test {
+namespace {
+
+SyntheticSetOptions few(Population population, std::uint32_t subjects, std::uint32_t repetitions) {
+	SyntheticSetOptions options;
+	options.population = population;
+	options.subjects = subjects;
+	options.repetitions = repetitions;
+	return options;
+}
+
+TEST_CASE("turned trials run up to 20 degrees off the gesture's axes, every other tap down") {
+	int down = 0, forward = 0;
+	const auto trials = make_turned_trials(few(Population::TUNE, 3, 2)).value();
+	for (const SyntheticTrial &made : trials) {
+		if (made.trial.has_axis()) {
+			CHECK(made.trial.axis.cwiseAbs().maxCoeff() > 0.9396); // cos 20 degrees
+			const bool is_tap = made.trial.gesture == "tap";
+			down += is_tap && made.trial.axis.y() < -0.9 ? 1 : 0;
+			forward += is_tap && made.trial.axis.z() < -0.9 ? 1 : 0;
+		}
+	}
+	CHECK(down == 6);
+	CHECK(forward == 6);
+}
+
+TEST_CASE("equal recordings train an equal classifier, one HMM for each direction") {
+	const auto trials = make_turned_trials(few(Population::TRAIN, 2, 4)).value();
+	ClassifierTrainingOptions options;
+	options.symbols = 16;
+	options.states = 5;
+	const auto model = train_classifier(classifier_recordings(trials), options);
+	REQUIRE(model.ok());
+	CHECK(format_classifier(model.value()) ==
+			format_classifier(train_classifier(classifier_recordings(trials), options).value()));
+	const auto directions = [&](const char *gesture) {
+		return std::ranges::count(model.value().gestures, gesture, &DirectedHmm::gesture);
+	};
+	CHECK(directions("horizontal_drag") == 2);
+	CHECK(directions("vertical_drag") == 2);
+	CHECK(directions("tap") == 2);
+	CHECK(directions("zoom") == 1);
+}
+
+TEST_CASE("a classifier needs a recording of a gesture, and knows its feature") {
+	CHECK(!train_classifier({}).ok());
+	auto recordings = classifier_recordings(make_turned_trials(few(Population::TRAIN, 1, 1)).value());
+	recordings.front().feature = "toe_angle";
+	CHECK(train_classifier(recordings).error().find("toe_angle") != std::string::npos);
+}
+
+TEST_CASE("of people it was not trained on, nine of ten steady gestures are found, taps down too") {
+	SyntheticSetOptions set = few(Population::TUNE, 6, 2);
+	set.positions = { HandPosition::STABLE };
+	int made = 0, found = 0;
+	double idle_s = 0.0;
+	int alarms = 0;
+	const auto trials = make_turned_trials(set).value();
+	for (const SyntheticTrial &trial : trials) {
+		const std::vector<Spotted> spotted = spot(trial.measured.frames);
+		const auto first = std::ranges::find(spotted, GestureSpotter::News::ENDED, &Spotted::news);
+		const bool has_ended = first != spotted.end();
+		if (trial.trial.gesture == NO_GESTURE) {
+			alarms += has_ended ? 1 : 0;
+			idle_s += trial.measured.frames.back().t_s;
+		} else {
+			++made;
+			found += has_ended && first->gesture == trial.trial.gesture ? 1 : 0;
+		}
+	}
+	CHECK(found >= made * 9 / 10);
+	CHECK(alarms <= idle_s / 60.0 * 4.0);
+}
+
+} // namespace
+} // namespace steadyhand::test
