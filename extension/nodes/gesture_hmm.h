@@ -209,6 +209,8 @@ private:
 	String taskless_fault() const;
 	/// Of a gesture that opens the fingers, which a pinch keeps closed; empty where there is no such.
 	String start_fault() const;
+	/// Of a gesture without a task that the HMMs of `paper` mode do not include; empty where there is none.
+	String paper_fault() const;
 	[[nodiscard]] bool run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At a time not before now, now unless told otherwise.

@@ -193,6 +193,9 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	if (const String fault = start_fault(); fault != String()) {
 		warnings.push_back(fault);
 	}
+	if (const String fault = paper_fault(); fault != String()) {
+		warnings.push_back(fault);
+	}
 	if (has_empty) {
 		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
 	}

@@ -8,8 +8,10 @@
 #include "hand_tracker.h"
 #include "node_label.h"
 
+#include "gesture/classifier_file.h"
 #include "gesture/feature.h"
 #include "gesture/gesture_model.h"
+#include "recognition/spotted_follower.h"
 #include "tracking/frame.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -105,6 +107,9 @@ void GestureHMM::warn_of_silence() {
 	}
 	if (warning == String()) {
 		warning = start_fault();
+	}
+	if (warning == String()) {
+		warning = paper_fault();
 	}
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(node_label(*this) + String(": ") + warning);
@@ -271,6 +276,22 @@ String GestureHMM::start_fault() const {
 				steadyhand::find_feature(one.model->feature)->is_radius) {
 			return String("Set \"start_condition\" to another one than the pinch for '") +
 					String(one.gesture) + String("': it opens the fingers, which ends a pinch.");
+		}
+	}
+	return String();
+}
+
+String GestureHMM::paper_fault() const {
+	if (mode_ != MODE_PAPER) {
+		return String();
+	}
+	for (const Expected &one : find_expected()) {
+		if (!one.place &&
+				!steadyhand::SpottedFollower::can_follow(*one.model, *steadyhand::own_classifier())) {
+			return String("Add a GestureTask of '") + String(one.gesture) +
+					String("' to \"tasks\", or set \"mode\" to phase: the HMMs that tell gestures apart "
+						   "without "
+						   "a task do not include it, so that it is recognised by its strokes.");
 		}
 	}
 	return String();

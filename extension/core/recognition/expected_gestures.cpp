@@ -1,13 +1,16 @@
 // Which gestures a GestureRecogniser expects, from the start and later on.
 
+#include "gesture/classifier_file.h"
 #include "recognition/gesture_recogniser.h"
 #include "recognition/open_follower.h"
+#include "recognition/spotted_follower.h"
 #include "recognition/task_follower.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace steadyhand {
@@ -26,9 +29,18 @@ std::vector<ExpectedGesture> at_one_place(
 	return gestures;
 }
 
-std::unique_ptr<GestureFollower> follower_of(const ExpectedGesture &gesture, const Synthesis &synthesis) {
+bool is_spotted(const ExpectedGesture &gesture, MotionMode mode) {
+	return mode == MotionMode::PAPER && !gesture.task &&
+			SpottedFollower::can_follow(*gesture.model, *own_classifier());
+}
+
+std::unique_ptr<GestureFollower> follower_of(
+		const ExpectedGesture &gesture, const Synthesis &synthesis, GestureSpotter *spotter) {
 	if (gesture.task) {
 		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
+	}
+	if (is_spotted(gesture, synthesis.mode)) {
+		return std::make_unique<SpottedFollower>(*gesture.model, synthesis, *spotter);
 	}
 	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
 }
@@ -58,6 +70,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	followers_.reserve(gestures_.size());
 	filtered_.reserve(gestures_.size());
 	starts_.reserve(gestures_.size());
+	expect_spotted();
 	std::uint32_t begun = 0;
 	for (const std::unique_ptr<GestureFollower> &follower : followers_before) {
 		begun = std::max(begun, follower->gestures_begun());
@@ -73,7 +86,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 			filtered_.push_back(filtered_before[old]);
 			starts_.push_back(starts_before[old]);
 		} else {
-			followers_.push_back(follower_of(gestures_[i], synthesis_));
+			followers_.push_back(follower_of(gestures_[i], synthesis_, spotter_.get()));
 			followers_.back()->set_completion(completion_);
 			followers_.back()->count_from(begun);
 			filtered_.emplace_back();
@@ -94,6 +107,22 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		blend_ = {};
 	}
 	return now;
+}
+
+void GestureRecogniser::expect_spotted() {
+	std::vector<std::string> names;
+	for (const ExpectedGesture &gesture : gestures_) {
+		if (is_spotted(gesture, synthesis_.mode) && !std::ranges::count(names, gesture.model->gesture)) {
+			names.push_back(gesture.model->gesture);
+		}
+	}
+	if (names.empty()) {
+		spotter_.reset();
+	} else if (spotter_) {
+		spotter_->expect(std::move(names));
+	} else {
+		spotter_ = std::make_unique<GestureSpotter>(GestureClassifier(own_classifier(), std::move(names)));
+	}
 }
 
 void GestureRecogniser::watch_features() {

@@ -129,9 +129,15 @@ void GestureFollower::forget_frames() {
 
 void GestureFollower::recall(double t_s, double x_m) {
 	window_.push(t_s, x_m);
+	fresh_ = true;
 	if (mode_ == MotionMode::PHASE) {
 		phase_.push({ .t_s = t_s, .noise_m = measurement_.noise_m }, x_m / task_.amplitude_m);
 	}
+}
+
+void GestureFollower::decode_recalled(double t_s) {
+	decode(t_s);
+	fresh_ = false;
 }
 
 void GestureFollower::blend_from(const Motion &before, double t_s, double rate_per_s) {

@@ -151,6 +151,8 @@ protected:
 	/// As if the frames recalled from now on had been all so far.
 	void forget_frames();
 	void recall(double t_s, double x_m);
+	/// At the instants of the symbols between the frames recalled: decodes the states anew.
+	void decode_recalled(double t_s);
 	/// From this frame on the hand is where the gesture does not begin: until it is nearer again, or
 	/// attend(), it is not followed, and shown at 0.
 	void set_elsewhere(bool is_elsewhere) { is_elsewhere_ = is_elsewhere; }

@@ -72,6 +72,9 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		watched.push(frame);
 	}
 	start_condition_.push(frame);
+	if (spotter_) {
+		spotter_->push(frame);
+	}
 	const std::optional<Motion> before = show_nearest(frame.t_s);
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
 		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes, watched(i).measurement)) {

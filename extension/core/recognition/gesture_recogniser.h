@@ -3,6 +3,7 @@
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
 #include "recognition/gesture_follower.h"
+#include "recognition/gesture_spotter.h"
 #include "recognition/start_condition.h"
 #include "strokes/shown_elsewhere.h"
 #include "strokes/stroke_finder.h"
@@ -101,6 +102,8 @@ private:
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
 	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
+	/// In `paper` mode, of the gestures without a task that its HMMs include; followers look at it.
+	std::unique_ptr<GestureSpotter> spotter_;
 	std::vector<std::unique_ptr<GestureFollower>> followers_;
 	std::vector<FilteredMotion> filtered_; ///< one per follower
 	double min_confidence_ = 0.0;
@@ -121,6 +124,7 @@ private:
 	double last_absence_s_ = -INFINITY; ///< when one last was
 	double ended_begun_s_ = -INFINITY;  ///< when the last of those shown that have arrived began
 
+	void expect_spotted();
 	void watch_features();
 	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
 		return watched_[watched_by_[follower]];

@@ -32,7 +32,6 @@ public:
 	[[nodiscard]] const std::string &gesture() const { return gesture_; }
 	/// That gesture, as it was last seen.
 	[[nodiscard]] const GestureCandidate &candidate() const { return candidate_; }
-	[[nodiscard]] const GestureClassifier &classifier() const { return classifier_; }
 
 private:
 	GestureClassifier classifier_;

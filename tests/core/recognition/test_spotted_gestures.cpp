@@ -1,0 +1,147 @@
+// `paper` mode without a task: GestureRecogniser with the HMMs that the library brings.
+
+#include "allocations.h"
+#include "classifier_streams.h"
+#include "gesture_events.h"
+#include "simulation/classifier_set.h"
+
+namespace steadyhand::test {
+namespace {
+
+/// Named as the gestures of the HMMs, of which they have only the motion.
+std::vector<std::shared_ptr<const GestureModel>> four_models() {
+	return { model("horizontal_drag", X, true), model("vertical_drag", Y, true), model("tap", -Z, false),
+		zoom_model(0.03, 0.04) };
+}
+
+GestureRecogniser paper(const std::vector<std::shared_ptr<const GestureModel>> &expected) {
+	return { expected, std::nullopt, MotionMode::PAPER };
+}
+
+const Way SIDEWAYS = along(X, { DRAG });
+
+TEST_CASE("each synthetic person's gesture is started and ended, taps down too") {
+	SyntheticSetOptions set;
+	set.population = Population::TUNE;
+	set.subjects = 3;
+	set.repetitions = 2;
+	set.positions = { HandPosition::STABLE };
+	int made = 0, found = 0, made_down = 0, found_down = 0;
+	const std::vector<SyntheticTrial> trials = make_turned_trials(set).value();
+	for (const auto &[trial, measured, reference] : trials) {
+		if (trial.gesture == NO_GESTURE) {
+			continue;
+		}
+		GestureRecogniser recogniser = paper(four_models());
+		std::string first;
+		GestureShown shown;
+		for (const HandFrame &frame : measured.frames) {
+			recogniser.push(frame);
+			const GestureShown before = std::exchange(shown, shown_by(recogniser));
+			if (news(before, shown).ended && first.empty()) {
+				first = recogniser.follower()->model().gesture;
+			}
+		}
+		const bool is_down = trial.gesture == "tap" && trial.axis.y() < -0.7;
+		++made;
+		made_down += is_down ? 1 : 0;
+		found += first == trial.gesture ? 1 : 0;
+		found_down += is_down && first == trial.gesture ? 1 : 0;
+	}
+	CHECK(found >= made * 9 / 10);
+	CHECK(made_down > 0);
+	CHECK(found_down >= made_down * 3 / 4);
+}
+
+TEST_CASE("the motion of a spotted drag comes to the way of the hand and back") {
+	GestureRecogniser recogniser = paper(four_models());
+	const Events events = watch(recogniser, SIDEWAYS, 3.0);
+	CHECK(events.said == times(1, "horizontal_drag"));
+	CHECK(events.first_shown_s > DRAG.onset_s);
+	CHECK(events.first_shown_s < DRAG.onset_s + DRAG.duration_s);
+	CHECK(std::abs(events.last_ended_s - (DRAG.onset_s + DRAG.duration_s)) < 0.2);
+	CHECK(events.last_confidence > 0.9);
+}
+
+TEST_CASE("only the gestures of the models that are expected are spotted") {
+	GestureRecogniser recogniser = paper({ four_models()[1], four_models()[2] });
+	CHECK(watch(recogniser, SIDEWAYS, 3.0).said.empty());
+}
+
+TEST_CASE("a gesture that the HMMs do not include is recognised by strokes") {
+	GestureRecogniser recogniser = paper({ model("sideways", X, true), four_models()[1] });
+	CHECK(watch(recogniser, SIDEWAYS, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("a spotted gesture goes on where a model is added, and is aborted where its own goes") {
+	const auto all = four_models();
+	for (const bool stays : { true, false }) {
+		GestureRecogniser recogniser = paper({ all[1], all[0] });
+		bool has_changed = false;
+		const Way way = [&](double t_s) {
+			if (t_s > DRAG.onset_s + 0.75 * DRAG.duration_s && !std::exchange(has_changed, true)) {
+				REQUIRE(recogniser.gesture() == 1);
+				recogniser.expect({ { all[2], {} }, { stays ? all[0] : all[1], {} } });
+			}
+			return SIDEWAYS(t_s);
+		};
+		const std::ptrdiff_t ended = count(watch(recogniser, way, 3.0), "ended horizontal_drag");
+		CHECK(ended == (stays ? 1 : 0));
+	}
+}
+
+TEST_CASE("a start condition is judged at a spotted gesture's onset") {
+	for (const StartKind kind : { StartKind::DWELL, StartKind::PINCH }) {
+		GestureRecogniser recogniser = paper(four_models());
+		recogniser.set_start_condition({ .kind = kind });
+		// The hand rests for 0.6 s, and has no thumb.
+		const auto &said = watch(recogniser, SIDEWAYS, 3.0).said;
+		CHECK(said == (kind == StartKind::DWELL ? times(1, "horizontal_drag") : times(0, "")));
+	}
+}
+
+TEST_CASE("a hand that is lost for a second on a spotted gesture has made none") {
+	GestureRecogniser recogniser = paper(four_models());
+	const Events events = watch(recogniser, SIDEWAYS, 4.0, DRAG.onset_s + 0.7 * DRAG.duration_s, 1e9);
+	CHECK(events.said == std::vector<std::string>{ "started horizontal_drag", "aborted horizontal_drag" });
+}
+
+TEST_CASE("spotted motion depends on earlier frames alone, to the last bit") {
+	const auto play = [](const Way &way) {
+		GestureRecogniser recogniser = paper(four_models());
+		std::vector<double> values_m;
+		watch(
+				recogniser,
+				[&](double t_s) {
+					values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
+					return way(t_s);
+				},
+				2.5);
+		return values_m;
+	};
+	const double cut_s = DRAG.onset_s + 0.8 * DRAG.duration_s;
+	const std::vector<double> whole = play(SIDEWAYS), cut = play([&](double t_s) {
+		return t_s < cut_s ? SIDEWAYS(t_s) : Eigen::Vector3d(0.5, t_s, 0.5);
+	});
+	const auto first_other = std::ranges::mismatch(whole, cut).in1 - whole.begin();
+	CHECK(static_cast<double>(first_other) / 110.0 > cut_s);
+	CHECK(static_cast<double>(first_other) < static_cast<double>(whole.size()));
+	CHECK(whole[static_cast<std::size_t>(110.0 * cut_s)] > 0.0);
+}
+
+TEST_CASE("spotting allocates nothing per frame") {
+	GestureRecogniser recogniser = paper(four_models());
+	const std::vector<HandFrame> frames = frames_of({});
+	int shown = 0;
+	CHECK(allocations_of([&] {
+		for (const HandFrame &frame : frames) {
+			recogniser.push(frame);
+			recogniser.advance(frame.t_s + 1e-3);
+			shown += recogniser.gesture() >= 0 ? 1 : 0;
+		}
+	}) == 0);
+	CHECK(shown > 0);
+}
+
+} // namespace
+} // namespace steadyhand::test

@@ -1,0 +1,96 @@
+extends "support/scene_test.gd"
+## `paper` mode without a task: HMMs say which gesture it is.
+
+const Rig := preload("support/rig.gd")
+
+const LENGTH_S := 5.0
+
+
+func test_each_gesture_of_a_synthetic_hand_starts_and_ends_without_a_task() -> void:
+	var ways: Array[Vector3] = [
+		Vector3.RIGHT, Vector3.LEFT, Vector3.UP, Vector3.DOWN, Vector3.FORWARD, Vector3.DOWN
+	]
+	var gestures: Array[StringName] = [
+		&"horizontal_drag",
+		&"horizontal_drag",
+		&"vertical_drag",
+		&"vertical_drag",
+		&"tap",
+		&"tap",
+		&"zoom",
+	]
+	for i in gestures.size():
+		var source := SyntheticSource.new()
+		source.gesture = gestures[i]
+		source.placement = SyntheticSource.PLACEMENT_FIXED
+		source.start = Vector3(0.0, 1.2, -0.3)
+		if i < ways.size():
+			source.direction = ways[i]
+		# By their speed alone taps down are told from drags.
+		source.pace = 0.6 if gestures[i] == &"tap" else 1.0
+		source.amplitude = {&"tap": 0.15, &"zoom": 0.04}.get(gestures[i], 0.2)
+		var hmm := _hmm(source, ["horizontal_drag", "vertical_drag", "tap", "zoom"])
+		var seen := _events(hmm)
+		_play(hmm)
+		var expected: Array[String] = ["started %s" % gestures[i], "ended %s" % gestures[i]]
+		check_equal(seen.slice(0, 2), expected, "%s, way %d" % [gestures[i], i])
+		_free(hmm)
+
+
+func test_a_gesture_that_the_hmms_do_not_include_is_recognised_by_its_strokes() -> void:
+	var source := SyntheticSource.new()
+	var hmm := _hmm(source, ["horizontal_drag"])
+	var folder := DirAccess.create_temp("steadyhand_paper_mode")
+	var path := folder.get_current_dir().path_join("push.gesture")
+	var text := FileAccess.get_file_as_string(Rig.MODEL % "horizontal_drag")
+	FileAccess.open(path, FileAccess.WRITE).store_string(text.replace("horizontal_drag", "push"))
+	# expects one warning: Add a GestureTask of 'push' to "tasks", or set "mode" to phase
+	hmm.models = [load(path) as GestureModel]
+	var seen := _events(hmm)
+	_play(hmm)
+	check_equal(seen, ["started push", "ended push"] as Array[String], "what is said")
+	_free(hmm)
+
+
+func _hmm(source: HandSource, gestures: Array[String]) -> GestureHMM:
+	var hmm := GestureHMM.new()
+	hmm.tracker = HandTracker.new()
+	hmm.tracker.source = source
+	hmm.tracker.update_mode = HandTracker.UPDATE_MANUAL
+	hmm.tracker.autostart = false
+	hmm.mode = GestureHMM.MODE_PAPER
+	var models: Array[GestureModel] = []
+	for gesture in gestures:
+		models.append(load(Rig.MODEL % gesture) as GestureModel)
+	hmm.models = models
+	root.add_child(hmm.tracker)
+	root.add_child(hmm)
+	return hmm
+
+
+func _events(hmm: GestureHMM) -> Array[String]:
+	var seen: Array[String] = []
+	hmm.gesture_started.connect(
+		func(gesture: StringName, _task: GestureTask) -> void: seen.append("started %s" % gesture)
+	)
+	hmm.gesture_aborted.connect(
+		func(gesture: StringName, _task: GestureTask) -> void: seen.append("aborted %s" % gesture)
+	)
+	hmm.gesture_ended.connect(
+		func(gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
+			seen.append("ended %s" % gesture)
+	)
+	return seen
+
+
+func _play(hmm: GestureHMM) -> void:
+	hmm.tracker.start()
+	var time_s := 0.0
+	while time_s < LENGTH_S and not hmm.tracker.is_finished():
+		hmm.tracker.advance_to(time_s)
+		time_s += 0.01
+
+
+func _free(hmm: GestureHMM) -> void:
+	hmm.tracker.free()
+	hmm.free()
