@@ -20,9 +20,9 @@ struct Said {
 
 /// Looked at each millisecond, as GestureHMM does. min_confidence: GestureRecogniser::set_min_confidence.
 inline std::vector<Said> follow(const std::vector<ExpectedGesture> &gestures,
-		const std::vector<HandFrame> &frames, double length_s, double min_confidence) {
-	GestureRecogniser recogniser(
-			gestures, MotionMode::PHASE, estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
+		const std::vector<HandFrame> &frames, double length_s, double min_confidence,
+		MotionMode mode = MotionMode::PHASE) {
+	GestureRecogniser recogniser(gestures, mode, estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
 	recogniser.set_min_confidence(min_confidence);
 	std::vector<Said> said;
 	GestureShown shown;

@@ -1,0 +1,217 @@
+// Which gestures are found without a task by the HMMs of `paper` mode, and which by the strokes of `phase`
+// mode. Prints docs/recognition.md:
+//
+//     bench_classifier [MODELS [REAL]]
+//
+// MODELS: folder of the models, by default models. REAL: folder of recordings (drags, lm_digits,
+// leapjs_playback, leap_qtm); without it only synthetic people.
+
+#include "events/said.h"
+#include "models.h"
+#include "simulation/classifier_set.h"
+#include "timing.h"
+#include "trials.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+
+using Frames = std::vector<HandFrame>;
+
+struct Stream {
+	std::string kind;
+	int gesture = -1; ///< -1: none
+	double start_s = 0.0, end_s = 0.0;
+	Frames frames;
+
+	[[nodiscard]] double length_s() const { return frames.back().t_s - frames.front().t_s; }
+};
+
+int gesture_index(std::string_view gesture) {
+	const auto found = std::find(GESTURES.begin(), GESTURES.end(), gesture);
+	return found == GESTURES.end() ? -1 : static_cast<int>(found - GESTURES.begin());
+}
+
+/// Named by what is made: "none" and how, or gesture and position.
+std::vector<Stream> streams_of(const std::vector<SyntheticTrial> &trials, const std::string &prefix) {
+	std::vector<Stream> streams;
+	for (const auto &[trial, measured, reference] : trials) {
+		const bool is_none = trial.gesture == NO_GESTURE;
+		std::string kind = is_none ? "none: " : prefix + trial.gesture;
+		if (trial.gesture == "tap") {
+			kind += trial.axis.y() < -0.7 ? " down" : " forward";
+		}
+		for (const auto &[key, value] : measured.metadata) {
+			kind += is_none && key == "kind" ? value : "";
+		}
+		kind += is_none ? "" : trial.position == HandPosition::STABLE ? ", stable" : ", unstable";
+		streams.push_back(
+				{ kind, gesture_index(trial.gesture), trial.start_s, trial.end_s, measured.frames });
+	}
+	return streams;
+}
+
+/// Hands that make no gesture: all track files of a folder.
+std::vector<Stream> recordings_in(const std::string &folder, const std::string &name) {
+	std::vector<std::string> files;
+	for (const auto &entry : std::filesystem::directory_iterator(folder + "/" + name)) {
+		if (entry.path().extension() == ".csv") {
+			files.push_back(entry.path().string());
+		}
+	}
+	std::sort(files.begin(), files.end());
+	std::vector<Stream> streams;
+	for (const std::string &file : files) {
+		const Result<Track> track = parse_track_csv(read_text(file), file);
+		if (!track || track.value().frames.empty()) {
+			continue; // a table of something else
+		}
+		Frames frames = track.value().frames;
+		for (const UnknownColumn &column : track.value().unknown_columns) {
+			for (std::size_t i = 0; column.name == "valid" && i < frames.size(); ++i) {
+				frames[i].tracked = column.cells[i] == "0" ? 0 : frames[i].tracked;
+			}
+		}
+		// A digit 1 is a straight stroke down of some 22 cm, from rest to rest: a gesture, but for its
+		// meaning.
+		const bool is_stroke = file.find("digit1_") != std::string::npos;
+		streams.push_back(
+				{ "none: real " + name + (is_stroke ? ", digit 1" : ""), -1, 0.0, 0.0, std::move(frames) });
+	}
+	return streams;
+}
+
+/// Of one kind of stream, by one way of recognition.
+struct Row {
+	int trials = 0, right = 0, wrong = 0, alarms = 0;
+	double seconds = 0.0;
+	std::vector<double> begins_s{}; ///< after the movement's start
+};
+
+/// The first gesture that ends is the one that counts; each that ends of hands that make none is an alarm.
+void add(Row &r_row, const Stream &stream, const std::vector<Said> &said) {
+	++r_row.trials;
+	r_row.seconds += stream.length_s();
+	const auto ended = std::ranges::find(said, Happening::ENDED, &Said::happening);
+	if (stream.gesture < 0) {
+		r_row.alarms += static_cast<int>(std::ranges::count(said, Happening::ENDED, &Said::happening));
+		return;
+	}
+	r_row.right += ended != said.end() && ended->gesture == stream.gesture ? 1 : 0;
+	r_row.wrong += ended != said.end() && ended->gesture != stream.gesture ? 1 : 0;
+	const auto begun = std::ranges::find_if(said, [&](const Said &one) {
+		return one.happening == Happening::STARTED && one.gesture == stream.gesture;
+	});
+	if (begun != said.end()) {
+		r_row.begins_s.push_back(begun->t_s - stream.start_s);
+	}
+}
+
+using Rows = std::map<std::string, Row>;
+
+Rows rows_of(
+		const std::vector<Stream> &streams, const std::vector<ExpectedGesture> &gestures, MotionMode mode) {
+	Rows rows;
+	for (const Stream &stream : streams) {
+		add(rows[stream.kind], stream, follow(gestures, stream.frames, stream.frames.back().t_s, 0.0, mode));
+	}
+	return rows;
+}
+
+void print_found(const Row &row) {
+	std::printf(" %d of %d | %d |", row.right, row.trials, row.wrong);
+	if (row.begins_s.empty()) {
+		std::printf(" - |");
+	} else {
+		std::printf(" %.2f |", median(row.begins_s));
+	}
+}
+
+void print_alarms(const Row &row) {
+	std::printf(" %.2f |", row.alarms / (row.seconds / 60.0));
+}
+
+void print_table(const Rows &hmms, const Rows &strokes, bool is_none) {
+	for (const auto &[kind, row] : hmms) {
+		if (kind.starts_with("none") == is_none) {
+			std::printf("| %s |", kind.c_str());
+			const auto print = is_none ? print_alarms : print_found;
+			print(row);
+			print(strokes.at(kind));
+			std::printf("\n");
+		}
+	}
+}
+
+const char *const HEAD = R"(# Recognition without a task
+
+`./steadyhand bench classifier` writes this page. It compares recognition by HMM (`paper` mode) with recognition by
+strokes (`phase` mode, the default), all four models active and no task given. [method.md](method.md#paper-mode)
+describes both.
+
+The people are simulated people of the population `evaluate`. *real* are recorded hands (`../shared/real`), where they
+are there. The first gesture that ends counts: *found* is the right one, *wrong* another one. *begins* is the median
+time from the movement's start to `gesture_started`, s.
+
+| gesture | HMM: found | wrong | begins | strokes: found | wrong | begins |
+| --- | --- | --- | --- | --- | --- | --- |
+)";
+
+const char *const ALARMS = R"(
+False alarms: gestures that end a minute, of hands that make none.
+
+| hands | HMM | strokes |
+| --- | --- | --- |
+)";
+
+const char *const NOTES = R"(
+- Strokes find more real gestures and begin earlier, so they decide in `phase` mode. Only the HMMs know taps down.
+- A digit 1 is a straight stroke down from rest to rest. Only a start condition tells it from a gesture.
+)";
+
+} // namespace
+
+int main(int count, char **arguments) {
+	const std::vector<std::string> given(arguments + 1, arguments + count);
+	const Models models = read_models(given.empty() ? "models" : given[0]);
+	if (models.empty()) {
+		return 1;
+	}
+	SyntheticSetOptions set;
+	set.population = Population::EVALUATE;
+	set.subjects = 8;
+	set.repetitions = 4;
+	std::vector<Stream> streams = streams_of(make_turned_trials(set).value(), "");
+	if (given.size() > 1) {
+		const std::string &real = given[1];
+		std::ranges::move(streams_of(read_trials(real + "/drags"), "real "), std::back_inserter(streams));
+		for (const char *name : { "lm_digits", "leapjs_playback", "leap_qtm" }) {
+			if (std::filesystem::is_directory(real + "/" + name)) {
+				std::ranges::move(recordings_in(real, name), std::back_inserter(streams));
+			}
+		}
+	}
+	std::vector<ExpectedGesture> gestures;
+	for (const auto &model : models) {
+		gestures.push_back({ model, std::nullopt });
+	}
+	const Rows hmms = rows_of(streams, gestures, MotionMode::PAPER),
+			   strokes = rows_of(streams, gestures, MotionMode::PHASE);
+	std::printf("%s", HEAD);
+	print_table(hmms, strokes, false);
+	std::printf("%s", ALARMS);
+	print_table(hmms, strokes, true);
+	std::printf("%s", NOTES);
+	return 0;
+}
