@@ -2,6 +2,7 @@
 
 #include "gesture/vector_quantiser.h"
 #include "hmm/discrete_hmm.h"
+#include "hmm/filler_filter.h"
 
 #include <Eigen/Core>
 
@@ -29,16 +30,7 @@ struct ClassifierModel {
 	DiscreteHmm other; ///< of hands that make no gesture, and of gestures looked at from elsewhere
 };
 
-/// The filler, or threshold, model (Lee and Kim 1999, doi:10.1109/34.799904): the states of all gestures and
-/// of other motion, each leading to itself as before and to all others alike. Any order of the states is as
-/// likely as another, so that a hand which makes no gesture fits it better than the gesture's own HMM.
-/// Probabilities.
-struct FillerModel {
-	Eigen::VectorXd stay; ///< N: that the state lasts for another symbol
-	Eigen::MatrixXd b;    ///< N x (M + 1): the last column, all 1, is of UNSEEN
-};
-
-/// evidence: ClassifierOptions::evidence.
+/// The states of all gestures and of other motion. evidence: ClassifierOptions::evidence.
 [[nodiscard]] FillerModel filler_of(const ClassifierModel &model, double evidence);
 
 } // namespace steadyhand

@@ -3,9 +3,9 @@
 #include "gesture/classifier_model.h"
 #include "gesture/hand_motion.h"
 #include "gesture/symbol_clock.h"
+#include "hmm/filler_filter.h"
 #include "hmm/scaled_recursion.h"
 #include "recognition/direction_prior.h"
-#include "recognition/filler_filter.h"
 #include "signal/ring.h"
 #include "tracking/frame.h"
 

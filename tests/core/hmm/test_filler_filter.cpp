@@ -1,7 +1,7 @@
+#include "hmm/filler_filter.h"
 #include "hmm/hmm_log_space.h"
 #include "hmm/hmm_random.h"
 #include "near.h"
-#include "recognition/filler_filter.h"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gesture/classifier_model.h"
 #include "hmm/scaled_number.h"
 
 #include <Eigen/Core>
@@ -8,6 +7,15 @@
 #include <array>
 
 namespace steadyhand {
+
+/// The filler, or threshold, model (Lee and Kim 1999, doi:10.1109/34.799904): the states of all gestures and
+/// of other motion, each leading to itself as before and to all others alike. Any order of the states is as
+/// likely as another, so that a hand which makes no gesture fits it better than the gesture's own HMM.
+/// Probabilities.
+struct FillerModel {
+	Eigen::VectorXd stay; ///< N: that the state lasts for another symbol
+	Eigen::MatrixXd b;    ///< N x (M + 1): the last column, all 1, is of UNSEEN
+};
 
 /// The forward variable of a FillerModel for several sequences at once, one a lane. As every state leads to
 /// every other, none falls behind the others by more than one symbol can make it: one scale a lane is exact
