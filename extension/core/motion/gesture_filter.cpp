@@ -5,7 +5,6 @@
 #include "signal/minimum_jerk.h"
 
 #include <algorithm>
-#include <numbers>
 
 namespace steadyhand {
 namespace {
@@ -16,13 +15,6 @@ double share_of_lag(double duration_s) {
 }
 
 } // namespace
-
-ReadingLikelihood::ReadingLikelihood(double error, double variance) {
-	const double normal = (1.0 - parameters::OUTLIERS) * std::exp(-0.5 * error * error / variance) /
-			std::sqrt(2.0 * std::numbers::pi * variance);
-	density = normal + parameters::OUTLIERS * parameters::OUTLIER_DENSITY;
-	share = normal / density;
-}
 
 DampedTransition::DampedTransition(double a, double dt_s) {
 	const double fading = std::exp(-a * dt_s);
@@ -56,6 +48,7 @@ GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const Hand
 	set(LOG_DURATION, onset.log_duration, onset.log_duration_deviation);
 	set(GAIN, 0.0, onset.gain_deviation);
 	set(SHAPE, parameters::SHAPE_MEAN, parameters::SHAPE_SPREAD);
+	duration_s_ = std::exp(onset.log_duration);
 	if (tracker == TrackerMode::LAGGING) {
 		set(LAG, parameters::LAG_S, parameters::LAG_SPREAD_S);
 	}
@@ -68,19 +61,22 @@ GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const Hand
 }
 
 void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s) {
+	kept_s_ = NAN;
 	const double x = mean_(DEVIATION), v = mean_(DEVIATION_RATE);
 	mean_(DEVIATION) = by.xx * x + by.xv * v;
 	mean_(DEVIATION_RATE) = by.vx * x + by.vv * v;
-	const Vector column_x = covariance_.col(DEVIATION), column_v = covariance_.col(DEVIATION_RATE);
-	covariance_.col(DEVIATION) = by.xx * column_x + by.xv * column_v;
-	covariance_.col(DEVIATION_RATE) = by.vx * column_x + by.vv * column_v;
-	const Vector row_x = covariance_.row(DEVIATION), row_v = covariance_.row(DEVIATION_RATE);
-	covariance_.row(DEVIATION) = by.xx * row_x + by.xv * row_v;
-	covariance_.row(DEVIATION_RATE) = by.vx * row_x + by.vv * row_v;
-	covariance_(DEVIATION, DEVIATION) += by.noise_xx;
-	covariance_(DEVIATION, DEVIATION_RATE) += by.noise_xv;
-	covariance_(DEVIATION_RATE, DEVIATION) += by.noise_xv;
-	covariance_(DEVIATION_RATE, DEVIATION_RATE) += by.noise_vv;
+	Vector column_x = by.xx * covariance_.col(DEVIATION) + by.xv * covariance_.col(DEVIATION_RATE);
+	Vector column_v = by.vx * covariance_.col(DEVIATION) + by.vv * covariance_.col(DEVIATION_RATE);
+	const double xx = by.xx * column_x(DEVIATION) + by.xv * column_x(DEVIATION_RATE) + by.noise_xx;
+	const double xv = by.vx * column_x(DEVIATION) + by.vv * column_x(DEVIATION_RATE) + by.noise_xv;
+	const double vv = by.vx * column_v(DEVIATION) + by.vv * column_v(DEVIATION_RATE) + by.noise_vv;
+	column_x(DEVIATION) = xx;
+	column_x(DEVIATION_RATE) = column_v(DEVIATION) = xv;
+	column_v(DEVIATION_RATE) = vv;
+	covariance_.col(DEVIATION) = column_x;
+	covariance_.col(DEVIATION_RATE) = column_v;
+	covariance_.row(DEVIATION) = column_x;
+	covariance_.row(DEVIATION_RATE) = column_v;
 	// As the log duration changes by e, the onset does by -(t - onset) e: the phase stays.
 	const double shift = -std::max(t_s - mean_(ONSET), 0.0);
 	const double walk = parameters::PACE_WALK * parameters::PACE_WALK * std::min(dt_s, 1.0);
@@ -91,33 +87,44 @@ void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s)
 }
 
 GestureFilter::Prediction GestureFilter::measured(const ReferenceTable &curve, double t_s) const {
-	const double duration = duration_s(), phase = (t_s - mean_(ONSET)) / duration;
-	const ReferenceTable::Point hand = curve.at(phase);
+	const bool is_lagging = tracker_ == TrackerMode::LAGGING;
+	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
+	const CurvePoint hand = curve.at(phase);
 	const double gone = std::clamp(hand.value, 0.0, 1.0), gone_slope = hand.value == gone ? hand.slope : 0.0;
-	const double late = tracker_ == TrackerMode::LAGGING ? share_of_lag(duration) * gone / duration : 0.0;
-	Prediction p;
-	p.phase = phase - mean_(LAG) * late;
-	const ReferenceTable::Point own = curve.at(p.phase);
-	const Polynomial::Point jerk = minimum_jerk(p.phase);
-	const double f = own.value + mean_(SHAPE) * (jerk.value - own.value);
-	const double slope = (1.0 + mean_(GAIN)) * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
+	const double late = is_lagging ? share_of_lag(duration_s_) * rate * gone : 0.0;
+	const double shown_phase = phase - mean_(LAG) * late;
+	const CurvePoint own = is_lagging ? curve.at(shown_phase) : hand;
+	const Polynomial::Point jerk = minimum_jerk(shown_phase);
+	const double way = 1.0 + mean_(GAIN), f = own.value + mean_(SHAPE) * (jerk.value - own.value);
+	const double slope = way * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
 	const double unit = deviation(tracker_, gone);
-	p.x = (1.0 + mean_(GAIN)) * f + unit * mean_(DEVIATION);
+	Prediction p;
+	p.x = way * f + unit * mean_(DEVIATION);
+	p.velocity = rate * own.slope;
 	// By the phase without the lag, in which the lag and the error's size follow it.
-	const double lagged = gone > 0.0 ? 1.0 - mean_(LAG) * late / gone * gone_slope : 1.0;
-	const double unit_slope =
-			tracker_ == TrackerMode::LAGGING ? parameters::LAGGING_ERROR_ON_WAY * gone_slope : 0.0;
-	const double by_phase = slope * lagged + unit_slope * mean_(DEVIATION);
-	p.slope(ONSET) = -by_phase / duration;
+	double by_phase = slope;
+	if (is_lagging) {
+		by_phase *= gone > 0.0 ? 1.0 - mean_(LAG) * late / gone * gone_slope : 1.0;
+		by_phase += parameters::LAGGING_ERROR_ON_WAY * gone_slope * mean_(DEVIATION);
+	}
+	p.slope(ONSET) = -by_phase * rate;
 	p.slope(LOG_DURATION) = -by_phase * phase +
-			slope * mean_(LAG) * late * duration / (duration + parameters::LAG_SETTLING_S);
+			slope * mean_(LAG) * late * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
 	p.slope(GAIN) = f;
-	p.slope(SHAPE) = (1.0 + mean_(GAIN)) * (jerk.value - own.value);
+	p.slope(SHAPE) = way * (jerk.value - own.value);
 	p.slope(LAG) = -slope * late;
 	p.slope(DEVIATION) = unit;
-	p.covariance = covariance_ * p.slope;
+	p.covariance.noalias() = covariance_.leftCols<DEVIATION_RATE>() * p.slope.head<DEVIATION_RATE>();
 	p.variance = p.covariance.dot(p.slope);
 	return p;
+}
+
+const GestureFilter::Prediction &GestureFilter::keep_measured(const ReferenceTable &curve, double t_s) {
+	if (kept_s_ != t_s) {
+		kept_ = measured(curve, t_s);
+		kept_s_ = t_s;
+	}
+	return kept_;
 }
 
 void GestureFilter::correct(const Prediction &prediction, const ElementReading &reading) {
@@ -126,7 +133,9 @@ void GestureFilter::correct(const Prediction &prediction, const ElementReading &
 	weight *= std::pow(likelihood.density, reading.power);
 	const Vector gain = prediction.covariance / variance;
 	mean_ += likelihood.share * error * gain;
-	covariance_ -= likelihood.reduction(error, variance) * gain * gain.transpose();
+	covariance_.noalias() -= likelihood.reduction(error, variance) * gain * gain.transpose();
+	duration_s_ = std::exp(mean_(LOG_DURATION));
+	kept_s_ = NAN;
 }
 
 void GestureFilter::forget_error(double deviation) {
@@ -134,11 +143,13 @@ void GestureFilter::forget_error(double deviation) {
 	const double rate = deviation_rate_per_s(tracker_);
 	covariance_(DEVIATION, DEVIATION) += unit * unit;
 	covariance_(DEVIATION_RATE, DEVIATION_RATE) += rate * rate;
+	kept_s_ = NAN;
 }
 
-GestureFilter::Hand GestureFilter::hand(const GestureModel &model, double from_s, double t_s) const {
-	const double rate = 1.0 / duration_s(), phase = (t_s - mean_(ONSET)) * rate;
-	const CurvePoint own = evaluate_onwards(model, phase);
+GestureFilter::Hand GestureFilter::hand(
+		const ReferenceTable &curve, double t_s, double since_s, double fading) const {
+	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
+	const CurvePoint own = curve.at(phase);
 	const Polynomial::Point jerk = minimum_jerk(phase);
 	const double shape = mean_(SHAPE), way = 1.0 + mean_(GAIN);
 	Hand hand{ way * (own.value + shape * (jerk.value - own.value)),
@@ -148,7 +159,7 @@ GestureFilter::Hand GestureFilter::hand(const GestureModel &model, double from_s
 	if (tracker_ == TrackerMode::SOUND) {
 		const double unit = deviation(tracker_, 0.0);
 		const CriticallyDamped d = critically_damped(unit * mean_(DEVIATION), unit * mean_(DEVIATION_RATE),
-				deviation_rate_per_s(tracker_), std::max(t_s - from_s, 0.0));
+				deviation_rate_per_s(tracker_), since_s, fading);
 		hand.value += d.value;
 		hand.velocity += d.velocity;
 		hand.acceleration += d.acceleration;

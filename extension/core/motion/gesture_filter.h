@@ -15,27 +15,6 @@ enum class TrackerMode : std::uint8_t {
 	LAGGING ///< has a lag that grows along the way, and an error
 };
 
-/// A measurement of the motion element, in amplitudes, and how it is weighed.
-struct ElementReading {
-	double t_s = 0.0;
-	double x = 0.0;
-	double variance = 0.0; ///< of its white noise
-	double power = 1.0;    ///< of its likelihood: how far its error is its own
-};
-
-/// Likelihood of a measurement at this distance from its prediction: a normal density mixed with an
-/// outlier's.
-struct ReadingLikelihood {
-	double density;
-	double share; ///< probability that it is no outlier
-
-	ReadingLikelihood(double error, double variance);
-	/// The factor of a covariance's reduction by the gain and its transpose: that of a mixture's moments.
-	[[nodiscard]] double reduction(double error, double variance) const {
-		return share * (variance - (1.0 - share) * error * error);
-	}
-};
-
 /// Transition of critically damped noise of variance 1, x'' = -2 a x' - a^2 x + white, over a time.
 struct DampedTransition {
 	double xx, xv, vx, vv; ///< of [x, x']
@@ -55,7 +34,18 @@ struct DampedTransition {
 /// Bar-Shalom, Li, Kirubarajan 2001, section 10.3.
 class GestureFilter {
 public:
-	enum Index : std::uint8_t { ONSET, LOG_DURATION, GAIN, SHAPE, LAG, DEVIATION, DEVIATION_RATE, SIZE };
+	/// UNUSED: a column of 8 numbers is whole SIMD registers.
+	enum Index : std::uint8_t {
+		ONSET,
+		LOG_DURATION,
+		GAIN,
+		SHAPE,
+		LAG,
+		DEVIATION,
+		DEVIATION_RATE,
+		UNUSED,
+		SIZE
+	};
 	using Vector = Eigen::Matrix<double, SIZE, 1>;
 	using Matrix = Eigen::Matrix<double, SIZE, SIZE>;
 
@@ -67,7 +57,7 @@ public:
 	struct Prediction {
 		double x = 0.0;
 		double variance = 0.0;              ///< without the measurement's noise
-		double phase = 0.0;                 ///< as the tracker shows it
+		double velocity = 0.0;              ///< of the model's curve there
 		Vector slope = Vector::Zero();      ///< d x / d state
 		Vector covariance = Vector::Zero(); ///< of the state with x
 	};
@@ -84,19 +74,22 @@ public:
 
 	[[nodiscard]] TrackerMode tracker() const { return tracker_; }
 	[[nodiscard]] double onset_s() const { return mean_(ONSET); }
-	[[nodiscard]] double duration_s() const { return std::exp(mean_(LOG_DURATION)); }
+	[[nodiscard]] double duration_s() const { return duration_s_; }
 	[[nodiscard]] const Vector &mean() const { return mean_; }
 	[[nodiscard]] const Matrix &covariance() const { return covariance_; }
 
 	/// dt_s: to t_s, from the last time; transition: of its deviation.
 	void predict(const DampedTransition &transition, double dt_s, double t_s);
 	[[nodiscard]] Prediction measured(const ReferenceTable &curve, double t_s) const;
+	/// The same, kept for the next call.
+	const Prediction &keep_measured(const ReferenceTable &curve, double t_s);
 	/// Takes in a reading; the weight becomes what the hypothesis and it are worth together.
 	void correct(const Prediction &prediction, const ElementReading &reading);
 	/// The tracker has jumped: of its error nothing is known.
 	void forget_error(double deviation);
-	/// At t_s, the deviation faded since from_s, the time that it was predicted to.
-	[[nodiscard]] Hand hand(const GestureModel &model, double from_s, double t_s) const;
+	/// At t_s. since_s: since the time that it was predicted to; fading: of the deviation, exp(-rate
+	/// since_s).
+	[[nodiscard]] Hand hand(const ReferenceTable &curve, double t_s, double since_s, double fading) const;
 
 	/// Standard deviation of the deviation where the curve is at `gone`.
 	[[nodiscard]] static double deviation(TrackerMode tracker, double gone);
@@ -104,6 +97,9 @@ public:
 
 private:
 	TrackerMode tracker_ = TrackerMode::SOUND;
+	double duration_s_ = 1.0;
+	double kept_s_ = NAN; ///< the instant of kept_; NAN: the state has changed since
+	Prediction kept_;
 	Vector mean_ = Vector::Zero();
 	Matrix covariance_ = Matrix::Zero();
 };

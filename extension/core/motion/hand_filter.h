@@ -1,14 +1,57 @@
 #pragma once
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace steadyhand {
+
+/// A measurement of the motion element, in amplitudes, and how it is weighed.
+struct ElementReading {
+	double t_s = 0.0;
+	double x = 0.0;
+	double variance = 0.0; ///< of its white noise
+	double power = 1.0;    ///< of its likelihood: how far its error is its own
+};
+
+/// Likelihood of a measurement at this distance from its prediction: a normal density mixed with an
+/// outlier's.
+struct ReadingLikelihood {
+	double density;
+	double share; ///< probability that it is no outlier
+
+	ReadingLikelihood(double error, double variance) {
+		const double normal = (1.0 - parameters::OUTLIERS) * std::exp(-0.5 * error * error / variance) /
+				std::sqrt(2.0 * std::numbers::pi * variance);
+		density = normal + parameters::OUTLIERS * parameters::OUTLIER_DENSITY;
+		share = normal / density;
+	}
+	/// The factor of a covariance's reduction by the gain and its transpose: that of a mixture's moments.
+	[[nodiscard]] double reduction(double error, double variance) const {
+		return share * (variance - (1.0 - share) * error * error);
+	}
+};
 
 /// Position and velocity of a hand that follows no curve, with their covariance.
 struct HandState {
 	double x = 0.0, v = 0.0;
 	double xx = 0.0, xv = 0.0, vv = 0.0; ///< covariance
+
+	/// Takes in a reading; returns the reading's likelihood, to its power.
+	double correct(const ElementReading &reading) {
+		const double error = reading.x - x, variance = xx + reading.variance;
+		const ReadingLikelihood likelihood(error, variance);
+		const double gain_x = xx / variance, gain_v = xv / variance;
+		const double reduction = likelihood.reduction(error, variance);
+		x += likelihood.share * error * gain_x;
+		v += likelihood.share * error * gain_v;
+		xx -= reduction * gain_x * gain_x;
+		xv -= reduction * gain_x * gain_v;
+		vv -= reduction * gain_v * gain_v;
+		return std::pow(likelihood.density, reading.power);
+	}
 };
 
 /// A hand whose velocity is an Ornstein-Uhlenbeck process, dv = -rate v dt + noise: it comes to rest wherever

@@ -1,41 +1,40 @@
 #pragma once
 
 #include "gesture/gesture_model.h"
+#include "signal/quintic_piece.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace steadyhand {
 
-/// evaluate_onwards() of a model from a table: cubic Hermite pieces, exact at CELLS + 1 phases.
+/// evaluate_onwards() of a model from a table: in each cell the quintic that has the model's value, slope and
+/// curvature at both ends.
 class ReferenceTable {
 public:
-	struct Point {
-		double value, slope;
-	};
-
 	explicit ReferenceTable(const GestureModel &model) {
-		for (std::size_t i = 0; i < knots_.size(); ++i) {
-			const CurvePoint point =
-					evaluate_onwards(model, std::max(static_cast<double>(i) * CELL, SMALLEST));
-			knots_[i] = { point.value, point.slope };
+		const auto point = [&](double phase) {
+			const CurvePoint at = evaluate_onwards(model, phase);
+			return MotionPoint{ at.value, at.slope, at.curvature };
+		};
+		for (std::size_t i = 0; i < cells_.size(); ++i) {
+			const double begin = static_cast<double>(i) * CELL;
+			cells_[i] = QuinticPiece::between(point(begin + SMALLEST), point(begin + CELL), CELL);
 		}
+		end_ = { evaluate_onwards(model, END).value, 0.0, 0.0 };
 	}
 
 	/// 0 before the start; beyond the table, at its end.
-	[[nodiscard]] Point at(double phase) const {
+	[[nodiscard]] CurvePoint at(double phase) const {
 		if (!(phase > 0.0)) {
-			return { 0.0, 0.0 };
+			return {};
 		}
-		const double cell = std::min(phase / CELL, static_cast<double>(CELLS));
-		const std::size_t i = std::min(static_cast<std::size_t>(cell), CELLS - 1);
-		const Point &from = knots_[i], &to = knots_[i + 1];
-		const double u = cell - static_cast<double>(i);
-		const double way = to.value - from.value, a = from.slope * CELL - way, b = way - to.slope * CELL;
-		const double w = 1.0 - u, slope = way + (1.0 - 2.0 * u) * (a * w + b * u) + u * w * (b - a);
-		return { from.value + u * way + u * w * (a * w + b * u), cell < CELLS ? slope / CELL : 0.0 };
+		if (phase >= END) {
+			return end_;
+		}
+		const auto i = static_cast<std::size_t>(phase / CELL);
+		const MotionPoint point = cells_[i].at(phase - static_cast<double>(i) * CELL);
+		return { point.position, point.velocity, point.acceleration };
 	}
 
 	/// The phase at which the value is reached first; the table's end where it is not.
@@ -49,12 +48,13 @@ public:
 	}
 
 private:
-	static constexpr std::size_t CELLS = 96;
-	static constexpr double END = 1.5; ///< a hand has come to rest by then: evaluate_onwards()
-	static constexpr double CELL = END / static_cast<double>(CELLS);
-	static constexpr double SMALLEST = 1e-12; ///< phase 0 belongs to the time before
+	static constexpr double END = 1.5;         ///< a hand has come to rest by then: evaluate_onwards()
+	static constexpr double CELL = 1.0 / 64.0; ///< a power of two: no rounding, and phase 1 is an edge
+	static constexpr double SMALLEST =
+			1e-12; ///< what begins at a phase, an element or the curve, does after it
 
-	std::array<Point, CELLS + 1> knots_{};
+	std::array<QuinticPiece, static_cast<std::size_t>(END / CELL)> cells_{};
+	CurvePoint end_;
 };
 
 } // namespace steadyhand

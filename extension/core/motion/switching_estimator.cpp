@@ -3,6 +3,7 @@
 #include "base/parameters.h"
 #include "motion/motion.h"
 #include "signal/minimum_jerk.h"
+#include "signal/quintic_piece.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,8 @@ double switches(double per_s, double dt_s) {
 
 SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m,
 		const EstimatorEffort &effort, double latency_s, double gain_spread) :
-		model_(&model),
-		curve_(model), amplitude_m_(amplitude_m), effort_(effort), latency_s_(latency_s),
+		curve_(model),
+		amplitude_m_(amplitude_m), effort_(effort), latency_s_(latency_s),
 		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
 		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
 	const double step = 2.0 * WIDEST / static_cast<double>(effort.durations - 1);
@@ -100,10 +101,18 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 	});
 }
 
+void SwitchingEstimator::start_knots(double t_s) {
+	mean_s_ = t_s;
+	for (Knot &knot : knots_) {
+		knot.number = -1.0;
+	}
+}
+
 /// Applies a change at t_s without a step of the output.
 template <class Change> void SwitchingEstimator::change(double t_s, Change apply) {
 	const MotionEstimate before = at(t_s);
 	apply();
+	start_knots(t_s);
 	const MotionEstimate now = expected(t_s);
 	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
 	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
@@ -117,6 +126,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		now_.seen_s = now_.changed_s = t_s;
 		now_.changed_x = x;
 		before_last_ = now_;
+		start_knots(t_s);
 		return;
 	}
 	if (measurement.is_usable() && !measurement.replaces_last) {
@@ -234,9 +244,9 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 	free(now_.free.weight * (1.0 - free_to_hold), now_.free.hand, now_.free.lagging);
 	free(now_.hold.weight * hold_to_free, leaving, now_.hold.lagging);
 	for (GestureFilter &gesture : now_.gestures) {
-		const GestureFilter::Prediction p = gesture.measured(curve_, now_.time_s);
+		const GestureFilter::Prediction &p = gesture.keep_measured(curve_, now_.time_s);
 		const double rate = 1.0 / gesture.duration_s();
-		const HandState shown{ p.x, rate * curve_.at(p.phase).slope, p.variance, 0.0, 0.25 * rate * rate };
+		const HandState shown{ p.x, p.velocity, p.variance, 0.0, 0.25 * rate * rate };
 		const double lagging = gesture.tracker() == TrackerMode::LAGGING ? 1.0 : 0.0;
 		hold(gesture.weight * to_hold, at_rest(shown), lagging);
 		free(gesture.weight * to_free, shown, lagging);
@@ -343,21 +353,10 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 void SwitchingEstimator::correct(const ElementReading &reading, std::size_t count) {
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureFilter &gesture = now_.gestures[i];
-		const GestureFilter::Prediction p = gesture.measured(curve_, reading.t_s);
-		gesture.correct(p, reading);
+		gesture.correct(gesture.keep_measured(curve_, reading.t_s), reading);
 	}
 	for (Other *other : { &now_.hold, &now_.free }) {
-		HandState &hand = other->hand;
-		const double error = reading.x - hand.x, variance = hand.xx + reading.variance;
-		const ReadingLikelihood likelihood(error, variance);
-		other->weight *= std::pow(likelihood.density, reading.power);
-		const double gain_x = hand.xx / variance, gain_v = hand.xv / variance;
-		const double reduction = likelihood.reduction(error, variance);
-		hand.x += likelihood.share * error * gain_x;
-		hand.v += likelihood.share * error * gain_v;
-		hand.xx -= reduction * gain_x * gain_x;
-		hand.xv -= reduction * gain_x * gain_v;
-		hand.vv -= reduction * gain_v * gain_v;
+		other->weight *= other->hand.correct(reading);
 	}
 }
 
@@ -395,12 +394,11 @@ void SwitchingEstimator::prune() {
 	}
 }
 
-MotionEstimate SwitchingEstimator::expected(double t_s) const {
-	if (!has_hand()) {
-		return {};
-	}
+/// The mean of all hypotheses.
+MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	MotionEstimate estimate;
-	const double ahead_s = t_s + latency_s_;
+	const double ahead_s = t_s + latency_s_, since_s = std::max(ahead_s - now_.time_s, 0.0);
+	const double fading = std::exp(-GestureFilter::deviation_rate_per_s(TrackerMode::SOUND) * since_s);
 	double total = now_.hold.weight + now_.free.weight, unseen = 0.0;
 	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;
@@ -409,7 +407,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 			continue;
 		}
 		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? now_.faulty_latency_s : 0.0;
-		const GestureFilter::Hand hand = gesture.hand(*model_, now_.time_s, ahead_s + late_s);
+		const GestureFilter::Hand hand = gesture.hand(curve_, ahead_s + late_s, since_s, fading);
 		estimate.value += gesture.weight * hand.value;
 		estimate.velocity += gesture.weight * hand.velocity;
 		estimate.acceleration += gesture.weight * hand.acceleration;
@@ -418,10 +416,8 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 		(hand.phase > parameters::VISIBLE_PHASE ? estimate.gesture : estimate.hold) += gesture.weight;
 	}
 	const auto go_on = [&](const Other &other, const HandProcess &process, double weight) {
-		const double dt_s = std::max(ahead_s - now_.time_s, 0.0),
-					 fading = std::exp(-process.rate_per_s * dt_s);
-		const double velocity = other.hand.v * fading;
-		const double value = other.hand.x + process.reach_s(dt_s) * other.hand.v;
+		const double velocity = other.hand.v * std::exp(-process.rate_per_s * since_s);
+		const double value = other.hand.x + process.reach_s(since_s) * other.hand.v;
 		estimate.value += weight * value;
 		estimate.velocity += weight * velocity;
 		estimate.acceleration -= weight * process.rate_per_s * velocity;
@@ -437,6 +433,34 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 	estimate.acceleration /= total;
 	estimate.phase = std::clamp(estimate.phase / total, 0.0, 1.0);
 	return estimate;
+}
+
+const MotionEstimate &SwitchingEstimator::knot(double number) const {
+	Knot &r_knot = knots_[static_cast<std::size_t>(std::fmod(number, 2.0))];
+	if (r_knot.number != number) {
+		r_knot = { number, mean(mean_s_ + number * KNOT_S) };
+	}
+	return r_knot.mean;
+}
+
+MotionEstimate SwitchingEstimator::expected(double t_s) const {
+	if (!has_hand()) {
+		return {};
+	}
+	const double knots = std::max(t_s - mean_s_, 0.0) / KNOT_S, number = std::floor(knots),
+				 share = knots - number;
+	const MotionEstimate &from = knot(number);
+	if (share == 0.0) {
+		return from;
+	}
+	const MotionEstimate &to = knot(number + 1.0);
+	const auto point = [](const MotionEstimate &mean) {
+		return MotionPoint{ mean.value, mean.velocity, mean.acceleration };
+	};
+	const MotionPoint between = QuinticPiece::between(point(from), point(to), KNOT_S).at(share * KNOT_S);
+	const auto mixed = [&](double MotionEstimate::*part) { return std::lerp(from.*part, to.*part, share); };
+	return { between.position, between.velocity, between.acceleration, mixed(&MotionEstimate::phase),
+		mixed(&MotionEstimate::gesture), mixed(&MotionEstimate::remaining), mixed(&MotionEstimate::hold) };
 }
 
 MotionEstimate SwitchingEstimator::at(double t_s) const {

@@ -36,7 +36,7 @@ struct MotionEstimate {
 /// Allocates when made.
 class SwitchingEstimator {
 public:
-	/// model must outlive the estimator. amplitude_m: of the task. latency_s: how old what a frame shows
+	/// amplitude_m: of the task. latency_s: how old what a frame shows
 	/// always is; the estimate is that much ahead of the frames. gain_spread: standard deviation of how far
 	/// hands go, amplitudes.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
@@ -76,7 +76,6 @@ private:
 		}
 	};
 
-	const GestureModel *model_;
 	ReferenceTable curve_;
 	double amplitude_m_;
 	EstimatorEffort effort_;
@@ -104,6 +103,19 @@ private:
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< of the last change
 
+	/// The mean of the hypotheses is evaluated at knots from the last change on, when it is asked for, and
+	/// kept: an output each millisecond is a quintic between two of them.
+	static constexpr double KNOT_S = 0.01;
+	struct Knot {
+		double number = -1.0; ///< after the last change; -1: not evaluated
+		MotionEstimate mean;
+	};
+	double mean_s_ = 0.0; ///< of knot 0
+	mutable std::array<Knot, 2> knots_;
+
+	[[nodiscard]] MotionEstimate mean(double t_s) const;
+	[[nodiscard]] const MotionEstimate &knot(double number) const;
+	void start_knots(double t_s);
 	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);

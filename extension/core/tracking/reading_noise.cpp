@@ -4,39 +4,78 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace steadyhand {
 namespace {
 
+using Axes = Eigen::Array4d; ///< x, y, z, and 0: two whole SIMD registers
+
 struct Spread {
-	double deviation = 0.0;
-	bool alternates = false; ///< as white noise does, and motion does not
+	Axes deviation = Axes::Constant(std::numeric_limits<double>::infinity());
+	/// As white noise does, and motion does not.
+	Eigen::Array<bool, 4, 1> alternates = Eigen::Array<bool, 4, 1>::Constant(false);
 };
 
-/// Of `axis` of normalised differences, which are not empty. Those beyond three deviations, by the median,
-/// are jumps and no noise.
-template <class Differences> Spread spread_of(const Differences &differences, Eigen::Index axis) {
+struct Comparator {
+	std::size_t low = 0, high = 0;
+};
+
+/// Batcher's odd-even merge sort of COUNT items, a power of two: no branch depends on noise, which no
+/// processor foretells.
+template <std::size_t COUNT> constexpr auto sorting_network() {
+	std::array<Comparator, COUNT * COUNT> network{};
+	std::size_t size = 0;
+	for (std::size_t run = 1; run < COUNT; run *= 2) {
+		for (std::size_t apart = run; apart > 0; apart /= 2) {
+			for (std::size_t low = apart % run; low + apart < COUNT; ++low) {
+				const bool is_pair = (low - apart % run) / apart % 2 == 0;
+				if (is_pair && low / (2 * run) == (low + apart) / (2 * run)) {
+					network[size++] = { low, low + apart };
+				}
+			}
+		}
+	}
+	return std::pair(network, size);
+}
+
+/// Each axis by itself.
+void sort(std::array<Axes, 16> &r_items) {
+	static constexpr auto NETWORK = sorting_network<16>();
+	for (std::size_t i = 0; i < NETWORK.second; ++i) {
+		Axes &r_low = r_items[NETWORK.first[i].low], &r_high = r_items[NETWORK.first[i].high];
+		const Axes lesser = r_low.min(r_high);
+		r_high = r_low.max(r_high);
+		r_low = lesser;
+	}
+}
+
+/// Of normalised differences, which are not empty. Those beyond three deviations, by the median, are jumps
+/// and no noise.
+template <class Differences> Spread spread_of(const Differences &differences) {
 	constexpr double NORMAL_QUARTILE = 0.6745; // half of all are within that many deviations
 	constexpr double MOST_DEVIATIONS = 3.0;
 	const std::size_t count = differences.size();
-	std::array<double, 16> sizes{};
-	std::size_t turns = 0;
+	std::array<Axes, 16> sizes;
+	sizes.fill(Axes::Constant(std::numeric_limits<double>::infinity()));
+	Axes turns = Axes::Zero(), last = Axes::Zero();
 	for (std::size_t i = 0; i < count; ++i) {
-		const double difference = differences[i][axis];
-		sizes[i] = std::abs(difference);
-		turns += i > 0 && difference * differences[i - 1][axis] < 0.0 ? 1 : 0;
+		Axes difference = Axes::Zero();
+		difference.head<3>() = differences[i];
+		sizes[i] = difference.abs();
+		turns += (difference * last < 0.0).cast<double>();
+		last = difference;
 	}
-	const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(count / 2);
-	std::nth_element(sizes.begin(), middle, sizes.begin() + static_cast<std::ptrdiff_t>(count));
-	const double most = MOST_DEVIATIONS / NORMAL_QUARTILE * *middle;
-	double squares = 0.0;
-	std::size_t kept = 0;
+	sort(sizes);
+	const Axes most = MOST_DEVIATIONS / NORMAL_QUARTILE * sizes[count / 2];
+	Axes squares = Axes::Zero(), kept = Axes::Zero();
 	for (std::size_t i = 0; i < count; ++i) {
-		squares += sizes[i] <= most ? sizes[i] * sizes[i] : 0.0;
-		kept += sizes[i] <= most ? 1 : 0;
+		const Axes is_kept = (sizes[i] <= most).cast<double>();
+		squares += is_kept * sizes[i].square();
+		kept += is_kept;
 	}
 	// White noise turns in acos(-k / (k + 1)) / pi of the steps: 0.73 and 0.80 for orders 2 and 4.
-	return { std::sqrt(squares / static_cast<double>(kept)), 2 * turns > count - 1 };
+	return { (squares / kept).sqrt(), 2.0 * turns > static_cast<double>(count - 1) };
 }
 
 } // namespace
@@ -45,9 +84,7 @@ void ReadingNoise::push(double t_s, const Eigen::Vector3d &position_m) {
 	readings_.push({ t_s, position_m });
 	difference<2>(second_);
 	difference<4>(fourth_);
-	for (Eigen::Index axis = 0; axis < 3; ++axis) {
-		measure(axis);
-	}
+	measure();
 	look_for_resolution();
 }
 
@@ -71,20 +108,17 @@ template <std::size_t ORDER> void ReadingNoise::difference(Differences &r_differ
 	r_differences.push(sum / std::sqrt(squares));
 }
 
-void ReadingNoise::measure(Eigen::Index axis) {
-	const std::size_t i = static_cast<std::size_t>(axis);
-	Spread least{ std::numeric_limits<double>::infinity(), false };
-	for (const Differences *differences : { &second_, &fourth_ }) {
-		if (differences->size() >= FEWEST) {
-			const Spread spread = spread_of(*differences, axis);
-			least = spread.deviation < least.deviation ? spread : least;
+void ReadingNoise::measure() {
+	const Spread second = second_.size() >= FEWEST ? spread_of(second_) : Spread{};
+	const Spread fourth = fourth_.size() >= FEWEST ? spread_of(fourth_) : Spread{};
+	for (Eigen::Index axis = 0; axis < 3; ++axis) {
+		const Spread &least = fourth.deviation[axis] < second.deviation[axis] ? fourth : second;
+		if (least.alternates[axis]) {
+			deviation_m_[axis] = least.deviation[axis];
+			is_seen_[static_cast<std::size_t>(axis)] = true;
+		} else {
+			deviation_m_[axis] = std::min(deviation_m_[axis], least.deviation[axis]);
 		}
-	}
-	if (least.alternates) {
-		deviation_m_[axis] = least.deviation;
-		is_seen_[i] = true;
-	} else {
-		deviation_m_[axis] = std::min(deviation_m_[axis], least.deviation);
 	}
 }
 

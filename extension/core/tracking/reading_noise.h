@@ -53,7 +53,7 @@ private:
 	double resolution_m_ = 0.0;
 
 	template <std::size_t ORDER> void difference(Differences &r_differences) const;
-	void measure(Eigen::Index axis);
+	void measure();
 	void look_for_resolution();
 	/// All steps from reading `first`, 1 or later, are whole multiples.
 	[[nodiscard]] bool is_rounded_to(double step_m, std::size_t first) const;

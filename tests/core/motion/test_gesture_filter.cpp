@@ -52,6 +52,12 @@ GestureFilter gesture(TrackerMode tracker) {
 	return filter;
 }
 
+GestureFilter::Hand hand(const GestureFilter &filter, double from_s, double t_s) {
+	const double since_s = t_s - from_s;
+	return filter.hand(curve(), t_s, since_s,
+			std::exp(-GestureFilter::deviation_rate_per_s(TrackerMode::SOUND) * since_s));
+}
+
 GestureFilter::Vector finite_differences(const GestureFilter &filter, double t_s) {
 	constexpr double STEP = 1e-5;
 	GestureFilter::Vector slope;
@@ -257,22 +263,19 @@ TEST_CASE("damped noise that goes on keeps variance 1 and rate a^2") {
 
 TEST_CASE("the hand is where a sound tracker shows it, with its derivatives") {
 	constexpr double STEP_S = 1e-5;
-	const GestureModel &model = test::drag_model();
 	const GestureFilter filter = gesture(TrackerMode::SOUND);
 	for (const double phase : { 0.15, 0.4, 0.6, 0.9 }) {
 		CAPTURE(phase);
 		const double from_s = ONSET_S + phase * DURATION_S, t_s = from_s + 0.01;
-		CHECK(std::abs(filter.hand(model, from_s, from_s).value - filter.measured(curve(), from_s).x) < 1e-4);
-		const GestureFilter::Hand before = filter.hand(model, from_s, t_s - STEP_S),
-								  now = filter.hand(model, from_s, t_s),
-								  after = filter.hand(model, from_s, t_s + STEP_S);
+		CHECK(std::abs(hand(filter, from_s, from_s).value - filter.measured(curve(), from_s).x) < 1e-4);
+		const GestureFilter::Hand before = hand(filter, from_s, t_s - STEP_S),
+								  now = hand(filter, from_s, t_s), after = hand(filter, from_s, t_s + STEP_S);
 		CHECK(std::abs(now.velocity - (after.value - before.value) / (2.0 * STEP_S)) < 1e-4);
 		CHECK(std::abs(now.acceleration - (after.velocity - before.velocity) / (2.0 * STEP_S)) < 0.01);
 	}
 }
 
 TEST_CASE("a lagging tracker is behind the hand in motion, not at rest") {
-	const GestureModel &model = test::drag_model();
 	const GestureFilter filter(TrackerMode::LAGGING,
 			{ .t_s = ONSET_S,
 					.deviation_s = 0.02,
@@ -282,7 +285,7 @@ TEST_CASE("a lagging tracker is behind the hand in motion, not at rest") {
 			{});
 	const auto ahead = [&](double phase) {
 		const double t_s = ONSET_S + phase * DURATION_S;
-		return filter.hand(model, t_s, t_s).value - filter.measured(curve(), t_s).x;
+		return hand(filter, t_s, t_s).value - filter.measured(curve(), t_s).x;
 	};
 	CHECK(ahead(-0.1) == 0.0);
 	CHECK(ahead(0.5) > 0.02);

@@ -22,7 +22,7 @@ TEST_CASE("the reference table is within 1e-4 of the model's curve") {
 		const double phase = 1e-4 * i;
 		CAPTURE(phase);
 		const CurvePoint exact = evaluate_onwards(model, phase);
-		const ReferenceTable::Point point = table.at(phase);
+		const CurvePoint point = table.at(phase);
 		CHECK(std::abs(point.value - exact.value) < 1e-4);
 		CHECK(std::abs(point.slope - exact.slope) < 0.02);
 	}
@@ -47,7 +47,7 @@ TEST_CASE("value and slope of the reference table are continuous") {
 	for (int i = 0; i <= 6000; ++i) { // every cell has 40 or more of these, and its edges are among them
 		const double phase = END * i / 6000.0;
 		CAPTURE(phase);
-		const ReferenceTable::Point before = table.at(phase - STEP), after = table.at(phase + STEP);
+		const CurvePoint before = table.at(phase - STEP), after = table.at(phase + STEP);
 		CHECK(std::abs(after.value - before.value) < 1e-7);
 		CHECK(std::abs(after.slope - before.slope) < 1e-3);
 	}
