@@ -20,7 +20,6 @@ struct Measurement {
 	Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
 	double noise_m = 0.0;             ///< standard deviation of white noise per axis, rounding included
 	double outlier_probability = 0.0; ///< that the tracker shows another place than the hand's
-	double freeze_probability = 0.0; ///< that it repeats a reading while the hand goes on; 0 of a new reading
 	MeasurementStatus status = MeasurementStatus::TRACKED;
 	/// Arrived in one burst with the last reading that is_usable(), which was therefore stamped too late:
 	/// take that one back and use this one instead.

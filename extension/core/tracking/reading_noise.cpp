@@ -78,6 +78,25 @@ template <class Differences> Spread spread_of(const Differences &differences) {
 	return { (squares / kept).sqrt(), 2.0 * turns > static_cast<double>(count - 1) };
 }
 
+/// Of a step, by which ways may be off whole steps: single precision at 1 m and steps of a micrometre.
+constexpr double ROUNDING_TOLERANCE = 0.05;
+
+double off_whole_steps(double way, double step) {
+	return std::abs(way - step * std::floor(way / step + 0.5));
+}
+
+/// The longest step of which both ways are multiples, by Euclid's algorithm: a quick hand makes no single
+/// steps.
+double common_measure(double one, double other) {
+	double step = std::min(one, other), rest = std::max(one, other);
+	rest = std::isfinite(rest) ? off_whole_steps(rest, step) : 0.0;
+	while (rest > ROUNDING_TOLERANCE * step) {
+		const double last = std::exchange(step, rest);
+		rest = off_whole_steps(last, step);
+	}
+	return step;
+}
+
 } // namespace
 
 void ReadingNoise::push(double t_s, const Eigen::Vector3d &position_m) {
@@ -123,14 +142,12 @@ void ReadingNoise::measure() {
 }
 
 bool ReadingNoise::is_rounded_to(double step_m, std::size_t first) const {
-	constexpr double TOLERANCE = 0.05; // of a step: single precision at 1 m and steps of a micrometre
 	if (!(step_m > 0.0) || !std::isfinite(step_m)) {
 		return false;
 	}
 	for (std::size_t i = first; i < readings_.size(); ++i) {
 		for (const double way_m : readings_[i].position_m - readings_[i - 1].position_m) {
-			const double steps = std::abs(way_m) / step_m;
-			if (std::abs(steps - std::floor(steps + 0.5)) > TOLERANCE) {
+			if (off_whole_steps(way_m, step_m) > ROUNDING_TOLERANCE * step_m) {
 				return false;
 			}
 		}
@@ -142,13 +159,13 @@ void ReadingNoise::look_for_resolution() {
 	if (readings_.size() < WINDOW / 2 || is_rounded_to(resolution_m_, readings_.size() - 1)) {
 		return;
 	}
-	double least_m = std::numeric_limits<double>::infinity();
-	for (std::size_t i = 1; i < readings_.size(); ++i) {
-		for (const double step : readings_[i].position_m - readings_[i - 1].position_m) {
-			least_m = std::abs(step) > 0.0 ? std::min(least_m, std::abs(step)) : least_m;
+	double common_m = std::numeric_limits<double>::infinity();
+	for (std::size_t i = 1; i < readings_.size() && common_m >= FINEST_M; ++i) {
+		for (const double way_m : readings_[i].position_m - readings_[i - 1].position_m) {
+			common_m = way_m != 0.0 ? common_measure(common_m, std::abs(way_m)) : common_m;
 		}
 	}
-	resolution_m_ = least_m >= FINEST_M && is_rounded_to(least_m, 1) ? least_m : 0.0;
+	resolution_m_ = common_m >= FINEST_M && is_rounded_to(common_m, 1) ? common_m : 0.0;
 }
 
 Eigen::Vector3d ReadingNoise::deviation_m() const {
@@ -160,8 +177,9 @@ double ReadingNoise::repeat_probability() const {
 	double probability = 1.0;
 	for (std::size_t i = 0; i < is_seen_.size(); ++i) {
 		const double deviation_m = deviation_m_[static_cast<Eigen::Index>(i)];
-		// Two draws of a normal distribution fall into one cell with cell / (2 sqrt(pi) deviation). Noise
-		// below a step may be rounding's own, which says nothing of a hand at rest.
+		// A hand that stands is reported in the same cell twice running with cell / (2 sqrt(pi) deviation),
+		// if its noise is wider than a cell. Less noise cannot be told from rounding's own, uniform and of
+		// variance step^2 / 12, which repeats for as long as the hand stands.
 		probability *= is_seen_[i] && deviation_m > step_m
 				? step_m / deviation_m * 0.5 * std::numbers::inv_sqrtpi
 				: 1.0;

@@ -8,7 +8,6 @@
 namespace steadyhand {
 
 Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) {
-	retracted_since_s_.reset();
 	Measurement measurement{ .t_s = t_s, .position_m = position_m };
 	const double frame_gap_s = t_s - frame_s_;
 	const bool is_first = !has_frame_ || frame_gap_s < 0.0;
@@ -59,12 +58,11 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 	const double repeated_s = r_measurement.t_s - new_s_;
 	const double chance = std::pow(noise_.repeat_probability(), std::floor(repeated_s / period_s_ + 0.5));
 	const double prior = std::min(FAULTS_PER_S * repeated_s, 0.5);
-	r_measurement.freeze_probability = prior / (prior + (1.0 - prior) * chance);
 	r_measurement.status = MeasurementStatus::REPEATED;
 	if (repeated_s <= FREEZE_PERIODS * period_s_) {
 		return;
 	}
-	if (r_measurement.freeze_probability > 0.5) {
+	if (prior > (1.0 - prior) * chance) {
 		r_measurement.status = MeasurementStatus::FROZEN;
 		faults_.freezes += is_frozen_ ? 0 : 1;
 		is_frozen_ = true;
@@ -156,7 +154,6 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		return;
 	}
 	if (accepted_ && has_returned(*accepted_, r_measurement.position_m, r_measurement.t_s)) {
-		retracted_since_s_ = accepted_->since_s;
 		r_measurement.status = MeasurementStatus::REAPPEARED;
 		r_measurement.gap_s = r_measurement.t_s - accepted_->since_s;
 		r_measurement.outlier_probability = 0.0;
@@ -202,7 +199,6 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 		return;
 	}
 	if (hand >= std::max(jumped, elsewhere)) {
-		retracted_since_s_ = r_jump.since_s;
 		r_measurement.status = MeasurementStatus::REAPPEARED;
 		r_measurement.gap_s = r_jump.gap_s + t_s - r_jump.since_s;
 		hand_.correct(r_measurement.position_m, noise_m);

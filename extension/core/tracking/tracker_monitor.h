@@ -13,17 +13,13 @@
 namespace steadyhand {
 
 /// Judges the tracker of one point by its readings alone, in metres and seconds, because trackers say little
-/// about their own errors. Measures period, noise and resolution; finds dropouts, freezes and jumps.
+/// about their own errors. Measures period and noise; finds dropouts, freezes and jumps.
 /// Allocates nothing.
 class TrackerMonitor {
 public:
 	/// A frame in which the point was tracked; position_m is finite. A stamp before the last one, of a clock
 	/// that was set anew, starts over.
 	Measurement push(double t_s, const Eigen::Vector3d &position_m);
-
-	/// Right after the push that found it: the tracker came back from a jump. All frames stamped from this
-	/// one up to the newest, without that, showed another place than the hand's.
-	[[nodiscard]] std::optional<double> retracted_since_s() const { return retracted_since_s_; }
 
 	/// A frame should have come by now: a dropout is under way.
 	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
@@ -33,8 +29,6 @@ public:
 	/// Standard deviation of white noise per axis, root mean square of the three.
 	[[nodiscard]] double noise_m() const;
 	[[nodiscard]] bool is_noise_known() const { return noise_.is_measured(); }
-	/// Step between the positions that the tracker can report; 0: finer than can be seen.
-	[[nodiscard]] double resolution_m() const { return noise_.resolution_m(); }
 	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
 
 private:
@@ -78,7 +72,6 @@ private:
 	std::optional<Jump> jump_;
 	std::optional<Jump> accepted_;
 	bool is_frozen_ = false;
-	std::optional<double> retracted_since_s_;
 	TrackerFaults faults_;
 
 	[[nodiscard]] double overdue_s() const;

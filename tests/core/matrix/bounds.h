@@ -113,7 +113,7 @@ inline constexpr std::array BOUNDS{
 	Bound{ "short task", Metric::MOVE_ERROR_PERCENT, 2.0, Standing::MEASURED },
 	Bound{ "short task", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },
 	Bound{ "dead stop", Metric::STOP_ERROR_PERCENT, 2.0, Standing::MEASURED },
-	Bound{ "dead stop", Metric::WRONG_ENDS, 0.0, Standing::MEASURED },
+	Bound{ "dead stop", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },
 	Bound{ "smooth stop", Metric::STOP_ERROR_PERCENT, 2.0, Standing::MEASURED },
 	Bound{ "smooth stop", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },
 	Bound{ "halt", Metric::R2_BELOW_RAW, 0.0, Standing::MEASURED },

@@ -79,3 +79,16 @@ TEST_CASE("without noise nothing is said of repeated readings") {
 	}
 	CHECK(noise.repeat_probability() == 1.0);
 }
+
+TEST_CASE("the step of rounding is found on a hand too quick for single steps") {
+	for (const double step_m : { 1e-3, 0.5e-3, 0.1e-3 }) {
+		ReadingNoise rounded, exact;
+		for (int i = 0; i < 16; ++i) {
+			const Vector3d place_m = Vector3d(0.3, -0.07, 0.02) * std::sin(0.2 * i);
+			rounded.push(0.01 * i, step_m * (place_m / step_m).array().round());
+			exact.push(0.01 * i, place_m);
+		}
+		CHECK(rounded.resolution_m() == near(step_m).epsilon(1e-6));
+		CHECK(exact.resolution_m() == 0.0);
+	}
+}

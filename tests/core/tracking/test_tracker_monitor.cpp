@@ -65,16 +65,14 @@ TEST_CASE("a hand without noise is measured without noise") {
 	}
 }
 
-TEST_CASE("rounding is found, and no finer step is taken for one") {
+TEST_CASE("rounding counts as noise") {
 	for (const double rounding_m : { 1e-3, 0.1e-3 }) {
 		for (const double noise_m : { 0.0, 0.2e-3 }) {
 			const MovingHand hand{ .rest_s = 0.0, .noise_m = noise_m, .rounding_m = rounding_m };
 			const TrackerMonitor monitor = watched(hand, 3.3);
-			CHECK(monitor.resolution_m() == near(rounding_m).epsilon(1e-6));
 			CHECK(monitor.noise_m() >= rounding_m / std::sqrt(12.0));
 		}
 	}
-	CHECK(watched({ .noise_m = 0.1e-3 }, 3.3).resolution_m() == 0.0);
 }
 
 TEST_CASE("a sound tracker of any rate, noise and task length has no fault") {
@@ -205,8 +203,7 @@ TEST_CASE("what no hand and no clock does gives finite numbers") {
 												  : Vector3d(far_m * random.normal(), far_m * (i % 5), 0.0);
 				const Measurement measurement = monitor.push(t_s, place_m);
 				for (const double number : { measurement.noise_m, measurement.outlier_probability,
-							 measurement.freeze_probability, measurement.gap_s, measurement.jump_m,
-							 monitor.period_s(), monitor.resolution_m() }) {
+							 measurement.gap_s, measurement.jump_m, monitor.period_s() }) {
 					REQUIRE(std::isfinite(number));
 				}
 			}

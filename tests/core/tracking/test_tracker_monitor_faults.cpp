@@ -1,6 +1,7 @@
 #include "base/random.h"
 #include "moving_hand.h"
 #include "near.h"
+#include "signal/minimum_jerk.h"
 #include "tracking/tracker_monitor.h"
 
 #include <doctest/doctest.h>
@@ -91,11 +92,26 @@ TEST_CASE("a hand without noise that stops dead rests") {
 					const Measurement measurement = monitor.push(t_s, { x_m, 0.2, -0.4 });
 					CHECK(measurement.status != MeasurementStatus::FROZEN);
 					CHECK(measurement.status != MeasurementStatus::OUTLIER);
-					CHECK(measurement.freeze_probability < 0.5);
 					CHECK((t_s < 1.5 || measurement.has_news()));
 				}
 				CHECK(monitor.faults().freezes == 0);
 			}
+		}
+	}
+}
+
+TEST_CASE("a quick hand rounded to 0.5 mm that stops dead rests") {
+	for (const double rate_hz : RATES_HZ) {
+		for (const double share : { 0.25, 0.5, 0.75 }) {
+			CAPTURE(rate_hz);
+			CAPTURE(share);
+			TrackerMonitor monitor;
+			for (int i = 0; i < 2 * rate_hz; ++i) {
+				const double t_s = i / rate_hz;
+				const double x_m = 0.3 * std::min(minimum_jerk((t_s - 0.5) / 0.4).value, share);
+				monitor.push(t_s, { 5e-4 * std::round(x_m / 5e-4), 0.2, -0.4 });
+			}
+			CHECK(monitor.faults().freezes == 0);
 		}
 	}
 }
@@ -113,7 +129,7 @@ TEST_CASE("a mouse whose positions are rounded to pixels has no fault") {
 	CHECK(monitor.faults().jumps == 0);
 }
 
-TEST_CASE("six frames of the other hand are outliers and are retracted") {
+TEST_CASE("six frames of the other hand are outliers, and a gap when they end") {
 	for (const double rate_hz : { 60.0, 90.0, 120.0, 240.0 }) {
 		for (const double amplitude_m : { 0.02, 0.4 }) {
 			for (int first = 40; first < 140; first += 7) {
@@ -123,7 +139,6 @@ TEST_CASE("six frames of the other hand are outliers and are retracted") {
 				Random random(static_cast<std::uint64_t>(first));
 				const MovingHand hand{ .amplitude_m = amplitude_m, .rate_hz = rate_hz, .noise_m = 0.1e-3 };
 				TrackerMonitor monitor;
-				std::optional<double> retracted_s;
 				for (int i = 0; i < 180; ++i) {
 					const double t_s = i / rate_hz;
 					Vector3d seen = hand.seen(t_s, random);
@@ -137,13 +152,13 @@ TEST_CASE("six frames of the other hand are outliers and are retracted") {
 						CHECK(measurement.outlier_probability > 0.99);
 					}
 					if (i == first + 6) {
-						retracted_s = monitor.retracted_since_s();
+						CHECK(measurement.status == MeasurementStatus::REAPPEARED);
+						CHECK(measurement.gap_s == near(6.0 / rate_hz));
 					} else if (!is_other) {
 						CHECK(measurement.outlier_probability < 0.5);
-						CHECK_FALSE(monitor.retracted_since_s());
+						CHECK(measurement.gap_s == 0.0);
 					}
 				}
-				CHECK(retracted_s.value_or(-1.0) == near(first / rate_hz));
 				CHECK(monitor.faults().jumps == 1);
 			}
 		}
@@ -162,7 +177,6 @@ TEST_CASE("a tracker that moves its origin is believed again within 0.1 s") {
 			const Vector3d shift_m = t_s > 1.5 ? Vector3d(0.0, 0.1, 0.15) : Vector3d::Zero();
 			const Measurement measurement = monitor.push(t_s, hand.seen(t_s, random) + shift_m);
 			last_outlier_s = measurement.status == MeasurementStatus::OUTLIER ? t_s : last_outlier_s;
-			CHECK_FALSE(monitor.retracted_since_s());
 		}
 		CHECK(last_outlier_s > 1.5);
 		CHECK(last_outlier_s < 1.6 + 1.0 / rate_hz);
@@ -180,18 +194,20 @@ TEST_CASE("a mouse that is set elsewhere and rests there is believed again") {
 	CHECK(monitor.faults().jumps == 1);
 }
 
-TEST_CASE("a shift that was accepted and is undone within 0.3 s is retracted") {
+TEST_CASE("a shift that was accepted and is undone within 0.3 s was a gap") {
 	Random random(7);
 	const MovingHand hand{ .rate_hz = 100.0, .noise_m = 0.1e-3 };
 	TrackerMonitor monitor;
-	std::optional<double> retracted_s;
 	for (int i = 0; i < 300; ++i) {
 		const double t_s = i / 100.0;
 		const bool is_off = i >= 150 && i < 175;
-		monitor.push(t_s, hand.seen(t_s, random) + (is_off ? Vector3d(0.0, 0.05, 0.0) : Vector3d::Zero()));
-		retracted_s = monitor.retracted_since_s() ? monitor.retracted_since_s() : retracted_s;
+		const Vector3d off_m = is_off ? Vector3d(0.0, 0.05, 0.0) : Vector3d::Zero();
+		const Measurement measurement = monitor.push(t_s, hand.seen(t_s, random) + off_m);
+		if (i == 175) {
+			CHECK(measurement.status == MeasurementStatus::REAPPEARED);
+			CHECK(measurement.gap_s == near(0.25));
+		}
 	}
-	CHECK(retracted_s.value_or(-1.0) == near(1.5));
 }
 
 TEST_CASE("a hand that hits a surface at 1.5 m/s is no outlier") {

@@ -12,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <sstream>
 #include <string>
 
@@ -27,9 +26,7 @@ struct Judged {
 	TrackerFaults faults;
 	double seconds = 0.0;
 	int outliers = 0;
-	double longest_gap_s = 0.0; ///< ended by a reading that retracts nothing
-	std::optional<double> retracted_since_s;
-	double retracted_at_s = 0.0;
+	double longest_gap_s = 0.0;
 };
 
 Judged judged(const Track &track) {
@@ -41,12 +38,7 @@ Judged judged(const Track &track) {
 		}
 		const Measurement measurement = monitor.push(frame.t_s, frame.position(Joint::INDEX));
 		result.outliers += measurement.status == MeasurementStatus::OUTLIER ? 1 : 0;
-		if (monitor.retracted_since_s()) {
-			result.retracted_since_s = monitor.retracted_since_s();
-			result.retracted_at_s = frame.t_s;
-		} else {
-			result.longest_gap_s = std::max(result.longest_gap_s, measurement.gap_s);
-		}
+		result.longest_gap_s = std::max(result.longest_gap_s, measurement.gap_s);
 	}
 	result.faults = monitor.faults();
 	result.seconds = track.frames.empty() ? 0.0 : track.frames.back().t_s - track.frames.front().t_s;
@@ -120,8 +112,7 @@ TEST_CASE("reported faults on real moves are found") {
 		const Judged swap = of("swap");
 		CHECK(swap.faults.jumps == 1);
 		CHECK(swap.outliers == 6);
-		CHECK(swap.retracted_at_s - swap.retracted_since_s.value_or(0.0) ==
-				doctest::Approx(0.06).epsilon(0.05));
+		CHECK(swap.longest_gap_s == doctest::Approx(0.06).epsilon(0.05));
 		// FrameDoor takes these zeros out before; without it they are a jump.
 		CHECK(of("zero").faults.jumps == 1);
 		CHECK(of("curl").outliers > 0);
