@@ -34,18 +34,8 @@ struct DampedTransition {
 /// Bar-Shalom, Li, Kirubarajan 2001, section 10.3.
 class GestureFilter {
 public:
-	/// UNUSED: a column of 8 numbers is whole SIMD registers.
-	enum Index : std::uint8_t {
-		ONSET,
-		LOG_DURATION,
-		GAIN,
-		SHAPE,
-		LAG,
-		DEVIATION,
-		DEVIATION_RATE,
-		UNUSED,
-		SIZE
-	};
+	/// SIZE: one more than there are, so that a column is whole SIMD registers.
+	enum Index : std::uint8_t { ONSET, LOG_DURATION, GAIN, SHAPE, LAG, DEVIATION, DEVIATION_RATE, SIZE = 8 };
 	using Vector = Eigen::Matrix<double, SIZE, 1>;
 	using Matrix = Eigen::Matrix<double, SIZE, SIZE>;
 

@@ -17,36 +17,14 @@ struct Spread {
 	Eigen::Array<bool, 4, 1> alternates = Eigen::Array<bool, 4, 1>::Constant(false);
 };
 
-struct Comparator {
-	std::size_t low = 0, high = 0;
-};
-
-/// Batcher's odd-even merge sort of COUNT items, a power of two: no branch depends on noise, which no
-/// processor foretells.
-template <std::size_t COUNT> constexpr auto sorting_network() {
-	std::array<Comparator, COUNT * COUNT> network{};
-	std::size_t size = 0;
-	for (std::size_t run = 1; run < COUNT; run *= 2) {
-		for (std::size_t apart = run; apart > 0; apart /= 2) {
-			for (std::size_t low = apart % run; low + apart < COUNT; ++low) {
-				const bool is_pair = (low - apart % run) / apart % 2 == 0;
-				if (is_pair && low / (2 * run) == (low + apart) / (2 * run)) {
-					network[size++] = { low, low + apart };
-				}
-			}
+/// Each axis by itself, by exchanges of neighbours: no branch depends on noise, which no processor foretells.
+template <std::size_t COUNT> void sort(std::array<Axes, COUNT> &r_items) {
+	for (std::size_t round = 0; round < COUNT; ++round) {
+		for (std::size_t i = round % 2; i + 1 < COUNT; i += 2) {
+			const Axes lesser = r_items[i].min(r_items[i + 1]);
+			r_items[i + 1] = r_items[i].max(r_items[i + 1]);
+			r_items[i] = lesser;
 		}
-	}
-	return std::pair(network, size);
-}
-
-/// Each axis by itself.
-void sort(std::array<Axes, 16> &r_items) {
-	static constexpr auto NETWORK = sorting_network<16>();
-	for (std::size_t i = 0; i < NETWORK.second; ++i) {
-		Axes &r_low = r_items[NETWORK.first[i].low], &r_high = r_items[NETWORK.first[i].high];
-		const Axes lesser = r_low.min(r_high);
-		r_high = r_low.max(r_high);
-		r_low = lesser;
 	}
 }
 
