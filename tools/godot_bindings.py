@@ -12,7 +12,7 @@ OF_OTHERS = ["-Wno-error"]
 
 def add_installed(env, prefix: Path) -> None:
     """An installed godot-cpp, or a checkout of it that has been built."""
-    library = f"libgodot-cpp.linux.{env['target']}.x86_64.a"
+    library = f"libgodot-cpp.{env['platform']}.{env['target']}.{env['arch']}.a"
     found = [folder / library for folder in (prefix / "lib", prefix / "bin") if (folder / library).exists()]
     if not found:
         sys.exit(f"no {library} in {prefix}/lib or {prefix}/bin")
