@@ -1,6 +1,7 @@
 #include "libusb_library.h"
 
 #include "run_time_library.h"
+#include "static_mutex.h"
 
 #include <array>
 #include <mutex>
@@ -46,7 +47,7 @@ bool bind_libusb(LibraryHandle handle, LibusbLibrary &r_library, std::string &r_
 }
 
 // Neither has a destructor that does anything: nothing happens when the extension is unloaded.
-constinit std::mutex libusb_mutex;
+constinit StaticMutex libusb_mutex;
 constinit LibusbLibrary loaded_libusb{};
 constinit bool is_libusb_loaded = false;
 

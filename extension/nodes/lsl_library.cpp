@@ -1,6 +1,7 @@
 #include "lsl_library.h"
 
 #include "run_time_library.h"
+#include "static_mutex.h"
 
 #include <array>
 #include <mutex>
@@ -37,7 +38,7 @@ bool bind_lsl(LibraryHandle handle, LslLibrary &r_library, std::string &r_why_no
 }
 
 // Neither has a destructor that does anything: nothing happens when the extension is unloaded.
-constinit std::mutex lsl_mutex;
+constinit StaticMutex lsl_mutex;
 constinit LslLibrary loaded_lsl{};
 constinit bool is_lsl_loaded = false;
 

@@ -7,14 +7,23 @@
 #include <godot_cpp/core/error_macros.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace godot {
 
+namespace {
+
+// A path made of char is in the system's own encoding, which on Windows is not UTF-8.
+std::filesystem::path to_system(const String &p_path) {
+	const std::string utf8 = to_core(ProjectSettings::get_singleton()->globalize_path(p_path));
+	return std::u8string(utf8.begin(), utf8.end());
+}
+
+} // namespace
+
 bool is_same_file(const String &p_path, const String &p_other) {
-	const ProjectSettings *const settings = ProjectSettings::get_singleton();
 	std::error_code is_none;
-	return std::filesystem::equivalent(
-			to_core(settings->globalize_path(p_path)), to_core(settings->globalize_path(p_other)), is_none);
+	return std::filesystem::equivalent(to_system(p_path), to_system(p_other), is_none);
 }
 
 WrittenFile::WrittenFile(const Node &p_owner, const String &p_path) :

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
@@ -22,14 +23,14 @@ TEST_CASE("a preview is what the movement makes: the spring by its position, the
 		double worst_swelling = 0.0, worst_impulse = 0.0;
 		for (std::size_t i = 0; i < swelling.size(); ++i) {
 			const double t_s = static_cast<double>(i) / rate_hz;
-			const double sine = std::sin(2.0 * M_PI * 180.0 * t_s);
+			const double sine = std::sin(2.0 * std::numbers::pi * 180.0 * t_s);
 			worst_swelling = std::max(worst_swelling,
 					std::abs(static_cast<double>(swelling[i]) - movement.at(t_s).position * sine));
 			const auto first = std::ceil(movement.end_s() * rate_hz);
 			const double since_s = (static_cast<double>(i) - first) / rate_hz;
 			const double decaying = since_s < 0.0 || since_s > 0.0399
 					? 0.0
-					: speed * std::exp(-200.0 * since_s) * std::sin(2.0 * M_PI * 300.0 * since_s);
+					: speed * std::exp(-200.0 * since_s) * std::sin(2.0 * std::numbers::pi * 300.0 * since_s);
 			worst_impulse = std::max(worst_impulse, std::abs(static_cast<double>(impulse[i]) - decaying));
 		}
 		CHECK(worst_swelling < 1e-3);
@@ -42,8 +43,8 @@ TEST_CASE("a spectrum has each sine's amplitude at its frequency, and nothing fa
 	std::vector<float> samples(8000);
 	for (std::size_t i = 0; i < samples.size(); ++i) {
 		const double t_s = static_cast<double>(i) / RATE_HZ;
-		samples[i] = static_cast<float>(
-				0.5 * std::sin(2.0 * M_PI * 180.0 * t_s) + 0.25 * std::cos(2.0 * M_PI * 300.0 * t_s));
+		samples[i] = static_cast<float>(0.5 * std::sin(2.0 * std::numbers::pi * 180.0 * t_s) +
+				0.25 * std::cos(2.0 * std::numbers::pi * 300.0 * t_s));
 	}
 	const std::vector<float> frequencies{ 60.0F, 180.0F, 240.0F, 300.0F, 4000.0F, -1.0F };
 	const std::vector<float> found = spectrum_of(samples, RATE_HZ, frequencies);
