@@ -12,7 +12,22 @@ from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
 
-from suites import command, devices, docs, fuzz, lint, lsl, openxr, oracles, predictors, scenes, study_export, unit
+from suites import (
+    command,
+    devices,
+    dist,
+    docs,
+    fuzz,
+    lint,
+    lsl,
+    openxr,
+    oracles,
+    platforms,
+    predictors,
+    scenes,
+    study_export,
+    unit,
+)
 from suites.outcome import Outcome
 
 SUITES = {
@@ -26,10 +41,12 @@ SUITES = {
     "study_export": study_export,
     "predictors": predictors,
     "docs": docs,
+    "dist": dist,
     "lint": lint,
     "openxr": openxr,
+    "platforms": platforms,
 }
-EXTRA = ["openxr"]  # fetches 265 MB
+EXTRA = ["openxr", "platforms"]  # fetches 265 MB; cross-compiles for some 20 minutes
 BESIDE = ["fuzz", "study_export", "lint", "command"]
 
 
