@@ -40,10 +40,8 @@ def set_up(env, root: Path) -> None:
     platform, arch = env["platform"], env["arch"]
     compiler = {"linux": linux, "windows": windows, "macos": macos, "android": android}[platform]
     compiler(env, arch)
-    env.Replace(SHLIBPREFIX="lib", SHLIBSUFFIX=f".{SUFFIXES[platform]}", PROGSUFFIX="")
-    env.Replace(LINK="$CXX", SHLINK="$CXX")
-    if platform == "windows":
-        env.Replace(PROGSUFFIX=".exe")
+    env.Replace(LINK="$CXX", SHLINK="$CXX", SHLIBPREFIX="lib", SHLIBSUFFIX=f".{SUFFIXES[platform]}")
+    env.Replace(PROGSUFFIX=".exe" if platform == "windows" else "")
     env.Append(CCFLAGS=["-isystem", str(own_headers(root / "build/headers"))])
 
 
