@@ -19,7 +19,7 @@ STRIP = {
     "windows.x86_64": "x86_64-w64-mingw32-strip",
 }
 CHANGED = (1980, 1, 1, 0, 0, 0)  # the earliest time that a zip can hold: the build's own would differ each time
-MODE = 0o100644
+UNIX, MODE = 3, 0o100644
 
 
 def version() -> str:
@@ -31,23 +31,32 @@ def version() -> str:
 
 def write(path: Path, built_for: list[str]) -> None:
     """The zip of the add-on with the libraries of these PLATFORM.ARCH. The same files give the same bytes."""
+    libraries = {library: one for one in built_for for library in libraries_of(one)}
     files = dict(resources())
-    libraries = {platforms.library(one.split(".")[0], target, one.split(".")[1]): one for one in built_for for target in TARGETS}
     files["steadyhand.gdextension"] = of_libraries(ADDON / "steadyhand.gdextension", set(libraries))
-    with tempfile.TemporaryDirectory(prefix="steadyhand_dist") as folder:
-        for name, one in libraries.items():
-            stripped = Path(folder, name)
-            command = [STRIP[one], "--strip-unneeded", "--remove-section=.note.gnu.build-id", "-o", stripped, ADDON / "bin" / name]
-            subprocess.run(command, check=True)
-            files[f"bin/{name}"] = stripped.read_bytes()
+    files |= {f"bin/{library}": stripped(ADDON / "bin" / library, STRIP[one]) for library, one in libraries.items()}
     half = path.with_name(f"{path.name}.part")
     with zipfile.ZipFile(half, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as zipped:
         for name in sorted(files):
             entry = zipfile.ZipInfo(f"{INSIDE}/{name}", CHANGED)
             entry.compress_type = zipfile.ZIP_DEFLATED
-            entry.create_system, entry.external_attr = 3, MODE << 16
+            entry.create_system, entry.external_attr = UNIX, MODE << 16
             zipped.writestr(entry, files[name])
     half.replace(path)
+
+
+def libraries_of(one: str) -> list[str]:
+    platform, arch = one.split(".")
+    return [platforms.library(platform, target, arch) for target in TARGETS]
+
+
+def stripped(library: Path, program: str) -> bytes:
+    """Without the build's identity too, which is a hash of the debug information and so of folders of this machine."""
+    with tempfile.TemporaryDirectory(prefix="steadyhand_dist") as folder:
+        out = Path(folder, library.name)
+        options = ["--strip-unneeded", "--remove-section=.note.gnu.build-id"]
+        subprocess.run([program, *options, "-o", out, library], check=True)
+        return out.read_bytes()
 
 
 def resources() -> Iterator[tuple[str, bytes]]:
