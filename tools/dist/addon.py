@@ -51,10 +51,13 @@ def libraries_of(one: str) -> list[str]:
 
 
 def stripped(library: Path, program: str) -> bytes:
-    """Without the build's identity too, which is a hash of the debug information and so of folders of this machine."""
+    """Without the build's identity too, which is a hash of the debug information and so of folders of this machine.
+
+    strip writes its own time into a Windows library unless it preserves dates.
+    """
     with tempfile.TemporaryDirectory(prefix="steadyhand_dist") as folder:
         out = Path(folder, library.name)
-        options = ["--strip-unneeded", "--remove-section=.note.gnu.build-id"]
+        options = ["--strip-unneeded", "--preserve-dates", "--remove-section=.note.gnu.build-id"]
         subprocess.run([program, *options, "-o", out, library], check=True)
         return out.read_bytes()
 
