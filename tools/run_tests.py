@@ -46,7 +46,7 @@ SUITES = {
     "openxr": openxr,
     "platforms": platforms,
 }
-EXTRA = ["openxr", "platforms"]  # fetches 265 MB; cross-compiles for some 20 minutes
+EXTRA = ["openxr", "platforms"]  # fetches 265 MB; cross-compiles for some 10 minutes
 BESIDE = ["fuzz", "study_export", "lint", "command"]
 
 
