@@ -25,7 +25,7 @@ UNIX, MODE = 3, 0o100644
 def version() -> str:
     found = re.search(r'^version="([^"]+)"', (ADDON / "plugin.cfg").read_text(), re.MULTILINE)
     if not found:
-        raise SystemExit(f"{ADDON}/plugin.cfg: no line version=\"...\"")
+        raise SystemExit(f'{ADDON}/plugin.cfg: no line version="..."')
     return found[1]
 
 
