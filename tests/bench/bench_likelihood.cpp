@@ -35,7 +35,7 @@ Task task_here(const GestureModel &model, const SyntheticTrial &trial) {
 		return task;
 	}
 	task.start_m = first.position(Joint::INDEX);
-	const bool is_reverse = model.both_ways && feature.measure(last, task).value_or(0.0) < 0.0;
+	const bool is_reverse = !model.other_axes.empty() && feature.measure(last, task).value_or(0.0) < 0.0;
 	task.axis *= is_reverse ? -1.0 : 1.0;
 	return task;
 }

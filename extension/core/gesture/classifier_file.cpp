@@ -38,7 +38,7 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 				"gesture: " + steadyhand::quoted(gesture.gesture) + " " + std::string(fault));
 	}
 	gesture.axis = point(json, "axis");
-	gesture.is_radius = optional_flag(json, "is_radius");
+	gesture.is_radius = flag(json, "is_radius");
 	const double length = gesture.is_radius ? 0.0 : 1.0;
 	if (!(std::abs(gesture.axis.norm() - length) < LENGTH_TOLERANCE)) {
 		throw Fault(

@@ -167,15 +167,12 @@ std::string text(const Json &object, const char *key) {
 	return value.get<std::string>();
 }
 
-bool optional_flag(const Json &object, const char *key) {
-	const auto found = object.find(key);
-	if (found == object.end()) {
-		return false;
+bool flag(const Json &object, const char *key) {
+	const Json &value = member(object, key);
+	if (!value.is_boolean()) {
+		throw Fault(value, std::string(key) + ": not true or false");
 	}
-	if (!found->is_boolean()) {
-		throw Fault(*found, std::string(key) + ": not true or false");
-	}
-	return found->get<bool>();
+	return value.get<bool>();
 }
 
 const Json &array(const Json &object, const char *key) {

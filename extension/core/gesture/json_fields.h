@@ -73,8 +73,7 @@ template <class Value, class Read>
 [[nodiscard]] double number(const Json &object, const char *key);
 [[nodiscard]] double within(const Json &object, const char *key, double smallest, double largest);
 [[nodiscard]] std::string text(const Json &object, const char *key);
-/// False where it is missing, as in files of before there was the flag.
-[[nodiscard]] bool optional_flag(const Json &object, const char *key);
+[[nodiscard]] bool flag(const Json &object, const char *key);
 /// With one entry at least.
 [[nodiscard]] const Json &array(const Json &object, const char *key);
 /// Numbers, of 1e9 at most; with null_is_log_zero logarithms, null for that of 0. key: what they are called.

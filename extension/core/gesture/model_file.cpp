@@ -98,6 +98,26 @@ Provenance provenance_from_json(const Json &json) {
 	return provenance;
 }
 
+bool is_unit(const Eigen::Vector3d &axis) {
+	return std::abs(axis.norm() - 1.0) < AXIS_TOLERANCE;
+}
+
+std::vector<Eigen::Vector3d> axes(const Json &json, const char *key) {
+	std::vector<Eigen::Vector3d> axes;
+	const Json &rows = member(json, key);
+	if (!rows.is_array()) {
+		throw Fault(rows, std::string(key) + ": not a list of axes");
+	}
+	for (const Json &row : rows) {
+		const Eigen::VectorXd axis = vector(row, key, false);
+		if (axis.size() != 3 || !is_unit(axis)) {
+			throw Fault(row, std::string(key) + ": not an axis of length 1");
+		}
+		axes.emplace_back(axis);
+	}
+	return axes;
+}
+
 GestureModel model_from_json(const Json &json) {
 	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
 		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
@@ -117,12 +137,11 @@ GestureModel model_from_json(const Json &json) {
 	}
 	model.typical_task.start_m = point(json, "typical_start_m");
 	model.typical_task.axis = point(json, "typical_axis");
-	const double axis_length = model.typical_task.axis.norm();
-	if (!find_feature(model.feature)->is_radius && !(std::abs(axis_length - 1.0) < AXIS_TOLERANCE)) {
+	if (!find_feature(model.feature)->is_radius && !is_unit(model.typical_task.axis)) {
 		throw Fault(json["typical_axis"], "typical_axis: its length is not 1");
 	}
 	model.typical_task.amplitude_m = within(json, "typical_amplitude_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
-	model.both_ways = optional_flag(json, "both_ways");
+	model.other_axes = axes(json, "other_axes");
 	model.duration_mean_s = within(json, "duration_mean_s", SHORTEST_S, LONGEST_GESTURE_S);
 	model.duration_deviation_s =
 			within(json, "duration_deviation_s", 0.0, MOST_RELATIVE_DEVIATION * model.duration_mean_s);
@@ -181,6 +200,10 @@ std::string format_model(const GestureModel &model) {
 	for (const PrimitiveMotionElement &element : model.elements) {
 		elements.push_back(element_to_json(element));
 	}
+	Json other_axes = Json::array();
+	for (const Eigen::Vector3d &axis : model.other_axes) {
+		other_axes.push_back(row_to_json(axis));
+	}
 	Json json = {
 		{ "format", FORMAT_NAME },
 		{ "version", FORMAT_VERSION },
@@ -189,7 +212,7 @@ std::string format_model(const GestureModel &model) {
 		{ "typical_start_m", row_to_json(model.typical_task.start_m) },
 		{ "typical_axis", row_to_json(model.typical_task.axis) },
 		{ "typical_amplitude_m", model.typical_task.amplitude_m },
-		{ "both_ways", model.both_ways },
+		{ "other_axes", other_axes },
 		{ "duration_mean_s", model.duration_mean_s },
 		{ "duration_deviation_s", model.duration_deviation_s },
 		{ "elements", elements },

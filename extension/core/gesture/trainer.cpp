@@ -7,7 +7,9 @@
 #include "gesture/recording_oddity.h"
 #include "gesture/reference_curve.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -85,22 +87,46 @@ std::vector<Movement> keep_alike(
 	return kept;
 }
 
+/// Mean directions of the tasks; those within 45 degrees of a cluster's first are one. In order of
+/// appearance.
+std::vector<Eigen::Vector3d> directions_of(const std::vector<Movement> &movements) {
+	struct Cluster {
+		Eigen::Vector3d first;
+		Eigen::Vector3d sum;
+	};
+	std::vector<Cluster> clusters;
+	for (const Movement &movement : movements) {
+		const Eigen::Vector3d &axis = movement.recording->task.axis;
+		const auto known = std::find_if(clusters.begin(), clusters.end(),
+				[&axis](const Cluster &one) { return one.first.dot(axis) > std::numbers::sqrt2 / 2.0; });
+		if (known == clusters.end()) {
+			clusters.push_back({ axis, axis });
+		} else {
+			known->sum += axis;
+		}
+	}
+	std::vector<Eigen::Vector3d> directions;
+	for (const Cluster &cluster : clusters) {
+		directions.push_back(cluster.sum.normalized());
+	}
+	return directions;
+}
+
 /// The mean of their tasks.
-void set_typical_task(const std::vector<Movement> &kept, GestureModel &r_model) {
+void set_typical_task(const std::vector<Movement> &kept, bool is_radius, GestureModel &r_model) {
 	Task typical = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0 };
 	for (const Movement &movement : kept) {
-		const Task &task = movement.recording->task;
-		typical.start_m += task.start_m;
-		// Reciprocal moves go both ways along one axis: the first recording says which way is called forward.
-		const double way = std::copysign(1.0, task.axis.dot(kept.front().recording->task.axis));
-		typical.axis += way * task.axis;
-		r_model.both_ways = r_model.both_ways || way < 0.0;
-		typical.amplitude_m += task.amplitude_m;
+		typical.start_m += movement.recording->task.start_m;
+		typical.amplitude_m += movement.recording->task.amplitude_m;
 	}
 	const double n = static_cast<double>(kept.size());
 	typical.start_m /= n;
-	typical.axis.normalize(); // a radius has none: stays zero
 	typical.amplitude_m /= n;
+	if (!is_radius) {
+		r_model.other_axes = directions_of(kept);
+		typical.axis = r_model.other_axes.front();
+		r_model.other_axes.erase(r_model.other_axes.begin());
+	}
 	r_model.typical_task = std::move(typical);
 }
 
@@ -219,7 +245,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	model.reference_deviation = reference.deviation;
 	model.provenance.r2_threshold = options.r2_threshold;
 	const std::vector<Movement> kept = keep_alike(recorded.value(), reference, model);
-	set_typical_task(kept, model);
+	set_typical_task(kept, find_feature(model.feature)->is_radius, model);
 	const std::vector<double> durations_s = durations_of(kept);
 	const MeanAndDeviation duration = mean_and_deviation(durations_s);
 	model.duration_mean_s = duration.mean;

@@ -34,7 +34,15 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 
 OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis) :
 		GestureFollower(model, model.typical_task, synthesis, false),
-		end_speed_share_(end_speed_share(model, ARRIVED_PHASE)) {}
+		end_speed_share_(end_speed_share(model, ARRIVED_PHASE)), directions_{ FeaturePlace::Zero() } {
+	if (feature().direction == nullptr) {
+		return; // its strokes have no direction
+	}
+	directions_ = { feature().direction(task()) };
+	for (const Eigen::Vector3d &axis : model.other_axes) {
+		directions_.push_back(feature().direction({ task().start_m, axis, task().amplitude_m }));
+	}
+}
 
 std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
 	claims_ = false;
@@ -59,9 +67,9 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 }
 
 FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
-	const FeaturePlace direction = feature().direction(task());
-	const bool is_reverse = model().both_ways && (stroke.to - stroke.from).dot(direction) < 0.0;
-	return is_reverse ? FeaturePlace(-direction) : direction;
+	const FeaturePlace chord = stroke.to - stroke.from;
+	return *std::ranges::max_element(
+			directions_, {}, [&chord](const FeaturePlace &direction) { return direction.dot(chord); });
 }
 
 /// stroke: one of the finder's; way: in its sense.

@@ -5,6 +5,7 @@
 #include "strokes/stroke_evidence.h"
 
 #include <cmath>
+#include <vector>
 
 namespace steadyhand {
 
@@ -31,6 +32,7 @@ private:
 	static constexpr double HOPELESS = -8.0;
 
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
+	std::vector<FeaturePlace> directions_;             ///< in which the model was trained: unit vectors
 	FeaturePlace start_ = FeaturePlace::Zero();        ///< of the motion element
 	FeaturePlace from_ = FeaturePlace::Zero();         ///< the same, as strokes count it
 	Stroke begun_;                                     ///< the one that began, as it was by then

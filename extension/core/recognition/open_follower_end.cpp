@@ -22,6 +22,8 @@ constexpr double TAIL = 0.25;
 /// before the gesture, but no further than this, amplitudes.
 constexpr double STRAYS = 2.0;
 constexpr double FARTHEST_STRAY = 0.2;
+/// Cosine between directions that are reciprocal.
+constexpr double OPPOSITE = 0.7;
 /// Where tracking is lost this near to the end, that was the end.
 constexpr double LOST_AT_END = 0.7;
 
@@ -135,7 +137,9 @@ bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) co
 		return stroke.onset_s >= end_.may_set_out_s() && best_odds(evidence_of(stroke, strokes, axis_)) > 0.0;
 	}
 	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
-	if (!model().both_ways ||
+	const bool is_reverse_known = std::ranges::any_of(
+			directions_, [this](const FeaturePlace &direction) { return direction.dot(axis_) < -OPPOSITE; });
+	if (!is_reverse_known ||
 			!end_.has_rested(stroke, strokes, std::min(stray_m, FARTHEST_STRAY * task().amplitude_m))) {
 		return false;
 	}

@@ -107,7 +107,7 @@ public:
 		rest(rest_s).set_out();
 		if (plan_.pose() != start_) {
 			go_to(0.0, 1.2 * movement_.duration_s);
-			if (return_may_be_one && is_open() && models_[movement_.gesture]->both_ways) {
+			if (return_may_be_one && is_open() && !models_[movement_.gesture]->other_axes.empty()) {
 				arrive({ .is_optional = true });
 			}
 		}

@@ -297,9 +297,9 @@ TEST_CASE("when a recording was made does not change the model") {
 	CHECK((codebook(64.0) - codebook(0.0)).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("a gesture goes both ways where a recording runs against the first one") {
+TEST_CASE("a model holds each direction of its recordings") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
-	CHECK_FALSE(train("drag", "index_along_axis", drags, {}).value().both_ways);
+	CHECK(train("drag", "index_along_axis", drags, {}).value().other_axes.empty());
 	// Half of them, and so many that a plain mean of the axes would be none.
 	for (std::size_t i = 1; i < drags.size(); i += 2) {
 		for (Track *track : { &drags[i].measured, &drags[i].reference }) {
@@ -310,9 +310,9 @@ TEST_CASE("a gesture goes both ways where a recording runs against the first one
 		drags[i].task.axis = -drags[i].task.axis;
 	}
 	const GestureModel both = train("drag", "index_along_axis", drags, {}).value();
-	CHECK(both.both_ways);
+	CHECK(both.other_axes == std::vector{ Eigen::Vector3d(-Task{}.axis) });
 	CHECK(both.typical_task.axis == Task{}.axis);
-	CHECK(parse_model(format_model(both), "a.gesture").value().both_ways);
+	CHECK(parse_model(format_model(both), "a.gesture").value().other_axes == both.other_axes);
 }
 
 TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step of it") {
@@ -409,8 +409,10 @@ TEST_CASE("a damaged model file gets one error that names what and where") {
 	CHECK(field("phase_end", "0.0") ==
 			at("phase_end") + "elements: phase_end must be phase_begin + 0.01 at least");
 	CHECK(field("deviation", "null") == at("deviation") + "deviation: not a number");
-	CHECK(replaced("\"both_ways\": false", "\"both_ways\": 0") ==
-			at("both_ways") + "both_ways: not true or false");
+	CHECK(replaced("\"other_axes\": []", "\"other_axes\": 0") ==
+			at("other_axes") + "other_axes: not a list of axes");
+	CHECK(replaced("\"other_axes\": []", "\"other_axes\": [[0, 2, 0]]") ==
+			at("other_axes") + "other_axes: not an axis of length 1");
 	CHECK(replaced("\"log_b\"", "\"log_x\"") == at("hmm") + "log_b: missing");
 	for (std::size_t length = 0; length < text.size(); length += 97) {
 		CHECK_FALSE(parse_model(text.substr(0, length), "cut").ok());

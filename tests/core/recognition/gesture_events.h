@@ -29,7 +29,9 @@ inline std::shared_ptr<const GestureModel> model(
 	GestureModel trained = drag_model();
 	trained.gesture = gesture;
 	trained.typical_task.axis = axis;
-	trained.both_ways = both_ways;
+	if (both_ways) {
+		trained.other_axes = { -axis };
+	}
 	return std::make_shared<const GestureModel>(std::move(trained));
 }
 
