@@ -8,8 +8,8 @@
 namespace steadyhand {
 namespace {
 
-template <int SIZE> using Point = Codebook<SIZE>::Point;
-template <int SIZE> using Codewords = Codebook<SIZE>::Codewords;
+template <int SIZE> using Point = typename Codebook<SIZE>::Point;
+template <int SIZE> using Codewords = typename Codebook<SIZE>::Codewords;
 
 /// Eight codewords at once, as many as fill the registers.
 template <int SIZE> Symbol nearest(const Codewords<SIZE> &codewords, const Point<SIZE> &point) {
