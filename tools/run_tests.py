@@ -17,6 +17,7 @@ from suites import (
     devices,
     dist,
     docs,
+    engine_api,
     fuzz,
     lint,
     lsl,
@@ -41,12 +42,13 @@ SUITES = {
     "study_export": study_export,
     "predictors": predictors,
     "docs": docs,
+    "engine_api": engine_api,
     "dist": dist,
     "lint": lint,
     "openxr": openxr,
     "platforms": platforms,
 }
-EXTRA = ["openxr", "platforms"]  # fetches 265 MB; cross-compiles for some 10 minutes
+EXTRA = ["openxr", "dist", "platforms"]  # fetches 265 MB; builds for release; cross-compiles for some 10 minutes
 BESIDE = ["fuzz", "study_export", "lint", "command"]
 
 

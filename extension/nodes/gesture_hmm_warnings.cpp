@@ -43,7 +43,9 @@ constexpr double AS_TRAINED = 0.5;
 bool is_undirected(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
 	const Vector3 right(1, 0, 0);
 	const bool goes_right = to_core(p_task.get_axis()).isApprox(to_core(right), 1e-3);
-	const auto is_trained = [&](const Eigen::Vector3d &axis) { return to_core(right).dot(axis) >= AS_TRAINED; };
+	const auto is_trained = [&](const Eigen::Vector3d &axis) {
+		return to_core(right).dot(axis) >= AS_TRAINED;
+	};
 	return goes_right && p_task.get_direction() == right && !is_trained(p_model.typical_task.axis) &&
 			std::ranges::none_of(p_model.other_axes, is_trained);
 }

@@ -48,9 +48,9 @@ inline constexpr double SHORTEST_ELEMENT = 0.01;
 struct GestureModel {
 	std::string gesture;
 	std::string feature;
-	Task typical_task;      ///< mean axis and amplitude of the recordings: stands in where a scene gives none
-	/// Unit vectors: directions of the recordings beside typical_task.axis, as of a drag to the left and a tap
-	/// down. Without a task each of them is the gesture's.
+	Task typical_task; ///< mean axis and amplitude of the recordings: stands in where a scene gives none
+	/// Unit vectors: directions of the recordings beside typical_task.axis, as of a drag to the left and a
+	/// tap down. Without a task each of them is the gesture's.
 	std::vector<Eigen::Vector3d> other_axes;
 	double duration_mean_s = 1.0; ///< of the whole movement
 	double duration_deviation_s = 0.0;

@@ -106,6 +106,7 @@ std::vector<Eigen::Vector3d> directions_of(const std::vector<Movement> &movement
 		}
 	}
 	std::vector<Eigen::Vector3d> directions;
+	directions.reserve(clusters.size());
 	for (const Cluster &cluster : clusters) {
 		directions.push_back(cluster.sum.normalized());
 	}

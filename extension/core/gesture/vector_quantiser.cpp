@@ -8,8 +8,10 @@
 namespace steadyhand {
 namespace {
 
-template <int SIZE> using Point = typename Codebook<SIZE>::Point;
-template <int SIZE> using Codewords = typename Codebook<SIZE>::Codewords;
+// clang 14, which builds the fuzzers, asks for what C++20 lets be left out.
+template <int SIZE> using Point = typename Codebook<SIZE>::Point; // NOLINT(readability-redundant-typename)
+template <int SIZE>
+using Codewords = typename Codebook<SIZE>::Codewords; // NOLINT(readability-redundant-typename)
 
 /// Eight codewords at once, as many as fill the registers.
 template <int SIZE> Symbol nearest(const Codewords<SIZE> &codewords, const Point<SIZE> &point) {
