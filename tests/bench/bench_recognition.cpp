@@ -194,7 +194,7 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 								[&trials, active, has_task, mode] {
 									return ns_a_frame(trials, active, has_task, mode, -1);
 								},
-								count == 4 ? 1000.0 : 0.0 });
+								count == 4 ? 5000.0 : 0.0 });
 			}
 		}
 		for (const auto &[name, quality] :
@@ -206,7 +206,7 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 							[&trials, &models, has_task, mode, quality = quality] {
 								return ns_a_frame(trials, models, has_task, mode, -1, quality);
 							},
-							1000.0 });
+							5000.0 });
 				}
 			}
 		}
