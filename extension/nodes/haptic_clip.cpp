@@ -11,7 +11,6 @@
 
 #include <godot_cpp/core/class_db.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace godot {
@@ -22,13 +21,6 @@ constexpr double RENDERED_RATE_HZ = 48000.0;
 /// Of a clip that the motion drives: places from its start to its end.
 constexpr int PLACES = 1025;
 constexpr double MOST_HZ = 1000.0;
-
-PackedFloat32Array packed(const std::vector<float> &p_values) {
-	PackedFloat32Array array;
-	array.resize(static_cast<int64_t>(p_values.size()));
-	std::copy(p_values.begin(), p_values.end(), array.ptrw());
-	return array;
-}
 
 } // namespace
 

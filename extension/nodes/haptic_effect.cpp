@@ -18,17 +18,17 @@ namespace {
 /// Enough for what hands feel.
 constexpr double SPECTRUM_RATE_HZ = 8000.0;
 
-PackedFloat32Array packed(const std::vector<float> &values) {
-	PackedFloat32Array array;
-	array.resize(static_cast<int64_t>(values.size()));
-	std::copy(values.begin(), values.end(), array.ptrw());
-	return array;
-}
-
 /// Samples taken of a Curve.
 constexpr int CURVE_POINTS = 257;
 
 } // namespace
+
+PackedFloat32Array HapticEffect::packed(const std::vector<float> &p_values) {
+	PackedFloat32Array array;
+	array.resize(static_cast<int64_t>(p_values.size()));
+	std::copy(p_values.begin(), p_values.end(), array.ptrw());
+	return array;
+}
 
 steadyhand::Table HapticEffect::keep(Tables &r_tables, std::vector<float> p_values) {
 	r_tables.push_back(std::make_shared<const std::vector<float>>(std::move(p_values)));

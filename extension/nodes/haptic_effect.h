@@ -47,6 +47,8 @@ protected:
 	explicit HapticEffect(const steadyhand::Effect &p_effect) : effect_(p_effect) {}
 	HapticEffect() = default;
 
+	static PackedFloat32Array packed(const std::vector<float> &p_values);
+
 	void set_drive(Drive p_drive);
 	Drive get_drive() const { return static_cast<Drive>(effect_.drive); }
 	void set_trigger(Trigger p_trigger);

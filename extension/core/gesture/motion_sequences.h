@@ -8,8 +8,8 @@
 
 namespace steadyhand {
 
-/// What is seen of a hand from a possible onset on, at the symbol clock's instants; nothing where no frame
-/// was new.
+/// Observations of a hand since a possible onset, at the symbol clock's instants; nothing where no frame was
+/// new.
 struct MotionSequence {
 	std::vector<std::optional<MotionObservation>> points;
 	std::vector<int> states; ///< as many: which state of an HMM each of them is taken to be in

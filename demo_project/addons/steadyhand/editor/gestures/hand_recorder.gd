@@ -10,7 +10,7 @@ const GameLink := preload("game_link.gd")
 const Movements := preload("movements.gd")
 const TrackCurves := preload("track_curves.gd")
 
-## What is shown of the last frames, s.
+## Length of the live curve, s.
 const TRACE_S := 8.0
 const COUNT_EVERY_MS := 1000
 ## The movements are counted in one part in so many of the time.
