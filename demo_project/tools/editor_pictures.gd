@@ -7,6 +7,7 @@ extends SceneTree
 ## takes of a circle; DIR/editor_recording.png, while it records, after a comparison;
 ## DIR/editor_gizmos.png, a task and the range of a tracker.
 
+const EditedScene := preload("res://tools/edited_scene.gd")
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
 const SIZE := Vector2i(1920, 1080)
@@ -116,15 +117,7 @@ func _zoom_in() -> void:
 
 
 func _open_scene(path: String, nodes: Array[Node]) -> Node:
-	var scene := Node3D.new()
-	scene.name = "Scene"
-	for node in nodes:
-		scene.add_child(node)
-		node.owner = scene
-	var packed := PackedScene.new()
-	packed.pack(scene)
-	ResourceSaver.save(packed, path)
-	scene.free()
+	EditedScene.save(nodes, path)
 	EditorInterface.open_scene_from_path(path)
 	await _settle()
 	return EditorInterface.get_edited_scene_root()

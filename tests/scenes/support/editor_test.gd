@@ -1,6 +1,7 @@
 extends "scene_test.gd"
 ## A test inside the editor, started with --editor, with the add-on's plugin as the project has it.
 
+const EditedScene := preload("res://tools/edited_scene.gd")
 const GestureDock := preload("res://addons/steadyhand/editor/gestures/gesture_dock.gd")
 
 const LOADING_FRAMES := 20
@@ -29,15 +30,7 @@ func _run() -> void:
 func open_scene(nodes: Array[Node]) -> Node:
 	_scenes += 1
 	var path := "res://edited_%d.tscn" % _scenes
-	var scene := Node3D.new()
-	scene.name = "Scene"
-	for node in nodes:
-		scene.add_child(node)
-		node.owner = scene
-	var packed := PackedScene.new()
-	packed.pack(scene)
-	ResourceSaver.save(packed, path)
-	scene.free()
+	EditedScene.save(nodes, path)
 	# Whoever emitted the signal that the test waited for has returned by then.
 	await process_frame
 	EditorInterface.open_scene_from_path(path)
