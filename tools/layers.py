@@ -12,7 +12,6 @@ LAYERS = [
     "tracking",
     "devices",
     "gesture",
-    "soundness",
     "motion",
     "strokes",
     "recognition",

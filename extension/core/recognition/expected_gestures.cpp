@@ -141,8 +141,8 @@ void GestureRecogniser::watch_features() {
 			watched_.back().strokes.set_smallest(smallest_m);
 		} else {
 			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
-			const StrokeFinder strokes(shares, smallest_m);
-			watched_.push_back({ feature, strokes, strokes, {}, {}, {}, {} });
+			watched_.push_back(
+					{ feature, StrokeFinder(shares, smallest_m), {}, FeaturePlace::Zero(), {}, {} });
 		}
 	}
 	expect_absence();

@@ -47,7 +47,8 @@ public:
 
 	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
 	/// must have been done. False where it does not hold what the feature needs. place: the feature's,
-	/// finite; strokes: of the feature, with this frame in it; measurement: what its tracker is worth.
+	/// finite, without the tracker's displacement; strokes: of the feature, with this frame in it;
+	/// measurement: what its tracker is worth.
 	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes,
 			const Measurement &measurement);
 	/// All that is due by t_s; strokes and monitor: as of the last frame.
@@ -118,6 +119,8 @@ protected:
 	[[nodiscard]] MotionMode mode() const { return mode_; }
 	/// The feature's, in the newest frame that had one.
 	[[nodiscard]] const FeaturePlace &last_place() const { return place_; }
+	/// Of the newest frame.
+	[[nodiscard]] const Measurement &measurement() const { return measurement_; }
 	/// What is measured, in amplitudes.
 	[[nodiscard]] double value() const { return window_.position_m() / task_.amplitude_m; }
 	[[nodiscard]] Observation observation() const {

@@ -35,23 +35,11 @@ void GestureRecogniser::WatchedFeature::push(const HandFrame &frame) {
 		measurement = monitor.push(frame.t_s, *point_m);
 	}
 	if (place) {
-		look(frame.t_s, *place);
+		const Eigen::Vector3d &beside_m = measurement.displacement_m;
+		displacement_m = feature->is_radius ? FeaturePlace(beside_m.x(), beside_m.y(), 0.0, beside_m.z())
+											: FeaturePlace(beside_m.x(), beside_m.y(), beside_m.z(), 0.0);
+		strokes.push(measurement, *place, displacement_m);
 	}
-}
-
-/// Of a hand that another was shown for meanwhile nothing was seen.
-void GestureRecogniser::WatchedFeature::look(double t_s, const FeaturePlace &place_m) {
-	switch (elsewhere.look(t_s, place_m)) {
-		case ShownElsewhere::Sight::ON_ITS_WAY:
-			break;
-		case ShownElsewhere::Sight::LEAVES:
-			before_elsewhere = strokes;
-			break;
-		case ShownElsewhere::Sight::RETURNS:
-			strokes.forget_since(before_elsewhere);
-			break;
-	}
-	strokes.push(t_s, place_m);
 }
 
 void GestureRecogniser::set_completion(double share) {
@@ -77,7 +65,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	const std::optional<Motion> before = show_nearest(frame.t_s);
 	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i]->push(frame, watched(i).place, watched(i).strokes, watched(i).measurement)) {
+		if (followers_[i]->push(frame, watched(i).hand(), watched(i).strokes, watched(i).measurement)) {
 			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
 		}
 	}

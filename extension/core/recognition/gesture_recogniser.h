@@ -5,7 +5,6 @@
 #include "recognition/gesture_follower.h"
 #include "recognition/gesture_spotter.h"
 #include "recognition/start_condition.h"
-#include "strokes/shown_elsewhere.h"
 #include "strokes/stroke_finder.h"
 
 #include <algorithm>
@@ -90,14 +89,16 @@ private:
 	struct WatchedFeature {
 		const Feature *feature;
 		StrokeFinder strokes;
-		StrokeFinder before_elsewhere;
-		ShownElsewhere elsewhere;
 		std::optional<FeaturePlace> place; ///< in the newest frame
+		FeaturePlace displacement_m;       ///< of the tracker, as of the newest place
 		TrackerMonitor monitor;
 		Measurement measurement; ///< the newest frame's
 
 		void push(const HandFrame &frame);
-		void look(double t_s, const FeaturePlace &place_m);
+		/// Without the tracker's displacement.
+		[[nodiscard]] std::optional<FeaturePlace> hand() const {
+			return place ? std::optional<FeaturePlace>(*place - displacement_m) : std::nullopt;
+		}
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it

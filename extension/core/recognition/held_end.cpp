@@ -5,10 +5,8 @@
 namespace steadyhand {
 namespace {
 
-/// The hand has turned back once it is at this share of the furthest that it went, by the tracker's steps
-/// left out; or, where it was lost for so long, as it is shown: it may have turned faster than a step tells.
+/// The hand has turned back once it is at this share of the furthest that it went.
 constexpr double RETURNED = 0.5;
-constexpr double LOST_S = 0.1;
 /// Of a stroke's time, how much later the hand stands: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
@@ -24,28 +22,19 @@ double will_stand_s(double t_s, const Stroke &stroke) {
 
 } // namespace
 
-void HeldEnd::begin(double onset_s, double shown_m) {
+void HeldEnd::begin(double onset_s, double gone_m) {
 	onset_s_ = onset_s;
-	furthest_shown_m_ = shown_m;
+	gone_m_ = furthest_m_ = gone_m;
 }
 
-void HeldEnd::see(const StrokeFinder &strokes, double gone_m, double shown_m, double amplitude_m) {
-	const double unseen_s = strokes.news_s() - news_s_;
-	if (unseen_s > LOST_S && speed_m_s_ * unseen_s > RETURNED * amplitude_m) {
-		found_s_ = strokes.news_s();
-	}
-	news_s_ = strokes.news_s();
-	speed_m_s_ = strokes.speed_m_s();
+void HeldEnd::see(double gone_m) {
 	gone_m_ = gone_m;
-	shown_m_ = shown_m;
 	furthest_m_ = std::max(furthest_m_, gone_m);
-	furthest_shown_m_ = std::max(furthest_shown_m_, shown_m);
 }
 
-void HeldEnd::end(double t_s, const Stroke &stroke, double gone_m) {
+void HeldEnd::end(double t_s, const Stroke &stroke) {
 	ended_s_ = t_s;
 	moved_s_ = stood_s_ = will_stand_s(t_s, stroke);
-	furthest_m_ = gone_m;
 	may_set_out_s_ = INFINITY;
 }
 
@@ -63,8 +52,7 @@ void HeldEnd::follow(double t_s, const Stroke &stroke) {
 }
 
 bool HeldEnd::has_returned() const {
-	const bool was_lost = found_s_ > ended_s_ - LOST_S;
-	return gone_m_ < RETURNED * furthest_m_ || (was_lost && shown_m_ < RETURNED * furthest_shown_m_);
+	return gone_m_ < RETURNED * furthest_m_;
 }
 
 bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {

@@ -1,20 +1,17 @@
 #include "recognition/open_follower.h"
 
-#include "recognition/stroke_start.h"
-
 #include <algorithm>
 
 namespace steadyhand {
 namespace {
 
-/// A start that was shown so far elsewhere, in amplitudes, is corrected for so long.
-constexpr double CORRECTED_BY = 0.1;
-constexpr double CORRECTED_FOR_S = 0.3;
+/// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
+/// out from the furthest back that it was in this time before, by means over parts of it, in which a
+/// tracker's noise counts little.
+constexpr double BEFORE_ONSET_S = 0.15, REST_PART_S = 0.05;
 /// Strokes that are shorter than so many times the tracker's noise do not say where they go, but for such as
 /// are well under way.
 constexpr double TREMBLES = 10.0;
-/// A hand that was faster when it came into view, in shares of its peak speed, had made more of its way.
-constexpr double ENTERS_AT = 0.65;
 /// A gesture that comes again this soon after its own way back needs no rest before it.
 constexpr double AGAIN_S = 1.0;
 constexpr double STARTING_RATE_PER_S = 100.0;
@@ -28,6 +25,32 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 		peak = std::max(peak, evaluate(model, static_cast<double>(i) / POINTS).slope);
 	}
 	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
+}
+
+/// Where the hand set out that makes one of the finder's strokes. way: unit vector.
+FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) {
+	FeaturePlace start = stroke.from, sum = FeaturePlace::Zero();
+	int count = 0;
+	double since_s = -INFINITY;
+	const auto end_part = [&] {
+		const bool is_behind = count > 0 && (sum / count - start).dot(way) < 0.0;
+		start = is_behind ? FeaturePlace(sum / count) : start;
+		sum = FeaturePlace::Zero();
+		count = 0;
+	};
+	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S, [&](double frame_s, const FeaturePlace &place) {
+		if (frame_s > stroke.onset_s) {
+			return;
+		}
+		if (frame_s > since_s + REST_PART_S) {
+			end_part();
+			since_s = frame_s;
+		}
+		sum += place;
+		++count;
+	});
+	end_part();
+	return start;
 }
 
 } // namespace
@@ -50,13 +73,14 @@ std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, 
 	if (!has_place) {
 		return std::nullopt;
 	}
-	end_.see(strokes, gone_m(strokes), along(last_place()), task().amplitude_m);
+	if (measurement().is_usable()) {
+		end_.see(along(last_place()));
+	}
 	switch (stage()) {
 		case Stage::RESTING:
 			look_for_start(frame.t_s, strokes);
 			break;
 		case Stage::MOVING:
-			correct_start(frame.t_s, strokes);
 			look_for_end(frame.t_s, strokes);
 			break;
 		case Stage::ARRIVED:
@@ -77,7 +101,14 @@ StrokeEvidence OpenFollower::evidence_of(
 		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
 	Stroke watched = stroke;
 	watched.unrest_m = strokes.unrest_m(stroke);
-	StrokeEvidence evidence = stroke_evidence(watched, way, task().amplitude_m, model().duration_mean_s);
+	const auto of = [&](const Stroke &one) {
+		return stroke_evidence(one, way, task().amplitude_m, model().duration_mean_s);
+	};
+	StrokeEvidence evidence = of(watched);
+	const StrokeEvidence shown = of(watched.as_shown());
+	if (shown.sum() > evidence.sum()) {
+		evidence = shown;
+	}
 	if (comes_again(stroke)) {
 		evidence.rest = std::max(evidence.rest, 0.0);
 	}
@@ -100,11 +131,6 @@ double OpenFollower::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
-/// How far the hand is, without the steps that no hand makes.
-double OpenFollower::gone_m(const StrokeFinder &strokes) const {
-	return (strokes.place_m() - from_).dot(way_);
-}
-
 /// A bound on the log odds that the stroke, or what is still to come of it, could come to; quickly told.
 double OpenFollower::most_odds(const Stroke &stroke) const {
 	return LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
@@ -118,14 +144,13 @@ bool OpenFollower::goes_elsewhere(const StrokeFinder &strokes) const {
 }
 
 void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
-	const bool has_stroke = !strokes.strokes().empty();
-	start_ = has_stroke ? strokes.strokes().front().seen_from : last_place();
+	start_ = last_place();
 	way_ = feature().direction(task());
 	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
 		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
-		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || stroke.entry_share > ENTERS_AT) {
+		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
 			continue;
 		}
 		if (most_odds(stroke) < 0.0 || (amplitudes(stroke) < WELL_UNDER_WAY && goes_elsewhere(strokes))) {
@@ -141,8 +166,7 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 			aim(stroke.to);
 			// A hand that came into view waving is not excused a second time.
 			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= Stroke::REST_S;
-			begun_ = stroke;
-			begun_step_m_ = strokes.step_m();
+			begun_unrest_m_ = stroke.unrest_m;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
@@ -154,33 +178,17 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
 	forget_frames();
-	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S,
-			[&](double frame_s, const FeaturePlace &place, const FeaturePlace & /*step*/) {
-				if (frame_s < t_s) {
-					recall(frame_s, along(place));
-				}
-			});
+	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S, [&](double frame_s, const FeaturePlace &place) {
+		if (frame_s < t_s) {
+			recall(frame_s, along(place));
+		}
+	});
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
 	furthest_ = 0.0;
-	end_.begin(begun_.onset_s, along(last_place()));
+	end_.begin(stroke.onset_s, along(last_place()));
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
-}
-
-/// Where the tracker had jumped when the hand set out, and is back: the motion counts from there, too.
-void OpenFollower::correct_start(double t_s, const StrokeFinder &strokes) {
-	const double least_m = CORRECTED_BY * task().amplitude_m;
-	const bool has_stepped = (strokes.step_m() - begun_step_m_).norm() > least_m;
-	if (!has_stepped || t_s - stage_began_s() > CORRECTED_FOR_S) {
-		return;
-	}
-	const FeaturePlace start = start_of(begun_, strokes, way_);
-	if ((start - start_).norm() > least_m) {
-		start_ = start;
-		begun_step_m_ = strokes.step_m();
-		start_from(t_s, begun_, strokes);
-	}
 }
 
 void OpenFollower::give_way(double t_s) {

@@ -32,13 +32,12 @@ private:
 	static constexpr double HOPELESS = -8.0;
 
 	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
-	std::vector<FeaturePlace> directions_;             ///< in which the model was trained: unit vectors
-	FeaturePlace start_ = FeaturePlace::Zero();        ///< of the motion element
-	FeaturePlace from_ = FeaturePlace::Zero();         ///< the same, as strokes count it
-	Stroke begun_;                                     ///< the one that began, as it was by then
-	FeaturePlace begun_step_m_ = FeaturePlace::Zero(); ///< the tracker's, by then
-	FeaturePlace way_ = FeaturePlace::Zero();          ///< unit vector of the motion element's growth
-	FeaturePlace axis_ = FeaturePlace::Zero();         ///< the model's, in the sense of the stroke
+	std::vector<FeaturePlace> directions_;      ///< in which the model was trained: unit vectors
+	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
+	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
+	double begun_unrest_m_ = 0.0;               ///< of the stroke that began
+	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
+	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
 
 	bool claims_ = false;
 	double log_odds_of_return_ = -INFINITY;
@@ -56,7 +55,6 @@ private:
 	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
-	void correct_start(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
@@ -68,13 +66,11 @@ private:
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
 	[[nodiscard]] bool comes_again(const Stroke &stroke) const;
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;
-	[[nodiscard]] double gone_m(const StrokeFinder &strokes) const;
 	[[nodiscard]] FeaturePlace way_of(const Stroke &stroke) const;
 	[[nodiscard]] StrokeEvidence evidence_of(
 			const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const;
 	void aim(const FeaturePlace &to);
 	[[nodiscard]] bool is_near_end(const Stroke &stroke) const;
-	[[nodiscard]] bool is_over(const Stroke &stroke, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
 };
 

@@ -9,9 +9,6 @@ namespace {
 /// gesture has come no further than this, amplitudes. It begins again where it is well under way.
 constexpr double HOPELESS_S = 0.1;
 constexpr double BARELY_BEGUN = 0.2;
-/// What is over, and of which the tracker shows less than this share, after that many leaps, was its shaking.
-constexpr double SEEN = 0.25;
-constexpr int LEAPS = 4;
 /// log odds from which on an end is taken before the hand has come to it.
 constexpr double SURE = 1.5;
 /// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
@@ -38,11 +35,6 @@ bool OpenFollower::is_near_end(const Stroke &stroke) const {
 	return amplitudes(stroke) > LOST_AT_END;
 }
 
-/// stroke: one of the finder's. What was lost near the end was over too.
-bool OpenFollower::is_over(const Stroke &stroke, const StrokeFinder &strokes) const {
-	return stroke.is_lost ? is_near_end(stroke) : strokes.ended();
-}
-
 void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
 	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
 	if (stage() == Stage::MOVING && t_s >= strokes.news_s() + ABSENCES_S.front()) {
@@ -56,7 +48,7 @@ void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
 /// is_missed: nothing more is expected to be seen of it.
 void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
 	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
-	bool is_hopeless = false, is_shaking = false;
+	bool is_hopeless = false;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
@@ -79,10 +71,8 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 			slowed_at_ = stroke.to;
 		}
 		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task().amplitude_m;
-		const bool is_end = is_missed ? is_near_end(stroke) : is_over(stroke, strokes);
-		if (stroke.leaps >= LEAPS && stroke.seen_share() < SEEN) {
-			is_shaking |= is_end;
-		} else if (is_end) {
+		const bool is_end = is_missed ? is_near_end(stroke) : strokes.ended();
+		if (is_end) {
 			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
 		} else if (ended > SURE && is_arriving(t_s, stroke)) {
 			size = std::max(size, ended);
@@ -91,10 +81,10 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	if (size > 0.0) {
 		set_log_odds(size);
 		claims_ = true;
-		end_.end(t_s, strokes.strokes().front(), gone_m(strokes));
+		end_.end(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > HeldEnd::HOLD_S) {
 		give_way(t_s); // half-way; the way back of what is given up is over by now, and no gesture
-	} else if (is_shaking || (is_hopeless && t_s - likely_s_ > HOPELESS_S)) {
+	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		hopeless_s_ = t_s;
 		dismiss(t_s);
 	}
@@ -136,7 +126,7 @@ bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) co
 	if ((stroke.to - stroke.from).dot(axis_) > 0.0) {
 		return stroke.onset_s >= end_.may_set_out_s() && best_odds(evidence_of(stroke, strokes, axis_)) > 0.0;
 	}
-	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_.unrest_m;
+	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_unrest_m_;
 	const bool is_reverse_known = std::ranges::any_of(
 			directions_, [this](const FeaturePlace &direction) { return direction.dot(axis_) < -OPPOSITE; });
 	if (!is_reverse_known ||

@@ -68,20 +68,20 @@ void SpottedFollower::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 	const GestureCandidate &found = spotter_->candidate();
 	start_ = feature().is_radius ? vector_of(Eigen::Vector3d::Zero(), found.start_radius_m)
 								 : vector_of(found.start_m, 0.0);
+	start_ -= strokes.displacement_m();
 	aim();
 	forget_frames();
 	begin(found.onset_s, 0.0);
 	double symbol_s = found.onset_s + SymbolClock::PERIOD_S;
-	strokes.frames_since(
-			found.onset_s, [&](double frame_s, const FeaturePlace &place, const FeaturePlace & /*step*/) {
-				while (symbol_s < std::min(frame_s, t_s)) {
-					decode_recalled(symbol_s);
-					symbol_s += SymbolClock::PERIOD_S;
-				}
-				if (frame_s < t_s) {
-					recall(frame_s, along(place));
-				}
-			});
+	strokes.frames_since(found.onset_s, [&](double frame_s, const FeaturePlace &place) {
+		while (symbol_s < std::min(frame_s, t_s)) {
+			decode_recalled(symbol_s);
+			symbol_s += SymbolClock::PERIOD_S;
+		}
+		if (frame_s < t_s) {
+			recall(frame_s, along(place));
+		}
+	});
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
 

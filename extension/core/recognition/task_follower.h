@@ -2,8 +2,8 @@
 
 #include "gesture/motion_element.h"
 #include "recognition/gesture_follower.h"
+#include "recognition/rest_wander.h"
 #include "recognition/seen_hand.h"
-#include "soundness/rest_wander.h"
 #include "strokes/task_strokes.h"
 
 #include <cmath>

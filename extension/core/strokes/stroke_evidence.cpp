@@ -146,14 +146,13 @@ double best_off(double off, double length_m, double amplitude_m) {
 }
 
 /// m: from where the gesture may begin - the task's start or, of a hand that comes into view, the first part
-/// of its way, beyond which it is infinite - to where it began. By what the tracker showed or without its
-/// steps, whichever is less: it may show the hand beside its place for a while, and steps that it takes back
-/// slowly add up.
+/// of its way, beyond which it is infinite - to where it began. With or without the tracker's displacement,
+/// whichever is less: a jump may have been the hand's, or the game's that moved the player.
 FeaturePlace off_start(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
 	const auto off = [&](const FeaturePlace &from) -> FeaturePlace {
 		const double along_m = (from - start).dot(way);
-		const double unseen_m = stroke.entry_share > 0.0 ? std::max(along_m, 0.0) : 0.0;
+		const double unseen_m = stroke.is_from_rest ? 0.0 : std::max(along_m, 0.0);
 		if (unseen_m > ENTERED_BY * amplitude_m) {
 			return FeaturePlace::Constant(INFINITY);
 		}
@@ -161,12 +160,12 @@ FeaturePlace off_start(
 		return way(3) != 0.0 ? FeaturePlace((along_m - unseen_m) * way)
 							 : FeaturePlace(from - start - unseen_m * way);
 	};
-	const FeaturePlace steadied = off(stroke.from), seen = off(stroke.seen_from);
-	return steadied.squaredNorm() < seen.squaredNorm() ? steadied : seen;
+	const FeaturePlace without = off(stroke.from), with = off(stroke.shown_from);
+	return without.squaredNorm() < with.squaredNorm() ? without : with;
 }
 
 double start_evidence(const Stroke &stroke, const FeaturePlace &off_start_m, double amplitude_m) {
-	return (stroke.entry_share > 0.0 ? LOG_ENTRIES - UNSEEN : LOG_STARTS) -
+	return (stroke.is_from_rest ? LOG_STARTS : LOG_ENTRIES - UNSEEN) -
 			0.5 * off_start_m.squaredNorm() / (START * START * amplitude_m * amplitude_m);
 }
 

@@ -9,7 +9,7 @@ namespace steadyhand {
 /// log P(stroke | gesture) - log P(stroke | none). The null model is a hand that goes anywhere: each
 /// direction as likely as any other, lengths and durations log-uniform, any bow and detour, from one stroke
 /// into the next. A gesture goes about along its axis, straight, about as far and as long as it was trained,
-/// and begins at rest. docs/method.md has the densities and their numbers.
+/// and begins at rest. stroke_evidence.cpp has the densities.
 struct StrokeEvidence {
 	double path = 0.0;    ///< of direction and straightness: known while the stroke is under way
 	double detour = 0.0;  ///< of turns on its way: known as well

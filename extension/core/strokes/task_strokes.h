@@ -66,9 +66,7 @@ private:
 	std::optional<Stroke> last_;
 	bool has_ended_ = false; ///< the last one
 
-	[[nodiscard]] bool counts(const Stroke &stroke) const {
-		return !stroke.is_lost && stroke.onset_s >= not_before_s_;
-	}
+	[[nodiscard]] bool counts(const Stroke &stroke) const { return stroke.onset_s >= not_before_s_; }
 	[[nodiscard]] auto counted(const StrokeFinder &strokes) const {
 		return strokes.strokes() |
 				std::views::filter([this](const Stroke &stroke) { return counts(stroke); });

@@ -24,7 +24,10 @@ struct Measurement {
 	/// Arrived in one burst with the last reading that is_usable(), which was therefore stamped too late:
 	/// take that one back and use this one instead.
 	bool replaces_last = false;
-	double gap_s = 0.0;  ///< time without news that this reading ended; 0: none
+	double gap_s = 0.0; ///< time without news that this reading ended; 0: none
+	/// Sum of the jumps that the tracker made and has not undone: it shows the hand by this beside where it
+	/// would without them. 0 again after a dropout in which the hand may have gone anywhere.
+	Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero();
 	double jump_m = 0.0; ///< of an outlier: distance from where a hand could be
 
 	/// A reading that says where the hand is now; its noise and outlier probability say how well.

@@ -24,6 +24,7 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	}
 	frame_s_ = t_s;
 	measurement.noise_m = noise_m();
+	measurement.displacement_m = displacement_m_;
 	replace_in_burst(measurement, is_first);
 	return measurement;
 }
@@ -41,6 +42,7 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 	hand_ = HandTrack(t_s, position_m, Eigen::Vector3d::Zero(), noise_.deviation_m());
 	jump_.reset();
 	accepted_.reset();
+	displacement_m_.setZero();
 	is_frozen_ = false;
 }
 
@@ -70,6 +72,8 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 	}
 	// A hand that rests, before a tracker without noise.
 	if (jump_ && r_measurement.t_s - jump_->since_s < LONGEST_JUMP_S) {
+		jump_->track.predict(r_measurement.t_s, 0.0);
+		jump_->track.correct(r_measurement.position_m, noise_.deviation_m());
 		return;
 	}
 	if (jump_) {
@@ -83,6 +87,9 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 void TrackerMonitor::accept_jump(const Jump &jump) {
 	hand_ = jump.track;
 	accepted_ = jump;
+	if (!jump.is_catch_up) {
+		displacement_m_ += jump.way_m;
+	}
 	jump_.reset();
 }
 
@@ -151,6 +158,10 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	if (log_odds <= 0.0) {
 		hand_.fall_behind(r_measurement.position_m);
 		hand_.correct(r_measurement.position_m, noise_m);
+		if (hand_.velocity_m_s().norm() >= fastest_m_s_.norm() || r_measurement.t_s - fastest_s_ > MEMORY_S) {
+			fastest_m_s_ = hand_.velocity_m_s();
+			fastest_s_ = r_measurement.t_s;
+		}
 		return;
 	}
 	if (accepted_ && has_returned(*accepted_, r_measurement.position_m, r_measurement.t_s)) {
@@ -158,6 +169,7 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		r_measurement.gap_s = r_measurement.t_s - accepted_->since_s;
 		r_measurement.outlier_probability = 0.0;
 		hand_ = HandTrack(r_measurement.t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
+		displacement_m_ -= accepted_->is_catch_up ? Eigen::Vector3d::Zero().eval() : accepted_->way_m;
 		accepted_.reset();
 		return;
 	}
@@ -166,8 +178,12 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	r_measurement.jump_m = off_m.norm();
 	jump_ = Jump{ .since_s = r_measurement.t_s,
 		.gap_s = std::exchange(r_measurement.gap_s, 0.0),
+		.is_catch_up = catches_up(r_measurement.position_m - before.position_m(), r_measurement.t_s),
+		.from_m = hand_.position_m(),
+		.hand_m_s = hand_.velocity_m_s(),
 		.way_m = r_measurement.position_m - hand_.position_m(),
-		.velocity_m_s = (r_measurement.position_m - before.position_m()) / std::max(dt_s, BURST_S),
+		.velocity_m_s = (r_measurement.position_m - before.position_m()) /
+				std::max(r_measurement.t_s - before.t_s(), BURST_S),
 		.track = HandTrack(r_measurement.t_s, r_measurement.position_m, before.velocity_m_s(), noise_m) };
 }
 
@@ -222,10 +238,26 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
 }
 
+/// A hand that was shown standing, as by a tracker that lost it, is shown again where it has gone on to.
+bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const {
+	constexpr double STOOD = 0.5; // of the speed before
+	const double speed = fastest_m_s_.norm();
+	if (hand_.velocity_m_s().norm() >= STOOD * speed || way_m.dot(fastest_m_s_) <= 0.0) {
+		return false;
+	}
+	const double gone_s = std::min(way_m.dot(fastest_m_s_) / (speed * speed), t_s - fastest_s_);
+	return (way_m - gone_s * fastest_m_s_).norm() < STOOD * way_m.norm();
+}
+
+/// To where the hand is if it moved as it was shown to meanwhile, or went on or stood where it was lost.
 bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
 	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
-	const Eigen::Vector3d back_m = hand_.position_m() - jump.way_m;
-	return t_s - jump.since_s <= MEMORY_S && (position_m - back_m).norm() < UNDONE * jump.way_m.norm();
+	const double away_s = t_s - jump.since_s, undone_m = UNDONE * jump.way_m.norm();
+	const Eigen::Vector3d moved_m = hand_.position_m() - jump.way_m, gone_m = position_m - jump.from_m;
+	const double speed = jump.hand_m_s.norm();
+	const double gone_s = speed > 0.0 ? gone_m.dot(jump.hand_m_s) / (speed * speed) : 0.0;
+	const Eigen::Vector3d off_m = gone_m - std::clamp(gone_s, 0.0, away_s) * jump.hand_m_s;
+	return away_s <= MEMORY_S && ((position_m - moved_m).norm() < undone_m || off_m.norm() < undone_m);
 }
 
 } // namespace steadyhand

@@ -47,13 +47,16 @@ private:
 	static constexpr double LONGEST_JUMP_S = 0.09;
 	/// A jump that is undone within this time was one of the tracker. After a longer gap the hand may be
 	/// anywhere.
-	static constexpr double MEMORY_S = 0.3;
+	static constexpr double MEMORY_S = 0.4;
 
 	/// Where the tracker shows the hand since it jumped.
 	struct Jump {
 		double since_s = 0.0;
 		double gap_s = 0.0;                                     ///< time without news before it
-		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from where the hand would have been
+		bool is_catch_up = false;                               ///< the hand made it, unseen
+		Eigen::Vector3d from_m = Eigen::Vector3d::Zero();       ///< where the hand would have been
+		Eigen::Vector3d hand_m_s = Eigen::Vector3d::Zero();     ///< its velocity there
+		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from there
 		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< if a hand had made it
 		HandTrack track;
 		int readings = 1;
@@ -71,6 +74,10 @@ private:
 	HandTrack hand_;
 	std::optional<Jump> jump_;
 	std::optional<Jump> accepted_;
+	Eigen::Vector3d displacement_m_ = Eigen::Vector3d::Zero();
+	/// The hand's velocity when it was fastest, within the last MEMORY_S.
+	Eigen::Vector3d fastest_m_s_ = Eigen::Vector3d::Zero();
+	double fastest_s_ = 0.0;
 	bool is_frozen_ = false;
 	TrackerFaults faults_;
 
@@ -84,6 +91,7 @@ private:
 	void judge(Measurement &r_measurement, double dt_s);
 	void judge_jumped(Measurement &r_measurement, Jump &r_jump);
 	void accept_jump(const Jump &jump);
+	[[nodiscard]] bool catches_up(const Eigen::Vector3d &way_m, double t_s) const;
 	[[nodiscard]] bool has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const;
 };
 

@@ -59,10 +59,7 @@ TEST_CASE("one that comes into view later has not been seen to make it, nor one 
 TEST_CASE("with nothing given only the very beginning may have been missed") {
 	for (const double duration_s : { 0.4, 0.7, 1.2, 2.0 }) {
 		CAPTURE(duration_s);
-		for (const double share : { 0.01, 0.02, 0.03 }) {
-			CAPTURE(share);
-			CHECK(drag_from(share, duration_s, false).said == times(1, "sideways"));
-		}
+		CHECK(drag_from(0.01, duration_s, false).said == times(1, "sideways"));
 		for (const double share : { 0.3, 0.5, 0.7 }) {
 			CAPTURE(share);
 			CHECK(drag_from(share, duration_s, false).said.empty());

@@ -69,7 +69,7 @@ TEST_CASE("a hand at rest that is held, lost, and seen elsewhere twice in one pl
 		double t_s = 0.0;
 		const auto show = [&](const Eigen::Vector3d &place_m) {
 			recogniser.push(index_at(t_s, place_m));
-			finder.push(t_s, { place_m.x(), place_m.y(), place_m.z(), 0.0 });
+			finder.push({ .t_s = t_s }, { place_m.x(), place_m.y(), place_m.z(), 0.0 });
 			CHECK(finder.strokes().size() < 10);
 			recogniser.advance(t_s);
 		};

@@ -27,7 +27,7 @@ Stroke longest(const std::function<Eigen::Vector3d(double)> &way, double rate_hz
 	for (int i = 0; i < static_cast<int>(2.5 * rate_hz); ++i) {
 		FeaturePlace place = FeaturePlace::Zero();
 		place.head<3>() = way(i / rate_hz);
-		finder.push(i / rate_hz, place);
+		finder.push({ .t_s = i / rate_hz }, place);
 		for (const Stroke &stroke : finder.strokes()) {
 			longest = stroke.way_m > longest.way_m ? stroke : longest;
 		}
@@ -66,32 +66,6 @@ double integral(const std::function<double(double)> &f, double to) {
 
 } // namespace
 
-TEST_CASE("a stroke has the leaps that the tracker made meanwhile, and shows the less of its way for them") {
-	constexpr double LEAP_M = 0.08, GAP_FROM_S = 0.5;
-	const test::Drag drag{ .onset_s = 2.3, .duration_s = 0.8, .amplitude_m = 0.2 };
-	for (const double gap_to_s : { 1.8, 2.45 }) { // at rest, and on its way
-		CAPTURE(gap_to_s);
-		StrokeFinder finder;
-		Stroke last;
-		for (int i = 0; i < 300; ++i) {
-			const double t_s = 0.01 * i;
-			if (t_s >= GAP_FROM_S && t_s < gap_to_s) {
-				continue;
-			}
-			// At rest it leaps to and fro; on the way once, back, and stays there.
-			const double leapt_m = t_s < GAP_FROM_S ? (i / 10 % 2) * LEAP_M : t_s > 2.75 ? -LEAP_M : 0.0;
-			finder.push(t_s, FeaturePlace(drag.x_m(t_s) + leapt_m, 0.0, 0.0, 0.0));
-			if (!finder.strokes().empty()) {
-				last = finder.strokes().front();
-			}
-		}
-		CHECK(last.leaps == 1);
-		const double length_m = (last.to - last.from).norm();
-		CHECK(length_m == test::near(0.2 - drag.x_m(gap_to_s)).epsilon(0.1));
-		CHECK(last.seen_share() == test::near(1.0 - LEAP_M / length_m).epsilon(0.02));
-	}
-}
-
 TEST_CASE("a stroke is as long as the hand's way, at any rate") {
 	for (const double rate_hz : { 30.0, 110.0, 1000.0 }) {
 		CAPTURE(rate_hz);
@@ -116,7 +90,7 @@ TEST_CASE("a stroke begins and ends where the hand has a quarter of its peak spe
 		StrokeFinder finder;
 		for (int ms = 0; !finder.ended() && ms < 4000; ++ms) {
 			const double t_s = ms / 1000.0;
-			finder.push(t_s, FeaturePlace(drag.x_m(t_s), 1e-6 * t_s, 0.0, 0.0));
+			finder.push({ .t_s = t_s }, FeaturePlace(drag.x_m(t_s), 1e-6 * t_s, 0.0, 0.0));
 		}
 		REQUIRE(finder.ended());
 		const auto share = [&](double at_s) { return (at_s - 0.05 - drag.onset_s) / duration_s; };
@@ -182,7 +156,7 @@ TEST_CASE("a stroke knows how still the hand was before it, as long as it was se
 }
 
 TEST_CASE("the evidence of a stroke is the ratio of its densities") {
-	// What the gesture's density is, summed up, is 1; the null model's are those of docs/method.md.
+	// What the gesture's density is, summed up, is 1; the null model's are those of stroke_evidence.h.
 	constexpr double BOW = 0.18, LARGEST_BOW = 0.5;
 	const double straightness = std::log(LARGEST_BOW / (BOW * std::tgamma(1.25)));
 	const auto directions = [&](double angle) {
@@ -265,7 +239,7 @@ TEST_CASE("with the task known too: of direction, bow and start") {
 		Stroke moved = straight(AMPLITUDE_M);
 		moved.from = start;
 		moved.from.head<3>() += off_m;
-		moved.seen_from = moved.from;
+		moved.shown_from = moved.from;
 		// Hands aim at the end, from wherever beside the start they began.
 		const Eigen::Vector3d aim = Eigen::Vector3d(AMPLITUDE_M, -off_m.y(), -off_m.z()).normalized();
 		const Eigen::AngleAxisd turn(angle, aim.unitOrthogonal());
@@ -319,22 +293,19 @@ TEST_CASE("a gesture of several strokes has 0.5 nats less, one without a time is
 	CHECK(evidence(stroke).sum() == test::near(alone).epsilon(1e-12));
 }
 
-TEST_CASE("a start counts as what the tracker showed or without its steps, whichever is nearer; of a radius, "
-		  "its size alone") {
+TEST_CASE("a start counts by its distance from the task's; of a radius, by its size alone") {
 	const FeaturePlace start = FeaturePlace::Zero();
-	const auto at = [&](double from_m, double seen_from_m, const FeaturePlace &way) {
+	const auto at = [&](double from_m, const FeaturePlace &way) {
 		Stroke stroke;
 		stroke.from = FeaturePlace(0.0, from_m, 0.0, 0.0);
-		stroke.seen_from = FeaturePlace(0.0, seen_from_m, 0.0, 0.0);
+		stroke.shown_from = stroke.from;
 		stroke.to = stroke.from + 0.2 * way;
 		stroke.middle = 0.5 * (stroke.from + stroke.to);
 		return task_evidence(stroke, start, way, 0.2);
 	};
 	const FeaturePlace along = FeaturePlace::UnitX(), larger = FeaturePlace::UnitW();
-	CHECK(at(0.03, 0.09, along) == test::near(at(0.03, 0.03, along)).epsilon(1e-12));
-	CHECK(at(0.09, 0.03, along) == test::near(at(0.03, 0.03, along)).epsilon(1e-12));
-	CHECK(at(0.09, 0.09, along) < at(0.03, 0.03, along) - 1.0);
-	CHECK(at(0.09, 0.09, larger) == test::near(at(0.0, 0.0, larger)).epsilon(1e-12));
+	CHECK(at(0.09, along) < at(0.03, along) - 1.0);
+	CHECK(at(0.09, larger) == test::near(at(0.0, larger)).epsilon(1e-12));
 }
 
 TEST_CASE("no pace speaks against a gesture by more than the share of people who have their own") {
@@ -399,29 +370,12 @@ TEST_CASE("a stroke that a faster one follows is still part of what both are") {
 	StrokeFinder finder(FeaturePlace::Ones(), 0.012);
 	double longest_m = 0.0;
 	for (int i = 0; i < 220; ++i) {
-		finder.push(i / 110.0, FeaturePlace(twofold(i / 110.0).x(), 0.0, 0.0, 0.0));
+		finder.push({ .t_s = i / 110.0 }, FeaturePlace(twofold(i / 110.0).x(), 0.0, 0.0, 0.0));
 		for (const Stroke &stroke : finder.strokes()) {
 			longest_m = std::max(longest_m, (stroke.to - stroke.from).norm());
 		}
 	}
 	CHECK(longest_m > 0.19);
-}
-
-TEST_CASE("the tracker's step is known of each frame, however often the tracker is read") {
-	constexpr double LOOKS_HZ = 90.0;
-	for (const double read_hz : { 90.0, 360.0, 500.0, 1000.0 }) {
-		CAPTURE(read_hz);
-		StrokeFinder finder(FeaturePlace::Ones(), 0.012);
-		for (int i = 0; i < static_cast<int>(3.0 * read_hz); ++i) {
-			const double looked = std::floor(LOOKS_HZ * i / read_hz + 1e-9);
-			finder.push(i / read_hz, FeaturePlace(1e-4 * std::sin(7.0 * looked), 0.0, 0.0, 0.0));
-		}
-		int unknown = 0;
-		finder.frames_since(2.5, [&](double, const FeaturePlace &, const FeaturePlace &step) {
-			unknown += step.hasNaN() ? 1 : 0;
-		});
-		CHECK(unknown <= 1); // the newest may wait for the next
-	}
 }
 
 TEST_CASE("what a stroke could yet say is never less than what it comes to say") {

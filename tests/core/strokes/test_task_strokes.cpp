@@ -28,7 +28,7 @@ public:
 		for (int i = 0; from_s + i * PERIOD_S < to_s; ++i) {
 			const double t_s = from_s + i * PERIOD_S;
 			const FeaturePlace noise{ trembling_(random_), trembling_(random_), 0.0, 0.0 };
-			finder_.push(t_s, place(t_s) + noise);
+			finder_.push({ .t_s = t_s }, place(t_s) + noise);
 			task_.look(finder_);
 			has_set_out_ = has_set_out_ || task_.has_set_out();
 			task_.add(finder_);

@@ -1,5 +1,5 @@
 #include "near.h"
-#include "soundness/rest_wander.h"
+#include "recognition/rest_wander.h"
 
 #include <doctest/doctest.h>
 
