@@ -149,7 +149,7 @@ void HapticWav::cut_off() {
 		write_header();
 		file_.unref();
 	}
-	ERR_PRINT(path_ + String(": writing the vibration fails and ends here; is the disk full?"));
+	ERR_PRINT(path_ + String(": the vibration cannot be written, and the file ends here. Is the disk full?"));
 }
 
 void HapticWav::flush() {

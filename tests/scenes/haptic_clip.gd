@@ -62,7 +62,7 @@ func test_an_empty_clip_is_not_saved() -> void:
 
 
 func test_bad_ranges_are_refused() -> void:
-	# expects error: HapticClip: lowest_frequency must be within 1.0..1000.0
+	# expects error: HapticClip: lowest_frequency must be 1.0..1000.0
 	var clip := HapticClip.new()
 	for number: float in [0.0, 1e9, -1.0, INF, NAN]:
 		clip.lowest_frequency = number

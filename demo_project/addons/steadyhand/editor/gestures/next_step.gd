@@ -39,5 +39,5 @@ static func of(
 
 static func _with_model(saved_to: String) -> String:
 	if saved_to.is_empty():
-		return "Press Save, or Compare to see what the takes are recognised as."
+		return "Press Save. Or press Compare to see how often each gesture is recognised."
 	return "Add %s to the models of a GestureHMM." % saved_to.get_file()
