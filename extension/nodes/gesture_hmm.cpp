@@ -27,7 +27,11 @@ constexpr int LEAPS_TOLD = 3;
 } // namespace
 
 void GestureHMM::_notification(int p_what) {
-	if (p_what == NOTIFICATION_READY) {
+	if (p_what == NOTIFICATION_ENTER_TREE && !Engine::get_singleton()->is_editor_hint()) {
+		follow_parent();
+	} else if (p_what == NOTIFICATION_EXIT_TREE && follows_parent_) {
+		set_tracker(nullptr);
+	} else if (p_what == NOTIFICATION_READY) {
 		// A script above that sets the tracker when it is ready is so after this node.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {

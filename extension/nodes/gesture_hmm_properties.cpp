@@ -6,6 +6,7 @@
 #include "gesture_task.h"
 #include "hand_tracker.h"
 #include "node_label.h"
+#include "parent_as.h"
 
 #include "recognition/gesture_recogniser.h"
 
@@ -35,6 +36,7 @@ GestureHMM::~GestureHMM() {
 }
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
+	follows_parent_ = false;
 	if (listen_to(p_tracker, tracker_, this)) {
 		watch_tracker_anew();
 		update_configuration_warnings();
@@ -42,8 +44,17 @@ void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	}
 }
 
+void GestureHMM::follow_parent() {
+	HandTracker *const parent = parent_as<HandTracker>(*this);
+	if (tracker_ == nullptr && parent != nullptr) {
+		set_tracker(parent);
+		follows_parent_ = true;
+	}
+}
+
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
+	follows_parent_ = false;
 	watch_tracker_anew();
 	update_configuration_warnings();
 	on_stream_started();
@@ -167,7 +178,7 @@ void GestureHMM::set_pinch_distance(double p_distance_m) {
 
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (tracker_ == nullptr) {
+	if (tracker_ == nullptr && parent_as<HandTracker>(*this) == nullptr) {
 		warnings.push_back(
 				"Set \"tracker\" to the HandTracker whose hand makes the gestures, or make this node "
 				"its child.");

@@ -5,6 +5,7 @@
 #include "gesture_task.h"
 #include "listener_list.h"
 #include "node_label.h"
+#include "parent_as.h"
 #include "sample_rates.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -146,14 +147,24 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 
 void HapticSynth::on_motion_freed() {
 	gesture_hmm_ = nullptr;
+	follows_parent_ = false;
 	on_motion_started();
 	update_configuration_warnings();
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
+	follows_parent_ = false;
 	if (listen_to(p_gesture_hmm, gesture_hmm_, this)) {
 		on_motion_started();
 		update_configuration_warnings();
+	}
+}
+
+void HapticSynth::follow_parent() {
+	GestureHMM *const parent = parent_as<GestureHMM>(*this);
+	if (gesture_hmm_ == nullptr && parent != nullptr) {
+		set_gesture_hmm(parent);
+		follows_parent_ = true;
 	}
 }
 
@@ -259,6 +270,9 @@ void HapticSynth::set_device(const Ref<HapticDeviceProfile> &p_device) {
 
 void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
+		if (!Engine::get_singleton()->is_editor_hint()) {
+			follow_parent();
+		}
 		update_player();
 		update_pulses();
 		listen_to_buses(true);
@@ -270,6 +284,9 @@ void HapticSynth::_notification(int p_what) {
 		// A player that is played anew has a new reader, which the effects would not be told to.
 		if (player_ != nullptr) {
 			drop_player();
+		}
+		if (follows_parent_) {
+			set_gesture_hmm(nullptr);
 		}
 	} else if (p_what == NOTIFICATION_READY) {
 		// As GestureHMM does of its tracker.

@@ -3,6 +3,7 @@
 #include "gesture_hmm.h"
 #include "haptic_synth.h"
 #include "name_suggestions.h"
+#include "parent_as.h"
 #include "sample_rates.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
@@ -19,7 +20,7 @@ bool HapticSynth::has_output() const {
 
 PackedStringArray HapticSynth::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (gesture_hmm_ == nullptr) {
+	if (gesture_hmm_ == nullptr && parent_as<GestureHMM>(*this) == nullptr) {
 		warnings.push_back(
 				"Set \"gesture_hmm\" to the GestureHMM whose motion is felt, or make this node its child.");
 	}

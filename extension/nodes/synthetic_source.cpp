@@ -39,6 +39,11 @@ private:
 	const HandTracker &tracker_;
 };
 
+/// A gesture of the user's own is not: the source's own "gesture" is made in its place.
+bool is_simulated(const StringName &p_gesture) {
+	return steadyhand::find_simulated_gesture(to_core(String(p_gesture))) != nullptr;
+}
+
 } // namespace
 
 std::unique_ptr<HandStream> SyntheticSource::make_stream(HandTracker &p_tracker) {
@@ -47,7 +52,7 @@ std::unique_ptr<HandStream> SyntheticSource::make_stream(HandTracker &p_tracker)
 
 void SyntheticSource::set_place_of(
 		const GestureTask &p_task, steadyhand::SyntheticTrialRequest &r_request) const {
-	if (p_task.get_gesture() != StringName()) {
+	if (is_simulated(p_task.get_gesture())) {
 		r_request.gesture = to_core(p_task.get_gesture());
 	}
 	r_request.place = { to_core(p_task.get_start()), to_core(p_task.get_axis()), p_task.get_amplitude(),
@@ -95,7 +100,7 @@ Dictionary SyntheticSource::get_trial() const {
 
 void SyntheticSource::place_at(GestureTask *p_task) {
 	ERR_FAIL_NULL_MSG(p_task, "SyntheticSource: place_at() needs a GestureTask, is null");
-	if (p_task->get_gesture() != StringName()) {
+	if (is_simulated(p_task->get_gesture())) {
 		set_gesture(p_task->get_gesture());
 	}
 	set_start(p_task->get_start());
