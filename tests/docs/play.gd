@@ -1,5 +1,5 @@
 extends SceneTree
-## Plays the script whose path is given, on a node of its class, until its GestureHMM reports an end.
+## Plays the script whose path is given, on a node of its class, until a gesture ends.
 
 const PATIENCE_FRAMES := 1200
 
