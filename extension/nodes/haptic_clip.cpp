@@ -125,7 +125,7 @@ Ref<HapticClip> HapticClip::from_waveform(const PackedFloat32Array &p_samples, i
 steadyhand::Effect HapticClip::to_core(Tables &r_tables) const {
 	steadyhand::Effect effect = effect_;
 	effect.frequency_hz = steadyhand::main_frequency_hz(clip_);
-	const bool is_driven = effect.trigger != steadyhand::Trigger::ARRIVAL;
+	const bool is_driven = !effect.is_cue();
 	if (rendered_.empty() && is_driven) {
 		std::vector<float> amplitudes(PLACES), frequencies(PLACES);
 		for (std::size_t i = 0; i < PLACES; ++i) {
@@ -185,7 +185,8 @@ void HapticClip::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
 			"set_text", "get_text");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving,At Arrival"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM,
+						 "Always,While Moving,At Arrival,At Start"),
 			"set_trigger", "get_trigger");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),

@@ -87,7 +87,7 @@ void HapticEffect::set_drive(Drive p_drive) {
 }
 
 void HapticEffect::set_trigger(Trigger p_trigger) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_trigger, TRIGGER_ARRIVAL),
+	ERR_FAIL_COND_MSG(!is_enumerator(p_trigger, TRIGGER_START),
 			refusal(get_class(), "trigger must be one of TRIGGER_*", p_trigger));
 	effect_.trigger = static_cast<steadyhand::Trigger>(p_trigger);
 	emit_changed();
@@ -126,9 +126,8 @@ void SpringEffect::set_drive(Drive p_drive) {
 }
 
 void SpringEffect::set_trigger(Trigger p_trigger) {
-	ERR_FAIL_COND_MSG(p_trigger == TRIGGER_ARRIVAL,
-			"SpringEffect: trigger cannot be TRIGGER_ARRIVAL. Use a CustomEffect or a HapticClip for a cue "
-			"at the end");
+	ERR_FAIL_COND_MSG(p_trigger == TRIGGER_ARRIVAL || p_trigger == TRIGGER_START,
+			refusal("SpringEffect", "trigger must be TRIGGER_ALWAYS or TRIGGER_MOVING", p_trigger));
 	HapticEffect::set_trigger(p_trigger);
 }
 
@@ -161,7 +160,7 @@ void CustomEffect::set_waveform(const PackedFloat32Array &p_waveform) {
 
 steadyhand::Effect CustomEffect::to_core(Tables &r_tables) const {
 	steadyhand::Effect effect = effect_;
-	const bool plays_samples = effect.trigger == steadyhand::Trigger::ARRIVAL && waveform_.size() > 1;
+	const bool plays_samples = effect.is_cue() && waveform_.size() > 1;
 	if (plays_samples) {
 		effect.shape = steadyhand::Shape::SAMPLES;
 		std::vector<float> values(waveform_.ptr(), waveform_.ptr() + waveform_.size());
@@ -210,6 +209,7 @@ void HapticEffect::_bind_methods() {
 	BIND_ENUM_CONSTANT(TRIGGER_ALWAYS);
 	BIND_ENUM_CONSTANT(TRIGGER_MOVING);
 	BIND_ENUM_CONSTANT(TRIGGER_ARRIVAL);
+	BIND_ENUM_CONSTANT(TRIGGER_START);
 }
 
 void SpringEffect::_bind_methods() {
@@ -281,7 +281,8 @@ void CustomEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_waveform_rate", "rate"), &CustomEffect::set_waveform_rate);
 	ClassDB::bind_method(D_METHOD("get_waveform_rate"), &CustomEffect::get_waveform_rate);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving,At Arrival"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM,
+						 "Always,While Moving,At Arrival,At Start"),
 			"set_trigger", "get_trigger");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),
@@ -290,7 +291,7 @@ void CustomEffect::_bind_methods() {
 			"set_full_scale", "get_full_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_curve",
 			"get_curve");
-	ADD_GROUP("At Arrival", "");
+	ADD_GROUP("Cue", "");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,2,0.001,or_greater,suffix:s"),
 			"set_duration", "get_duration");

@@ -84,10 +84,10 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	knot.moving = arrivals_.is_moving();
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
 			{ knot.position, knot.velocity, knot.acceleration, 0.0, knot.correction, 0.0 }, knot.moving,
-			p_motion.amplitude_m, arrivals_.last());
+			p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
 	is_wanted_ = is_wanted_ || strength_.amplitude > 0.0;
 	for_each_sink([&](HapticSink &sink) {
-		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last());
+		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
 	});
 }
 
@@ -132,6 +132,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 		snapshot.knots[i] = knot_of(instant);
 	}
 	snapshot.arrival = arrivals_.last();
+	snapshot.onset = arrivals_.onset();
 	snapshot.expected = arrivals_.expected(snapshot, now_s);
 	for (std::size_t i = 0; i < snapshot.count; ++i) {
 		const double time_s = now_s + AHEAD_PERIOD_S * static_cast<double>(i);
