@@ -1,6 +1,7 @@
 #include "degraded_source.h"
 
 #include "conversions.h"
+#include "node_label.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -83,7 +84,7 @@ void DegradedSource::set_source(const Ref<HandSource> &p_source) {
 
 void DegradedSource::set_preset(Preset p_preset) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_preset, PRESET_UNSTABLE),
-			"DegradedSource: preset must be PRESET_CUSTOM, PRESET_STABLE or PRESET_UNSTABLE");
+			refusal("DegradedSource", "preset must be one of PRESET_*", p_preset));
 	preset_ = p_preset;
 	if (p_preset != PRESET_CUSTOM) {
 		const std::uint64_t seed = settings_.seed;
@@ -97,7 +98,7 @@ void DegradedSource::set_preset(Preset p_preset) {
 
 void DegradedSource::set_checked(double &r_field, double p_value) {
 	ERR_FAIL_COND_MSG(!(p_value >= 0.0) || !std::isfinite(p_value),
-			"DegradedSource: its numbers must be finite, and 0 (off) or more");
+			refusal("DegradedSource", "its numbers must be finite, and 0 (off) or more", p_value));
 	if (r_field != p_value) {
 		r_field = p_value;
 		preset_ = PRESET_CUSTOM;
@@ -125,7 +126,7 @@ PackedStringArray DegradedSource::get_warnings() const {
 }
 
 String DegradedSource::silence_advice() const {
-	return source_.is_valid() ? source_->silence_advice() : String("set \"source\" of the DegradedSource");
+	return source_.is_valid() ? source_->silence_advice() : String("Set \"source\" of the DegradedSource");
 }
 
 void DegradedSource::_bind_methods() {

@@ -27,7 +27,11 @@ constexpr int LEAPS_TOLD = 3;
 } // namespace
 
 void GestureHMM::_notification(int p_what) {
-	if (p_what == NOTIFICATION_READY) {
+	if (p_what == NOTIFICATION_ENTER_TREE && !Engine::get_singleton()->is_editor_hint()) {
+		follow_parent();
+	} else if (p_what == NOTIFICATION_EXIT_TREE && follows_parent_) {
+		set_tracker(nullptr);
+	} else if (p_what == NOTIFICATION_READY) {
 		// A script above that sets the tracker when it is ready is so after this node.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
@@ -76,8 +80,8 @@ bool GestureHMM::prepare(double p_time_s) {
 		}
 		if (++leaps_ == LEAPS_TOLD) {
 			WARN_PRINT(node_label(*this) +
-					": time stamps leap by more than 10 s from frame to frame, and nothing is "
-					"recognised across such a gap; stamps are seconds");
+					": the times of successive frames are more than 10 s apart, and no gesture is recognised "
+					"across such a gap. Give the source's times in seconds");
 		}
 	} else if (p_time_s > time_s_) {
 		leaps_ = 0;
@@ -258,7 +262,8 @@ double GestureHMM::get_confidence() const {
 }
 
 double GestureHMM::get_motion_value(Motion p_motion) const {
-	ERR_FAIL_COND_V_MSG(!is_enumerator(p_motion, MOTION_KALMAN), 0.0, "GestureHMM: there is no such motion");
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_motion, MOTION_KALMAN), 0.0,
+			refusal(*this, "get_motion_value: motion must be one of MOTION_*", p_motion));
 	return current(p_motion).value_m;
 }
 

@@ -135,6 +135,7 @@ private:
 	};
 
 	HandTracker *tracker_ = nullptr;
+	bool follows_parent_ = false; ///< tracker_ is the parent, as no other was set
 	TypedArray<GestureTask> tasks_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
@@ -197,6 +198,7 @@ private:
 	/// What was under way is so no longer, and that is told; it may free this node.
 	void give_up_shown(const StringName &p_gesture, GestureTask *p_task);
 	void warn_of_silence();
+	void follow_parent();
 	void watch_tracker(double p_passed_s);
 	void watch_tracker_anew();
 	void watch_joints(uint8_t p_tracked);

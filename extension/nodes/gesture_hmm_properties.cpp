@@ -5,6 +5,8 @@
 #include "conversions.h"
 #include "gesture_task.h"
 #include "hand_tracker.h"
+#include "node_label.h"
+#include "parent_as.h"
 
 #include "recognition/gesture_recogniser.h"
 
@@ -34,6 +36,7 @@ GestureHMM::~GestureHMM() {
 }
 
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
+	follows_parent_ = false;
 	if (listen_to(p_tracker, tracker_, this)) {
 		watch_tracker_anew();
 		update_configuration_warnings();
@@ -41,8 +44,17 @@ void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	}
 }
 
+void GestureHMM::follow_parent() {
+	HandTracker *const parent = parent_as<HandTracker>(*this);
+	if (tracker_ == nullptr && parent != nullptr) {
+		set_tracker(parent);
+		follows_parent_ = true;
+	}
+}
+
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
+	follows_parent_ = false;
 	watch_tracker_anew();
 	update_configuration_warnings();
 	on_stream_started();
@@ -77,7 +89,8 @@ void GestureHMM::on_settings_changed() {
 }
 
 void GestureHMM::set_mode(Mode p_mode) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_mode, MODE_PAPER), "GestureHMM: mode must be a Mode");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_mode, MODE_PAPER),
+			refusal(*this, "mode must be MODE_PHASE or MODE_PAPER", p_mode));
 	if (mode_ != p_mode) {
 		mode_ = p_mode;
 		on_settings_changed();
@@ -85,7 +98,8 @@ void GestureHMM::set_mode(Mode p_mode) {
 }
 
 void GestureHMM::set_quality(Quality p_quality) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_quality, QUALITY_ACCURATE), "GestureHMM: quality must be a Quality");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_quality, QUALITY_ACCURATE),
+			refusal(*this, "quality must be one of QUALITY_*", p_quality));
 	if (quality_ != p_quality) {
 		quality_ = p_quality;
 		on_settings_changed();
@@ -93,13 +107,14 @@ void GestureHMM::set_quality(Quality p_quality) {
 }
 
 void GestureHMM::set_motion(Motion p_motion) {
-	ERR_FAIL_COND_MSG(!is_enumerator(p_motion, MOTION_KALMAN), "GestureHMM: motion must be a Motion");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_motion, MOTION_KALMAN),
+			refusal(*this, "motion must be one of MOTION_*", p_motion));
 	motion_ = p_motion;
 }
 
 void GestureHMM::set_sensor_latency(double p_latency_s) {
 	ERR_FAIL_COND_MSG(!(p_latency_s >= 0.0) || p_latency_s > LARGEST_LATENCY_S,
-			"GestureHMM: sensor_latency must be within 0..0.2 s");
+			refusal(*this, "sensor_latency must be 0..0.2 s", p_latency_s));
 	if (sensor_latency_s_ != p_latency_s) {
 		sensor_latency_s_ = p_latency_s;
 		on_settings_changed();
@@ -107,8 +122,8 @@ void GestureHMM::set_sensor_latency(double p_latency_s) {
 }
 
 void GestureHMM::set_min_confidence(double p_confidence) {
-	ERR_FAIL_COND_MSG(
-			!(p_confidence >= 0.0) || p_confidence > 1.0, "GestureHMM: min_confidence must be within 0..1");
+	ERR_FAIL_COND_MSG(!(p_confidence >= 0.0) || p_confidence > 1.0,
+			refusal(*this, "min_confidence must be 0..1", p_confidence));
 	min_confidence_ = p_confidence;
 	if (recogniser_) {
 		recogniser_->set_min_confidence(p_confidence);
@@ -117,7 +132,7 @@ void GestureHMM::set_min_confidence(double p_confidence) {
 
 void GestureHMM::set_completion(double p_fraction) {
 	ERR_FAIL_COND_MSG(!(p_fraction >= LEAST_COMPLETION) || p_fraction > 1.0,
-			"GestureHMM: completion must be within 0.5..1");
+			refusal(*this, "completion must be 0.5..1", p_fraction));
 	completion_ = p_fraction;
 	if (recogniser_) {
 		recogniser_->set_completion(completion_);
@@ -136,7 +151,7 @@ void GestureHMM::on_start_changed() {
 
 void GestureHMM::set_start_condition(StartCondition p_condition) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_condition, START_POINTING_POSE),
-			"GestureHMM: start_condition must be a StartCondition");
+			refusal(*this, "start_condition must be one of START_*", p_condition));
 	if (get_start_condition() != p_condition) {
 		start_.kind = static_cast<steadyhand::StartKind>(p_condition);
 		on_start_changed();
@@ -145,7 +160,7 @@ void GestureHMM::set_start_condition(StartCondition p_condition) {
 
 void GestureHMM::set_dwell_time(double p_time_s) {
 	ERR_FAIL_COND_MSG(!(p_time_s >= SHORTEST_DWELL_S) || p_time_s > LONGEST_DWELL_S,
-			"GestureHMM: dwell_time must be within 0.1..3 s");
+			refusal(*this, "dwell_time must be 0.1..3 s", p_time_s));
 	if (start_.dwell_s != p_time_s) {
 		start_.dwell_s = p_time_s;
 		on_start_changed();
@@ -154,7 +169,7 @@ void GestureHMM::set_dwell_time(double p_time_s) {
 
 void GestureHMM::set_pinch_distance(double p_distance_m) {
 	ERR_FAIL_COND_MSG(!(p_distance_m >= NARROWEST_PINCH_M) || p_distance_m > WIDEST_PINCH_M,
-			"GestureHMM: pinch_distance must be within 0.005..0.1 m");
+			refusal(*this, "pinch_distance must be 0.005..0.1 m", p_distance_m));
 	if (start_.pinch_m != p_distance_m) {
 		start_.pinch_m = p_distance_m;
 		on_start_changed();
@@ -163,8 +178,10 @@ void GestureHMM::set_pinch_distance(double p_distance_m) {
 
 PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (tracker_ == nullptr) {
-		warnings.push_back("Set \"tracker\" to the HandTracker whose hand makes the gestures.");
+	if (tracker_ == nullptr && parent_as<HandTracker>(*this) == nullptr) {
+		warnings.push_back(
+				"Set \"tracker\" to the HandTracker whose hand makes the gestures, or make this node "
+				"its child.");
 	}
 	bool has_empty = false;
 	for (int64_t i = 0; i < models_.size(); ++i) {
@@ -179,10 +196,11 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 	for (int64_t i = 0; i < tasks_.size() && !models_.is_empty(); ++i) {
 		const GestureTask *const task = task_at(i);
 		if (task == nullptr) {
-			warnings.push_back("Remove the empty entry from \"tasks\", or choose a GestureTask for it.");
+			warnings.push_back("Remove the empty entry of \"tasks\", or choose a GestureTask for it.");
 		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
-			warnings.push_back(String("Add the model of the gesture '") + String(task->get_gesture()) +
-					String("' to \"models\", or set the task's \"gesture\" to one that is there."));
+			warnings.push_back(String("Add the model of '") + String(task->get_gesture()) +
+					String("' to \"models\", or set \"gesture\" of ") + node_label(*task) +
+					String(" to a gesture that has a model."));
 		} else if (const String fault = place_fault(*task); fault != String()) {
 			warnings.push_back(fault);
 		}

@@ -247,8 +247,9 @@ void GestureHMM::on_task_changed(uint64_t p_task) {
 	// In the editor, and where nothing has been seen since, there is nothing that could start anew.
 	if (!outdated_ && ++task_changes_ == TASK_CHANGES_TOLD) {
 		WARN_PRINT(node_label(*this) +
-				": a GestureTask keeps moving, and its gesture starts anew with each millimetre; it must "
-				"not be a child of what the gesture moves, nor of what carries it along");
+				": a GestureTask keeps moving, and each move restarts its gesture. Do not make it a child of "
+				"the "
+				"object that the gesture moves");
 	}
 	on_expected_changed();
 }

@@ -66,19 +66,21 @@ String joint_list(uint8_t p_joints) {
 void GestureHMM::warn_of_silence() {
 	String warning;
 	if (models_.is_empty()) {
-		warning = "nothing will be recognised, since it has no models";
+		warning = "no gesture is recognised, because \"models\" is empty. Add a *.gesture file of "
+				  "res://addons/steadyhand/models";
 	}
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
 		if (model.is_valid() && model->core() != nullptr && !is_usable(model)) {
 			warning = String("the model of '") + String(model->get_gesture()) +
 					String("' needs the feature '") + model->get_feature() +
-					String("', which this version does not have");
+					String("', which this version does not have. Update the add-on, or remove the model");
 		}
 	}
 	const std::size_t usable = find_usable().size();
 	if (usable == 0 && warning == String()) {
-		warning = "nothing will be recognised, since none of its models holds a gesture";
+		warning =
+				"no gesture is recognised, because all \"models\" are empty. Load a *.gesture file into them";
 	}
 	int64_t tasks = 0;
 	for (int64_t i = 0; i < tasks_.size() && warning == String(); ++i) {
@@ -88,21 +90,20 @@ void GestureHMM::warn_of_silence() {
 		}
 		++tasks;
 		if (task->get_gesture() == StringName() && usable > 1) {
-			warning = String("the place of a task is not used, since it does not say which of "
-							 "the ") +
-					String::num_int64(static_cast<int64_t>(usable)) +
-					String(" models it is for; set the GestureTask's \"gesture\"");
+			warning = node_label(*task) + String(" is not used, because it names none of the ") +
+					String::num_int64(static_cast<int64_t>(usable)) + String(" models. Set its \"gesture\"");
 		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
-			warning = String("nothing will be recognised at a task, since none of its models is of the "
-							 "gesture '") +
-					String(task->get_gesture()) + String("'");
+			warning = String("no gesture is recognised at ") + node_label(*task) +
+					String(", because \"models\" has none of '") + String(task->get_gesture()) +
+					String("'. Add it, or set the task's \"gesture\" to another one");
 		} else if (const String fault = place_fault(*task); fault != String()) {
 			warning = fault;
 		}
 	}
 	if (warning == String() && tasks == 0 && !tasks_.is_empty()) {
-		warning = "nothing will be recognised, since none of its tasks is there any more; set "
-				  "\"tasks\" to others, or to an empty array for gestures anywhere";
+		warning = "no gesture is recognised, because all of its \"tasks\" were freed. Set \"tasks\" to "
+				  "others, or "
+				  "to an empty array for gestures anywhere";
 	}
 	if (warning == String()) {
 		warning = taskless_fault();
@@ -124,7 +125,8 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 	if (tracker_ == nullptr || joints_seen_ != 0) {
 		set_process_internal(false);
 		if (tracker_ == nullptr) {
-			WARN_PRINT(node_label(*this) + ": nothing is recognised until its \"tracker\" is set");
+			WARN_PRINT(node_label(*this) +
+					": no gesture is recognised. Set its \"tracker\", or make it a child of a HandTracker");
 		}
 		return;
 	}
@@ -142,11 +144,11 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 	set_process_internal(false);
 	is_hand_missed_ = true;
 	const String label = node_label(*tracker_);
-	const String fix =
-			source.is_valid() ? source->silence_advice() : String("set its \"source\", e.g. to an XRSource");
-	const String none = has_frame_ ? String("no hand has come in 20 s: all frames of ") + label + " are empty"
-								   : String("no frame has come in 5 s of ") + label;
-	WARN_PRINT(node_label(*this) + String(": ") + none + String("; ") + fix);
+	const String fix = source.is_valid() ? source->silence_advice()
+										 : String("Set its \"source\", for example to an XRSource");
+	const String none = has_frame_ ? String("no hand for 20 s: all frames of ") + label + " are empty"
+								   : String("no frame for 5 s from ") + label;
+	WARN_PRINT(node_label(*this) + String(": ") + none + String(". ") + fix);
 }
 
 /// Another tracker, or none any more, of which nothing is to be said.
@@ -170,13 +172,13 @@ void GestureHMM::watch_joints(uint8_t p_tracked) {
 	}
 	for (const Expected &one : expected_) {
 		if (one.place.has_value() || expected_.size() == 1) {
-			warn_of_missing_joints(String("nothing is recognised of '") + String(one.gesture) +
-							String("', which is measured by "),
+			warn_of_missing_joints(
+					String("'") + String(one.gesture) + String("' is not recognised. It needs "),
 					steadyhand::find_feature(one.model->feature)->joints);
 		}
 	}
-	warn_of_missing_joints("nothing starts: \"start_condition\" is judged by ",
-			steadyhand::StartCondition::joints(start_.kind));
+	warn_of_missing_joints(
+			"no gesture starts. \"start_condition\" needs ", steadyhand::StartCondition::joints(start_.kind));
 }
 
 void GestureHMM::warn_of_missing_joints(const String &p_what, uint8_t p_needed) {
@@ -185,8 +187,8 @@ void GestureHMM::warn_of_missing_joints(const String &p_what, uint8_t p_needed) 
 		return;
 	}
 	joints_missed_ |= missed;
-	WARN_PRINT(node_label(*this) + String(": ") + p_what + joint_list(p_needed) +
-			String(": no frame has held ") + joint_list(missed));
+	WARN_PRINT(node_label(*this) + String(": ") + p_what + joint_list(p_needed) + String("; no frame had ") +
+			joint_list(missed) + String(". Use a source that has these joints"));
 }
 
 void GestureHMM::watch_tasks_anew() {
@@ -213,14 +215,14 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 	if (task == nullptr) {
 		return;
 	}
-	String reason = String("nothing starts at ") + node_label(*task);
+	String reason = String("no gesture starts at ") + node_label(*task);
 	if (doubt->kind == steadyhand::TaskDoubt::Kind::FAR) {
 		reason += String(": the fingertip has come no nearer to its start than ") +
 				String::num(doubt->distance_m, 2) +
-				String(" m. Move the GestureTask, or let the source use the space that it is in");
+				String(" m. Move the GestureTask, or set the space of the source to that of the task");
 	} else {
 		reason += String(": the hand leaves its start towards ") + Variant(to_godot(doubt->way)).stringify() +
-				String(", and its direction is ") + Variant(task->get_axis()).stringify() +
+				String(", but its direction is ") + Variant(task->get_axis()).stringify() +
 				String(" in the world. Turn the GestureTask, or set its \"direction\"");
 	}
 	WARN_PRINT(node_label(*this) + String(": ") + reason);
@@ -238,23 +240,23 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 		const steadyhand::Task place = core_task(p_task, *one.model);
 		const steadyhand::Feature &feature = *steadyhand::find_feature(one.model->feature);
 		if (place.amplitude_m > LONGEST_WAY_M) {
-			return String("Set \"amplitude\" of the task of '") + String(one.gesture) +
-					String("' in metres; it is ") + String::num(place.amplitude_m) + String(" m.");
+			return String("Set \"amplitude\" of ") + node_label(p_task) + String(" in metres, is ") +
+					String::num(place.amplitude_m) + String(" m.");
 		}
 		if (feature.is_radius) {
 			if (place.start_m.x() <= 0.0) {
-				return String("Set \"start_radius\" of the task of '") + String(one.gesture) +
-						String("' to the radius at its start; it is 0.");
+				return String("Set \"start_radius\" of ") + node_label(p_task) +
+						String(" to the radius of the fingertips at the start, is 0.");
 			}
 		} else if (!steadyhand::is_place(place.start_m)) {
-			return String("Place ") + node_label(p_task) + String(", the task of '") + String(one.gesture) +
-					String("': its global position is not finite or beyond 1e9 m.");
+			return String("Move ") + node_label(p_task) +
+					String(": its global position is not finite, or beyond 1e9 m.");
 		} else if (place.axis.isZero()) {
-			return String("Set \"direction\" of the task of '") + String(one.gesture) +
-					String("' to the way the hand moves; it is zero.");
+			return String("Set \"direction\" of ") + node_label(p_task) +
+					String(" to the direction of the hand's motion, is zero.");
 		} else if (feature.direction != nullptr && is_undirected(p_task, *one.model)) {
-			return String("Set \"direction\" of the task of '") + String(one.gesture) +
-					String("' to the way the hand moves; it goes to the right, (1, 0, 0), as a new task's.");
+			return String("Set \"direction\" of ") + node_label(p_task) + String(" to that of '") +
+					String(one.gesture) + String("', is (1, 0, 0), the default.");
 		}
 	}
 	return String();
@@ -264,9 +266,9 @@ String GestureHMM::taskless_fault() const {
 	for (const Expected &one : find_expected()) {
 		if (!one.place && steadyhand::find_feature(one.model->feature)->place == nullptr) {
 			return String("Add a GestureTask of '") + String(one.gesture) +
-					String("' to \"tasks\": its motion is measured about the task's start, and without one "
-						   "it "
-						   "is not recognised.");
+					String("' to \"tasks\": this gesture is measured from the task's start, and is not "
+						   "recognised "
+						   "without a task.");
 		}
 	}
 	return String();
@@ -276,8 +278,8 @@ String GestureHMM::start_fault() const {
 	for (const Expected &one : find_expected()) {
 		if (start_.kind == steadyhand::StartKind::PINCH &&
 				steadyhand::find_feature(one.model->feature)->is_radius) {
-			return String("Set \"start_condition\" to another one than the pinch for '") +
-					String(one.gesture) + String("': it opens the fingers, which ends a pinch.");
+			return String("Set \"start_condition\" to another one than START_PINCH: '") +
+					String(one.gesture) + String("' opens the fingers, which ends a pinch.");
 		}
 	}
 	return String();
@@ -291,9 +293,9 @@ String GestureHMM::paper_fault() const {
 		if (!one.place &&
 				!steadyhand::SpottedFollower::can_follow(*one.model, *steadyhand::own_classifier())) {
 			return String("Add a GestureTask of '") + String(one.gesture) +
-					String("' to \"tasks\", or set \"mode\" to phase: the HMMs that tell gestures apart "
-						   "without "
-						   "a task do not include it, so that it is recognised by its strokes.");
+					String("' to \"tasks\", or set \"mode\" to MODE_PHASE: the HMMs of MODE_PAPER do not "
+						   "include it, "
+						   "so without a task it is recognised by its strokes.");
 		}
 	}
 	return String();

@@ -1,6 +1,7 @@
 #include "gesture_model.h"
 
 #include "conversions.h"
+#include "node_label.h"
 #include "text_file.h"
 
 #include "gesture/gesture_model.h"
@@ -86,7 +87,8 @@ Dictionary GestureModel::get_element(int p_state) const {
 }
 
 double GestureModel::evaluate(double p_phase) const {
-	ERR_FAIL_COND_V_MSG(!std::isfinite(p_phase), 0.0, "GestureModel: the phase must be finite");
+	ERR_FAIL_COND_V_MSG(
+			!std::isfinite(p_phase), 0.0, refusal("GestureModel", "the phase must be finite", p_phase));
 	return model_ ? steadyhand::evaluate(*model_, p_phase).value : 0.0;
 }
 

@@ -1,6 +1,7 @@
 #include "gesture_task.h"
 
 #include "name_suggestions.h"
+#include "node_label.h"
 
 #include "gesture/task.h"
 #include "tracking/frame.h"
@@ -61,7 +62,7 @@ void GestureTask::set_gesture(const StringName &p_gesture) {
 }
 
 void GestureTask::set_direction(const Vector3 &p_direction) {
-	ERR_FAIL_COND_MSG(!p_direction.is_finite(), "GestureTask: direction must be finite");
+	ERR_FAIL_COND_MSG(!p_direction.is_finite(), refusal(*this, "direction must be finite", p_direction));
 	if (direction_ != p_direction) {
 		direction_ = p_direction;
 		announce_change();
@@ -71,7 +72,7 @@ void GestureTask::set_direction(const Vector3 &p_direction) {
 void GestureTask::set_amplitude(double p_amplitude) {
 	ERR_FAIL_COND_MSG(
 			!(p_amplitude >= steadyhand::SMALLEST_AMPLITUDE_M) || !(p_amplitude <= steadyhand::FARTHEST_M),
-			"GestureTask: amplitude must be within 1e-6..1e9 m");
+			refusal(*this, "amplitude must be 1e-6..1e9 m", p_amplitude));
 	if (amplitude_ != p_amplitude) {
 		amplitude_ = p_amplitude;
 		announce_change();
@@ -80,7 +81,7 @@ void GestureTask::set_amplitude(double p_amplitude) {
 
 void GestureTask::set_start_radius(double p_radius) {
 	ERR_FAIL_COND_MSG(!(p_radius >= 0.0) || !(p_radius <= steadyhand::FARTHEST_M),
-			"GestureTask: start_radius must be within 0..1e9 m");
+			refusal(*this, "start_radius must be 0..1e9 m", p_radius));
 	if (start_radius_ != p_radius) {
 		start_radius_ = p_radius;
 		announce_change();
@@ -102,12 +103,12 @@ PackedStringArray GestureTask::_get_configuration_warnings() const {
 	if (gesture_ == StringName()) {
 		warnings.push_back(
 				"Set \"gesture\" to the name of the gesture that is expected here, e.g. horizontal_drag. "
-				"While it is empty, a GestureHMM with several models competes them without this place.");
+				"While it is empty, a GestureHMM with several models does not use this place.");
 	}
 	if (direction_.length_squared() <= 0 && start_radius_ <= 0.0) {
-		warnings.push_back("Set \"direction\" to the way the hand moves, or \"start_radius\" for a gesture "
-						   "that is a radius (zoom); "
-						   "both are zero.");
+		warnings.push_back("Set \"direction\" to the direction of the hand's motion, or \"start_radius\" for "
+						   "a zoom; both are "
+						   "zero.");
 	}
 	return warnings;
 }

@@ -2,6 +2,7 @@
 
 #include "conversions.h"
 #include "name_suggestions.h"
+#include "node_label.h"
 #include "text_file.h"
 
 #include "base/version.h"
@@ -35,28 +36,28 @@ String listed(const std::set<std::string> &p_names) {
 
 void GestureTrainer::set_states(int p_states) {
 	constexpr int MOST = steadyhand::TrainingOptions::MOST_STATES;
-	ERR_FAIL_COND_MSG(
-			p_states < 1 || p_states > MOST, String("GestureTrainer: states must be in 1..") + itos(MOST));
+	ERR_FAIL_COND_MSG(p_states < 1 || p_states > MOST,
+			refusal("GestureTrainer", String("states must be 1..") + itos(MOST), p_states));
 	states_ = p_states;
 }
 
 void GestureTrainer::set_symbols(int p_symbols) {
 	constexpr int MOST = steadyhand::TrainingOptions::MOST_SYMBOLS;
-	ERR_FAIL_COND_MSG(
-			p_symbols < 1 || p_symbols > MOST, String("GestureTrainer: symbols must be in 1..") + itos(MOST));
+	ERR_FAIL_COND_MSG(p_symbols < 1 || p_symbols > MOST,
+			refusal("GestureTrainer", String("symbols must be 1..") + itos(MOST), p_symbols));
 	symbols_ = p_symbols;
 }
 
 void GestureTrainer::set_r2_threshold(double p_threshold) {
-	ERR_FAIL_COND_MSG(
-			!(p_threshold >= 0.0) || p_threshold > 1.0, "GestureTrainer: r2_threshold must be within 0..1");
+	ERR_FAIL_COND_MSG(!(p_threshold >= 0.0) || p_threshold > 1.0,
+			refusal("GestureTrainer", "r2_threshold must be 0..1", p_threshold));
 	r2_threshold_ = p_threshold;
 }
 
 Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	error_message_ = String();
 	if (p_trial_set.is_null()) {
-		return fail("GestureTrainer: there is no trial set");
+		return fail("GestureTrainer: train() needs a TrialSet, is null");
 	}
 	const Ref<GestureTrainer> kept(this); // whoever is told of progress may let go of it
 	cancelled_ = false;
@@ -129,7 +130,7 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	if (feature.empty()) {
 		const steadyhand::Feature *chosen = steadyhand::choose_feature(recordings);
 		if (chosen == nullptr) {
-			return fail(p_trial_set->get_path() + String(": no feature goes the way of the trials of '") +
+			return fail(p_trial_set->get_path() + String(": no feature fits the trials of '") +
 					String(p_gesture) + String("'; trial ") +
 					to_godot(steadyhand::no_feature_reason(recordings)));
 		}
@@ -157,7 +158,7 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	const steadyhand::Result<steadyhand::GestureModel> read =
 			steadyhand::parse_model(steadyhand::format_model(core), gesture);
 	if (!read) {
-		return fail(to_godot(gesture) + String(": the recordings give no model that could be used: ") +
+		return fail(to_godot(gesture) + String(": these recordings give no usable model: ") +
 				to_godot(read.error()));
 	}
 	Ref<GestureModel> model;

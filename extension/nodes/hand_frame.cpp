@@ -12,6 +12,8 @@ bool is_joint(int64_t p_joint) {
 	return p_joint >= 0 && p_joint < static_cast<int64_t>(steadyhand::SKELETON_JOINT_COUNT);
 }
 
+constexpr const char *JOINT_FAULT = "HandFrame: the joint must be one of HandTracker.JOINT_*, 0..25";
+
 } // namespace
 
 steadyhand::HandSkeleton joints_of(const steadyhand::DeviceFrame &p_frame) {
@@ -29,17 +31,17 @@ steadyhand::HandSkeleton joints_of(const steadyhand::DeviceFrame &p_frame) {
 }
 
 bool HandFrame::has_joint(int64_t p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), false, "HandFrame: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), false, JOINT_FAULT);
 	return joints_of(frame_).has(static_cast<steadyhand::SkeletonJoint>(p_joint));
 }
 
 bool HandFrame::is_joint_inferred(int64_t p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), false, "HandFrame: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), false, JOINT_FAULT);
 	return (joints_of(frame_).inferred >> p_joint & 1U) != 0;
 }
 
 Vector3 HandFrame::get_joint_position(int64_t p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), Vector3(), "HandFrame: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_joint(p_joint), Vector3(), JOINT_FAULT);
 	const steadyhand::HandSkeleton joints = joints_of(frame_);
 	const auto joint = static_cast<steadyhand::SkeletonJoint>(p_joint);
 	return joints.has(joint) ? to_godot(joints.position(joint)) : Vector3();

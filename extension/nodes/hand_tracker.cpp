@@ -90,7 +90,7 @@ void HandTracker::start_if_due() {
 
 Error HandTracker::start() {
 	ERR_FAIL_COND_V_MSG(is_part_of_edited_scene(), ERR_UNAVAILABLE,
-			"HandTracker: nothing is opened in a scene that is edited; run the scene");
+			node_label(*this) + String(": start() opens no source in a scene that is edited. Run the scene"));
 	const Watch watch(listeners_);
 	end_run();
 	if (watch.is_gone()) {
@@ -204,14 +204,11 @@ void HandTracker::update_publisher() {
 	}
 	const auto *const xr_source = Object::cast_to<XRSource>(*source_);
 	if (xr_source != nullptr && xr_source->name_of_hand() == publish_name_) {
-		ERR_PRINT(node_label(*this) +
-				String(": the XRSource would read what the tracker publishes; set \"publish_name\" to "
-					   "another "
-					   "name than '") +
-				String(publish_name_) + String("'"));
+		ERR_PRINT(node_label(*this) + String(": its XRSource reads the tracker '") + String(publish_name_) +
+				String("' too. Set \"publish_name\" to another name"));
 	} else if (XRServer::get_singleton()->get_tracker(publish_name_).is_valid()) {
 		ERR_PRINT(node_label(*this) + String(": the XRServer has a tracker '") + String(publish_name_) +
-				String("' already; set \"publish_name\" to another name"));
+				String("' already. Set \"publish_name\" to another name"));
 	} else {
 		publisher_ = std::make_unique<HandPublisher>(publish_name_, publish_hand_ == HAND_LEFT);
 	}
@@ -232,29 +229,31 @@ double HandTracker::get_latency() const {
 }
 
 Vector3 HandTracker::get_joint_position(Joint p_joint) const {
-	ERR_FAIL_COND_V_MSG(
-			!is_enumerator(p_joint, JOINT_PINKY), Vector3(), "HandTracker: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), Vector3(),
+			refusal(*this, "the joint must be one of JOINT_*", p_joint));
 	return positions_m_[static_cast<std::size_t>(p_joint)];
 }
 
 bool HandTracker::is_joint_tracked(Joint p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false, "HandTracker: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false,
+			refusal(*this, "the joint must be one of JOINT_*", p_joint));
 	return ((tracked_ >> static_cast<unsigned>(p_joint)) & 1U) != 0;
 }
 
 bool HandTracker::is_joint_inferred(Joint p_joint) const {
-	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false, "HandTracker: there is no such joint");
+	ERR_FAIL_COND_V_MSG(!is_enumerator(p_joint, JOINT_PINKY), false,
+			refusal(*this, "the joint must be one of JOINT_*", p_joint));
 	return ((inferred_ >> static_cast<unsigned>(p_joint)) & 1U) != 0;
 }
 
 Error HandTracker::start_recording(const String &p_path) {
 	ERR_FAIL_COND_V_MSG(p_path.is_empty(), ERR_FILE_BAD_PATH,
-			"HandTracker: start_recording needs the path of a file, e.g. user://hand.csv");
+			node_label(*this) +
+					String(": start_recording() needs the path of a file, for example user://hand.csv"));
 	const bool is_played = stream_ && is_same_file(p_path, stream_->played_file());
 	const bool will_be_played = source_.is_valid() && is_same_file(p_path, source_->played_file());
 	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,
-			String("HandTracker: ") + p_path +
-					String(" is the recording that it plays; record to another file"));
+			node_label(*this) + String(": it plays ") + p_path + String(". Record to another file"));
 	if (const Error error = WrittenFile::check_free(*this, p_path); error != OK) {
 		return error;
 	}

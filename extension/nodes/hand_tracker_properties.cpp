@@ -5,14 +5,15 @@
 #include "conversions.h"
 #include "hand_frame.h"
 #include "hand_source.h"
+#include "node_label.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
 namespace godot {
 
 void HandTracker::set_update_mode(UpdateMode p_mode) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_mode, UPDATE_MANUAL), "HandTracker: update_mode must be an UpdateMode");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_mode, UPDATE_MANUAL),
+			refusal(*this, "update_mode must be one of UPDATE_*", p_mode));
 	update_mode_ = p_mode;
 	update_processing();
 }
@@ -23,8 +24,8 @@ void HandTracker::set_publish_name(const StringName &p_name) {
 }
 
 void HandTracker::set_publish_hand(Hand p_hand) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_hand, HAND_RIGHT), "HandTracker: publish_hand must be HAND_LEFT or HAND_RIGHT");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HAND_RIGHT),
+			refusal(*this, "publish_hand must be HAND_LEFT or HAND_RIGHT", p_hand));
 	publish_hand_ = p_hand;
 	update_publisher();
 }
@@ -34,8 +35,9 @@ PackedStringArray HandTracker::_get_configuration_warnings() const {
 		return source_->get_warnings();
 	}
 	PackedStringArray warnings;
-	warnings.push_back("Set \"source\" to where the hand's frames come from, e.g. an XRSource; for frames "
-					   "that a script pushes, a ScriptSource.");
+	warnings.push_back("Set \"source\" to the device: an XRSource for a headset, a SyntheticSource to try it "
+					   "without one, "
+					   "a ScriptSource for frames that a script pushes.");
 	return warnings;
 }
 

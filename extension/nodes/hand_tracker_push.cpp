@@ -26,11 +26,12 @@ bool is_main_thread() {
 String explain(steadyhand::StreamDoubt p_doubt) {
 	switch (p_doubt) {
 		case steadyhand::StreamDoubt::TIME_STANDS:
-			return "the hand moves and the time stands still: give each frame its own";
+			return "the hand moves, but the time does not. Give each frame its own time";
 		case steadyhand::StreamDoubt::TOO_RARE:
-			return "more than a second lies between frames: times are in seconds";
+			return "frames are more than a second apart. Push times in seconds";
 		case steadyhand::StreamDoubt::TOO_FAST:
-			return "the hand is faster than 10 m/s for long: positions are in metres, in a space that goes "
+			return "the hand has been faster than 10 m/s for long. Push positions in metres, in a space that "
+				   "moves "
 				   "with the player";
 	}
 	return String();
@@ -44,20 +45,20 @@ String type_of(const Variant &p_value) {
 
 Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, double p_confidence) {
 	if (!is_main_thread()) {
-		return refuse_frame(
-				Refusal::OTHER_THREAD, "call it from the main thread, as by push_frame.call_deferred(...)");
+		return refuse_frame(Refusal::OTHER_THREAD,
+				"call it from the main thread, for example by push_frame.call_deferred(...)");
 	}
 	if (source_.is_null() || !source_->is_script()) {
 		const String has = source_.is_null()
-				? String("it has none")
-				: String("its ") + source_->get_class() + String(" makes the frames itself");
-		return refuse_frame(Refusal::OTHER_SOURCE, String("set source to a ScriptSource first; ") + has);
+				? String("it is empty")
+				: String("its ") + source_->get_class() + String(" makes its own frames");
+		return refuse_frame(Refusal::OTHER_SOURCE, String("set \"source\" to a ScriptSource first: ") + has);
 	}
 	if (!stream_ && start_is_due_) {
 		start(); // a script that sets the source and pushes at once
 	}
 	if (!stream_) {
-		return refuse_frame(Refusal::NOT_RUNNING, "start() the tracker first");
+		return refuse_frame(Refusal::NOT_RUNNING, "call start() first");
 	}
 	if (!(std::abs(p_time_s) <= steadyhand::FARTHEST_S)) {
 		return refuse_frame(Refusal::NO_TIME, TIME_FAULT);
@@ -125,7 +126,7 @@ Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFra
 Error HandTracker::refuse_older(double p_time_s) {
 	const Error refused = refuse_frame(Refusal::OLDER,
 			String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
-					String(" s; call start() where a device's clock begins anew"));
+					String(" s, the time of the last frame. Call start() when the device's clock is reset"));
 	refused_from_s_ = std::min(p_time_s, refused_from_s_.value_or(p_time_s));
 	if (p_time_s - *refused_from_s_ > SILENT_AFTER_S) {
 		set_hand_present(false);

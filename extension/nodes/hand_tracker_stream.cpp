@@ -18,10 +18,12 @@ namespace {
 String explain(steadyhand::FrameFault p_fault) {
 	switch (p_fault) {
 		case steadyhand::FrameFault::NOT_FINITE:
-			return "the source sends positions that are not finite, or beyond 1e9 m; those joints count as "
-				   "not tracked";
+			return "the source sends positions that are not finite, or beyond 1e9 m. These joints count as "
+				   "not "
+				   "tracked. Check the source";
 		case steadyhand::FrameFault::ZERO:
-			return "the source sends all joints at exactly (0, 0, 0); the hand counts as lost there";
+			return "the source sends all joints at exactly (0, 0, 0). The hand counts as lost. Check the "
+				   "source";
 	}
 	return String();
 }
@@ -42,16 +44,17 @@ void HandTracker::advance_live() {
 }
 
 void HandTracker::advance_to(double p_time_s) {
-	ERR_FAIL_COND_MSG(!stream_, "HandTracker: start() it before its clock can advance");
+	ERR_FAIL_COND_MSG(!stream_, node_label(*this) + String(": call start() before advance()"));
 	ERR_FAIL_COND_MSG(!(std::abs(p_time_s) <= steadyhand::FARTHEST_S),
-			"HandTracker: the time must be finite, and below 1e12 s");
+			refusal(*this, "advance: the time must be finite and below 1e12 s", p_time_s));
 	constexpr double LONGEST_LOOPED_STEP_S = 3600.0;
 	ERR_FAIL_COND_MSG(stream_->is_looped() && p_time_s - time_s_ > LONGEST_LOOPED_STEP_S,
-			"HandTracker: a track in a loop is advanced by an hour at most");
+			node_label(*this) +
+					String(": advance() moves a looped track by at most an hour. Call it several times"));
 	ERR_FAIL_COND_MSG(advancing_ >= DEEPEST_ADVANCE,
-			"HandTracker: advance() is called by what it calls, again and again; advance it elsewhere than "
-			"in "
-			"a signal of its own or in _poll()");
+			node_label(*this) +
+					String(": advance() calls itself. Do not call it in a signal of the tracker, nor in "
+						   "_poll()"));
 	const Watch watch(listeners_);
 	++advancing_;
 	advance_stream(p_time_s, watch);

@@ -81,7 +81,7 @@ double HapticClip::get_frequency_at(double p_time) const {
 
 PackedFloat32Array HapticClip::get_waveform(int p_sample_rate_hz) const {
 	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), PackedFloat32Array(),
-			sample_rate_fault("HapticClip: the sample rate"));
+			sample_rate_fault("HapticClip", "the sample rate", p_sample_rate_hz));
 	return packed(steadyhand::waveform_of(clip_, p_sample_rate_hz));
 }
 
@@ -115,8 +115,9 @@ Ref<HapticClip> HapticClip::from_wav(const String &p_path) {
 
 Ref<HapticClip> HapticClip::from_waveform(const PackedFloat32Array &p_samples, int p_sample_rate_hz) {
 	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), Ref<HapticClip>(),
-			sample_rate_fault("HapticClip: the sample rate"));
-	ERR_FAIL_COND_V_MSG(p_samples.is_empty(), Ref<HapticClip>(), "HapticClip: a waveform without samples");
+			sample_rate_fault("HapticClip", "the sample rate", p_sample_rate_hz));
+	ERR_FAIL_COND_V_MSG(
+			p_samples.is_empty(), Ref<HapticClip>(), "HapticClip: from_waveform needs at least one sample");
 	return made(steadyhand::recorded_clip(
 			std::span(p_samples.ptr(), static_cast<std::size_t>(p_samples.size())), p_sample_rate_hz));
 }
@@ -124,7 +125,7 @@ Ref<HapticClip> HapticClip::from_waveform(const PackedFloat32Array &p_samples, i
 steadyhand::Effect HapticClip::to_core(Tables &r_tables) const {
 	steadyhand::Effect effect = effect_;
 	effect.frequency_hz = steadyhand::main_frequency_hz(clip_);
-	const bool is_driven = effect.trigger != steadyhand::Trigger::ARRIVAL;
+	const bool is_driven = !effect.is_cue();
 	if (rendered_.empty() && is_driven) {
 		std::vector<float> amplitudes(PLACES), frequencies(PLACES);
 		for (std::size_t i = 0; i < PLACES; ++i) {
@@ -184,7 +185,8 @@ void HapticClip::_bind_methods() {
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
 			"set_text", "get_text");
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving,At Arrival"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM,
+						 "Always,While Moving,At Arrival,At Start"),
 			"set_trigger", "get_trigger");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),

@@ -1,5 +1,7 @@
 #include "haptic_device_profile.h"
 
+#include "node_label.h"
+
 #include <godot_cpp/classes/engine.hpp>
 #include <godot_cpp/core/class_db.hpp>
 
@@ -24,29 +26,29 @@ void HapticDeviceProfile::set_response(const PackedVector2Array &p_response) {
 	// The inspector adds (0, 0), to be filled in.
 	if (has_unusable_points() && !Engine::get_singleton()->is_editor_hint()) {
 		WARN_PRINT(
-				"HapticDeviceProfile: points of \"response\" are left out whose frequency is not above 0 Hz "
-				"or whose response is below 0");
+				"HapticDeviceProfile: some points of \"response\" are left out. Give each point a frequency "
+				"above 0 Hz and a response of 0 or more");
 	}
 	emit_changed();
 }
 
 void HapticDeviceProfile::set_resonance(double p_resonance_hz) {
 	ERR_FAIL_COND_MSG(!(p_resonance_hz >= 0.0) || !std::isfinite(p_resonance_hz),
-			"HapticDeviceProfile: resonance must be 0 Hz (none) or more");
+			refusal("HapticDeviceProfile", "resonance must be 0 Hz (none) or more", p_resonance_hz));
 	profile_.resonance_hz = p_resonance_hz;
 	emit_changed();
 }
 
 void HapticDeviceProfile::set_maximum_amplitude(double p_amplitude) {
 	ERR_FAIL_COND_MSG(!(p_amplitude > 0.0) || p_amplitude > 1.0,
-			"HapticDeviceProfile: maximum_amplitude must be above 0 and at most 1");
+			refusal("HapticDeviceProfile", "maximum_amplitude must be above 0 and at most 1", p_amplitude));
 	profile_.most = p_amplitude;
 	emit_changed();
 }
 
 void HapticDeviceProfile::set_latency(double p_latency_s) {
 	ERR_FAIL_COND_MSG(!(p_latency_s >= 0.0) || !std::isfinite(p_latency_s),
-			"HapticDeviceProfile: latency must be 0 s or more");
+			refusal("HapticDeviceProfile", "latency must be 0 s or more", p_latency_s));
 	profile_.latency_s = p_latency_s;
 	emit_changed();
 }

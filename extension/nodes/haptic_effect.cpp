@@ -1,6 +1,7 @@
 #include "haptic_effect.h"
 
 #include "conversions.h"
+#include "node_label.h"
 #include "text_file.h"
 
 #include "haptics/effect_preview.h"
@@ -38,14 +39,14 @@ steadyhand::Table HapticEffect::keep(Tables &r_tables, std::vector<float> p_valu
 
 void HapticEffect::set_positive(double &r_member, double p_value, const char *p_name) {
 	ERR_FAIL_COND_MSG(!(p_value > 0.0) || !std::isfinite(p_value),
-			String(get_class()) + ": " + p_name + " must be above 0");
+			refusal(get_class(), String(p_name) + String(" must be above 0"), p_value));
 	r_member = p_value;
 	emit_changed();
 }
 
 void HapticEffect::set_not_negative(double &r_member, double p_value, const char *p_name) {
 	ERR_FAIL_COND_MSG(!(p_value >= 0.0) || !std::isfinite(p_value),
-			String(get_class()) + ": " + p_name + " must be 0 or more");
+			refusal(get_class(), String(p_name) + String(" must be 0 or more"), p_value));
 	r_member = p_value;
 	emit_changed();
 }
@@ -53,8 +54,10 @@ void HapticEffect::set_not_negative(double &r_member, double p_value, const char
 void HapticEffect::set_within(
 		double &r_member, double p_value, const char *p_name, double p_least, double p_most) {
 	ERR_FAIL_COND_MSG(!(p_value >= p_least) || !(p_value <= p_most),
-			String(get_class()) + ": " + p_name + " must be within " + String::num(p_least) + ".." +
-					String::num(p_most));
+			refusal(get_class(),
+					String(p_name) + String(" must be ") + String::num(p_least) + String("..") +
+							String::num(p_most),
+					p_value));
 	r_member = p_value;
 	emit_changed();
 }
@@ -64,35 +67,35 @@ void HapticEffect::set_frequency(double p_frequency_hz) {
 }
 
 void HapticEffect::set_gain(double p_gain) {
-	ERR_FAIL_COND_MSG(!(p_gain >= 0.0) || p_gain > 1.0, String(get_class()) + ": gain must be within 0..1");
+	ERR_FAIL_COND_MSG(!(p_gain >= 0.0) || p_gain > 1.0, refusal(get_class(), "gain must be 0..1", p_gain));
 	effect_.gain = p_gain;
 	emit_changed();
 }
 
 void HapticEffect::set_channels(int p_channels) {
 	ERR_FAIL_COND_MSG(p_channels < 1 || p_channels > 3,
-			String(get_class()) + ": channels must be 1 (left), 2 (right) or 3 (both)");
+			refusal(get_class(), "channels must be 1 (left), 2 (right) or 3 (both)", p_channels));
 	effect_.channels = static_cast<std::uint8_t>(p_channels);
 	emit_changed();
 }
 
 void HapticEffect::set_drive(Drive p_drive) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_drive, DRIVE_ACCELERATION), String(get_class()) + ": drive must be a Drive");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_drive, DRIVE_ACCELERATION),
+			refusal(get_class(), "drive must be one of DRIVE_*", p_drive));
 	effect_.drive = static_cast<steadyhand::Drive>(p_drive);
 	emit_changed();
 }
 
 void HapticEffect::set_trigger(Trigger p_trigger) {
-	ERR_FAIL_COND_MSG(
-			!is_enumerator(p_trigger, TRIGGER_ARRIVAL), String(get_class()) + ": trigger must be a Trigger");
+	ERR_FAIL_COND_MSG(!is_enumerator(p_trigger, TRIGGER_START),
+			refusal(get_class(), "trigger must be one of TRIGGER_*", p_trigger));
 	effect_.trigger = static_cast<steadyhand::Trigger>(p_trigger);
 	emit_changed();
 }
 
 PackedFloat32Array HapticEffect::get_preview(int p_sample_rate_hz) const {
 	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), PackedFloat32Array(),
-			sample_rate_fault(String(get_class()) + ": the sample rate"));
+			sample_rate_fault(get_class(), "the sample rate", p_sample_rate_hz));
 	Tables tables;
 	return packed(steadyhand::preview_of(to_core(tables), p_sample_rate_hz));
 }
@@ -106,7 +109,7 @@ PackedFloat32Array HapticEffect::get_preview_spectrum(const PackedFloat32Array &
 
 Error HapticEffect::save_preview_wav(const String &p_path, int p_sample_rate_hz) const {
 	ERR_FAIL_COND_V_MSG(!is_sample_rate(p_sample_rate_hz), ERR_INVALID_PARAMETER,
-			sample_rate_fault(String(get_class()) + ": the sample rate"));
+			sample_rate_fault(get_class(), "the sample rate", p_sample_rate_hz));
 	Tables tables;
 	const std::vector<float> samples = steadyhand::preview_of(to_core(tables), p_sample_rate_hz);
 	const auto header = steadyhand::wav_header(
@@ -123,8 +126,8 @@ void SpringEffect::set_drive(Drive p_drive) {
 }
 
 void SpringEffect::set_trigger(Trigger p_trigger) {
-	ERR_FAIL_COND_MSG(p_trigger == TRIGGER_ARRIVAL,
-			"SpringEffect: a spring is felt while it is stretched, not at an arrival");
+	ERR_FAIL_COND_MSG(p_trigger == TRIGGER_ARRIVAL || p_trigger == TRIGGER_START,
+			refusal("SpringEffect", "trigger must be TRIGGER_ALWAYS or TRIGGER_MOVING", p_trigger));
 	HapticEffect::set_trigger(p_trigger);
 }
 
@@ -157,7 +160,7 @@ void CustomEffect::set_waveform(const PackedFloat32Array &p_waveform) {
 
 steadyhand::Effect CustomEffect::to_core(Tables &r_tables) const {
 	steadyhand::Effect effect = effect_;
-	const bool plays_samples = effect.trigger == steadyhand::Trigger::ARRIVAL && waveform_.size() > 1;
+	const bool plays_samples = effect.is_cue() && waveform_.size() > 1;
 	if (plays_samples) {
 		effect.shape = steadyhand::Shape::SAMPLES;
 		std::vector<float> values(waveform_.ptr(), waveform_.ptr() + waveform_.size());
@@ -206,6 +209,7 @@ void HapticEffect::_bind_methods() {
 	BIND_ENUM_CONSTANT(TRIGGER_ALWAYS);
 	BIND_ENUM_CONSTANT(TRIGGER_MOVING);
 	BIND_ENUM_CONSTANT(TRIGGER_ARRIVAL);
+	BIND_ENUM_CONSTANT(TRIGGER_START);
 }
 
 void SpringEffect::_bind_methods() {
@@ -277,7 +281,8 @@ void CustomEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_waveform_rate", "rate"), &CustomEffect::set_waveform_rate);
 	ClassDB::bind_method(D_METHOD("get_waveform_rate"), &CustomEffect::get_waveform_rate);
 
-	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM, "Always,While Moving,At Arrival"),
+	ADD_PROPERTY(PropertyInfo(Variant::INT, "trigger", PROPERTY_HINT_ENUM,
+						 "Always,While Moving,At Arrival,At Start"),
 			"set_trigger", "get_trigger");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "drive", PROPERTY_HINT_ENUM,
 						 "Constant,Position,Velocity,Acceleration"),
@@ -286,7 +291,7 @@ void CustomEffect::_bind_methods() {
 			"set_full_scale", "get_full_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "curve", PROPERTY_HINT_RESOURCE_TYPE, "Curve"), "set_curve",
 			"get_curve");
-	ADD_GROUP("At Arrival", "");
+	ADD_GROUP("Cue", "");
 	ADD_PROPERTY(
 			PropertyInfo(Variant::FLOAT, "duration", PROPERTY_HINT_RANGE, "0.01,2,0.001,or_greater,suffix:s"),
 			"set_duration", "get_duration");

@@ -21,7 +21,7 @@ public:
 	/// In the order of the core's Drive.
 	enum Drive : int64_t { DRIVE_CONSTANT, DRIVE_POSITION, DRIVE_VELOCITY, DRIVE_ACCELERATION };
 	/// In the order of the core's Trigger.
-	enum Trigger : int64_t { TRIGGER_ALWAYS, TRIGGER_MOVING, TRIGGER_ARRIVAL };
+	enum Trigger : int64_t { TRIGGER_ALWAYS, TRIGGER_MOVING, TRIGGER_ARRIVAL, TRIGGER_START };
 	/// Numbers that the core reads and the caller keeps.
 	using Tables = std::vector<std::shared_ptr<const std::vector<float>>>;
 

@@ -20,9 +20,9 @@ public:
 
 	/// Time starts anew.
 	virtual void start_anew() {}
-	/// At each control instant; `knot.moving` from there on.
+	/// At each control instant; `knot.moving` from there on. The last arrival and the last onset.
 	virtual void advance(double, const steadyhand::MotionSnapshot::Knot &, double /*p_amplitude_m*/,
-			const steadyhand::Arrival &) {}
+			const steadyhand::Arrival &, const steadyhand::Arrival & /*p_onset*/) {}
 
 	/// Whether play() is wanted: the motion by now and soon costs some evaluations.
 	virtual bool is_live() const { return false; }

@@ -5,6 +5,7 @@
 #include "gesture_task.h"
 #include "listener_list.h"
 #include "node_label.h"
+#include "parent_as.h"
 #include "sample_rates.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -83,10 +84,10 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	knot.moving = arrivals_.is_moving();
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
 			{ knot.position, knot.velocity, knot.acceleration, 0.0, knot.correction, 0.0 }, knot.moving,
-			p_motion.amplitude_m, arrivals_.last());
+			p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
 	is_wanted_ = is_wanted_ || strength_.amplitude > 0.0;
 	for_each_sink([&](HapticSink &sink) {
-		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last());
+		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
 	});
 }
 
@@ -131,6 +132,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 		snapshot.knots[i] = knot_of(instant);
 	}
 	snapshot.arrival = arrivals_.last();
+	snapshot.onset = arrivals_.onset();
 	snapshot.expected = arrivals_.expected(snapshot, now_s);
 	for (std::size_t i = 0; i < snapshot.count; ++i) {
 		const double time_s = now_s + AHEAD_PERIOD_S * static_cast<double>(i);
@@ -146,14 +148,24 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 
 void HapticSynth::on_motion_freed() {
 	gesture_hmm_ = nullptr;
+	follows_parent_ = false;
 	on_motion_started();
 	update_configuration_warnings();
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
+	follows_parent_ = false;
 	if (listen_to(p_gesture_hmm, gesture_hmm_, this)) {
 		on_motion_started();
 		update_configuration_warnings();
+	}
+}
+
+void HapticSynth::follow_parent() {
+	GestureHMM *const parent = parent_as<GestureHMM>(*this);
+	if (gesture_hmm_ == nullptr && parent != nullptr) {
+		set_gesture_hmm(parent);
+		follows_parent_ = true;
 	}
 }
 
@@ -225,7 +237,8 @@ void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	effects_ = p_effects.duplicate();
 	if (effects_.size() > static_cast<int64_t>(steadyhand::EffectSet::MOST)) {
 		WARN_PRINT(node_label(*this) + String(": only the first ") + itos(steadyhand::EffectSet::MOST) +
-				" effects are played");
+				String(" of ") + itos(effects_.size()) +
+				String(" effects are played. Remove some of \"effects\""));
 	}
 	connect_effects(true);
 	on_effects_changed();
@@ -238,14 +251,14 @@ void HapticSynth::on_effects_changed() {
 
 void HapticSynth::set_gain(double p_gain) {
 	ERR_FAIL_COND_MSG(
-			std::isnan(p_gain) || p_gain < 0.0 || p_gain > 1.0, "HapticSynth: gain must be within 0..1");
+			std::isnan(p_gain) || p_gain < 0.0 || p_gain > 1.0, refusal(*this, "gain must be 0..1", p_gain));
 	gain_ = p_gain;
 	on_effects_changed();
 }
 
 void HapticSynth::set_arrival_level(double p_level) {
 	ERR_FAIL_COND_MSG(!(p_level > 0.5) || !(p_level <= 1.0),
-			"HapticSynth: arrival_level must be above 0.5 and at most 1");
+			refusal(*this, "arrival_level must be above 0.5 and at most 1", p_level));
 	arrivals_.set_level(p_level);
 }
 
@@ -258,6 +271,9 @@ void HapticSynth::set_device(const Ref<HapticDeviceProfile> &p_device) {
 
 void HapticSynth::_notification(int p_what) {
 	if (p_what == NOTIFICATION_ENTER_TREE) {
+		if (!Engine::get_singleton()->is_editor_hint()) {
+			follow_parent();
+		}
 		update_player();
 		update_pulses();
 		listen_to_buses(true);
@@ -269,6 +285,9 @@ void HapticSynth::_notification(int p_what) {
 		// A player that is played anew has a new reader, which the effects would not be told to.
 		if (player_ != nullptr) {
 			drop_player();
+		}
+		if (follows_parent_) {
+			set_gesture_hmm(nullptr);
 		}
 	} else if (p_what == NOTIFICATION_READY) {
 		// As GestureHMM does of its tracker.
@@ -289,7 +308,8 @@ double HapticSynth::get_amplitude() const {
 /// would have been felt, as a script may choose one later than it makes the node.
 void HapticSynth::warn_of_silence() {
 	if (ready_for_s_ == 0.0 && gesture_hmm_ == nullptr) {
-		WARN_PRINT(node_label(*this) + ": nothing is felt until its \"gesture_hmm\" is set");
+		WARN_PRINT(node_label(*this) +
+				": nothing is felt. Set its \"gesture_hmm\", or make it a child of a GestureHMM");
 	}
 	ready_for_s_ += std::max(get_process_delta_time(), std::numeric_limits<double>::min());
 	const bool is_heard = has_output() || is_read_;
@@ -297,8 +317,8 @@ void HapticSynth::warn_of_silence() {
 		set_process_internal(false);
 		if (!is_heard) {
 			WARN_PRINT(node_label(*this) +
-					": nothing is felt: it has no \"bus\", \"controller\", \"joypad\" or "
-					"\"wav_path\", and no script reads get_buffer()");
+					": nothing is felt. Set its \"bus\", \"controller\", \"joypad\" or \"wav_path\", or read "
+					"get_buffer() in a script");
 		}
 	}
 }
@@ -323,7 +343,8 @@ void HapticSynth::open_wav() {
 }
 
 void HapticSynth::set_wav_sample_rate(int p_rate_hz) {
-	ERR_FAIL_COND_MSG(!is_sample_rate(p_rate_hz), sample_rate_fault("HapticSynth: wav_sample_rate"));
+	ERR_FAIL_COND_MSG(
+			!is_sample_rate(p_rate_hz), sample_rate_fault(node_label(*this), "wav_sample_rate", p_rate_hz));
 	wav_sample_rate_hz_ = p_rate_hz;
 }
 
@@ -333,14 +354,15 @@ void HapticSynth::stop_wav() {
 }
 
 void HapticSynth::set_buffer_sample_rate(int p_rate_hz) {
-	ERR_FAIL_COND_MSG(!is_sample_rate(p_rate_hz), sample_rate_fault("HapticSynth: buffer_sample_rate"));
+	ERR_FAIL_COND_MSG(!is_sample_rate(p_rate_hz),
+			sample_rate_fault(node_label(*this), "buffer_sample_rate", p_rate_hz));
 	buffer_sample_rate_hz_ = p_rate_hz;
 	buffer_.reset();
 }
 
 PackedVector2Array HapticSynth::get_buffer(int p_frames) {
 	ERR_FAIL_COND_V_MSG(p_frames < 0 || p_frames > MOST_BUFFER_FRAMES, PackedVector2Array(),
-			String("HapticSynth: frames must be in 0..") + itos(MOST_BUFFER_FRAMES));
+			refusal(*this, String("get_buffer: frames must be 0..") + itos(MOST_BUFFER_FRAMES), p_frames));
 	is_read_ = true;
 	buffer_kept_s_ = NOT_TOLD;
 	if (!buffer_) {

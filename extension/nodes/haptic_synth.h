@@ -100,6 +100,7 @@ private:
 	};
 
 	GestureHMM *gesture_hmm_ = nullptr;
+	bool follows_parent_ = false; ///< gesture_hmm_ is the parent, as no other was set
 	TypedArray<HapticEffect> effects_;
 	double gain_ = 1.0;
 	Ref<HapticDeviceProfile> device_;
@@ -150,6 +151,7 @@ private:
 	void listen_to_joypads(bool p_listen);
 	void on_joypad_changed(int64_t p_joypad, bool p_is_connected);
 	bool has_output() const;
+	void follow_parent();
 	void warn_of_silence();
 	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();

@@ -64,7 +64,7 @@ void HapticSynth::update_player() {
 	if (bus_ != StringName() && !exists) {
 		// The engine would play on Master: through the loudspeakers.
 		ERR_PRINT(node_label(*this) + String(": there is no audio bus '") + String(bus_) +
-				String("'; nothing is played"));
+				String("', so nothing is played. Add it in the Audio panel, or set another \"bus\""));
 	}
 	if (player_ != nullptr && (!exists || player_->get_bus() != bus_)) {
 		drop_player();

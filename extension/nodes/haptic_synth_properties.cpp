@@ -3,6 +3,7 @@
 #include "gesture_hmm.h"
 #include "haptic_synth.h"
 #include "name_suggestions.h"
+#include "parent_as.h"
 #include "sample_rates.h"
 
 #include <godot_cpp/classes/audio_server.hpp>
@@ -19,14 +20,15 @@ bool HapticSynth::has_output() const {
 
 PackedStringArray HapticSynth::_get_configuration_warnings() const {
 	PackedStringArray warnings;
-	if (gesture_hmm_ == nullptr) {
-		warnings.push_back("Set \"gesture_hmm\" to the GestureHMM whose motion is to be felt.");
+	if (gesture_hmm_ == nullptr && parent_as<GestureHMM>(*this) == nullptr) {
+		warnings.push_back(
+				"Set \"gesture_hmm\" to the GestureHMM whose motion is felt, or make this node its child.");
 	}
 	if (!has_output()) {
 		warnings.push_back(
 				"Set \"bus\" to an audio bus that leads to the actuator, \"controller\" or \"joypad\", or "
-				"\"wav_path\" to a file; otherwise the vibration goes nowhere, unless a script takes it by "
-				"get_buffer().");
+				"\"wav_path\" to a file. Without one of them, only a script that calls get_buffer() gets the "
+				"vibration.");
 	} else if (bus_ != StringName() && !bus_exists()) {
 		warnings.push_back(String("Add an audio bus named '") + String(bus_) +
 				String("' in the Audio panel, or set \"bus\" to one that exists."));
@@ -45,8 +47,8 @@ PackedStringArray HapticSynth::_get_configuration_warnings() const {
 				itos(static_cast<int64_t>(steadyhand::EffectSet::MOST)) + String(" are felt."));
 	}
 	if (device_.is_valid() && device_->has_unusable_points()) {
-		warnings.push_back("Give the points of the \"response\" of \"device\" a frequency above 0 Hz and a "
-						   "response of 0 or more; others are left out.");
+		warnings.push_back("Give each point of the \"response\" of \"device\" a frequency above 0 Hz and a "
+						   "response of 0 or more. Other points are left out.");
 	}
 	return warnings;
 }

@@ -44,7 +44,7 @@ void HapticSynth::set_controller_action(const StringName &p_action) {
 
 void HapticSynth::set_joypad(int64_t p_joypad) {
 	ERR_FAIL_COND_MSG(p_joypad < NO_JOYPAD || p_joypad > std::numeric_limits<int>::max(),
-			"HapticSynth: joypad must be -1 (none) or the number of one");
+			refusal(*this, "joypad must be -1 (none) or the number of a joypad", p_joypad));
 	joypad_ = static_cast<int>(p_joypad);
 	update_pulses();
 }
@@ -103,7 +103,8 @@ void HapticSynth::on_joypad_changed(int64_t p_joypad, bool p_is_connected) {
 	}
 	update_configuration_warnings();
 	if (!p_is_connected && !Engine::get_singleton()->is_editor_hint()) {
-		WARN_PRINT(node_label(*this) + String(": joypad ") + itos(joypad_) + String(" is gone"));
+		WARN_PRINT(node_label(*this) + String(": joypad ") + itos(joypad_) +
+				String(" was disconnected. It vibrates again once it is connected"));
 	}
 }
 
@@ -115,28 +116,28 @@ void HapticSynth::add_sink_warnings(PackedStringArray &r_warnings) const {
 				? bool(ProjectSettings::get_singleton()->get_setting("xr/openxr/enabled", false))
 				: XRServer::get_singleton()->get_primary_interface().is_valid();
 		if (!has_interface) {
-			r_warnings.push_back(
-					"No XR interface is there for \"controller\" to vibrate by: enable XR > OpenXR in the "
-					"project settings, or initialise an XRInterface before.");
+			r_warnings.push_back("The \"controller\" cannot vibrate: there is no XR interface. Enable XR > "
+								 "OpenXR in the project "
+								 "settings, or initialise an XRInterface first.");
 		}
 		const String tracker = controller->get_tracker();
 		if (tracker.is_empty()) {
 			r_warnings.push_back(
-					"Set the \"tracker\" of the node in \"controller\", as left_hand or right_hand.");
+					"Set the \"tracker\" of the node in \"controller\", for example to left_hand.");
 		} else if (is_without_motor(tracker)) {
 			r_warnings.push_back(
-					String("Give the node in \"controller\" the \"tracker\" of a controller, as left_hand "
-						   "or right_hand: ") +
+					String("Set the \"tracker\" of the node in \"controller\" to a controller, for example "
+						   "left_hand: ") +
 					tracker + String(" does not vibrate."));
 		}
 		if (controller_action_ == StringName()) {
 			r_warnings.push_back(
-					"Set \"controller_action\" to the haptic action of the action map, as haptic.");
+					"Set \"controller_action\" to a haptic action of the action map, for example haptic.");
 		}
 	}
 	if (joypad_ != NO_JOYPAD && !Input::get_singleton()->get_connected_joypads().has(joypad_)) {
 		r_warnings.push_back(String("Connect joypad ") + itos(joypad_) +
-				String(", or set \"joypad\" to one that is there, or to -1."));
+				String(", or set \"joypad\" to one that is connected, or to -1 (none)."));
 	}
 }
 

@@ -69,19 +69,21 @@ void HapticWav::connect_at(double p_time_s) {
 }
 
 void HapticWav::advance(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion,
-		double p_amplitude_m, const steadyhand::Arrival &p_arrival) {
+		double p_amplitude_m, const steadyhand::Arrival &p_arrival, const steadyhand::Arrival &p_onset) {
 	if (!is_connected_) {
 		connect_at(p_time_s);
 	} else if (!(p_time_s > known_.end_s())) {
 		return;
 	}
-	const bool news = p_arrival.number != known_.arrival.number || p_amplitude_m != known_.amplitude_m;
+	const bool news = p_arrival.number != known_.arrival.number || p_onset.number != known_.onset.number ||
+			p_amplitude_m != known_.amplitude_m;
 	if (known_.count == steadyhand::MotionSnapshot::MOST_KNOTS || news) {
 		write_known(false);
 	}
 	append(p_time_s, p_motion);
 	known_.amplitude_m = p_amplitude_m;
 	known_.arrival = p_arrival;
+	known_.onset = p_onset;
 }
 
 void HapticWav::append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion) {
@@ -149,7 +151,7 @@ void HapticWav::cut_off() {
 		write_header();
 		file_.unref();
 	}
-	ERR_PRINT(path_ + String(": writing the vibration fails and ends here; is the disk full?"));
+	ERR_PRINT(path_ + String(": the vibration cannot be written, and the file ends here. Is the disk full?"));
 }
 
 void HapticWav::flush() {

@@ -32,7 +32,7 @@ public:
 	void start_anew() override;
 	/// The file is made up to this instant at the latest when the next one of many is known.
 	void advance(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion, double p_amplitude_m,
-			const steadyhand::Arrival &p_arrival) override;
+			const steadyhand::Arrival &p_arrival, const steadyhand::Arrival &p_onset) override;
 
 private:
 	static constexpr int64_t BUFFER_BYTES = 1 << 16;

@@ -2,6 +2,7 @@
 
 #include "conversions.h"
 #include "leap_stream.h"
+#include "node_label.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -13,21 +14,22 @@ std::unique_ptr<HandStream> LeapSource::make_stream(HandTracker &) {
 
 void LeapSource::set_hand(HandTracker::Hand p_hand) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandTracker::HAND_RIGHT),
-			"LeapSource: hand must be HAND_LEFT or HAND_RIGHT");
+			refusal("LeapSource", "hand must be HAND_LEFT or HAND_RIGHT", p_hand));
 	hand_ = p_hand;
 	emit_changed();
 }
 
 void LeapSource::set_mounting(Mounting p_mounting) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_mounting, MOUNTING_SCREENTOP),
-			"LeapSource: mounting must be MOUNTING_DESKTOP, MOUNTING_HMD or MOUNTING_SCREENTOP");
+			refusal("LeapSource", "mounting must be one of MOUNTING_*", p_mounting));
 	mounting_ = p_mounting;
 	emit_changed();
 }
 
 void LeapSource::set_device_transform(const Transform3D &p_transform) {
 	ERR_FAIL_COND_MSG(!p_transform.origin.is_finite() || !(p_transform.basis.determinant() > 0),
-			"LeapSource: device_transform must be finite, without a scale of 0 or a mirror");
+			refusal("LeapSource", "device_transform must be finite, without a scale of 0 or a mirror",
+					p_transform));
 	device_transform_ = p_transform;
 	emit_changed();
 }
@@ -38,13 +40,13 @@ void LeapSource::set_address(const String &p_address) {
 }
 
 void LeapSource::set_port(int64_t p_port) {
-	ERR_FAIL_COND_MSG(p_port < 1 || p_port > 65535, "LeapSource: port must be in 1..65535");
+	ERR_FAIL_COND_MSG(p_port < 1 || p_port > 65535, refusal("LeapSource", "port must be 1..65535", p_port));
 	port_ = p_port;
 	emit_changed();
 }
 
 String LeapSource::silence_advice() const {
-	return "hold the hand 10 to 40 cm in front of the Leap device";
+	return "Hold the hand 10 to 40 cm in front of the Leap device";
 }
 
 void LeapSource::_bind_methods() {

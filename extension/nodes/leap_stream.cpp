@@ -55,8 +55,9 @@ String LeapStream::open() {
 	const String address = source_->get_address();
 	const bool has_port = address.contains(":") && !is_ip_v6(address);
 	return address.is_empty() || address.contains("/") || has_port
-			? String("LeapSource: \"address\" must be a host name or an IP address alone, without ws:// and "
-					 "without a port; it is '") +
+			? String("LeapSource: \"address\" must be a host name or an IP address, without ws:// and "
+					 "without a "
+					 "port, is '") +
 					address + String("'")
 			: String();
 }
@@ -91,7 +92,7 @@ void LeapStream::connect(double p_now_s) {
 	clock_.clear();
 	chooser_ = steadyhand::LeapHandChooser(side_of(**source_));
 	if (socket_->connect_to_url(url()) != OK) {
-		fail(String("the address ") + url() + String(" cannot be used; set \"address\" and \"port\""));
+		fail(String("the address ") + url() + String(" cannot be used. Set \"address\" and \"port\""));
 		on_closed(p_now_s);
 	}
 }
@@ -106,10 +107,10 @@ void LeapStream::on_closed(double p_now_s) {
 	}
 	attempts_ = got_version_ ? 0 : attempts_;
 	fail(got_version_ ? String("the service at ") + url() +
-							String(" has closed the connection; it is tried again until it is back")
+							String(" has closed the connection. LeapSource tries again until it is back")
 					  : String("no service answers at ") + url() +
-							String("; start the Leap Motion service with \"Allow Web Apps\", or Ultraleap's "
-								   "UltraleapTrackingWebSocket. It is tried again until it is there"));
+							String(". Start the Leap Motion service with \"Allow Web Apps\", or Ultraleap's "
+								   "UltraleapTrackingWebSocket. LeapSource tries again until it answers"));
 	next_attempt_s_ = p_now_s + steadyhand::reconnect_delay_s(attempts_++);
 	version_ = steadyhand::LEAP_VERSION_WANTED;
 }
@@ -131,15 +132,16 @@ void LeapStream::poll(double p_now_s) {
 	if (socket_->get_ready_state() == WebSocketPeer::STATE_CLOSED) {
 		on_closed(p_now_s);
 	} else if (!got_version_ && p_now_s - connected_s_ > SILENT_AFTER_S) {
-		fail(String("what answers at ") + url() +
-				String(" sends no Leap messages; set \"port\" to the service's"));
+		fail(String("the program at ") + url() +
+				String(" sends no Leap messages. Set \"port\" to that of the Leap service"));
 	}
 }
 
 void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	if (!socket_->was_string_packet()) {
 		warn(Topic::BINARY,
-				"the service sends binary messages, which no Leap service does; they are left out");
+				"the service sends binary messages, which no Leap service does. They are left out. Check "
+				"\"port\"");
 		return;
 	}
 	const std::string_view text(
@@ -169,8 +171,7 @@ void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 	if (p_version.version < steadyhand::LEAP_VERSION_WANTED) {
 		warn(Topic::VERSION,
 				String("the service speaks version ") + itos(p_version.version) +
-						String(" of the protocol, which tells no left from right; install a newer one (V2 or "
-							   "later)"));
+						String(" of the protocol, which does not tell left from right. Install V2 or later"));
 	}
 	announce(StreamEvent::Kind::READY);
 }
@@ -179,8 +180,8 @@ void LeapStream::on_device(const steadyhand::LeapDevice &p_device) {
 	if (p_device.streaming) {
 		failure_told_ = false;
 	} else {
-		fail(p_device.attached ? "the Leap device is paused; resume tracking in its control panel"
-							   : "the Leap device is unplugged; plug it in");
+		fail(p_device.attached ? "the Leap device is paused. Resume tracking in its control panel"
+							   : "the Leap device is unplugged. Plug it in");
 	}
 }
 
@@ -192,7 +193,7 @@ Eigen::Affine3d LeapStream::device_place() const {
 void LeapStream::on_frame(const steadyhand::LeapFrame &p_frame, double p_now_s) {
 	const steadyhand::DeviceClock::Stamp stamp = clock_.map(p_frame.device_time_s(), p_now_s);
 	if (stamp.restarted) {
-		warn(Topic::CLOCK, "the service's clock was set; frames go on from here");
+		warn(Topic::CLOCK, "the service's clock was set to another time. Frames continue from here");
 	}
 	steadyhand::DeviceFrame frame;
 	if (const steadyhand::LeapHand *const hand = chooser_.choose(p_frame)) {

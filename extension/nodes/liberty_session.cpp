@@ -131,8 +131,8 @@ void LibertySession::stream(End &r_end) {
 		usb_.read(READ_S);
 		if (has_record_ && steady_now_s() - received_s_ > SILENCE_MAX_S) {
 			r_end.failure =
-					"Liberty: the tracker sends nothing any more. Check its power and its sensors; the "
-					"stream goes on once they are back.";
+					"Liberty: the tracker has stopped sending. Check its power and its sensors; the stream "
+					"goes on once they are back.";
 			break;
 		}
 	}

@@ -6,6 +6,7 @@
 #include "liberty_device.h"
 #include "liberty_usb.h"
 #include "live_clock.h"
+#include "node_label.h"
 
 #include "devices/device_clock.h"
 
@@ -84,7 +85,7 @@ private:
 			distortion_told_ = true;
 			announce(StreamEvent::Kind::WARNING,
 					String("Liberty: the field at station ") + itos(p_event.record.station) +
-							String(" is strongly distorted; move metal away from sensors and source"));
+							String(" is strongly distorted. Move metal away from sensors and source"));
 		}
 		const auto station = static_cast<int64_t>(p_event.record.station) - 1;
 		const PackedInt32Array joints = source_->get_joints();
@@ -136,36 +137,39 @@ void LibertySource::set_joints(const PackedInt32Array &p_joints) {
 	for (int64_t i = 0; i < p_joints.size(); ++i) {
 		const int joint = p_joints[i];
 		ERR_FAIL_COND_MSG(joint < -1 || joint >= static_cast<int>(steadyhand::SKELETON_JOINT_COUNT),
-				String("LibertySource: joints must be HandTracker.JOINT_*, or -1 for a station without one; "
-					   "that of station ") +
-						itos(i + 1) + String(" is ") + itos(joint));
+				refusal("LibertySource",
+						String("joint of station ") + itos(i + 1) +
+								String(" must be HandTracker.JOINT_*, or -1 for a station without a sensor"),
+						joint));
 	}
 	joints_ = p_joints;
 	emit_changed();
 }
 
 void LibertySource::set_rate(Rate p_rate) {
-	ERR_FAIL_COND_MSG(
-			p_rate != RATE_120_HZ && p_rate != RATE_240_HZ, "LibertySource: rate must be 120 or 240 Hz");
+	ERR_FAIL_COND_MSG(p_rate != RATE_120_HZ && p_rate != RATE_240_HZ,
+			refusal("LibertySource", "rate must be RATE_120_HZ or RATE_240_HZ", p_rate));
 	rate_ = p_rate;
 	emit_changed();
 }
 
 void LibertySource::set_hemisphere(const Vector3 &p_hemisphere) {
-	ERR_FAIL_COND_MSG(!p_hemisphere.is_finite(), "LibertySource: hemisphere must be finite");
+	ERR_FAIL_COND_MSG(
+			!p_hemisphere.is_finite(), refusal("LibertySource", "hemisphere must be finite", p_hemisphere));
 	hemisphere_ = p_hemisphere;
 	emit_changed();
 }
 
 void LibertySource::set_device_transform(const Transform3D &p_transform) {
 	ERR_FAIL_COND_MSG(!p_transform.origin.is_finite() || !(p_transform.basis.determinant() > 0),
-			"LibertySource: device_transform must be finite, without a scale of 0 or a mirror");
+			refusal("LibertySource", "device_transform must be finite, without a scale of 0 or a mirror",
+					p_transform));
 	device_transform_ = p_transform;
 	emit_changed();
 }
 
 String LibertySource::silence_advice() const {
-	return "plug a sensor into station 1, and set \"joints\" of the LibertySource to the joint that wears it";
+	return "Plug a sensor into station 1, and set \"joints\" of the LibertySource to the joint that wears it";
 }
 
 void LibertySource::_bind_methods() {

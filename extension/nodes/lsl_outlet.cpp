@@ -83,7 +83,7 @@ void LslOutlet::set_tracker(HandTracker *p_tracker) {
 }
 
 void LslOutlet::set_stream_name(const String &p_name) {
-	ERR_FAIL_COND_MSG(p_name.is_empty(), "LslOutlet: stream_name must not be empty");
+	ERR_FAIL_COND_MSG(p_name.is_empty(), node_label(*this) + String(": stream_name must not be empty"));
 	if (stream_name_ != p_name) {
 		stream_name_ = p_name;
 		reopen();

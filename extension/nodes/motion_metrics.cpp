@@ -1,6 +1,7 @@
 #include "motion_metrics.h"
 
 #include "conversions.h"
+#include "node_label.h"
 #include "track_file.h"
 #include "trial_dictionary.h"
 
@@ -27,9 +28,11 @@ constexpr int64_t MOST_GESTURES = 1000;
 
 Dictionary MotionMetrics::compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
 		double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s) {
-	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0), Dictionary(), "MotionMetrics.compare: rate_hz must be above 0");
+	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0), Dictionary(),
+			refusal("MotionMetrics.compare", "rate_hz must be above 0", p_rate_hz));
 	ERR_FAIL_COND_V_MSG(p_reference.size() != p_curve.size(), Dictionary(),
-			"MotionMetrics.compare: the curves must have as many samples");
+			String("MotionMetrics.compare: both curves must have the same number of samples, not ") +
+					itos(p_reference.size()) + String(" and ") + itos(p_curve.size()));
 	const steadyhand::CurveComparison comparison = steadyhand::compare_curves(
 			to_core(p_reference), to_core(p_curve), { p_t0_s, p_rate_hz }, { p_start_s, p_end_s });
 	Dictionary dictionary;
@@ -63,7 +66,8 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 			String("MotionMetrics.feature_curve: count must be in 0..") + itos(MOST_SAMPLES) +
 					String(", is ") + itos(p_count));
 	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
-	ERR_FAIL_NULL_V_MSG(feature, curve, p_feature + String(": there is no such feature"));
+	ERR_FAIL_NULL_V_MSG(feature, curve,
+			String("MotionMetrics: no feature '") + p_feature + String("'; see GestureTrainer.feature"));
 	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
 	if (!task) {
 		return curve;
@@ -92,7 +96,8 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 String MotionMetrics::recording_oddity(const String &p_measured_path, const String &p_reference_path,
 		const String &p_feature, const Dictionary &p_trial) {
 	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
-	ERR_FAIL_NULL_V_MSG(feature, String(), p_feature + String(": there is no such feature"));
+	ERR_FAIL_NULL_V_MSG(feature, String(),
+			String("MotionMetrics: no feature '") + p_feature + String("'; see GestureTrainer.feature"));
 	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
 	if (!task) {
 		return String();
@@ -112,7 +117,7 @@ String MotionMetrics::recording_oddity(const String &p_measured_path, const Stri
 
 Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised) {
 	ERR_FAIL_COND_V_MSG(p_done.size() != p_recognised.size(), Dictionary(),
-			"MotionMetrics.confusion: as many names must be recognised as were done");
+			"MotionMetrics.confusion: done and recognised must have the same number of names");
 	PackedStringArray names;
 	for (const PackedStringArray &given : { p_done, p_recognised }) {
 		for (const String &name : given) {
@@ -147,8 +152,8 @@ Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const Packe
 }
 
 double MotionMetrics::false_alarms_per_minute(int p_alarms, double p_observed_s) {
-	ERR_FAIL_COND_V_MSG(
-			p_alarms < 0, 0.0, "MotionMetrics.false_alarms_per_minute: alarms must be at least 0");
+	ERR_FAIL_COND_V_MSG(p_alarms < 0, 0.0,
+			refusal("MotionMetrics.false_alarms_per_minute", "alarms must be 0 or more", p_alarms));
 	return steadyhand::false_alarms_per_minute(static_cast<std::size_t>(p_alarms), p_observed_s);
 }
 

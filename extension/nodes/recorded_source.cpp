@@ -17,7 +17,7 @@ public:
 
 	String open() override {
 		if (path_.is_empty()) {
-			return "set \"track\" of the RecordedSource to a track CSV";
+			return "set \"track\" of the RecordedSource to a recording (*.csv)";
 		}
 		steadyhand::Result<steadyhand::Track> track = read_track_file(path_);
 		if (!track) {
@@ -51,14 +51,14 @@ PackedStringArray RecordedSource::get_warnings() const {
 	if (path_.is_empty()) {
 		warnings.push_back("Set \"track\" of the RecordedSource to the track (*.csv) to be played.");
 	} else if (!FileAccess::file_exists(path_)) {
-		warnings.push_back(String("Set \"track\" of the RecordedSource to a file that exists; there is no ") +
+		warnings.push_back(String("Set \"track\" of the RecordedSource to a file that exists: there is no ") +
 				path_ + String("."));
 	}
 	return warnings;
 }
 
 String RecordedSource::silence_advice() const {
-	return String("record a hand to ") + path_ + String(", all whose frames are empty");
+	return String("Record a hand to ") + path_ + String(": all of its frames are empty");
 }
 
 void RecordedSource::_bind_methods() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "node_label.h"
+
 #include "haptics/vibration.h"
 
 #include <godot_cpp/variant/string.hpp>
@@ -20,10 +22,12 @@ inline String sample_rate_hint() {
 	return itos(LOWEST_RATE_HZ) + String(",") + itos(HIGHEST_RATE_HZ) + String(",1,suffix:Hz");
 }
 
-/// Why `p_what` is refused.
-inline String sample_rate_fault(const String &p_what) {
-	return p_what + String(" must be in ") + itos(LOWEST_RATE_HZ) + String("..") + itos(HIGHEST_RATE_HZ) +
-			String(" Hz");
+/// Why `p_where` refuses `p_rate_hz` as its `p_what`.
+inline String sample_rate_fault(const String &p_where, const char *p_what, int p_rate_hz) {
+	return refusal(p_where,
+			String(p_what) + String(" must be ") + itos(LOWEST_RATE_HZ) + String("..") +
+					itos(HIGHEST_RATE_HZ) + String(" Hz"),
+			p_rate_hz);
 }
 
 } // namespace godot

@@ -3,6 +3,7 @@
 #include "conversions.h"
 #include "gesture_task.h"
 #include "hand_tracker.h"
+#include "node_label.h"
 #include "track_stream.h"
 #include "trial_dictionary.h"
 
@@ -38,6 +39,11 @@ private:
 	const HandTracker &tracker_;
 };
 
+/// A gesture of the user's own is not: the source's own "gesture" is made in its place.
+bool is_simulated(const StringName &p_gesture) {
+	return steadyhand::find_simulated_gesture(to_core(String(p_gesture))) != nullptr;
+}
+
 } // namespace
 
 std::unique_ptr<HandStream> SyntheticSource::make_stream(HandTracker &p_tracker) {
@@ -46,7 +52,7 @@ std::unique_ptr<HandStream> SyntheticSource::make_stream(HandTracker &p_tracker)
 
 void SyntheticSource::set_place_of(
 		const GestureTask &p_task, steadyhand::SyntheticTrialRequest &r_request) const {
-	if (p_task.get_gesture() != StringName()) {
+	if (is_simulated(p_task.get_gesture())) {
 		r_request.gesture = to_core(p_task.get_gesture());
 	}
 	r_request.place = { to_core(p_task.get_start()), to_core(p_task.get_axis()), p_task.get_amplitude(),
@@ -85,7 +91,7 @@ steadyhand::Result<steadyhand::SyntheticTrial> SyntheticSource::make_trial(
 
 Dictionary SyntheticSource::get_trial() const {
 	ERR_FAIL_COND_V_MSG(placement_ == PLACEMENT_TASK, Dictionary(),
-			"SyntheticSource: with PLACEMENT_TASK the GestureTask itself tells what will be played");
+			"SyntheticSource: get_trial() has no values with PLACEMENT_TASK. Read them from the GestureTask");
 	const steadyhand::Result<steadyhand::SyntheticTrial> made = make_trial(nullptr);
 	ERR_FAIL_COND_V_MSG(
 			!made, Dictionary(), String("SyntheticSource: ") + to_godot(made.ok() ? "" : made.error()));
@@ -93,8 +99,8 @@ Dictionary SyntheticSource::get_trial() const {
 }
 
 void SyntheticSource::place_at(GestureTask *p_task) {
-	ERR_FAIL_NULL_MSG(p_task, "SyntheticSource: place_at() needs a GestureTask");
-	if (p_task->get_gesture() != StringName()) {
+	ERR_FAIL_NULL_MSG(p_task, "SyntheticSource: place_at() needs a GestureTask, is null");
+	if (is_simulated(p_task->get_gesture())) {
 		set_gesture(p_task->get_gesture());
 	}
 	set_start(p_task->get_start());
@@ -113,14 +119,14 @@ void SyntheticSource::set_gesture(const StringName &p_gesture) {
 
 void SyntheticSource::set_position(Position p_position) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_position, POSITION_UNSTABLE),
-			"SyntheticSource: position must be POSITION_STABLE or POSITION_UNSTABLE");
+			refusal("SyntheticSource", "position must be POSITION_STABLE or POSITION_UNSTABLE", p_position));
 	position_ = p_position;
 	emit_changed();
 }
 
 void SyntheticSource::set_subject(int64_t p_subject) {
 	ERR_FAIL_COND_MSG(p_subject < 0 || p_subject > std::numeric_limits<std::uint32_t>::max(),
-			"SyntheticSource: subject must be in 0..4294967295");
+			refusal("SyntheticSource", "subject must be 0..4294967295", p_subject));
 	subject_ = p_subject;
 	emit_changed();
 }
@@ -132,13 +138,14 @@ void SyntheticSource::set_seed(int64_t p_seed) {
 
 void SyntheticSource::set_duration(double p_duration_s) {
 	ERR_FAIL_COND_MSG(!(p_duration_s >= 0.0) || !(p_duration_s <= steadyhand::GESTURE_MAX_S),
-			"SyntheticSource: duration must be in 0..4 s; 0: as the person does it");
+			refusal("SyntheticSource", "duration must be 0 (the person's own) or up to 4 s", p_duration_s));
 	duration_s_ = p_duration_s;
 	emit_changed();
 }
 
 void SyntheticSource::set_pace(double p_pace) {
-	ERR_FAIL_COND_MSG(!(p_pace >= 0.1) || !(p_pace <= 10.0), "SyntheticSource: pace must be in 0.1..10");
+	ERR_FAIL_COND_MSG(!(p_pace >= 0.1) || !(p_pace <= 10.0),
+			refusal("SyntheticSource", "pace must be 0.1..10", p_pace));
 	pace_ = p_pace;
 	emit_changed();
 }
@@ -155,7 +162,7 @@ void SyntheticSource::set_true_motion(bool p_true_motion) {
 
 void SyntheticSource::set_placement(Placement p_placement) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_placement, PLACEMENT_TASK),
-			"SyntheticSource: placement must be PLACEMENT_SENSOR, PLACEMENT_FIXED or PLACEMENT_TASK");
+			refusal("SyntheticSource", "placement must be one of PLACEMENT_*", p_placement));
 	placement_ = p_placement;
 	notify_property_list_changed();
 	emit_changed();
@@ -167,28 +174,28 @@ void SyntheticSource::set_task_path(const NodePath &p_path) {
 }
 
 void SyntheticSource::set_start(const Vector3 &p_start_m) {
-	ERR_FAIL_COND_MSG(!p_start_m.is_finite(), "SyntheticSource: start must be finite");
+	ERR_FAIL_COND_MSG(!p_start_m.is_finite(), refusal("SyntheticSource", "start must be finite", p_start_m));
 	start_m_ = p_start_m;
 	emit_changed();
 }
 
 void SyntheticSource::set_direction(const Vector3 &p_direction) {
 	ERR_FAIL_COND_MSG(!p_direction.is_finite() || !(p_direction.length_squared() > 0),
-			"SyntheticSource: direction must be finite and not zero");
+			refusal("SyntheticSource", "direction must be finite and not zero", p_direction));
 	direction_ = p_direction;
 	emit_changed();
 }
 
 void SyntheticSource::set_amplitude(double p_amplitude_m) {
 	ERR_FAIL_COND_MSG(!(p_amplitude_m >= steadyhand::SMALLEST_AMPLITUDE_M) || !(p_amplitude_m <= 10.0),
-			"SyntheticSource: amplitude must be in 1e-6..10 m");
+			refusal("SyntheticSource", "amplitude must be 1e-6..10 m", p_amplitude_m));
 	amplitude_m_ = p_amplitude_m;
 	emit_changed();
 }
 
 void SyntheticSource::set_start_radius(double p_radius_m) {
 	ERR_FAIL_COND_MSG(!(p_radius_m > 0.0) || !(p_radius_m <= 1.0),
-			"SyntheticSource: start_radius must be above 0, and at most 1 m");
+			refusal("SyntheticSource", "start_radius must be above 0 and at most 1 m", p_radius_m));
 	start_radius_m_ = p_radius_m;
 	emit_changed();
 }
@@ -203,7 +210,7 @@ PackedStringArray SyntheticSource::get_warnings() const {
 }
 
 String SyntheticSource::silence_advice() const {
-	return "call start() or advance() of the HandTracker";
+	return "Call start() or advance() of the HandTracker";
 }
 
 void SyntheticSource::_validate_property(PropertyInfo &p_property) const {

@@ -57,7 +57,8 @@ Error write_text_file(const String &p_path, std::string_view p_text) {
 	if (error != OK) {
 		DirAccess::remove_absolute(part);
 	}
-	ERR_FAIL_COND_V_MSG(error != OK, error, p_path + String(": writing failed; is the disk full?"));
+	ERR_FAIL_COND_V_MSG(
+			error != OK, error, p_path + String(": this file cannot be written. Is the disk full?"));
 	return OK;
 }
 

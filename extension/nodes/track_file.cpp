@@ -22,7 +22,8 @@ steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
 		WARN_PRINT(to_godot(warning));
 	}
 	if (reading.error) {
-		WARN_PRINT(to_godot(reading.error->message) + String(": it was cut off; the ") +
+		WARN_PRINT(to_godot(reading.error->message) +
+				String(": this last row is cut off and left out. The ") +
 				itos(static_cast<int64_t>(reading.track.frames.size())) + String(" rows before it are read"));
 	}
 	return std::move(reading.track);

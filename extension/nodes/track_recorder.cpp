@@ -30,7 +30,8 @@ Error TrackRecorder::open(const Node &p_owner, const String &p_path) {
 
 void TrackRecorder::write(const steadyhand::HandFrame &p_frame) {
 	if (p_frame.t_s < last_s_) {
-		complain(": frames older than those before are left out; record each run of a HandTracker to its own "
+		complain(": frames that are older than the last one are left out. Record each run of a HandTracker "
+				 "to its own "
 				 "file");
 		return;
 	}
@@ -51,7 +52,7 @@ void TrackRecorder::flush() {
 	if (is_written(file_)) {
 		rows_.clear();
 	} else {
-		complain(": recording fails, rows are being lost; is the disk full?");
+		complain(": frames cannot be written and are lost. Is the disk full?");
 		keep_whole_rows(begin);
 	}
 }

@@ -5,6 +5,7 @@
 #include "leap_source.h"
 #include "liberty_source.h"
 #include "listener_list.h"
+#include "node_label.h"
 
 #include <godot_cpp/core/class_db.hpp>
 
@@ -90,7 +91,7 @@ void TrackerAlignment::set_tracker(HandTracker *p_tracker) {
 
 void TrackerAlignment::set_joint(HandTracker::Joint p_joint) {
 	ERR_FAIL_COND_MSG(frame_joint(p_joint) == steadyhand::JOINT_COUNT,
-			"TrackerAlignment: joint must be one of HandTracker.JOINT_*");
+			refusal(*this, "joint must be one of HandTracker.JOINT_*", p_joint));
 	if (joint_ != p_joint) {
 		joint_ = p_joint;
 		reset();

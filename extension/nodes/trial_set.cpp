@@ -190,7 +190,8 @@ Error TrialSet::write_synthetic(const String &p_path, const Dictionary &p_option
 	ERR_FAIL_COND_V_MSG(!options, ERR_INVALID_PARAMETER,
 			String("TrialSet.write_synthetic: ") + to_godot(options.error()));
 	const Error folder_error = DirAccess::make_dir_recursive_absolute(p_path);
-	ERR_FAIL_COND_V_MSG(folder_error != OK, folder_error, p_path + String(": this folder cannot be made"));
+	ERR_FAIL_COND_V_MSG(folder_error != OK, folder_error,
+			p_path + String(": this folder cannot be made. Choose a folder that you may write to"));
 	std::vector<steadyhand::Trial> rows;
 	for (const steadyhand::SyntheticTrialRequest &request : steadyhand::plan_synthetic_set(options.value())) {
 		const steadyhand::Result<steadyhand::SyntheticTrial> made = steadyhand::make_synthetic_trial(request);

@@ -44,7 +44,7 @@ Error WrittenFile::check_free(const Node &p_for, const String &p_path) {
 		ERR_FAIL_COND_V_MSG(&file->owner_ != &p_for && is_same_file(file->path_, p_path),
 				ERR_FILE_ALREADY_IN_USE,
 				node_label(p_for) + String(": ") + p_path + String(" is being written by ") +
-						node_label(file->owner_) + String("; give each a file of its own"));
+						node_label(file->owner_) + String(". Give each a file of its own"));
 	}
 	return OK;
 }

@@ -1,6 +1,7 @@
 #include "xr_source.h"
 
 #include "conversions.h"
+#include "node_label.h"
 #include "xr_stream.h"
 
 #include <godot_cpp/core/class_db.hpp>
@@ -24,7 +25,7 @@ StringName XRSource::name_of_other_hand() const {
 
 void XRSource::set_hand(HandTracker::Hand p_hand) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_hand, HandTracker::HAND_RIGHT),
-			"XRSource: hand must be HAND_LEFT or HAND_RIGHT");
+			refusal("XRSource", "hand must be HAND_LEFT or HAND_RIGHT", p_hand));
 	hand_ = p_hand;
 	emit_changed();
 }
@@ -36,13 +37,13 @@ void XRSource::set_tracker_name(const StringName &p_name) {
 
 void XRSource::set_space(Space p_space) {
 	ERR_FAIL_COND_MSG(!is_enumerator(p_space, SPACE_BODY),
-			"XRSource: space must be SPACE_WORLD, SPACE_ORIGIN or SPACE_BODY");
+			refusal("XRSource", "space must be one of SPACE_*", p_space));
 	space_ = p_space;
 	emit_changed();
 }
 
 String XRSource::silence_advice() const {
-	return "raise the hand into the view of the headset, and lay the controllers aside";
+	return "Raise the hand into the view of the headset, and lay the controllers aside";
 }
 
 void XRSource::_bind_methods() {

@@ -41,7 +41,7 @@ Ref<XRHandTracker> XRStream::find_hand() {
 		is_class_told_ = true;
 		announce(StreamEvent::Kind::FAILED,
 				String("XRSource: the tracker '") + String(name) + String("' is an ") + tracker->get_class() +
-						String(", not an XRHandTracker; set \"tracker_name\" to a hand's"));
+						String(", not an XRHandTracker. Set \"tracker_name\" to that of a hand"));
 	}
 	return hand;
 }
@@ -61,8 +61,9 @@ void XRStream::watch_for_hand(const Ref<XRHandTracker> &p_hand, double p_now_s) 
 		is_missing_told_ = true;
 		announce(StreamEvent::Kind::FAILED,
 				String("XRSource: the XRServer has no hand tracker '") + String(source_->name_of_hand()) +
-						String("'; enable XR > OpenXR and its hand tracking in the project settings, and let "
-							   "the main viewport use XR. It is still being waited for"));
+						String("'. Enable XR > OpenXR and its hand tracking in the project settings, and set "
+							   "use_xr "
+							   "of the main viewport. XRSource waits for it"));
 	}
 }
 

@@ -1,5 +1,5 @@
 extends SceneTree
-## Plays the script whose path is given, on a Node3D, until its GestureHMM reports an end.
+## Plays the script whose path is given, on a node of its class, until a gesture ends.
 
 const PATIENCE_FRAMES := 1200
 
@@ -12,7 +12,7 @@ func _initialize() -> void:
 	if script.reload() != OK:
 		quit(1)
 		return
-	var scene := Node3D.new()
+	var scene: Node = ClassDB.instantiate(script.get_instance_base_type())
 	scene.set_script(script)
 	root.add_child(scene)
 

@@ -84,7 +84,7 @@ func test_a_synthetic_set_by_options_that_are_none() -> void:
 
 func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
-	# expects one error: HandTracker: start_recording needs the path of a file
+	# expects one error: start_recording() needs the path of a file
 	var tracker := _make_tracker()
 	tracker.source = ScriptSource.new()
 	tracker.start()

@@ -59,7 +59,7 @@ func test_training_of_none_is_refused() -> void:
 
 
 func test_a_far_task_is_not_used() -> void:
-	# expects one warning: its global position is not finite or beyond 1e9 m
+	# expects one warning: its global position is not finite, or beyond 1e9 m
 	var gesture_hmm := GestureHMM.new()
 	var task := GestureTask.new()
 	task.gesture = "horizontal_drag"
@@ -83,12 +83,12 @@ func test_a_far_task_is_not_used() -> void:
 
 
 func test_numbers_that_are_no_enumerators_are_refused() -> void:
-	# expects error: GestureHMM: mode must be a Mode
-	# expects error: GestureHMM: quality must be a Quality
-	# expects error: GestureHMM: motion must be a Motion
-	# expects error: GestureHMM: there is no such motion
-	# expects error: CustomEffect: drive must be a Drive
-	# expects error: CustomEffect: trigger must be a Trigger
+	# expects error: mode must be MODE_PHASE or MODE_PAPER, is
+	# expects error: quality must be one of QUALITY_*, is
+	# expects error: : motion must be one of MOTION_*, is
+	# expects error: get_motion_value: motion must be one of MOTION_*, is
+	# expects error: CustomEffect: drive must be one of DRIVE_*, is
+	# expects error: CustomEffect: trigger must be one of TRIGGER_*, is
 	var gesture_hmm := GestureHMM.new()
 	var effect := CustomEffect.new()
 	for number: int in [-1, 5, 255, 1 << 31, 1 << 32, (1 << 63) - 1, -(1 << 63)]:

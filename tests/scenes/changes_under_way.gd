@@ -88,7 +88,7 @@ func test_what_ends_the_gesture_under_way_is_told() -> void:
 					hmm.tracker = null
 				&"reset":
 					hmm.reset()
-		# expects one warning: none of its models is of the gesture 'horizontal_drag'
+		# expects one warning: because "models" has none of 'horizontal_drag'
 		_drag(hmm, make_it, CHANGE_S + 0.1)
 		check_equal(
 			_said.slice(0, 2), ["started", "aborted"] as Array[String], "%s: what is said" % change
@@ -240,7 +240,7 @@ func test_a_recording_goes_on_where_another_cannot_be_begun() -> void:
 
 func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
 	var tracker := _tracker()
-	# expects one error: push_frame: start() the tracker first
+	# expects one error: push_frame: call start() first
 	# expects one error: push_frame: the time 1.0 s is before 2.0 s
 	# expects one error: push_frame: the time must be finite
 	# expects one error: push_frame: there is no joint 99

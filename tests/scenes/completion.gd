@@ -43,7 +43,7 @@ func test_a_smaller_completion_ends_it_where_the_hand_stops() -> void:
 
 
 func test_completion_is_a_fraction() -> void:
-	# expects error: completion must be within 0.5..1
+	# expects error: completion must be 0.5..1, is
 	_hmm = GestureHMM.new()
 	for wrong: float in [0.4, 1.1, NAN]:
 		_hmm.completion = wrong

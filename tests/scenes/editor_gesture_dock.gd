@@ -190,7 +190,7 @@ func test_what_is_wrong_is_said() -> void:
 
 func test_a_scene_that_is_edited_opens_nothing() -> void:
 	var tracker: HandTracker = await _open_scene(SyntheticSource.new())
-	# expects error: nothing is opened in a scene that is edited
+	# expects error: start() opens no source in a scene that is edited
 	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")
 	dock.open_gesture("closed")
 	check(dock.start_recording(), "the panel records from its source")

@@ -206,7 +206,7 @@ func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> v
 
 
 func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
-	# expects error: GestureHMM: min_confidence must be within 0..1
+	# expects error: min_confidence must be 0..1, is
 	var rig := _make_rig(STABLE)
 	var hmm := rig.gesture_hmm
 	hmm.tasks = []
@@ -238,7 +238,7 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 
 
 func test_joints_that_no_frame_holds_are_named() -> void:
-	# expects warning: by thumb, index, middle: no frame has held thumb, middle
+	# expects warning: It needs thumb, index, middle; no frame had thumb, middle
 	var rig := _make_rig(STABLE)
 	rig.tracker.source = ScriptSource.new()
 	rig.gesture_hmm.models = [load(Rig.MODEL % "zoom")]
@@ -253,13 +253,13 @@ func test_joints_that_no_frame_holds_are_named() -> void:
 
 
 func test_what_keeps_it_from_recognising_is_said() -> void:
-	# expects warning: since it has no models
-	# expects warning: since none of its models holds a gesture
-	# expects warning: none of its models is of the gesture 'tap'
-	# expects warning: Set "direction" of the task of 'horizontal_drag'
-	# expects warning: Set "start_radius" of the task of 'zoom'
-	# expects warning: nothing is recognised until its "tracker" is set
-	# expects warning: nothing is felt until its "gesture_hmm" is set
+	# expects warning: because "models" is empty
+	# expects warning: because all "models" are empty
+	# expects warning: because "models" has none of 'tap'
+	# expects warning: Set "direction" of GestureTask
+	# expects warning: Set "start_radius" of GestureTask
+	# expects warning: no gesture is recognised. Set its "tracker"
+	# expects warning: nothing is felt. Set its "gesture_hmm"
 	var rig := _make_rig(STABLE)
 	var hmm := rig.gesture_hmm
 	var own := hmm.models

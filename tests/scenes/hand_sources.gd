@@ -64,8 +64,8 @@ func test_a_source_set_in_ready_starts_by_itself() -> void:
 
 func test_a_tracker_without_a_source_says_so() -> void:
 	# expects one error: set "source", e.g. to an XRSource
-	# expects one error: push_frame: set source to a ScriptSource first; it has none
-	# expects one error: push_frame: set source to a ScriptSource first; its SyntheticSource makes
+	# expects one error: push_frame: set "source" to a ScriptSource first: it is empty
+	# expects one error: push_frame: set "source" to a ScriptSource first: its SyntheticSource makes
 	var tracker := _tracker(null)
 	check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot start")
 	tracker.push_frame(0.0, {INDEX: PLACE})
@@ -247,7 +247,7 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 
 
 func test_a_name_that_is_taken_is_not_published() -> void:
-	# expects one error: the XRSource would read what the tracker publishes
+	# expects one error: its XRSource reads the tracker '
 	# expects one error: has a tracker '/user/hand_tracker/left' already
 	var hand := XRHand.new()
 	hand.place(PLACE)
@@ -265,7 +265,7 @@ func test_a_name_that_is_taken_is_not_published() -> void:
 
 
 func test_a_tracker_that_advances_itself_without_end_says_so() -> void:
-	# expects error: advance() is called by what it calls, again and again
+	# expects error: advance() calls itself
 	var source := SyntheticSource.new()
 	source.loop = true
 	var tracker := _tracker(source)

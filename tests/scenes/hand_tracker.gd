@@ -46,7 +46,7 @@ func test_recorded_source_plays_frames_and_signals() -> void:
 func test_a_recording_that_was_cut_off_is_played_to_the_cut() -> void:
 	var cut := TRACK.substr(0, TRACK.length() - 10)
 	var tracker := _make_tracker(_recording(_write("track.csv", cut)))
-	# expects warning: it was cut off; the 4 rows before it are read
+	# expects warning: this last row is cut off and left out. The 4 rows before it are read
 	check_equal(tracker.start(), OK, "it starts")
 	tracker.advance(5.0)
 	check_equal(_stamps, [1.0, 1.01, 1.02, 1.5] as Array[float], "its whole rows")
@@ -86,7 +86,7 @@ func test_loop_is_that_of_the_start() -> void:
 	check(tracker.is_finished(), "a track that was started without one has its end")
 	tracker.start()
 	source.loop = false
-	# expects error: a track in a loop is advanced by an hour at most
+	# expects error: advance() moves a looped track by at most an hour
 	tracker.advance(1e9)
 	check_equal(tracker.get_time(), 1.0, "one that was started in a loop goes on in it")
 	tracker.free()
@@ -111,9 +111,9 @@ func test_script_source() -> void:
 
 
 func test_frames_of_wrong_units_are_told_once() -> void:
-	# expects one warning: the hand moves and the time stands still
-	# expects one warning: times are in seconds
-	# expects one warning: positions are in metres
+	# expects one warning: the hand moves, but the time does not
+	# expects one warning: Push times in seconds
+	# expects one warning: Push positions in metres
 	for scale: Vector2 in [Vector2(0.0, 1.0), Vector2(1000.0, 1.0), Vector2(1.0, 1000.0)]:
 		var tracker := _make_tracker(ScriptSource.new())
 		tracker.start()
@@ -180,7 +180,7 @@ func test_what_is_played_is_not_recorded_over() -> void:
 	source.track = path
 	var tracker := _make_tracker(source)
 	var folder := path.get_base_dir()
-	# expects error: track.csv is the recording that it plays; record to another file
+	# expects error: track.csv. Record to another file
 	check_equal(tracker.start_recording(path), ERR_FILE_ALREADY_IN_USE, "before it is started")
 	tracker.start()
 	source.track = folder.path_join("other.csv")
@@ -205,7 +205,7 @@ func test_two_trackers_do_not_record_to_one_file() -> void:
 	check_equal(left.start_recording(path), OK, "one records")
 	# expects one error: /Right':
 	# expects one error: both.csv is being written by HandTracker '
-	# expects one error: /Left'; give each a file of its own
+	# expects one error: /Left'. Give each a file of its own
 	check_equal(right.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "the other not")
 	for i in 3:
 		for tracker in trackers:

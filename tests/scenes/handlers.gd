@@ -153,17 +153,17 @@ func test_numbers_that_are_none() -> void:
 	rig.record(0, 1000)
 	for no_time: float in [NAN, INF, -INF]:
 		check_equal(hmm.get_value_at(no_time), hmm.value, "at no time: now")
-	# expects error: HandTracker: update_mode must be an UpdateMode
+	# expects error: : update_mode must be one of UPDATE_*
 	rig.tracker.update_mode = 9 as HandTracker.UpdateMode
 	check_equal(rig.tracker.update_mode, HandTracker.UPDATE_MANUAL, "an update mode of none")
-	# expects error: GestureHMM: motion must be a Motion
+	# expects error: : motion must be one of MOTION_*
 	hmm.motion = 7 as GestureHMM.Motion
 	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "nor of a motion")
 	var spring := SpringEffect.new()
-	# expects error: SpringEffect: drive must be a Drive
+	# expects error: SpringEffect: drive must be one of DRIVE_*
 	spring.drive = 9 as HapticEffect.Drive
 	check_equal(spring.drive, HapticEffect.DRIVE_POSITION, "of a drive")
-	# expects error: SpringEffect: trigger must be a Trigger
+	# expects error: SpringEffect: trigger must be one of TRIGGER_*
 	spring.trigger = -1 as HapticEffect.Trigger
 	check_equal(spring.trigger, HapticEffect.TRIGGER_MOVING, "of a trigger")
 	rig.free_nodes()
@@ -180,11 +180,11 @@ func test_numbers_that_are_none() -> void:
 	var source := SyntheticSource.new()
 	source.seed = 1 << 40
 	check_equal(source.seed, 1 << 40, "a seed may have all bits")
-	# expects error: SyntheticSource: subject must be in 0..4294967295
+	# expects error: SyntheticSource: subject must be 0..4294967295
 	source.subject = 1 << 40
 	check_equal(source.subject, 0, "a subject has 32")
 	var synth := HapticSynth.new()
-	# expects error: HapticSynth: joypad must be -1 (none) or the number of one
+	# expects error: : joypad must be -1 (none) or the number of a joypad
 	synth.joypad = 1 << 40
 	check_equal(synth.joypad, -1, "and no joypad has such a number")
 	synth.free()
@@ -205,7 +205,7 @@ func test_a_gesture_that_needs_its_task_says_so() -> void:
 	for node: Node in [tracker, hmm]:
 		root.add_child(node)
 	tracker.start()
-	# expects warning: its motion is measured about the task's start
+	# expects warning: this gesture is measured from the task's start
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
 	check(hmm.gesture == &"", "without one it is not recognised")
 	for node: Node in [hmm, tracker]:

@@ -13,7 +13,7 @@ var _spring: HeardSpring
 
 
 func test_a_bus_that_comes_later_is_played_on() -> void:
-	# expects error: there is no audio bus 'Wristband'; nothing is played
+	# expects error: there is no audio bus 'Wristband', so nothing is played
 	_spring = HeardSpring.new(self, 0)
 	check_equal(await _heard(), 0.0, "nothing without it")
 	AudioServer.add_bus()

@@ -6,6 +6,8 @@ const Waveform := preload("support/waveform.gd")
 
 const RATE_HZ := 48000
 const LAST_STEP := 2400
+const LIVE_STEP_S := 0.01
+const LIVE_STEPS := 240
 const CLIP := """{ "version": { "major": 1, "minor": 0, "patch": 0 }, "metadata": {},
 	"signals": { "continuous": { "envelopes": {
 		"amplitude": [ { "time": 0, "amplitude": %s }, { "time": 0.2, "amplitude": 0.5 } ],
@@ -15,6 +17,9 @@ const PATTERN := """{ "Version": 1.0, "Pattern": [ { "Event": { "Time": 0.05,
 		{ "ParameterID": "HapticSharpness", "ParameterValue": 1 } ] } } ] }"""
 
 var _folder := DirAccess.create_temp("steadyhand_clip")
+## On the tracker's clock: the first sample, and gesture_started.
+var _began_s := NAN
+var _started_s := NAN
 
 
 func test_a_file_loads_as_an_effect() -> void:
@@ -62,7 +67,7 @@ func test_an_empty_clip_is_not_saved() -> void:
 
 
 func test_bad_ranges_are_refused() -> void:
-	# expects error: HapticClip: lowest_frequency must be within 1.0..1000.0
+	# expects error: HapticClip: lowest_frequency must be 1.0..1000.0
 	var clip := HapticClip.new()
 	for number: float in [0.0, 1e9, -1.0, INF, NAN]:
 		clip.lowest_frequency = number
@@ -86,6 +91,49 @@ func test_a_clip_is_played_at_the_contact() -> void:
 		worst = maxf(worst, absf(samples[first - 1 + i] - 0.5 * expected[i]))
 	check(worst < 1e-3, "every sample of it: within %s" % worst)
 	check_equal(Waveform.peak(samples.slice(first + expected.size())), 0.0, "then silence")
+
+
+func test_a_clip_is_played_at_the_start_of_a_gesture() -> void:
+	var clip := HapticClip.load_file(_write("start.haptic", CLIP % "0.5"))
+	clip.trigger = HapticEffect.TRIGGER_START
+	var samples := _play(clip)
+	var expected := clip.get_waveform(RATE_HZ)
+	var first := roundi((_started_s - _began_s) * RATE_HZ)
+	var worst := 0.0
+	for i in expected.size():
+		worst = maxf(worst, absf(samples[first + i] - expected[i]))
+	check(worst < 1e-3, "each sample of it from gesture_started on: within %s" % worst)
+	check_equal(Waveform.peak(samples.slice(0, first)), 0.0, "silence before it")
+	check_equal(Waveform.peak(samples.slice(first + expected.size() + 1)), 0.0, "and after")
+	var again: HapticClip = clip.duplicate()
+	check_equal(again.trigger, HapticEffect.TRIGGER_START, "a copy is played at the start too")
+
+
+func test_a_clip_at_the_start_is_heard_live() -> void:
+	var clip := HapticClip.load_file(_write("live.haptic", CLIP % "0.5"))
+	clip.trigger = HapticEffect.TRIGGER_START
+	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "tap")
+	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
+	var synth := HapticSynth.new()
+	synth.gesture_hmm = rig.gesture_hmm
+	synth.effects = [clip]
+	root.add_child(synth)
+	_watch_start(rig)
+	rig.tracker.start()
+	var heard_s := NAN
+	var plays := 0
+	for step in range(ceili(rig.tracker.get_start_time() / LIVE_STEP_S), LIVE_STEPS):
+		rig.tracker.advance_to(step * LIVE_STEP_S)
+		var is_loud := false
+		for sample in synth.get_buffer(roundi(LIVE_STEP_S * RATE_HZ)):
+			is_loud = is_loud or absf(sample.x) > 0.1
+		if is_loud and is_nan(heard_s):
+			heard_s = step * LIVE_STEP_S
+		plays += int(is_loud)
+	check(heard_s - _started_s < 0.05, "soon after %s s: at %s s" % [_started_s, heard_s])
+	check_near(plays * LIVE_STEP_S, clip.duration, 2.0 * LIVE_STEP_S, "once")
+	synth.free()
+	rig.free_nodes()
 
 
 func test_a_played_motion_becomes_a_clip() -> void:
@@ -125,6 +173,12 @@ func _write(name: String, text: String) -> String:
 	return _path(name)
 
 
+func _watch_start(rig: Rig) -> void:
+	rig.gesture_hmm.gesture_started.connect(
+		func(_gesture: StringName, _task: GestureTask) -> void: _started_s = rig.gesture_hmm.time
+	)
+
+
 ## A tap through the nodes, into tap.wav.
 func _play(effect: HapticEffect) -> PackedFloat32Array:
 	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "tap")
@@ -134,8 +188,11 @@ func _play(effect: HapticEffect) -> PackedFloat32Array:
 	synth.effects = [effect]
 	synth.wav_path = _path("tap.wav")
 	root.add_child(synth)
+	_watch_start(rig)
 	rig.tracker.start()
-	for step in range(ceili(rig.tracker.get_start_time() / Rig.STEP_S), LAST_STEP + 1):
+	var first_step := ceili(rig.tracker.get_start_time() / Rig.STEP_S)
+	_began_s = first_step * Rig.STEP_S
+	for step in range(first_step, LAST_STEP + 1):
 		rig.tracker.advance_to(step * Rig.STEP_S)
 	synth.stop_wav()
 	synth.free()

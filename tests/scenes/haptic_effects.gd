@@ -50,7 +50,7 @@ func test_a_tap_is_an_impulse_from_the_sample_of_the_contact_on() -> void:
 
 
 func test_more_than_eight_effects_are_told_of() -> void:
-	# expects warning: only the first 8 effects are played
+	# expects warning: only the first 8 of 9 effects are played
 	var effects: Array[HapticEffect] = []
 	for i in 9:
 		effects.append(SpringEffect.new())
@@ -102,10 +102,10 @@ func test_a_custom_waveform_is_played_at_the_arrival() -> void:
 
 
 func test_an_effect_ends_in_time() -> void:
-	# expects error: ImpulseEffect: decay must be within 1.0..10000.0
-	# expects error: InertialViscousEffect: duration must be within 0.001..10.0
-	# expects error: CustomEffect: duration must be within 0.001..10.0
-	# expects error: CustomEffect: waveform_rate must be within 1000.0..192000.0
+	# expects error: ImpulseEffect: decay must be 1.0..10000.0
+	# expects error: InertialViscousEffect: duration must be 0.001..10.0
+	# expects error: CustomEffect: duration must be 0.001..10.0
+	# expects error: CustomEffect: waveform_rate must be 1000.0..192000.0
 	var impulse := ImpulseEffect.new()
 	var cue := InertialViscousEffect.new()
 	var custom := CustomEffect.new()
@@ -138,7 +138,7 @@ func test_the_device_decides_frequency_and_strength() -> void:
 
 
 func test_a_response_is_filled_in_point_by_point() -> void:
-	# expects warning: HapticDeviceProfile: points of "response" are left out
+	# expects warning: HapticDeviceProfile: some points of "response" are left out
 	var device := HapticDeviceProfile.new()
 	var synth := HapticSynth.new()
 	synth.device = device

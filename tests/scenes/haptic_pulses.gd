@@ -90,8 +90,8 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 
 
 func test_a_tracker_that_does_not_vibrate_is_told_of() -> void:
-	# expects one warning: left_hand or right_hand: /user/hand_tracker/right does not vibrate
-	# expects one warning: left_hand or right_hand: head does not vibrate
+	# expects one warning: left_hand: /user/hand_tracker/right does not vibrate
+	# expects one warning: left_hand: head does not vibrate
 	for name: StringName in [&"/user/hand_tracker/right", &"head", &"right_hand"]:
 		var synth := HapticSynth.new()
 		var controller := XRController3D.new()
@@ -151,7 +151,7 @@ func test_the_warning_of_a_missing_joypad_follows_joypads_that_come_and_go() -> 
 func test_what_is_missing_is_said_once() -> void:
 	# expects one warning: Connect joypad 7,
 	# expects one warning: Connect joypad 8,
-	# expects one warning: Set the "tracker" of the node in "controller"
+	# expects one warning: Set the "tracker" of the node in "controller", for example
 	var synth := HapticSynth.new()
 	synth.joypad = 7
 	var controller := XRNode3D.new()

@@ -40,7 +40,7 @@ func test_a_preview_is_as_strong_as_the_effect() -> void:
 
 
 func test_a_preview_of_a_wrong_rate_is_refused() -> void:
-	# expects error: SpringEffect: the sample rate must be in 8000..192000 Hz
+	# expects error: SpringEffect: the sample rate must be 8000..192000 Hz
 	check_equal(SpringEffect.new().get_preview(1000).size(), 0, "nothing")
 
 

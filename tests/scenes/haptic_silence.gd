@@ -12,7 +12,7 @@ var _trials := Rig.write_trials(_folder.get_current_dir())
 
 
 func test_without_an_output_it_is_said_once() -> void:
-	# expects one warning: /Mute': nothing is felt: it has no "bus"
+	# expects one warning: /Mute': nothing is felt. Set its "bus"
 	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
 	var mute := _make(rig, "Mute")
 	var to_file := _make(rig, "ToFile")

@@ -29,7 +29,7 @@ func test_a_lost_hand_comes_back_with_another_id() -> void:
 
 
 func test_a_connection_that_drops_is_made_again() -> void:
-	# expects error: has closed the connection; it is tried again
+	# expects error: has closed the connection. LeapSource tries again
 	var service := _service("drop")
 	var drag := await _drag(service)
 	check_equal(drag.failures.size(), 1, "one failure: %s" % [drag.failures])
@@ -40,7 +40,7 @@ func test_a_connection_that_drops_is_made_again() -> void:
 
 func test_a_service_that_is_killed_and_comes_back() -> void:
 	# expects error: no service answers at ws://127.0.0.1
-	# expects error: has closed the connection; it is tried again
+	# expects error: has closed the connection. LeapSource tries again
 	var drag := SourceDrag.new(self, _folder.get_current_dir(), Vector3.ZERO)
 	# A port that is free now.
 	var stopped := _service("play")

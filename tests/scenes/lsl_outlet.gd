@@ -24,7 +24,7 @@ func test_without_liblsl_it_warns_once_and_frames_go_on() -> void:
 	_free(outlet)
 
 
-# expects error: LslOutlet: stream_name must not be empty
+# expects error: stream_name must not be empty
 func test_an_empty_stream_name_is_refused() -> void:
 	var outlet := LslOutlet.new()
 	outlet.stream_name = ""

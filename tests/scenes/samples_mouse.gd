@@ -46,7 +46,7 @@ func test_the_mouse_moves_the_slider_and_pulls_the_drawer() -> void:
 
 
 func test_a_mouse_without_a_task_says_what_to_set() -> void:
-	# expects error: set task_path of the MouseSource to a GestureTask
+	# expects error: set "task_path" of the MouseSource to a GestureTask
 	var tracker := HandTracker.new()
 	tracker.source = MouseSource.new()
 	root.add_child(tracker)

@@ -163,7 +163,7 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		if are_others:
 			tasks.append(other)
 		var hmm := _hmm(tasks)
-		# expects one warning: none of its tasks is there any more
+		# expects one warning: all of its "tasks" were freed
 		hmm.tracker.frame_received.connect(
 			func(_frame: HandFrame) -> void: task.free(), CONNECT_ONE_SHOT
 		)
@@ -181,7 +181,7 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 	nowhere.name = &"Nowhere"
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([nowhere, task])
-	# expects one warning: /Nowhere', the task of 'tap': its global position is not finite
+	# expects one warning: /Nowhere': its global position is not finite
 	hmm.tracker.frame_received.connect(
 		func(_frame: HandFrame) -> void:
 			nowhere.position.y = NAN
@@ -195,8 +195,8 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 
 
 func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_another_way() -> void:
-	# expects one warning: Set "direction" of the task of 'vertical_drag'
-	# expects one warning: Set "direction" of the task of 'tap'
+	# expects one warning: to that of 'vertical_drag', is (1, 0, 0)
+	# expects one warning: to that of 'tap', is (1, 0, 0)
 	for gesture: StringName in [&"vertical_drag", &"tap"]:
 		for turned: float in [0.0, 0.5 * PI]:
 			var task := _task(gesture, Vector3.ZERO, Vector3.RIGHT, 0.2)
@@ -209,9 +209,9 @@ func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_anothe
 
 
 func test_a_task_in_millimetres_is_told_of() -> void:
-	# expects error: GestureTask: amplitude must be
-	# expects one error: GestureTask: start_radius must be
-	# expects one warning: "amplitude" of the task of 'horizontal_drag' in metres; it is 200
+	# expects error: : amplitude must be
+	# expects one error: : start_radius must be
+	# expects one warning: in metres, is 200
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	task.amplitude = 1e300
 	task.amplitude = 1e-300

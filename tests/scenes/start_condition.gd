@@ -82,7 +82,7 @@ func test_the_pointing_pose_starts_a_drag() -> void:
 
 
 func test_joints_that_a_condition_needs_and_no_frame_holds() -> void:
-	# expects one warning: "start_condition" is judged by thumb, index: no frame has held thumb
+	# expects one warning: "start_condition" needs thumb, index; no frame had thumb
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_PINCH
 	_drag(func(_time_s: float) -> Dictionary: return {HandTracker.JOINT_INDEX: Vector3.ZERO})
@@ -91,7 +91,7 @@ func test_joints_that_a_condition_needs_and_no_frame_holds() -> void:
 
 
 func test_a_zoom_cannot_be_pinched() -> void:
-	# expects one warning: Set "start_condition" to another one than the pinch for 'zoom'
+	# expects one warning: Set "start_condition" to another one than START_PINCH: 'zoom'
 	_make_nodes(false)
 	_hmm.models = [load(MODEL % "zoom") as GestureModel]
 	_hmm.start_condition = GestureHMM.START_PINCH
@@ -100,9 +100,9 @@ func test_a_zoom_cannot_be_pinched() -> void:
 
 
 func test_values_that_cannot_be() -> void:
-	# expects error: start_condition must be a StartCondition
-	# expects error: dwell_time must be within 0.1..3 s
-	# expects error: pinch_distance must be within 0.005..0.1 m
+	# expects error: start_condition must be one of START_*
+	# expects error: dwell_time must be 0.1..3 s
+	# expects error: pinch_distance must be 0.005..0.1 m
 	_make_nodes(true)
 	_hmm.set("start_condition", 4)
 	_hmm.dwell_time = NAN

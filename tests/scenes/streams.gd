@@ -26,7 +26,7 @@ func test_a_tracker_that_stops_leaves_no_gesture() -> void:
 				tracker.start()
 			&"no_source":
 				tracker.source = RecordedSource.new()
-				# expects one error: set "track" of the RecordedSource to a track CSV
+				# expects one error: set "track" of the RecordedSource to a recording (*.csv)
 				check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot be started")
 		check_equal(_said, ["started", "aborted"] as Array[String], "%s: what is said" % how)
 		check_equal(hmm.gesture, &"", "%s: no gesture is under way" % how)
@@ -91,7 +91,7 @@ func test_a_clock_that_begins_anew() -> void:
 	var losses: Array[float] = []
 	tracker.tracking_lost.connect(func() -> void: losses.append(tracker.get_time()))
 	tracker.push_frame(1000.0, _hand(0.0))
-	# expects one error: s is before 1000.0 s; call start() where a device's clock begins anew
+	# expects one error: s is before 1000.0 s, the time of the last frame
 	for time_s: float in [0.0, 0.5]:
 		check_equal(tracker.push_frame(time_s, _hand(0.0)), ERR_INVALID_PARAMETER, "refused")
 		tracker.push_frame(1000.1, _hand(0.0))
@@ -106,8 +106,8 @@ func test_a_clock_that_begins_anew() -> void:
 
 
 func test_a_hand_that_never_comes_is_told_of_once() -> void:
-	# expects one warning: no frame has come in 5 s of HandTracker '
-	# expects one warning: no hand has come in 20 s: all frames of HandTracker '
+	# expects one warning: no frame for 5 s from HandTracker '
+	# expects one warning: no hand for 20 s: all frames of HandTracker '
 	Engine.time_scale = 100.0
 	for what: StringName in [&"nothing", &"empty", &"hand", &"not_running", &"synthetic"]:
 		var hmm := _hmm()
@@ -133,7 +133,7 @@ func test_a_hand_that_never_comes_is_told_of_once() -> void:
 
 
 func test_a_tracker_that_is_taken_away_is_not_missed() -> void:
-	# expects one warning: nothing is recognised until its "tracker" is set
+	# expects one warning: no gesture is recognised. Set its "tracker"
 	var without := GestureHMM.new()
 	root.add_child(without)
 	for what: StringName in [&"set_to_none", &"freed"]:

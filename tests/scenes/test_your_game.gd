@@ -119,8 +119,8 @@ func test_a_hand_that_no_tracker_follows_says_so() -> void:
 
 
 func test_a_hand_whose_time_stands_still_says_so() -> void:
-	# expects one error: GestureTestHand: its time stands still, as HandTracker 'Paused' is paused
-	# expects one error: as HandTracker 'Manual' is advanced by hand: set update_mode
+	# expects one error: its time does not advance, because HandTracker 'Paused' is paused
+	# expects one error: because HandTracker 'Manual' is in UPDATE_MANUAL. Set another update_mode
 	var hand := _make_nodes()
 	_tracker.name = &"Paused"
 	paused = true

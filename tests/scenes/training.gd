@@ -205,9 +205,9 @@ func test_training_on_what_is_not_there() -> void:
 
 
 func test_settings_out_of_range_are_refused() -> void:
-	# expects error: GestureTrainer: states must be in 1..20
-	# expects error: GestureTrainer: symbols must be in 1..1024
-	# expects error: GestureTrainer: r2_threshold must be within 0..1
+	# expects error: GestureTrainer: states must be 1..20, is
+	# expects error: GestureTrainer: symbols must be 1..1024, is
+	# expects error: GestureTrainer: r2_threshold must be 0..1, is
 	var trainer := GestureTrainer.new()
 	trainer.states = 0
 	trainer.symbols = 99999

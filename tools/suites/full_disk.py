@@ -197,7 +197,9 @@ def vibration(folder: Path) -> Iterator[Outcome]:
     _, output = run(["bash", "-c", "trap '' XFSZ; exec \"$@\"", "limited", *godot(script, wav)], kill_s=60)
     good = is_whole_wav(wav) and wav.stat().st_size <= 150_001
     yield Outcome.of("command/full disk: vibration ends where the disk was full, and its header says so", good, output)
-    yield Outcome.of("command/full disk: that is said once", output.count("writing the vibration fails") == 1, output)
+    yield Outcome.of(
+        "command/full disk: that is said once", output.count("the vibration cannot be written") == 1, output
+    )
 
 
 def picture(folder: Path) -> Iterator[Outcome]:

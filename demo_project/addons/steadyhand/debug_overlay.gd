@@ -1,7 +1,8 @@
 extends CanvasLayer
 ## Shows in a running game how a HandTracker does, what a GestureHMM makes of it, and why no gesture
 ## starts; and in the scene the measured fingertip beside the motion that is put out. Add
-## debug_overlay.tscn to a scene and set `gesture_hmm`, or `tracker` alone.
+## debug_overlay.tscn to a scene. It shows `gesture_hmm`, or `tracker` alone; if neither is set, the
+## first GestureHMM of the tree.
 
 const EditorLink := preload("debug_overlay/editor_link.gd")
 const IdleReason := preload("debug_overlay/idle_reason.gd")
@@ -31,6 +32,7 @@ var _reason := IdleReason.new()
 
 func _ready() -> void:
 	_link.follow(_followed)
+	_choose.call_deferred()  # a script may set what it shows just after it has added it
 
 
 func _process(delta: float) -> void:
@@ -98,6 +100,12 @@ func describe_gesture() -> String:
 			gesture_hmm.state
 		]
 	)
+
+
+func _choose() -> void:
+	if gesture_hmm == null and tracker == null and is_inside_tree():
+		var found := get_tree().root.find_children("*", "GestureHMM", true, false)
+		gesture_hmm = found[0] as GestureHMM if not found.is_empty() else null
 
 
 ## The tracker may be exchanged at any time.

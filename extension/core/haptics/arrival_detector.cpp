@@ -22,8 +22,14 @@ void ArrivalDetector::push(double t_s, const MotionSnapshot::Knot &motion, std::
 	if (last_.time_s > t_s) {
 		last_ = {}; // of a run whose time was another
 	}
+	if (onset_.time_s > t_s) {
+		onset_ = {};
+	}
 	const bool begins = gesture != 0 && gesture != gesture_;
 	const bool again = gesture != 0 && !awaits_ && motion.position < AGAIN_BELOW;
+	if (begins) {
+		onset_ = { ++starts_, t_s, std::abs(motion.velocity) * amplitude_m };
+	}
 	if (begins || again) {
 		awaits_ = true;
 		++number_;

@@ -26,6 +26,8 @@ public:
 	/// A gesture is under way and has not arrived.
 	[[nodiscard]] bool is_moving() const { return awaits_ && !was_there_; }
 	[[nodiscard]] const Arrival &last() const { return last_; }
+	/// The last start of a gesture: the first instant at which it was under way.
+	[[nodiscard]] const Arrival &onset() const { return onset_; }
 	/// The next one by what the snapshot says of the time after `after_s`; number 0 where it says none.
 	[[nodiscard]] Arrival expected(const MotionSnapshot &ahead, double after_s) const;
 
@@ -40,6 +42,8 @@ private:
 	MotionSnapshot::Knot before_;
 	std::uint32_t number_ = 0; ///< of the arrival that is awaited or was the last
 	Arrival last_;
+	std::uint32_t starts_ = 0;
+	Arrival onset_;
 };
 
 } // namespace steadyhand

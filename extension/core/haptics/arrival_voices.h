@@ -13,11 +13,11 @@ namespace steadyhand {
 /// of them sound, one more is let pass.
 class ArrivalVoices {
 public:
-	/// All effects of the set that an arrival triggers; first, motion: as of ArrivalVoice.
-	void start(const EffectSet &effects, const Arrival &arrival, std::int32_t first,
+	/// All effects of the set with this trigger, ARRIVAL or START; first, motion: as of ArrivalVoice.
+	void start(const EffectSet &effects, Trigger trigger, const Arrival &arrival, std::int32_t first,
 			const MotionPoint &motion, const Stretch &stretch) {
 		for (std::size_t i = 0; i < effects.count; ++i) {
-			if (effects.effects[i].trigger != Trigger::ARRIVAL) {
+			if (effects.effects[i].trigger != trigger) {
 				continue;
 			}
 			const auto free = std::find_if(voices_.begin(), voices_.end(),

@@ -37,7 +37,7 @@ ClipPlayback playback_from_json(const Json &metadata) {
 		return static_cast<int>(within_or(json, key, 0.0, most, otherwise));
 	};
 	playback.trigger = static_cast<Trigger>(
-			whole("trigger", static_cast<int>(Trigger::ARRIVAL), static_cast<int>(playback.trigger)));
+			whole("trigger", static_cast<int>(Trigger::START), static_cast<int>(playback.trigger)));
 	playback.drive = static_cast<Drive>(
 			whole("drive", static_cast<int>(Drive::ACCELERATION), static_cast<int>(playback.drive)));
 	playback.gain = within_or(json, "gain", 0.0, 1.0, playback.gain);

@@ -104,7 +104,7 @@ LevelPoint level_of(const Effect &effect, const MotionPoint &motion, double ampl
 				effect.most);
 	}
 	const LevelPoint drive = held(drive_of(effect, motion, amplitude_m), 1.0);
-	if (effect.shape == Shape::CURVE && effect.trigger != Trigger::ARRIVAL && effect.table.count > 0) {
+	if (effect.shape == Shape::CURVE && !effect.is_cue() && effect.table.count > 0) {
 		const double cells = static_cast<double>(effect.table.count - 1);
 		return held({ effect.gain * effect.table.value(cells * drive.value),
 							effect.gain * effect.table.slope(cells * drive.value) * cells * drive.slope },
@@ -182,18 +182,19 @@ EffectSet effects_of_gesture(std::string_view gesture) {
 }
 
 Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &motion, bool is_moving,
-		double amplitude_m, const Arrival &arrival) {
+		double amplitude_m, const Arrival &arrival, const Arrival &onset) {
 	Strength strength;
 	double strongest = 0.0;
 	for (std::size_t i = 0; i < effects.count; ++i) {
 		const Effect &effect = effects.effects[i];
 		double amplitude = 0.0, frequency_hz = effect.frequency_hz;
-		if (effect.trigger == Trigger::ARRIVAL) {
-			const double since_s = t_s - arrival.time_s;
-			if (arrival.number == 0 || !(since_s >= 0.0) || since_s >= effect.length_s()) {
+		if (effect.is_cue()) {
+			const Arrival &cause = effect.trigger == Trigger::START ? onset : arrival;
+			const double since_s = t_s - cause.time_s;
+			if (cause.number == 0 || !(since_s >= 0.0) || since_s >= effect.length_s()) {
 				continue;
 			}
-			amplitude = peak_of(effect, arrival, motion, amplitude_m);
+			amplitude = peak_of(effect, cause, motion, amplitude_m);
 			if (effect.shape == Shape::DECAYING_SINE) {
 				amplitude *= std::exp(-effect.decay_per_s * since_s);
 			} else if (effect.shape == Shape::CURVE) {

@@ -12,9 +12,9 @@ namespace steadyhand {
 /// What of the motion an effect's amplitude follows.
 enum class Drive : std::uint8_t { CONSTANT, POSITION, VELOCITY, ACCELERATION };
 
-/// When an effect is felt: as long as motion comes, while a gesture is under way and has not arrived, or from
-/// the instant on at which it arrives.
-enum class Trigger : std::uint8_t { ALWAYS, MOVING, ARRIVAL };
+/// When an effect is felt: as long as motion comes; while a gesture is active and has not arrived; or once,
+/// from the instant on at which it arrives, or at which its start is recognised.
+enum class Trigger : std::uint8_t { ALWAYS, MOVING, ARRIVAL, START };
 
 enum class Shape : std::uint8_t {
 	SINE,             ///< M sin(2 pi f t)
@@ -58,12 +58,12 @@ struct Effect {
 	bool fades = true;           ///< samples swell and die away; otherwise they begin and end at 0 themselves
 	Table frequency_table;       ///< of a curve that follows the drive: its carrier over the drive, Hz
 
-	/// How long it goes on after an arrival.
+	/// It is felt once, from an arrival or a start on.
+	[[nodiscard]] bool is_cue() const { return trigger == Trigger::ARRIVAL || trigger == Trigger::START; }
+	/// How long a cue goes on.
 	[[nodiscard]] double length_s() const;
 	/// Whether its amplitude changes with the motion while it lasts.
-	[[nodiscard]] bool follows_motion() const {
-		return trigger != Trigger::ARRIVAL || shape == Shape::INERTIAL_VISCOUS;
-	}
+	[[nodiscard]] bool follows_motion() const { return !is_cue() || shape == Shape::INERTIAL_VISCOUS; }
 	[[nodiscard]] bool follows_acceleration() const {
 		return shape == Shape::INERTIAL_VISCOUS || drive == Drive::ACCELERATION;
 	}
@@ -125,8 +125,8 @@ struct Strength {
 	double frequency_hz = 0.0; ///< of the strongest effect
 };
 
-/// arrival: the last one.
+/// arrival, onset: the last ones.
 [[nodiscard]] Strength strength_of(const EffectSet &effects, double t_s, const MotionPoint &motion,
-		bool is_moving, double amplitude_m, const Arrival &arrival);
+		bool is_moving, double amplitude_m, const Arrival &arrival, const Arrival &onset = {});
 
 } // namespace steadyhand

@@ -13,6 +13,8 @@ namespace steadyhand {
 namespace {
 
 constexpr double PERIOD_S = 0.01;
+/// Where a start is recognised, in amplitudes.
+constexpr double START_LEVEL = 0.1;
 
 MotionSnapshot::Knot knot_at(double t_s) {
 	const Polynomial::Point point = minimum_jerk(t_s / PREVIEW_MOVEMENT_S);
@@ -42,7 +44,7 @@ std::vector<float> preview_of(const Effect &effect, double sample_rate_hz) {
 	vibration.seek(0.0);
 	std::vector<float> samples(
 			static_cast<std::size_t>(std::lround(PREVIEW_LENGTH_S * vibration.sample_rate_hz())));
-	Arrival arrival;
+	Arrival arrival, onset;
 	std::span<float> left(samples);
 	while (!left.empty()) {
 		MotionSnapshot snapshot = snapshot_at(vibration.time_s());
@@ -50,7 +52,12 @@ std::vector<float> preview_of(const Effect &effect, double sample_rate_hz) {
 				arrival.number == 0 && std::isfinite(time_s)) {
 			arrival = { 1, time_s, PREVIEW_AMPLITUDE_M * snapshot.at(time_s).velocity };
 		}
+		if (const double time_s = snapshot.reaches_s(START_LEVEL, snapshot.time_s);
+				onset.number == 0 && std::isfinite(time_s)) {
+			onset = { 1, time_s, PREVIEW_AMPLITUDE_M * snapshot.at(time_s).velocity };
+		}
 		snapshot.arrival = arrival;
+		snapshot.onset = onset;
 		vibration.set_motion(snapshot);
 		const std::span<float> run = left.first(std::min(left.size(), RUN));
 		vibration.render(run);

@@ -70,6 +70,7 @@ void MotionCurve::set(const MotionSnapshot &snapshot) {
 	snapshot_.amplitude_m = snapshot.amplitude_m;
 	snapshot_.arrival = snapshot.arrival;
 	snapshot_.expected = snapshot.expected;
+	snapshot_.onset = snapshot.onset;
 	snapshot_.is_fitted = snapshot.is_fitted;
 	std::copy_n(snapshot.knots.begin(), snapshot.count, snapshot_.knots.begin());
 	knots_per_s_ = 1.0 / snapshot.period_s;

@@ -10,7 +10,8 @@
 
 namespace steadyhand {
 
-/// The motion has come to where it leads: a tap to its surface, a drag to its end.
+/// The motion has come to where it leads: a tap to its surface, a drag to its end. Also the start of a
+/// gesture.
 struct Arrival {
 	std::uint32_t number = 0; ///< counts them, from 1; 0: none
 	double time_s = 0.0;
@@ -39,6 +40,7 @@ struct MotionSnapshot {
 	double amplitude_m = 0.0; ///< of the task
 	Arrival arrival;          ///< the last one
 	Arrival expected; ///< the next one, if all goes on as it does; with a later snapshot it may be gone
+	Arrival onset;    ///< the last start of a gesture, when it was recognised
 	bool is_fitted = false;
 	std::array<Knot, MOST_KNOTS> knots{};
 

@@ -16,8 +16,8 @@ constexpr double LEAP_S = 0.1;
 
 void PulseTrain::listen(
 		const EffectSet &effects, const MotionSnapshot &motion, const Arrival &arrival, double t_s) {
-	const Strength strength =
-			strength_of(effects, t_s, motion.at(t_s), motion.is_moving(t_s), motion.amplitude_m, arrival);
+	const Strength strength = strength_of(
+			effects, t_s, motion.at(t_s), motion.is_moving(t_s), motion.amplitude_m, arrival, motion.onset);
 	if (strength.amplitude > greatest_.amplitude) {
 		greatest_ = strength;
 	}
@@ -43,6 +43,13 @@ std::optional<Pulse> PulseTrain::next(const EffectSet &effects, const LiveMotion
 	if (arrives) {
 		listen(effects, motion, arrival, arrival.time_s);
 	}
+	const double begun_s = until_s - motion.onset.time_s;
+	const bool begins =
+			motion.onset.number > begun_ && begun_s >= 0.0 && begun_s <= Vibration::LATEST_START_S;
+	if (begins) {
+		listen(effects, motion, arrival, motion.onset.time_s);
+		begun_ = motion.onset.number;
+	}
 	arrived_ = std::max(arrived_, motion.arrival.number);
 	arrived_ = arrives ? arrival.number : arrived_;
 	const int looks = std::max(1, static_cast<int>((until_s - now_s_) / LOOK_S));
@@ -50,7 +57,7 @@ std::optional<Pulse> PulseTrain::next(const EffectSet &effects, const LiveMotion
 		listen(effects, motion, arrival, now_s_ + (until_s - now_s_) * i / looks);
 	}
 	now_s_ = until_s;
-	if (!arrives && until_s < told_s_ + PERIOD_S) {
+	if (!arrives && !begins && until_s < told_s_ + PERIOD_S) {
 		return std::nullopt;
 	}
 	const Pulse pulse{ greatest_.amplitude, greatest_.low, greatest_.frequency_hz, DURATION_S };
@@ -63,9 +70,10 @@ std::optional<Pulse> PulseTrain::next(const EffectSet &effects, const LiveMotion
 
 bool PulseTrain::restart() {
 	const bool sounded = sounds_;
-	const std::uint32_t arrived = arrived_;
+	const std::uint32_t arrived = arrived_, begun = begun_;
 	*this = {};
 	arrived_ = arrived;
+	begun_ = begun;
 	return sounded;
 }
 

@@ -27,8 +27,8 @@ public:
 	/// A motor of which the game tells no more (it stands still, or has crashed) stops by itself.
 	static constexpr double DURATION_S = 0.1;
 
-	/// Once a frame; the pulse that is due, if one is. An arrival does not wait for its turn. Silence is told
-	/// once: by an amplitude of 0.
+	/// Once a frame; the pulse that is due, if one is. An arrival or a start does not wait for its turn.
+	/// Silence is told once: by an amplitude of 0.
 	[[nodiscard]] std::optional<Pulse> next(const EffectSet &effects, const LiveMotion &motion);
 	/// Time starts anew. Whether a pulse is under way that should be stopped.
 	bool restart();
@@ -39,7 +39,7 @@ private:
 	double now_s_ = 0.0;  ///< known up to here
 	double told_s_ = 0.0; ///< time of the last pulse
 	Strength greatest_;   ///< since then
-	std::uint32_t arrived_ = 0;
+	std::uint32_t arrived_ = 0, begun_ = 0;
 
 	void listen(const EffectSet &effects, const MotionSnapshot &motion, const Arrival &arrival, double t_s);
 };

@@ -35,7 +35,7 @@ void Vibration::set_effects(const EffectSet &effects) {
 	for (std::size_t i = 0; i < effects.count; ++i) {
 		const Effect &effect = effects.effects[i];
 		effects_follow_ = effects_follow_ || effect.follows_motion();
-		if (effect.trigger == Trigger::ARRIVAL) {
+		if (effect.is_cue()) {
 			continue;
 		}
 		if (effect.follows_acceleration()) {
@@ -171,6 +171,12 @@ std::size_t Vibration::longest_stretch(double from_s) const {
 			runs = left_s > run_s ? static_cast<std::size_t>(left_s / run_s) : 1;
 		}
 	}
+	// Live, it is in the past by now; in a file, it may be still to come.
+	const Arrival &onset = motion_.snapshot().onset;
+	if (const double left_s = onset.time_s - from_s;
+			onset.number > begun_ && left_s < static_cast<double>(runs) * run_s) {
+		runs = left_s > run_s ? static_cast<std::size_t>(left_s / run_s) : 1;
+	}
 	return runs;
 }
 
@@ -256,14 +262,19 @@ void Vibration::begin_arrivals(double from_s) {
 	const double length_s = stretch_.pace * stretch_.length_s;
 	for (const Arrival *const arrival : { &motion_.snapshot().arrival, &motion_.snapshot().expected }) {
 		if (arrival->number > arrived_ && arrival->time_s < from_s + length_s) {
-			arrive(*arrival, from_s, length_s);
+			arrived_ = arrival->number;
+			begin_cues(Trigger::ARRIVAL, *arrival, from_s, length_s);
 		}
+	}
+	const Arrival &onset = motion_.snapshot().onset;
+	if (onset.number > begun_ && onset.time_s < from_s + length_s) {
+		begun_ = onset.number;
+		begin_cues(Trigger::START, onset, from_s, length_s);
 	}
 }
 
-void Vibration::arrive(const Arrival &arrival, double from_s, double length_s) {
-	arrived_ = arrival.number;
-	if (from_s - arrival.time_s > LATEST_S) {
+void Vibration::begin_cues(Trigger trigger, const Arrival &arrival, double from_s, double length_s) {
+	if (from_s - arrival.time_s > (trigger == Trigger::START ? LATEST_START_S : LATEST_S)) {
 		return;
 	}
 	const double share = std::max(arrival.time_s - from_s, 0.0) / length_s;
@@ -272,7 +283,7 @@ void Vibration::arrive(const Arrival &arrival, double from_s, double length_s) {
 	const auto first = static_cast<std::int32_t>(
 			std::ceil(std::max(share * static_cast<double>(stretch_.runs * RUN) - GRAIN, 0.0)));
 	const MotionPoint motion = motion_.at(std::max(arrival.time_s, from_s));
-	arrivals_.start(effects_, arrival, first, motion, stretch_);
+	arrivals_.start(effects_, trigger, arrival, first, motion, stretch_);
 }
 
 void Vibration::make(float *frames, std::size_t runs) {

@@ -28,6 +28,9 @@ public:
 	/// An arrival that is noticed later than this is let pass: up to here hardly anyone feels that a cue is
 	/// late (Di Luca & Mahnan 2019, World Haptics Conference).
 	static constexpr double LATEST_S = 0.05;
+	/// A start is never predicted: it is known a frame of the game after it was recognised, and is felt after
+	/// the latency of the output.
+	static constexpr double LATEST_START_S = 0.2;
 	/// Live motion that is not heard of for so long, by the samples made, is over: it fades out. Where
 	/// samples are made for longer than that at a time, so that nothing can be heard of in between, for half
 	/// as long again as twice in a row, up to the limit, which holds until it has been heard of twice.
@@ -81,6 +84,7 @@ private:
 	double last_gap_s_ = MOST_PATIENCE_S; ///< so long was unheard of before the last one
 	double patience_s_ = MOST_PATIENCE_S;
 	std::uint32_t arrived_ = 0; ///< number of the last one that was felt, or let pass
+	std::uint32_t begun_ = 0;   ///< the same of starts
 	std::size_t in_use_ = 0;    ///< of the sustained voices: those that may sound
 	std::array<SustainedVoice, EffectSet::MOST> sustained_;
 	ArrivalVoices arrivals_;
@@ -113,7 +117,7 @@ private:
 	[[nodiscard]] bool look_at_voices(bool is_heard, bool is_moving);
 	void begin_voices();
 	void begin_arrivals(double from_s);
-	void arrive(const Arrival &arrival, double from_s, double length_s);
+	void begin_cues(Trigger trigger, const Arrival &arrival, double from_s, double length_s);
 	void make(float *frames, std::size_t runs);
 	void make_run(float *frames);
 	[[nodiscard]] Ramp next_gain(float &r_gain, float level) const;

@@ -61,7 +61,7 @@ func of(hmm: GestureHMM) -> String:
 	if reason.is_empty():
 		reason = _of_models(hmm)
 	if reason.is_empty() and tracker.is_finished():
-		reason = "The recording is over."
+		reason = "The recording has ended: call start() to play it again."
 	if reason.is_empty() and _silent_s > SILENT_S:
 		reason = "No frame for %.1f s: is the device connected?" % _silent_s
 	if reason.is_empty() and not tracker.is_hand_tracked():
@@ -99,7 +99,7 @@ func _of_models(hmm: GestureHMM) -> String:
 	for task in hmm.tasks:
 		var is_known := task == null or task.gesture.is_empty() or task.gesture in gestures
 		if not is_known:
-			return "%s waits for '%s', of which there is no model." % [task.name, task.gesture]
+			return "No model of '%s': add it to \"models\" of %s." % [task.gesture, hmm.name]
 	return ""
 
 

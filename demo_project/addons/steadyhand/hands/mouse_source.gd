@@ -46,7 +46,7 @@ func _start(tracker: HandTracker) -> String:
 	if task != null:
 		place_at(task)
 	elif not _is_placed:
-		return "set task_path of the MouseSource to a GestureTask, or call place_at()"
+		return 'set "task_path" of the MouseSource to a GestureTask, or call place_at()'
 	_pointer = Pointer.new()
 	tracker.add_child(_pointer, false, Node.INTERNAL_MODE_BACK)
 	return ""

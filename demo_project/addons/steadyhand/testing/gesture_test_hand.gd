@@ -197,10 +197,14 @@ func _is_followed() -> bool:
 	if is_manual or not _tracker.can_process():
 		push_error(
 			(
-				"GestureTestHand: its time stands still, as HandTracker '%s' %s."
+				"GestureTestHand: its time does not advance, because HandTracker '%s' is %s."
 				% [
 					_tracker.name,
-					"is advanced by hand: set update_mode" if is_manual else "is paused or disabled"
+					(
+						"in UPDATE_MANUAL. Set another update_mode"
+						if is_manual
+						else "paused or disabled. Let it process"
+					)
 				]
 			)
 		)

@@ -8,6 +8,8 @@ const TakeSet := preload("take_set.gd")
 ## simulated people.
 const ENOUGH_TAKES := 8
 const LEAST_TAKES := 3
+## Is recognised only at a task.
+const CIRCLE := "index_along_circle"
 
 
 static func while_recording(movements: int) -> String:
@@ -25,7 +27,7 @@ static func of(
 	if takes == null:
 		return TakeSet.name_fault(name)
 	if model != null:
-		return _with_model(saved_to)
+		return _with_model(model, saved_to)
 	var count := takes.rows.size()
 	if count >= ENOUGH_TAKES:
 		return "Press Train."
@@ -37,7 +39,10 @@ static func of(
 	return more if count < LEAST_TAKES else more + " Or train with these: it will be less exact."
 
 
-static func _with_model(saved_to: String) -> String:
+static func _with_model(model: GestureModel, saved_to: String) -> String:
 	if saved_to.is_empty():
-		return "Press Save, or Compare to see what the takes are recognised as."
-	return "Add %s to the models of a GestureHMM." % saved_to.get_file()
+		return "Press Save. Or press Compare to see how often each gesture is recognised."
+	var text := "Add %s to the models of a GestureHMM." % saved_to.get_file()
+	if model.get_feature() == CIRCLE:
+		text += " Add a GestureTask with the gesture '%s' to its tasks." % model.gesture
+	return text

@@ -105,7 +105,7 @@ func finish_recording(path: String, shape: Movements.Shape) -> Array[Dictionary]
 	elif curves.count() == 0:
 		error = "No frame held the index finger. Hold the hand where the tracker sees it."
 	elif found.is_empty() and others[0] > 0:
-		error = "The movement goes the other way: open the fingers, or circle counterclockwise."
+		error = "The movement has the wrong direction. Open the fingers, or circle counterclockwise."
 	elif found.is_empty():
 		error = "No movement was found. Rest for half a second before and after the gesture."
 	return found
@@ -135,7 +135,11 @@ func change(title: String, new_rows: Array[Dictionary]) -> void:
 ## Replaces the takes, and writes the table.
 func set_rows(new_rows: Array[Dictionary]) -> void:
 	rows = new_rows
-	error = "" if _write_table() else "%s cannot be written" % folder.path_join(TABLE)
+	error = (
+		""
+		if _write_table()
+		else "%s cannot be written. Is the disk full?" % folder.path_join(TABLE)
+	)
 	changed.emit()
 
 
@@ -145,7 +149,7 @@ func trimmed(take: int, start_s: float, end_s: float) -> Array[Dictionary]:
 	var curves := curves_of(take)
 	var row := Movements.describe(curves, Movements.shape_of(curves, rows[take]), start_s, end_s)
 	if not row["amplitude_m"] > 0.0:
-		error = "Nothing of the gesture is left between these times."
+		error = "No movement is left between these times. Drag the edges farther apart."
 		return []
 	for key: String in ["trial", "gesture", "subject", "position"]:
 		row[key] = rows[take][key]
