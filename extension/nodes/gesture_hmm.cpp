@@ -149,7 +149,7 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 void GestureHMM::publish() {
 	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
 	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
-	gestures_begun_ += news.started ? 1 : 0;
+	gestures_started_ += news.started ? 1 : 0;
 	if (news.started) {
 		task_watch_.gesture_started();
 	}
@@ -215,7 +215,7 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
 		motion.acceleration_m_s2 * per_amplitude, motion.correction_m_s2 * per_amplitude, amplitude_m(),
-		shown_.gesture >= 0 ? gestures_begun_ : 0, shown_.arrived && motion_ == MOTION_SYNTHESISED };
+		shown_.gesture >= 0 ? gestures_started_ : 0, shown_.arrived && motion_ == MOTION_SYNTHESISED };
 }
 
 /// Of the motion that is shown, which at rest is that of the nearest task.

@@ -11,7 +11,7 @@
 #include "gesture/classifier_file.h"
 #include "gesture/feature.h"
 #include "gesture/gesture_model.h"
-#include "recognition/spotted_follower.h"
+#include "recognition/hmm_session.h"
 #include "tracking/frame.h"
 
 #include <godot_cpp/classes/engine.hpp>
@@ -291,7 +291,7 @@ String GestureHMM::paper_fault() const {
 	}
 	for (const Expected &one : find_expected()) {
 		if (!one.place &&
-				!steadyhand::SpottedFollower::can_follow(*one.model, *steadyhand::own_classifier())) {
+				!steadyhand::HmmSession::can_follow(*one.model, *steadyhand::own_classifier())) {
 			return String("Add a GestureTask of '") + String(one.gesture) +
 					String("' to \"tasks\", or set \"mode\" to MODE_PHASE: the HMMs of MODE_PAPER do not "
 						   "include it, "

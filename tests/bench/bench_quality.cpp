@@ -116,9 +116,9 @@ private:
 		bool had_arrived = false;
 		for (const HandFrame &frame : trial.measured.frames) {
 			recogniser.push(frame);
-			const GestureFollower *const follower = recogniser.follower();
+			const GestureSession *const session = recogniser.session();
 			const bool has_arrived =
-					follower != nullptr && follower->stage() == GestureFollower::Stage::ARRIVED;
+					session != nullptr && session->stage() == GestureSession::Stage::ENDED;
 			if (has_arrived && !had_arrived) {
 				found.push_back(recogniser.gesture());
 			}

@@ -2,9 +2,9 @@
 
 #include "gesture/classifier_file.h"
 #include "recognition/gesture_recogniser.h"
-#include "recognition/open_follower.h"
-#include "recognition/spotted_follower.h"
-#include "recognition/task_follower.h"
+#include "recognition/hmm_session.h"
+#include "recognition/stroke_session.h"
+#include "recognition/task_session.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -31,18 +31,18 @@ std::vector<ExpectedGesture> at_one_place(
 
 bool is_spotted(const ExpectedGesture &gesture, MotionMode mode) {
 	return mode == MotionMode::PAPER && !gesture.task &&
-			SpottedFollower::can_follow(*gesture.model, *own_classifier());
+			HmmSession::can_follow(*gesture.model, *own_classifier());
 }
 
-std::unique_ptr<GestureFollower> follower_of(
+std::unique_ptr<GestureSession> session_for(
 		const ExpectedGesture &gesture, const Synthesis &synthesis, GestureSpotter *spotter) {
 	if (gesture.task) {
-		return std::make_unique<TaskFollower>(*gesture.model, *gesture.task, synthesis);
+		return std::make_unique<TaskSession>(*gesture.model, *gesture.task, synthesis);
 	}
 	if (is_spotted(gesture, synthesis.mode)) {
-		return std::make_unique<SpottedFollower>(*gesture.model, synthesis, *spotter);
+		return std::make_unique<HmmSession>(*gesture.model, synthesis, *spotter);
 	}
-	return std::make_unique<OpenFollower>(*gesture.model, synthesis);
+	return std::make_unique<StrokeSession>(*gesture.model, synthesis);
 }
 
 } // namespace
@@ -60,20 +60,20 @@ GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, Moti
 }
 
 std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures) {
-	const GestureFollower *const shown_before = followers_.empty() ? nullptr : followers_[shown()].get();
+	const GestureSession *const shown_before = sessions_.empty() ? nullptr : sessions_[shown()].get();
 	// Followers that are dropped look at their models no more; those must last until then.
 	const std::vector<ExpectedGesture> gestures_before = std::exchange(gestures_, std::move(gestures));
-	std::vector<std::unique_ptr<GestureFollower>> followers_before = std::exchange(followers_, {});
+	std::vector<std::unique_ptr<GestureSession>> sessions_before = std::exchange(sessions_, {});
 	const std::vector<FilteredMotion> filtered_before = std::exchange(filtered_, {});
 	const std::vector<Start> starts_before = std::exchange(starts_, {});
 	std::vector<int> now(gestures_before.size(), -1);
-	followers_.reserve(gestures_.size());
+	sessions_.reserve(gestures_.size());
 	filtered_.reserve(gestures_.size());
 	starts_.reserve(gestures_.size());
 	expect_spotted();
 	std::uint32_t begun = 0;
-	for (const std::unique_ptr<GestureFollower> &follower : followers_before) {
-		begun = std::max(begun, follower->gestures_begun());
+	for (const std::unique_ptr<GestureSession> &session : sessions_before) {
+		begun = std::max(begun, session->gestures_started());
 	}
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		std::size_t old = 0;
@@ -82,28 +82,28 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		}
 		if (old < now.size()) {
 			now[old] = static_cast<int>(i);
-			followers_.push_back(std::move(followers_before[old]));
+			sessions_.push_back(std::move(sessions_before[old]));
 			filtered_.push_back(filtered_before[old]);
 			starts_.push_back(starts_before[old]);
 		} else {
-			followers_.push_back(follower_of(gestures_[i], synthesis_, spotter_.get()));
-			followers_.back()->set_completion(completion_);
-			followers_.back()->count_from(begun);
+			sessions_.push_back(session_for(gestures_[i], synthesis_, spotter_.get()));
+			sessions_.back()->set_completion(completion_);
+			sessions_.back()->count_on_from(begun);
 			filtered_.emplace_back();
 			starts_.emplace_back();
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
-	const bool is_under_way = leader_ >= 0 && follower()->stage() == GestureFollower::Stage::MOVING;
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
+	const bool is_under_way = leader_ >= 0 && session()->stage() == GestureSession::Stage::ACTIVE;
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (std::ranges::find(now, static_cast<int>(i)) == now.end()) {
-			followers_[i]->pass_over_before(is_under_way ? time_s_ : ended_begun_s_);
+			sessions_[i]->ignore_before(is_under_way ? time_s_ : ended_started_s_);
 		}
 	}
 	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
 	shown_ = still_shown >= 0 ? static_cast<std::size_t>(still_shown) : nearest();
 	watch_features();
-	if (followers_.empty() || followers_[shown()].get() != shown_before) {
+	if (sessions_.empty() || sessions_[shown()].get() != shown_before) {
 		blend_ = {};
 	}
 	return now;
@@ -131,7 +131,7 @@ void GestureRecogniser::watch_features() {
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		const Feature *const feature = find_feature(gestures_[i].model->feature);
 		const auto is_its = [feature](const WatchedFeature &watched) { return watched.feature == feature; };
-		const double smallest_m = SMALLEST_STROKE * followers_[i]->task().amplitude_m;
+		const double smallest_m = SMALLEST_STROKE * sessions_[i]->task().amplitude_m;
 		const auto known = std::find_if(watched_.begin(), watched_.end(), is_its);
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
 		if (known != watched_.end()) {

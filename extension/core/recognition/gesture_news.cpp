@@ -3,12 +3,12 @@
 namespace steadyhand {
 
 GestureShown shown_by(const GestureRecogniser &recogniser) {
-	const GestureFollower *const follower = recogniser.follower();
-	if (follower == nullptr) {
+	const GestureSession *const session = recogniser.session();
+	if (session == nullptr) {
 		return {};
 	}
-	return { recogniser.gesture(), follower->gestures_begun(), follower->state(),
-		follower->stage() == GestureFollower::Stage::ARRIVED };
+	return { recogniser.gesture(), session->gestures_started(), session->state(),
+		session->stage() == GestureSession::Stage::ENDED };
 }
 
 GestureNews news(const GestureShown &before, const GestureShown &now) {

@@ -9,7 +9,7 @@ namespace steadyhand {
 /// What may be told of a recogniser at an instant.
 struct GestureShown {
 	int gesture = -1;        ///< index of the one under way or just finished; -1: none
-	std::uint32_t begun = 0; ///< GestureFollower::gestures_begun
+	std::uint32_t begun = 0; ///< GestureSession::gestures_started
 	int state = -1;          ///< of its HMM
 	bool arrived = false;    ///< it has come to its end
 

@@ -44,8 +44,8 @@ void GestureRecogniser::WatchedFeature::push(const HandFrame &frame) {
 
 void GestureRecogniser::set_completion(double share) {
 	completion_ = share;
-	for (const std::unique_ptr<GestureFollower> &follower : followers_) {
-		follower->set_completion(share);
+	for (const std::unique_ptr<GestureSession> &session : sessions_) {
+		session->set_completion(share);
 	}
 }
 
@@ -64,9 +64,9 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		spotter_->push(frame);
 	}
 	const std::optional<Motion> before = show_nearest(frame.t_s);
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (followers_[i]->push(frame, watched(i).hand(), watched(i).strokes, watched(i).measurement)) {
-			filtered_[i].push(frame.t_s, followers_[i]->measured_m());
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		if (sessions_[i]->push(frame, watched(i).hand(), watched(i).strokes, watched(i).measurement)) {
+			filtered_[i].push(frame.t_s, sessions_[i]->measured_m());
 		}
 	}
 	time_s_ = frame.t_s;
@@ -75,8 +75,8 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	expect_absence();
 	judge_starts();
-	decide_claims();
-	let_return();
+	decide_ends();
+	ignore_returns();
 	choose_leader();
 }
 
@@ -93,7 +93,7 @@ void GestureRecogniser::advance(double t_s) {
 void GestureRecogniser::expect_absence() {
 	next_absence_s_ = INFINITY;
 	for (const WatchedFeature &watched : watched_) {
-		for (const double absence_s : GestureFollower::ABSENCES_S) {
+		for (const double absence_s : GestureSession::ABSENCES_S) {
 			const double due_s = watched.strokes.news_s() + absence_s;
 			const bool is_to_come = due_s >= time_s_ && due_s > last_absence_s_; // of a frame then, after it
 			next_absence_s_ = is_to_come ? std::min(next_absence_s_, due_s) : next_absence_s_;
@@ -105,11 +105,11 @@ void GestureRecogniser::advance_followers(double t_s) {
 	while (next_absence_s_ <= t_s) {
 		time_s_ = last_absence_s_ = next_absence_s_;
 		step_followers(time_s_);
-		for (std::size_t i = 0; i < followers_.size(); ++i) {
-			followers_[i]->miss(time_s_, watched(i).strokes);
+		for (std::size_t i = 0; i < sessions_.size(); ++i) {
+			sessions_[i]->on_dropout(time_s_, watched(i).strokes);
 		}
 		judge_starts();
-		decide_claims();
+		decide_ends();
 		choose_leader();
 		expect_absence();
 	}
@@ -117,31 +117,31 @@ void GestureRecogniser::advance_followers(double t_s) {
 }
 
 void GestureRecogniser::step_followers(double t_s) {
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		followers_[i]->advance(t_s, watched(i).strokes, watched(i).monitor);
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		sessions_[i]->advance(t_s, watched(i).strokes, watched(i).monitor);
 	}
 }
 
-double GestureRecogniser::log_odds(std::size_t follower) const {
-	const std::uint8_t joints = watched(follower).feature->joints;
+double GestureRecogniser::log_odds(std::size_t session) const {
+	const std::uint8_t joints = watched(session).feature->joints;
 	double whole = 0.0; // how far a gesture has grown of which this one's motion would be a part
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		const GestureFollower &other = *followers_[i];
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		const GestureSession &other = *sessions_[i];
 		const std::uint8_t others = watched(i).feature->joints;
 		const bool is_part = others != joints && (others & joints) == joints;
-		if (is_part && other.stage() == GestureFollower::Stage::MOVING) {
+		if (is_part && other.stage() == GestureSession::Stage::ACTIVE) {
 			whole = std::max(whole, std::min(other.measured_m() / other.task().amplitude_m, 1.0));
 		}
 	}
-	return followers_[follower]->log_odds() - PART * whole;
+	return sessions_[session]->log_odds() - PART * whole;
 }
 
-double GestureRecogniser::posterior(std::size_t follower) const {
+double GestureRecogniser::posterior(std::size_t session) const {
 	// Odds against none, the largest taken out of the sum so that none overflows.
-	const double odds = log_odds(follower), largest = std::max(odds, 0.0);
+	const double odds = log_odds(session), largest = std::max(odds, 0.0);
 	double all = std::exp(-largest);
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		if (i == follower || followers_[i]->stage() == GestureFollower::Stage::MOVING) {
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		if (i == session || sessions_[i]->stage() == GestureSession::Stage::ACTIVE) {
 			all += std::exp(log_odds(i) - largest);
 		}
 	}
@@ -152,22 +152,22 @@ double GestureRecogniser::confidence() const {
 	return leader_ >= 0 ? posterior(shown()) : 0.0;
 }
 
-bool GestureRecogniser::may_show(std::size_t follower) const {
+bool GestureRecogniser::may_show(std::size_t session) const {
 	const bool is_likely =
-			min_confidence_ <= 0.0 || gestures_[follower].task || posterior(follower) >= min_confidence_;
-	return is_likely && starts_[follower].is_allowed;
+			min_confidence_ <= 0.0 || gestures_[session].task || posterior(session) >= min_confidence_;
+	return is_likely && starts_[session].is_allowed;
 }
 
 void GestureRecogniser::judge_starts() {
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
-		GestureFollower &follower = *followers_[i];
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		GestureSession &session = *sessions_[i];
 		Start &start = starts_[i];
-		if (follower.gestures_begun() != start.begun) {
-			start = { follower.gestures_begun(), start_condition_.may_begin(follower.begun_s()) };
+		if (session.gestures_started() != start.begun) {
+			start = { session.gestures_started(), start_condition_.may_begin(session.started_s()) };
 		} else if (start.is_allowed && start_condition_.is_released() &&
-				follower.stage() == GestureFollower::Stage::MOVING) {
+				session.stage() == GestureSession::Stage::ACTIVE) {
 			start.is_allowed = false;
-			follower.give_way(time_s_);
+			session.abort(time_s_);
 		}
 	}
 }
@@ -187,28 +187,28 @@ bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) con
 	return (apart_m - along_m * way->axis).norm() > std::abs(along_m);
 }
 
-void GestureRecogniser::decide_claims() {
-	const int best = likeliest([&](std::size_t i) { return followers_[i]->claims(); });
+void GestureRecogniser::decide_ends() {
+	const int best = likeliest([&](std::size_t i) { return sessions_[i]->may_end(); });
 	if (best < 0) {
 		return;
 	}
-	const int task = likeliest([&](std::size_t i) { return followers_[i]->nears_end(); });
+	const int task = likeliest([&](std::size_t i) { return sessions_[i]->is_near_end(); });
 	const double odds = log_odds(static_cast<std::size_t>(best));
 	// What is done at a task will say itself when it ends.
 	const bool is_of_task = task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds;
 	if (is_of_task || !may_show(static_cast<std::size_t>(best))) {
-		for (const std::unique_ptr<GestureFollower> &follower : followers_) {
-			if (follower->claims()) {
-				follower->give_way(time_s_);
+		for (const std::unique_ptr<GestureSession> &session : sessions_) {
+			if (session->may_end()) {
+				session->abort(time_s_);
 			}
 		}
 		return;
 	}
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (static_cast<int>(i) == best) {
-			followers_[i]->confirm(time_s_);
+			sessions_[i]->end_gesture(time_s_);
 		} else {
-			followers_[i]->give_way(time_s_);
+			sessions_[i]->abort(time_s_);
 		}
 	}
 	lead(best);
@@ -216,14 +216,13 @@ void GestureRecogniser::decide_claims() {
 
 /// A hand on its way back after a gesture may look like another one's: fingers that close after a zoom, like
 /// a drag of the index.
-void GestureRecogniser::let_return() {
-	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED) {
+void GestureRecogniser::ignore_returns() {
+	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED) {
 		return;
 	}
-	for (const std::unique_ptr<GestureFollower> &other : followers_) {
-		if (other.get() != follower() &&
-				follower()->log_odds_of_return() > std::max(other->log_odds(), 0.0)) {
-			other->give_way(time_s_);
+	for (const std::unique_ptr<GestureSession> &other : sessions_) {
+		if (other.get() != session() && session()->return_log_odds() > std::max(other->log_odds(), 0.0)) {
+			other->abort(time_s_);
 		}
 	}
 }

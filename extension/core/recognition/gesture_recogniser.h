@@ -2,7 +2,7 @@
 
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
-#include "recognition/gesture_follower.h"
+#include "recognition/gesture_session.h"
 #include "recognition/gesture_spotter.h"
 #include "recognition/start_condition.h"
 #include "strokes/stroke_finder.h"
@@ -18,14 +18,13 @@ namespace steadyhand {
 /// A gesture that a scene asks for. A model may be expected at several places.
 struct ExpectedGesture {
 	std::shared_ptr<const GestureModel> model;
-	std::optional<Task> task; ///< its place; nothing where the start is to be found by the hand's rest
+	std::optional<Task> task; ///< its place; nothing: anywhere
 
 	bool operator==(const ExpectedGesture &) const = default;
 };
 
-/// All gestures that a scene asked for, side by side on one stream of frames: says which one is under way, in
-/// which state, and what motion it makes. Costs nothing for a gesture that was not asked for. Nothing is
-/// allocated but by construction and expect().
+/// All gestures that a scene asked for, on one stream of frames: which one is active, in which state, and
+/// its motion. Nothing is allocated but by construction and expect().
 class GestureRecogniser {
 public:
 	/// effort, latency_s: as SwitchingEstimator's; decoding: as Synthesis'.
@@ -36,47 +35,44 @@ public:
 			const std::optional<Task> &task, MotionMode mode, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, const StateDecoding &decoding = {});
 
-	/// A gesture without a task is shown, and ends, only where its confidence() has come to this: 0..1. Less
-	/// shows more of what hands do otherwise, more shows gestures later.
+	/// A gesture without a task is shown, and ends, only from this confidence() on: 0..1. A small one gives
+	/// more false alarms, a great one shows gestures later.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
-	/// 0.5 .. 1; a gesture with a task counts as soon as it is seen to come to its end, and where the hand
-	/// stops short of that from this share of the way on.
+	/// 0.5 .. 1; a gesture with a task also ends where the hand stops from this fraction of the amplitude on.
 	void set_completion(double share);
 
-	/// A gesture that begins while this is not met is not shown, and does not end. What is under way goes on.
+	/// A gesture that starts while this is not met is not shown, and does not end. An active one goes on.
 	void set_start_condition(const StartSettings &settings) { start_condition_ = StartCondition(settings); }
 	[[nodiscard]] const StartCondition &start_condition() const { return start_condition_; }
 
-	/// From now on these: what goes on at those that were expected before goes on, be they as they were, and
-	/// the others begin as with a first frame, which is where the motion steps to if the one shown goes. Of a
-	/// stroke that has ended as a gesture no other is made; nor of one that makes a gesture which stays.
-	/// Returns the index of each that was expected before; -1: it is no longer.
+	/// From now on these. Those that were expected before go on unchanged; the others begin as with a first
+	/// frame. The movement of a gesture that is active or has ended makes no other one. Returns the index of
+	/// each that was expected before; -1: it is no longer.
 	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
 
-	/// Time stamps must not decrease; a frame that is older than the last one, the same once more, or not
-	/// finite, is passed over.
+	/// A frame that is older than the last one, equals it, or is not finite, is ignored.
 	void push(const HandFrame &frame);
-	/// Everything that is due by t_s, which must not be before an earlier one (it is taken as that then).
+	/// Everything that is due by t_s; an earlier time than the last is ignored.
 	void advance(double t_s);
 
-	/// At the time advanced to. Depends on frames stamped at or before it, and on nothing else; where several
-	/// gestures are under way, on the instants advanced to as well, by which their lead is handed over. A
-	/// gesture that begins and ends between two of these is not shown.
+	/// At the time advanced to, of the frames until then. If several gestures are active, the one that is
+	/// shown changes at the instants advanced to. A gesture that starts and ends between two of these is not
+	/// shown.
 	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
-	/// What it will be at t_s, not before that time, if nothing is seen until then.
+	/// Predicted for t_s, not before that time.
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
 
-	/// Index of the gesture under way or just finished; -1 while there is none, or none that may be shown.
+	/// Index of the gesture that is active or has ended; -1 while there is none, or none that may be shown.
 	[[nodiscard]] int gesture() const { return leader_; }
-	[[nodiscard]] const GestureFollower *follower() const {
-		return leader_ >= 0 ? followers_[static_cast<std::size_t>(leader_)].get() : nullptr;
+	[[nodiscard]] const GestureSession *session() const {
+		return leader_ >= 0 ? sessions_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
-	/// Index of the one whose motion is shown: while none is under way, that of the task to whose start the
-	/// hand is nearest; without tasks the first.
+	/// Index of the one whose motion is shown: while none is active, that of the task to whose start the hand
+	/// is nearest; without tasks the first.
 	[[nodiscard]] std::size_t shown() const { return shown_; }
-	/// Probability that the gesture under way, or just finished, is what the hand does, among all models and
-	/// none: 0..1; 0 while none is shown.
+	/// Probability of the gesture that is active or has ended, among all models and none: 0..1; 0 while none
+	/// is shown.
 	[[nodiscard]] double confidence() const;
 	[[nodiscard]] double time_s() const { return time_s_; }
 
@@ -102,55 +98,55 @@ private:
 	};
 
 	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
-	std::vector<std::size_t> watched_by_; ///< per follower: index into watched_
-	/// In `paper` mode, of the gestures without a task that its HMMs include; followers look at it.
+	std::vector<std::size_t> watched_by_; ///< per session: index into watched_
+	/// In `paper` mode, of the gestures without a task that its HMMs include; sessions read it.
 	std::unique_ptr<GestureSpotter> spotter_;
-	std::vector<std::unique_ptr<GestureFollower>> followers_;
-	std::vector<FilteredMotion> filtered_; ///< one per follower
+	std::vector<std::unique_ptr<GestureSession>> sessions_;
+	std::vector<FilteredMotion> filtered_; ///< one per session
 	double min_confidence_ = 0.0;
 	double completion_ = END_LEVEL;
 	StartCondition start_condition_;
-	/// Of the last gesture that a follower began: which one, and whether it may be shown.
+	/// Of the last gesture that a session began: which one, and whether it may be shown.
 	struct Start {
 		std::uint32_t begun = 0;
 		bool is_allowed = true;
 	};
-	std::vector<Start> starts_; ///< one per follower
+	std::vector<Start> starts_; ///< one per session
 	int leader_ = -1;
 	std::size_t shown_ = 0; ///< the leader, while there is one
-	OutputBlend blend_;     ///< of what would step when another one takes the lead, m
+	OutputBlend blend_;     ///< of the step when another one is shown, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
 	double time_s_;
-	double next_absence_s_ = INFINITY;  ///< when one of GestureFollower::ABSENCES_S is over next
-	double last_absence_s_ = -INFINITY; ///< when one last was
-	double ended_begun_s_ = -INFINITY;  ///< when the last of those shown that have arrived began
+	double next_absence_s_ = INFINITY;   ///< when one of GestureSession::ABSENCES_S is over next
+	double last_absence_s_ = -INFINITY;  ///< when one last was
+	double ended_started_s_ = -INFINITY; ///< when the last gesture started whose end was shown
 
 	void expect_spotted();
 	void watch_features();
-	[[nodiscard]] const WatchedFeature &watched(std::size_t follower) const {
-		return watched_[watched_by_[follower]];
+	[[nodiscard]] const WatchedFeature &watched(std::size_t session) const {
+		return watched_[watched_by_[session]];
 	}
-	/// With what becomes of gestures whose hand is not seen any more.
+	/// Including dropouts.
 	void advance_followers(double t_s);
 	void step_followers(double t_s);
 	void expect_absence();
-	[[nodiscard]] double posterior(std::size_t follower) const;
-	/// GestureFollower::log_odds, less what speaks for another one of which this one's motion is a part.
-	[[nodiscard]] double log_odds(std::size_t follower) const;
-	/// Allowed to begin, and likely enough to be shown, and to end.
-	[[nodiscard]] bool may_show(std::size_t follower) const;
-	/// Asks the start condition once of each gesture that begins, and gives up those whose pinch opens.
+	[[nodiscard]] double posterior(std::size_t session) const;
+	/// GestureSession::log_odds, less if this motion is a part of another gesture.
+	[[nodiscard]] double log_odds(std::size_t session) const;
+	/// Allowed to start, and likely enough to be shown, and to end.
+	[[nodiscard]] bool may_show(std::size_t session) const;
+	/// Asks the start condition once of each gesture that starts, and aborts those whose pinch opens.
 	void judge_starts();
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
-	/// Of tasks with a straight way to a place: further from the end of `one` across its way than along it.
+	/// Of tasks with a straight path: the end of `other` is further off the path of `one` than along it.
 	[[nodiscard]] bool ends_to_the_side(std::size_t one, std::size_t other) const;
-	void decide_claims();
-	void let_return();
+	void decide_ends();
+	void ignore_returns();
 	void settle();
 	void choose_leader();
-	void lead(int follower);
+	void lead(int session);
 	[[nodiscard]] std::size_t nearest() const;
 	std::optional<Motion> show_nearest(double t_s);
 	void go_on_from(const Motion &before, double rate_per_s);
@@ -160,7 +156,7 @@ private:
 template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	double best_odds = -INFINITY;
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (!is_candidate(i)) {
 			continue;
 		}

@@ -7,7 +7,7 @@ namespace {
 
 /// Posteriors at which a gesture begins, is aborted, and ends: an end cannot be taken back.
 constexpr double BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99;
-constexpr double ARRIVED = 0.5; ///< GestureCandidate::end_probability at an end
+constexpr double ENDED = 0.5; ///< GestureCandidate::end_probability at an end
 /// A hand that sets out in the opposite direction, within 45 degrees, so soon after a gesture goes back.
 constexpr double WAY_BACK_S = 1.0, OPPOSITE = -0.7;
 
@@ -66,7 +66,7 @@ GestureSpotter::News GestureSpotter::follow() {
 		return News::ABORTED;
 	}
 	candidate_ = now;
-	if (now.posterior > CERTAIN && now.end_probability > ARRIVED) {
+	if (now.posterior > CERTAIN && now.end_probability > ENDED) {
 		ended_s_ = classifier_.time_s();
 		ended_axis_ = now.axis;
 		drop();

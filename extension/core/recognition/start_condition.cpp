@@ -76,7 +76,7 @@ void StartCondition::push(const HandFrame &frame) {
 	if (is_pose() && frame.t_s - found_s_ < SETTLES_S) {
 		return;
 	}
-	judge(frame) ? meet(frame.t_s) : miss(frame.t_s);
+	judge(frame) ? meet(frame.t_s) : on_dropout(frame.t_s);
 }
 
 void StartCondition::lose() {
@@ -129,7 +129,7 @@ void StartCondition::meet(double t_s) {
 	is_released_ = false;
 }
 
-void StartCondition::miss(double t_s) {
+void StartCondition::on_dropout(double t_s) {
 	is_met_ = false;
 	open_from_s_ = std::min(open_from_s_, t_s);
 	if (settings_.kind == StartKind::PINCH && t_s - open_from_s_ >= SLIP_S) {

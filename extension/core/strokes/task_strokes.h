@@ -20,7 +20,7 @@ public:
 	TaskStrokes(const Feature &feature, const Task &task);
 
 	/// Strokes that began before t_s are not looked at.
-	void pass_over_before(double t_s) { not_before_s_ = std::max(not_before_s_, t_s); }
+	void ignore_before(double t_s) { not_before_s_ = std::max(not_before_s_, t_s); }
 	/// Whether the hand goes, or went, along the task's way, from no further off than its start may be.
 	void look(const StrokeFinder &strokes);
 	[[nodiscard]] bool has_set_out() const { return has_set_out_; }

@@ -96,7 +96,7 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 	std::normal_distribution<double> noise;
 	GestureShown shown;
 	std::string name;
-	const GestureFollower *follower = nullptr;
+	const GestureSession *session = nullptr;
 	double last_value_m = 0.0;
 	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
@@ -116,10 +116,10 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 		recogniser.advance(t_s);
 		const GestureShown now = shown_by(recogniser);
 		const std::string left =
-				std::exchange(name, now.gesture < 0 ? "" : recogniser.follower()->model().gesture);
+				std::exchange(name, now.gesture < 0 ? "" : recogniser.session()->model().gesture);
 		// A way may call expect(), which changes indices.
-		const GestureFollower *before = std::exchange(follower, recogniser.follower());
-		shown.gesture = before == follower ? now.gesture : shown.gesture;
+		const GestureSession *before = std::exchange(session, recogniser.session());
+		shown.gesture = before == session ? now.gesture : shown.gesture;
 		const GestureNews happened = news(std::exchange(shown, now), now);
 		if (happened.aborted) {
 			events.said.push_back("aborted " + left);

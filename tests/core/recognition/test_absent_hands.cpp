@@ -73,7 +73,7 @@ TEST_CASE("with nothing given fingers that a zoom misses end no drag of the one 
 			frame.set(Joint::MIDDLE, frame.position(Joint::INDEX) - 0.02 * Y + 0.02 * X);
 		}
 		recogniser.push(frame);
-		if (recogniser.gesture() == 1 && recogniser.follower()->stage() == GestureFollower::Stage::ARRIVED) {
+		if (recogniser.gesture() == 1 && recogniser.session()->stage() == GestureSession::Stage::ENDED) {
 			ended_s = std::min(ended_s, frame.t_s);
 		}
 	}
@@ -126,11 +126,11 @@ TEST_CASE("when a hand is missed does not depend on how often the motion is aske
 			often.advance(ms / 1000.0);
 		}
 		seldom.advance(3.0);
-		REQUIRE((often.follower() != nullptr) == (seldom.follower() != nullptr));
+		REQUIRE((often.session() != nullptr) == (seldom.session() != nullptr));
 		CHECK(often.motion(MotionSource::SYNTHESISED).value_m ==
 				seldom.motion(MotionSource::SYNTHESISED).value_m);
-		if (often.follower() != nullptr) {
-			CHECK(often.follower()->stage_began_s() == seldom.follower()->stage_began_s());
+		if (often.session() != nullptr) {
+			CHECK(often.session()->stage_began_s() == seldom.session()->stage_began_s());
 			CHECK(often.confidence() == seldom.confidence());
 		}
 	}

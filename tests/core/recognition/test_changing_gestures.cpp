@@ -21,7 +21,7 @@ constexpr double LOOKS_UNTIL_S = 1.25; ///< three quarters of the way: nothing h
 /// By how many nats the other one is likelier than the gesture under way, of which and of none confidence
 /// says: odds / (odds + other odds + 1). Very negative where there is no other one.
 double nats_of_other(const GestureRecogniser &recogniser) {
-	const double odds = std::exp(recogniser.follower()->log_odds());
+	const double odds = std::exp(recogniser.session()->log_odds());
 	const double other = odds / recogniser.confidence() - odds - 1.0;
 	return std::log(std::max(other, 1e-9) / odds);
 }

@@ -67,8 +67,8 @@ TEST_CASE("a whole circle is followed from 0 to its length, where it ends") {
 		}
 		// Of 0.38 m; `paper`, which goes by the states' mean durations, is an eighth of the way off at most.
 		CHECK(largest_m < (mode == MotionMode::PAPER ? 0.125 * ROUND_M : 0.02 * ROUND_M));
-		REQUIRE(hmm.follower() != nullptr);
-		CHECK(hmm.follower()->stage() == GestureFollower::Stage::ARRIVED);
+		REQUIRE(hmm.session() != nullptr);
+		CHECK(hmm.session()->stage() == GestureSession::Stage::ENDED);
 		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m == test::near(ROUND_M).epsilon(0.01));
 	}
 }
@@ -84,11 +84,11 @@ TEST_CASE("a circle is found with its task only, and nothing that goes round the
 			frame.set(Joint::INDEX, place);
 			hmm.push(frame);
 		}
-		return hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
+		return hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
 	};
-	CHECK(stage(std::nullopt, 1.0) == GestureFollower::Stage::RESTING);
-	CHECK(stage(TASK, 1.0) == GestureFollower::Stage::ARRIVED);
-	CHECK(stage(TASK, 0.6) == GestureFollower::Stage::ARRIVED);
+	CHECK(stage(std::nullopt, 1.0) == GestureSession::Stage::IDLE);
+	CHECK(stage(TASK, 1.0) == GestureSession::Stage::ENDED);
+	CHECK(stage(TASK, 0.6) == GestureSession::Stage::ENDED);
 }
 
 TEST_CASE("each further round is a circle again") {
@@ -99,12 +99,11 @@ TEST_CASE("each further round is a circle again") {
 		CAPTURE(static_cast<int>(mode));
 		GestureRecogniser hmm({ model }, TASK, mode);
 		int arrivals = 0;
-		auto stage = GestureFollower::Stage::RESTING;
+		auto stage = GestureSession::Stage::IDLE;
 		for (const HandFrame &frame : rounds_track(110.0, 6.5, rounds).frames) {
 			hmm.push(frame);
-			const auto now =
-					hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-			arrivals += now == GestureFollower::Stage::ARRIVED && stage != now;
+			const auto now = hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
+			arrivals += now == GestureSession::Stage::ENDED && stage != now;
 			stage = now;
 			const Motion motion = hmm.motion(MotionSource::SYNTHESISED);
 			REQUIRE(motion.value_m > -0.1 * ROUND_M);

@@ -160,8 +160,8 @@ TEST_CASE("the way back may have begun before the end was told that brings its t
 			GestureRecogniser recogniser({ there });
 			double flip_s = 1e9;
 			const Way way = [&](double t_s) {
-				const GestureFollower *follower = recogniser.follower();
-				if (flip_s == 1e9 && follower && follower->stage() == GestureFollower::Stage::ARRIVED) {
+				const GestureSession *session = recogniser.session();
+				if (flip_s == 1e9 && session && session->stage() == GestureSession::Stage::ENDED) {
 					flip_s = t_s + late_s;
 				}
 				if (t_s >= flip_s) {

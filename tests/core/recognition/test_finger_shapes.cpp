@@ -68,7 +68,7 @@ Outcome watch(const Opening &opening) {
 	Outcome outcome;
 	double sum = 0.0;
 	int frames = 0;
-	GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+	GestureSession::Stage stage = GestureSession::Stage::IDLE;
 	for (int i = 0; i < 260; ++i) {
 		const double t_s = i / 100.0, gone = minimum_jerk((t_s - 1.0) / 0.9).value;
 		const Tips tips = opening.shape(CLOSED_M + gone * opening.growth_m);
@@ -85,9 +85,9 @@ Outcome watch(const Opening &opening) {
 			hmm.push(frame);
 		}
 		hmm.advance(t_s);
-		const GestureFollower::Stage now =
-				hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-		outcome.ended += now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
+		const GestureSession::Stage now =
+				hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
+		outcome.ended += now == GestureSession::Stage::ENDED && stage != now ? 1 : 0;
 		stage = now;
 		if (t_s > 2.1) {
 			sum += std::pow(hmm.motion(MotionSource::SYNTHESISED).value_m - opening.growth_m, 2);
@@ -125,12 +125,12 @@ TEST_CASE("fingers that move each by itself make hardly a zoom") {
 		const TrueMotion hand = make_other_motion(
 				*find_other_motion("fidgeting"), HandPosition::STABLE, subject, 10.0, random);
 		GestureRecogniser hmm({ zoom_model() }, std::nullopt, MotionMode::PHASE);
-		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+		GestureSession::Stage stage = GestureSession::Stage::IDLE;
 		for (int i = 0; i < 1000; ++i) {
 			hmm.push(hand.hand(i / 100.0));
-			const GestureFollower::Stage now =
-					hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-			zooms += now == GestureFollower::Stage::ARRIVED && stage != now ? 1 : 0;
+			const GestureSession::Stage now =
+					hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
+			zooms += now == GestureSession::Stage::ENDED && stage != now ? 1 : 0;
 			stage = now;
 		}
 	}
@@ -186,7 +186,7 @@ TEST_CASE("with the task given, fingers at rest hardly seem to set out before a 
 		std::mt19937_64 random(seed);
 		std::normal_distribution<double> noise(0.0, 1e-3);
 		GestureRecogniser hmm({ zoom_model() }, task, MotionMode::PHASE);
-		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+		GestureSession::Stage stage = GestureSession::Stage::IDLE;
 		for (int i = 0; i < 600; ++i) {
 			const Tips tips = opened(0.016);
 			HandFrame frame;
@@ -198,9 +198,9 @@ TEST_CASE("with the task given, fingers at rest hardly seem to set out before a 
 						Eigen::Vector3d(tips[k].x() + trembling.x(), tips[k].y() + trembling.y(), 0.0));
 			}
 			hmm.push(frame);
-			const GestureFollower::Stage now =
-					hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-			starts += now == GestureFollower::Stage::MOVING && stage != now ? 1 : 0;
+			const GestureSession::Stage now =
+					hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
+			starts += now == GestureSession::Stage::ACTIVE && stage != now ? 1 : 0;
 			stage = now;
 		}
 	}

@@ -18,8 +18,8 @@ TEST_CASE("a hand at rest that a single frame shows at its task's end, or beside
 			for (int i = 0; i < static_cast<int>(REST_S * RATE_HZ); ++i) {
 				HandFrame frame;
 				frame.t_s = i / RATE_HZ;
-				const bool is_elsewhere = i == static_cast<int>(FRAME_S * RATE_HZ);
-				frame.set(Joint::INDEX, (is_elsewhere ? part * Task{}.amplitude_m : 0.0) * X + tremor());
+				const bool is_paused = i == static_cast<int>(FRAME_S * RATE_HZ);
+				frame.set(Joint::INDEX, (is_paused ? part * Task{}.amplitude_m : 0.0) * X + tremor());
 				task.push(frame);
 				task.advance(frame.t_s + 0.009);
 				if (frame.t_s > FRAME_S + SETTLED_S) {

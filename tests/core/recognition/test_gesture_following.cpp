@@ -58,7 +58,7 @@ Track shaky_drag() {
 int arrivals_of_ten_drags(MotionMode mode) {
 	GestureRecogniser hmm = recogniser(mode);
 	int arrivals = 0;
-	auto stage = GestureFollower::Stage::RESTING;
+	auto stage = GestureSession::Stage::IDLE;
 	for (int ms = 0; ms < 30000; ms += 5) {
 		const double t_s = ms / 1000.0;
 		const double in_cycle = std::fmod(t_s, 3.0);
@@ -68,9 +68,8 @@ int arrivals_of_ten_drags(MotionMode mode) {
 		frame.t_s = t_s;
 		frame.set(Joint::INDEX, { out - back, 0.0, 0.0 });
 		hmm.push(frame);
-		const auto now =
-				hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
-		arrivals += now == GestureFollower::Stage::ARRIVED && stage != now;
+		const auto now = hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
+		arrivals += now == GestureSession::Stage::ENDED && stage != now;
 		stage = now;
 	}
 	return arrivals;

@@ -365,7 +365,7 @@ TEST_CASE("a hand that does anything begins a gesture every few seconds, which i
 			recogniser.push(frame);
 			const double confidence = recogniser.confidence();
 			REQUIRE((recogniser.gesture() < 0 ||
-					recogniser.follower()->stage() != GestureFollower::Stage::ARRIVED));
+					recogniser.session()->stage() != GestureSession::Stage::ENDED));
 			begun += confidence > 0.0 && greatest == 0.0 ? 1 : 0;
 			sum_of_greatest += confidence == 0.0 ? greatest : 0.0;
 			greatest = confidence == 0.0 ? 0.0 : std::max(greatest, confidence);

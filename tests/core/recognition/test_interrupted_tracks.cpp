@@ -170,10 +170,10 @@ TEST_CASE("a finger that is lost while a zoom's hand closes hides no drag that c
 				}
 				recogniser.push(frame);
 				recogniser.advance(t_s);
-				const GestureFollower *const follower = recogniser.follower();
+				const GestureSession *const session = recogniser.session();
 				has_ended = has_ended ||
-						(follower != nullptr && follower->model().gesture == "sideways" &&
-								follower->stage() == GestureFollower::Stage::ARRIVED);
+						(session != nullptr && session->model().gesture == "sideways" &&
+								session->stage() == GestureSession::Stage::ENDED);
 			}
 			CHECK(has_ended);
 		}

@@ -48,16 +48,16 @@ Run of_a_short_way(double lasts_s, unsigned seed, double onset_s, double duratio
 	GestureRecogniser recogniser({ models()[0] }, task, MotionMode::PHASE);
 	recogniser.set_completion(0.7); // the hand stops where it wanders to
 	Wander wander(lasts_s, seed);
-	double begun_s = 0.0;
+	double started_s = 0.0;
 	const Way way = [&](double t_s) {
-		const GestureFollower *const follower = recogniser.follower();
-		const bool is_shown = follower != nullptr && follower->stage() != GestureFollower::Stage::RESTING;
-		begun_s = is_shown ? begun_s : t_s;
+		const GestureSession *const session = recogniser.session();
+		const bool is_shown = session != nullptr && session->stage() != GestureSession::Stage::IDLE;
+		started_s = is_shown ? started_s : t_s;
 		return Eigen::Vector3d(drag.x_m(t_s) * X + wander());
 	};
 	const double length_s = onset_s + duration_s + 0.8;
 	const Events events = watch(recogniser, way, length_s, NEVER_S, NEVER_S, RATE_HZ, 0.0);
-	return { events, drag.x_m(begun_s) / WAY_M };
+	return { events, drag.x_m(started_s) / WAY_M };
 }
 
 } // namespace

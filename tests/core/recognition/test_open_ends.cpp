@@ -210,8 +210,8 @@ TEST_CASE("a tracker that shows the hand elsewhere for a moment at the end does 
 				CAPTURE(shown_s);
 				CAPTURE(from_s);
 				const Way way = [=](double t_s) {
-					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
-					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+					const bool is_paused = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_paused ? back_m : 0.0)) * X);
 				};
 				const Events events = in_the_open(way, from_s + shown_s + 0.3);
 				CHECK(events.said == times(1, "sideways"));

@@ -50,8 +50,8 @@ TEST_CASE("where the tracker jumps back for a moment while the hand sets out, th
 				CAPTURE(before_s);
 				const double from_s = DRAG.onset_s - before_s;
 				const Way way = [=](double t_s) {
-					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
-					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+					const bool is_paused = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d((DRAG.x_m(t_s) - (is_paused ? back_m : 0.0)) * X);
 				};
 				const Events events = in_the_open(way, 2.0);
 				CHECK(events.said == times(1, "sideways"));
@@ -72,8 +72,8 @@ TEST_CASE(
 				const Drag drag{ .onset_s = 0.6, .duration_s = duration_s, .amplitude_m = 0.2 };
 				const double from_s = drag.onset_s + share * duration_s;
 				const Way way = [=](double t_s) {
-					const bool is_elsewhere = t_s >= from_s && t_s < from_s + 0.1;
-					return Eigen::Vector3d((drag.x_m(t_s) - (is_elsewhere ? back_m : 0.0)) * X);
+					const bool is_paused = t_s >= from_s && t_s < from_s + 0.1;
+					return Eigen::Vector3d((drag.x_m(t_s) - (is_paused ? back_m : 0.0)) * X);
 				};
 				const Events events = in_the_open(way, drag.onset_s + duration_s + 0.3);
 				CHECK(events.said == times(1, "sideways"));

@@ -121,7 +121,7 @@ TEST_CASE("at any rate a gesture with a task ends where the hand comes to rest" 
 					hmm.push(frame);
 				}
 				hmm.advance(ms / 1000.0);
-				if (hmm.follower() != nullptr && hmm.follower()->stage() == GestureFollower::Stage::ARRIVED) {
+				if (hmm.session() != nullptr && hmm.session()->stage() == GestureSession::Stage::ENDED) {
 					end_s = ms / 1000.0;
 				}
 			}

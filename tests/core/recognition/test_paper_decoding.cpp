@@ -79,13 +79,13 @@ TEST_CASE("the decoder does not say which gesture it is, nor, without a task, wh
 		std::vector<int> told;
 		for (const HandFrame &frame : track.frames) {
 			recogniser.push(frame);
-			const GestureFollower *const follower = recogniser.follower();
-			told.push_back(follower != nullptr ? static_cast<int>(follower->stage()) : -1);
+			const GestureSession *const session = recogniser.session();
+			told.push_back(session != nullptr ? static_cast<int>(session->stage()) : -1);
 		}
 		return told;
 	};
 	const std::vector<int> as_shipped = stages({});
-	REQUIRE(as_shipped.back() == static_cast<int>(GestureFollower::Stage::ARRIVED));
+	REQUIRE(as_shipped.back() == static_cast<int>(GestureSession::Stage::ENDED));
 	for (const StateDecoding &decoding : DECODINGS) {
 		CHECK(stages(decoding) == as_shipped);
 	}
@@ -101,8 +101,8 @@ TEST_CASE("`paper` mode comes to the end of a drag by every decoder, and those t
 		std::array<double, 4> seen_s{};
 		for (const HandFrame &frame : track.frames) {
 			recogniser.push(frame);
-			if (const GestureFollower *const follower = recogniser.follower()) {
-				double &first_s = seen_s.at(static_cast<std::size_t>(follower->state()));
+			if (const GestureSession *const session = recogniser.session()) {
+				double &first_s = seen_s.at(static_cast<std::size_t>(session->state()));
 				first_s = first_s > 0.0 ? first_s : frame.t_s;
 			}
 		}

@@ -39,7 +39,7 @@ TEST_CASE("each synthetic person's gesture is started and ended, taps down too")
 			recogniser.push(frame);
 			const GestureShown before = std::exchange(shown, shown_by(recogniser));
 			if (news(before, shown).ended && first.empty()) {
-				first = recogniser.follower()->model().gesture;
+				first = recogniser.session()->model().gesture;
 			}
 		}
 		const bool is_down = trial.gesture == "tap" && trial.axis.y() < -0.7;

@@ -55,8 +55,8 @@ Progress progress_of_one_that_halts(double halt_s, int repetition) {
 			most = std::max(most, now);
 			progress.fell_by = std::max(progress.fell_by, most - now);
 		}
-		const GestureFollower *const follower = recogniser.follower();
-		const bool has_ended = follower != nullptr && follower->stage() == GestureFollower::Stage::ARRIVED;
+		const GestureSession *const session = recogniser.session();
+		const bool has_ended = session != nullptr && session->stage() == GestureSession::Stage::ENDED;
 		progress.when_ended = has_ended && !had_ended ? now : progress.when_ended;
 		had_ended = has_ended;
 		progress.at_last = now;

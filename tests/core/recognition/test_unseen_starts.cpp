@@ -155,8 +155,8 @@ TEST_CASE("a tracker that shows a still hand elsewhere for a while as it sets ou
 				const double from_s = drag.onset_s - before_s;
 				const Way hand = seen(rest, drag);
 				const Way way = [&](double t_s) {
-					const bool is_elsewhere = t_s >= from_s && t_s < from_s + shown_s;
-					return Eigen::Vector3d(hand(t_s) + (is_elsewhere ? 0.06 : 0.0) * Y);
+					const bool is_paused = t_s >= from_s && t_s < from_s + shown_s;
+					return Eigen::Vector3d(hand(t_s) + (is_paused ? 0.06 : 0.0) * Y);
 				};
 				GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
 				const Events events = watch(recogniser, way, 2.6, 1e9, 1e9, 100.0, 0.0);

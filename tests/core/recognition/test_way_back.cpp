@@ -48,7 +48,7 @@ TEST_CASE("drags in a row before a tracker that errs are all found, and nearer t
 		double lost_until_s = 0.0, shown = 0.0;
 		bool freezes = false;
 		int arrivals = 0;
-		GestureFollower::Stage stage = GestureFollower::Stage::RESTING;
+		GestureSession::Stage stage = GestureSession::Stage::IDLE;
 		for (int i = 0; i * PERIOD_S < Round::ALL_S; ++i) {
 			const double t_s = i * PERIOD_S;
 			if (t_s > lost_until_s && uniform(random) < 0.6 * PERIOD_S) {
@@ -68,11 +68,11 @@ TEST_CASE("drags in a row before a tracker that errs are all found, and nearer t
 			const double value = hmm.motion(MotionSource::SYNTHESISED).value_m / task.amplitude_m;
 			missing += (value - hand) * (value - hand);
 			missing_shown += (shown - hand) * (shown - hand);
-			arrivals += hmm.follower() != nullptr && hmm.follower()->stage() != stage &&
-							hmm.follower()->stage() == GestureFollower::Stage::ARRIVED
+			arrivals += hmm.session() != nullptr && hmm.session()->stage() != stage &&
+							hmm.session()->stage() == GestureSession::Stage::ENDED
 					? 1
 					: 0;
-			stage = hmm.follower() != nullptr ? hmm.follower()->stage() : GestureFollower::Stage::RESTING;
+			stage = hmm.session() != nullptr ? hmm.session()->stage() : GestureSession::Stage::IDLE;
 		}
 		CHECK(arrivals == Round::DRAGS);
 	}

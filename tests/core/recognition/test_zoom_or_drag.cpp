@@ -43,8 +43,8 @@ template <class Function> Shown shown(Function frame, double rate_hz, double len
 	bool had_ended = false;
 	for (int i = 0; i < rate_hz * length_s; ++i) {
 		recogniser.push(frame(i / rate_hz));
-		const bool has_ended = recogniser.gesture() == 0 &&
-				recogniser.follower()->stage() == GestureFollower::Stage::ARRIVED;
+		const bool has_ended =
+				recogniser.gesture() == 0 && recogniser.session()->stage() == GestureSession::Stage::ENDED;
 		shown.ended += has_ended && !had_ended ? 1 : 0;
 		shown.drag_frames += recogniser.gesture() == 1 ? 1 : 0;
 		had_ended = has_ended;

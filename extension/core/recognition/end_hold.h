@@ -9,7 +9,7 @@ namespace steadyhand {
 
 /// The end of a gesture whose task is not known: held until the hand has come back from it, or has rested
 /// there, which makes it a new start. Ways are in metres along the gesture's. amplitude_m: of the gesture.
-class HeldEnd {
+class EndHold {
 public:
 	/// A hand that has rested for so long is at a new start.
 	static constexpr double HOLD_S = 1.0;
@@ -17,7 +17,7 @@ public:
 	/// A gesture has begun: its stroke did at onset_s.
 	void begin(double onset_s, double gone_m);
 	/// At each frame in which the hand has a place.
-	void see(double gone_m);
+	void push(double gone_m);
 	/// The gesture is over, by this stroke.
 	void end(double t_s, const Stroke &stroke);
 	/// Since the end: a hand that is still, or again, on its way.

@@ -1,4 +1,4 @@
-#include "recognition/open_follower.h"
+#include "recognition/stroke_session.h"
 
 #include <algorithm>
 
@@ -31,22 +31,22 @@ double best_odds(const StrokeEvidence &evidence) {
 
 } // namespace
 
-bool OpenFollower::is_near_end(const Stroke &stroke) const {
+bool StrokeSession::is_near_end(const Stroke &stroke) const {
 	return amplitudes(stroke) > LOST_AT_END;
 }
 
-void OpenFollower::miss(double t_s, const StrokeFinder &strokes) {
+void StrokeSession::on_dropout(double t_s, const StrokeFinder &strokes) {
 	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
-	if (stage() == Stage::MOVING && t_s >= strokes.news_s() + ABSENCES_S.front()) {
+	if (stage() == Stage::ACTIVE && t_s >= strokes.news_s() + ABSENCES_S.front()) {
 		look_for_end(t_s, strokes, true);
 	}
-	if (stage() != Stage::RESTING && !claims_ && is_gone) {
-		give_way(t_s);
+	if (stage() != Stage::IDLE && !may_end_ && is_gone) {
+		abort(t_s);
 	}
 }
 
 /// is_missed: nothing more is expected to be seen of it.
-void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
+void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
 	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
 	bool is_hopeless = false;
 	for (const Stroke &stroke : strokes.strokes()) {
@@ -80,10 +80,10 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 	}
 	if (size > 0.0) {
 		set_log_odds(size);
-		claims_ = true;
+		may_end_ = true;
 		end_.end(t_s, strokes.strokes().front());
-	} else if (t_s - moved_s_ > HeldEnd::HOLD_S) {
-		give_way(t_s); // half-way; the way back of what is given up is over by now, and no gesture
+	} else if (t_s - moved_s_ > EndHold::HOLD_S) {
+		abort(t_s); // half-way; the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		hopeless_s_ = t_s;
 		dismiss(t_s);
@@ -92,17 +92,17 @@ void OpenFollower::look_for_end(double t_s, const StrokeFinder &strokes, bool is
 
 /// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
 /// slowed down too.
-bool OpenFollower::is_arriving(double t_s, const Stroke &stroke) const {
+bool StrokeSession::is_arriving(double t_s, const Stroke &stroke) const {
 	return mode() == MotionMode::PHASE && is_at_end(t_s) &&
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
-void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
+void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
 	if (is_on_its_way) {
 		const Stroke &stroke = strokes.strokes().front();
 		end_.follow(t_s, stroke);
-		log_odds_of_return_ = LOG_PRIOR_TASK +
+		return_log_odds_ = LOG_PRIOR_TASK +
 				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
 	}
 	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
@@ -119,7 +119,7 @@ void OpenFollower::look_for_return(double t_s, const StrokeFinder &strokes) {
 
 /// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
 /// tracker wandered meanwhile; and so is a way on after a second.
-bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
+bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
 	if (amplitudes(stroke) < TAIL) {
 		return false;
 	}
@@ -137,8 +137,8 @@ bool OpenFollower::is_next(const Stroke &stroke, const StrokeFinder &strokes) co
 	return evidence.rest > 0.0 && best_odds(evidence) > 0.0;
 }
 
-void OpenFollower::confirm(double t_s) {
-	claims_ = false;
+void StrokeSession::end_gesture(double t_s) {
+	may_end_ = false;
 	arrive(t_s);
 }
 

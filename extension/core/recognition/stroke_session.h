@@ -1,7 +1,7 @@
 #pragma once
 
-#include "recognition/gesture_follower.h"
-#include "recognition/held_end.h"
+#include "recognition/end_hold.h"
+#include "recognition/gesture_session.h"
 #include "strokes/stroke_evidence.h"
 
 #include <cmath>
@@ -10,18 +10,18 @@
 namespace steadyhand {
 
 /// Follows a gesture whose task is not known. Strokes say all: the start is where one began, either way of
-/// the model's axis may be meant, and the follower claims a stroke when it ends, for the recogniser to decide
+/// the model's axis may be meant, and the session claims a stroke when it ends, for the recogniser to decide
 /// between claims. The model's mean amplitude stands in for the task's.
-class OpenFollower final : public GestureFollower {
+class StrokeSession final : public GestureSession {
 public:
-	OpenFollower(const GestureModel &model, const Synthesis &synthesis);
+	StrokeSession(const GestureModel &model, const Synthesis &synthesis);
 
-	[[nodiscard]] bool claims() const override { return claims_; }
-	void confirm(double t_s) override;
-	void pass_over_before(double t_s) override { not_before_s_ = t_s; }
-	void give_way(double t_s) override;
-	void miss(double t_s, const StrokeFinder &strokes) override;
-	[[nodiscard]] double log_odds_of_return() const override { return log_odds_of_return_; }
+	[[nodiscard]] bool may_end() const override { return may_end_; }
+	void end_gesture(double t_s) override;
+	void ignore_before(double t_s) override { not_before_s_ = t_s; }
+	void abort(double t_s) override;
+	void on_dropout(double t_s, const StrokeFinder &strokes) override;
+	[[nodiscard]] double return_log_odds() const override { return return_log_odds_; }
 
 private:
 	static constexpr double IMPOSSIBLE = -INFINITY; ///< log odds
@@ -39,8 +39,8 @@ private:
 	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
 	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
 
-	bool claims_ = false;
-	double log_odds_of_return_ = -INFINITY;
+	bool may_end_ = false;
+	double return_log_odds_ = -INFINITY;
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
 	double moved_s_ = 0.0;            ///< when such a one was last on its way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
@@ -50,9 +50,10 @@ private:
 	bool may_come_again_ = false;     ///< without a rest: the first one's, or none, was seen
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
-	HeldEnd end_;
+	EndHold end_;
 
-	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
+	std::optional<double> measure(
+			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void look_for_start(double t_s, const StrokeFinder &strokes);
 	void start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes);
 	void look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed = false);

@@ -1,4 +1,4 @@
-#include "recognition/open_follower.h"
+#include "recognition/stroke_session.h"
 
 #include <algorithm>
 
@@ -55,9 +55,9 @@ FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const F
 
 } // namespace
 
-OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis) :
-		GestureFollower(model, model.typical_task, synthesis, false),
-		end_speed_share_(end_speed_share(model, ARRIVED_PHASE)), directions_{ FeaturePlace::Zero() } {
+StrokeSession::StrokeSession(const GestureModel &model, const Synthesis &synthesis) :
+		GestureSession(model, model.typical_task, synthesis, false),
+		end_speed_share_(end_speed_share(model, ENDED_PHASE)), directions_{ FeaturePlace::Zero() } {
 	if (feature().direction == nullptr) {
 		return; // its strokes have no direction
 	}
@@ -67,37 +67,38 @@ OpenFollower::OpenFollower(const GestureModel &model, const Synthesis &synthesis
 	}
 }
 
-std::optional<double> OpenFollower::see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
-	claims_ = false;
-	log_odds_of_return_ = IMPOSSIBLE;
+std::optional<double> StrokeSession::measure(
+		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
+	may_end_ = false;
+	return_log_odds_ = IMPOSSIBLE;
 	if (!has_place) {
 		return std::nullopt;
 	}
 	if (measurement().is_usable()) {
-		end_.see(along(last_place()));
+		end_.push(along(last_place()));
 	}
 	switch (stage()) {
-		case Stage::RESTING:
+		case Stage::IDLE:
 			look_for_start(frame.t_s, strokes);
 			break;
-		case Stage::MOVING:
+		case Stage::ACTIVE:
 			look_for_end(frame.t_s, strokes);
 			break;
-		case Stage::ARRIVED:
+		case Stage::ENDED:
 			look_for_return(frame.t_s, strokes);
 			break;
 	}
 	return along(last_place());
 }
 
-FeaturePlace OpenFollower::way_of(const Stroke &stroke) const {
+FeaturePlace StrokeSession::way_of(const Stroke &stroke) const {
 	const FeaturePlace chord = stroke.to - stroke.from;
 	return *std::ranges::max_element(
 			directions_, {}, [&chord](const FeaturePlace &direction) { return direction.dot(chord); });
 }
 
 /// stroke: one of the finder's; way: in its sense.
-StrokeEvidence OpenFollower::evidence_of(
+StrokeEvidence StrokeSession::evidence_of(
 		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
 	Stroke watched = stroke;
 	watched.unrest_m = strokes.unrest_m(stroke);
@@ -116,34 +117,34 @@ StrokeEvidence OpenFollower::evidence_of(
 }
 
 /// The motion is the way along the hand's own direction, once that can be told.
-void OpenFollower::aim(const FeaturePlace &to) {
+void StrokeSession::aim(const FeaturePlace &to) {
 	const FeaturePlace chord = to - from_;
 	if (!feature().is_radius && chord.norm() > SHORTEST * task().amplitude_m) {
 		way_ = chord.normalized();
 	}
 }
 
-bool OpenFollower::comes_again(const Stroke &stroke) const {
+bool StrokeSession::comes_again(const Stroke &stroke) const {
 	return may_come_again_ && stroke.onset_s - returned_s_ < AGAIN_S;
 }
 
-double OpenFollower::amplitudes(const Stroke &stroke) const {
+double StrokeSession::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
 /// A bound on the log odds that the stroke, or what is still to come of it, could come to; quickly told.
-double OpenFollower::most_odds(const Stroke &stroke) const {
+double StrokeSession::most_odds(const Stroke &stroke) const {
 	return LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
 }
 
 /// What the hand does, or did in several strokes, leads anywhere but along the gesture.
-bool OpenFollower::goes_elsewhere(const StrokeFinder &strokes) const {
+bool StrokeSession::goes_elsewhere(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
 		return stroke.onset_s >= not_before_s_ && most_odds(stroke) < HOPELESS;
 	});
 }
 
-void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
+void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	start_ = last_place();
 	way_ = feature().direction(task());
 	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
@@ -175,12 +176,12 @@ void OpenFollower::look_for_start(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
+void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
-	forget_frames();
+	reset_frames();
 	strokes.frames_since(stroke.onset_s - BEFORE_ONSET_S, [&](double frame_s, const FeaturePlace &place) {
 		if (frame_s < t_s) {
-			recall(frame_s, along(place));
+			replay(frame_s, along(place));
 		}
 	});
 	begin(t_s, along(last_place()) / task().amplitude_m);
@@ -191,15 +192,15 @@ void OpenFollower::start_from(double t_s, const Stroke &stroke, const StrokeFind
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
 
-void OpenFollower::give_way(double t_s) {
+void StrokeSession::abort(double t_s) {
 	not_before_s_ = t_s;
-	if (stage() != Stage::RESTING) {
+	if (stage() != Stage::IDLE) {
 		dismiss(t_s);
 	}
 }
 
-void OpenFollower::dismiss(double t_s) {
-	claims_ = false;
+void StrokeSession::dismiss(double t_s) {
+	may_end_ = false;
 	set_log_odds(LOG_PRIOR_OPEN);
 	rest(t_s);
 }

@@ -21,37 +21,37 @@ constexpr double SAME_WAY = 0.1;
 
 /// Tasks beside one another are begun by one stroke, which ends at one of them.
 void GestureRecogniser::settle() {
-	if (leader_ < 0 || follower()->stage() != GestureFollower::Stage::ARRIVED || follower()->end_told()) {
+	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED || session()->is_end_reported()) {
 		return;
 	}
-	followers_[shown()]->tell_end();
-	ended_begun_s_ = follower()->begun_s();
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
+	sessions_[shown()]->report_end();
+	ended_started_s_ = session()->started_s();
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (ends_to_the_side(shown(), i)) {
-			followers_[i]->give_way(time_s_);
+			sessions_[i]->abort(time_s_);
 		}
 	}
 }
 
 void GestureRecogniser::choose_leader() {
-	using Stage = GestureFollower::Stage;
+	using Stage = GestureSession::Stage;
 	settle();
-	const auto is_moving = [&](std::size_t i) { return followers_[i]->stage() == Stage::MOVING; };
-	if (leader_ < 0 || follower()->stage() == Stage::RESTING || !starts_[shown()].is_allowed) {
+	const auto is_moving = [&](std::size_t i) { return sessions_[i]->stage() == Stage::ACTIVE; };
+	if (leader_ < 0 || session()->stage() == Stage::IDLE || !starts_[shown()].is_allowed) {
 		lead(likeliest([&](std::size_t i) { return is_moving(i) && may_show(i); }));
 		return;
 	}
 	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
 	// on one way the one that the hand comes to first ends first, and the next one's end is told when the
 	// hand gets there.
-	const bool has_arrived = follower()->stage() == Stage::ARRIVED;
-	const double odds = log_odds(shown()), since_s = follower()->stage_began_s();
+	const bool has_arrived = session()->stage() == Stage::ENDED;
+	const double odds = log_odds(shown()), since_s = session()->stage_began_s();
 	const int best = likeliest([&](std::size_t i) {
-		const Stage stage = followers_[i]->stage();
-		const bool is_news = stage != Stage::RESTING && followers_[i]->stage_began_s() > since_s &&
-				!followers_[i]->end_told();
+		const Stage stage = sessions_[i]->stage();
+		const bool is_news = stage != Stage::IDLE && sessions_[i]->stage_began_s() > since_s &&
+				!sessions_[i]->is_end_reported();
 		const double doubt = ends_to_the_side(shown(), i) ? 0.0 : SWITCH_MARGIN;
-		const bool wins = has_arrived ? is_news && (stage == Stage::ARRIVED || log_odds(i) > 0.0)
+		const bool wins = has_arrived ? is_news && (stage == Stage::ENDED || log_odds(i) > 0.0)
 				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
 									  : is_news && log_odds(i) > odds - doubt;
 		return wins && may_show(i);
@@ -61,13 +61,13 @@ void GestureRecogniser::choose_leader() {
 	}
 }
 
-void GestureRecogniser::lead(int follower) {
-	if (follower == leader_) {
+void GestureRecogniser::lead(int session) {
+	if (session == leader_) {
 		return;
 	}
 	const Motion before = motion(MotionSource::SYNTHESISED);
 	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
-	leader_ = follower;
+	leader_ = session;
 	if (leader_ >= 0) {
 		shown_ = static_cast<std::size_t>(leader_);
 	} else if (!gestures_[shown_].task) {
@@ -82,7 +82,7 @@ void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 	const Motion now = synthesised(time_s_);
 	const double step_m = std::abs(before.value_m - now.value_m);
 	blend_ = {};
-	if (!gestures_[shown_].task || step_m < SAME_WAY * followers_[shown_]->task().amplitude_m) {
+	if (!gestures_[shown_].task || step_m < SAME_WAY * sessions_[shown_]->task().amplitude_m) {
 		blend_.start(time_s_, before, now, rate_per_s);
 	}
 }
@@ -90,48 +90,48 @@ void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 /// The first one of those to whose start the hand is nearest.
 std::size_t GestureRecogniser::nearest() const {
 	const auto nearest = std::ranges::min_element(
-			followers_, {}, [](const std::unique_ptr<GestureFollower> &one) { return one->off_start_m(); });
-	return static_cast<std::size_t>(nearest - followers_.begin());
+			sessions_, {}, [](const std::unique_ptr<GestureSession> &one) { return one->off_start_m(); });
+	return static_cast<std::size_t>(nearest - sessions_.begin());
 }
 
-/// So that a gesture begins where the motion already is: before the followers see the frame of t_s. Returns
+/// So that a gesture begins where the motion already is: before the sessions see the frame of t_s. Returns
 /// what was shown until now, where that was another one's.
 std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
-	if (followers_.empty()) {
+	if (sessions_.empty()) {
 		return std::nullopt;
 	}
-	const bool was_seen = followers_[shown_]->off_start_m() < INFINITY;
-	for (std::size_t i = 0; i < followers_.size(); ++i) {
+	const bool was_seen = sessions_[shown_]->off_start_m() < INFINITY;
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (const std::optional<FeaturePlace> &place = watched(i).place) {
-			followers_[i]->locate(*place);
+			sessions_[i]->locate(*place);
 		}
 	}
 	std::optional<Motion> before;
 	const std::size_t other = leader_ < 0 ? nearest() : shown_;
-	if (followers_[other]->off_start_m() < NEARER * followers_[shown_]->off_start_m()) {
+	if (sessions_[other]->off_start_m() < NEARER * sessions_[shown_]->off_start_m()) {
 		before = was_seen ? std::optional(motion(MotionSource::SYNTHESISED, t_s)) : std::nullopt;
 		shown_ = other;
 		blend_ = {};
 	}
-	followers_[shown_]->attend(t_s);
+	sessions_[shown_]->follow_hand(t_s);
 	return before;
 }
 
 /// A hand at a task is shown at rest too.
 Motion GestureRecogniser::synthesised(double t_s) const {
-	return leader_ >= 0 || gestures_[shown_].task ? followers_[shown_]->motion(t_s) : Motion{};
+	return leader_ >= 0 || gestures_[shown_].task ? sessions_[shown_]->motion(t_s) : Motion{};
 }
 
 Motion GestureRecogniser::motion(MotionSource source, double t_s) const {
-	if (followers_.empty()) {
+	if (sessions_.empty()) {
 		return {};
 	}
-	const GestureFollower &follower = *followers_[shown()];
+	const GestureSession &session = *sessions_[shown()];
 	if (source == MotionSource::SYNTHESISED) {
 		return blend_.completed(synthesised(t_s), t_s);
 	}
 	const double value_m = filtered_[shown()].value_m(source);
-	return { value_m, 0.0, 0.0, std::clamp(value_m / follower.task().amplitude_m, 0.0, 1.0) };
+	return { value_m, 0.0, 0.0, std::clamp(value_m / session.task().amplitude_m, 0.0, 1.0) };
 }
 
 } // namespace steadyhand

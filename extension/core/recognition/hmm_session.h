@@ -1,6 +1,6 @@
 #pragma once
 
-#include "recognition/gesture_follower.h"
+#include "recognition/gesture_session.h"
 #include "recognition/gesture_spotter.h"
 
 namespace steadyhand {
@@ -8,19 +8,19 @@ namespace steadyhand {
 /// Follows a gesture without a task in `paper` mode. A GestureSpotter says when it begins, ends and is
 /// aborted. The states since its onset are decoded once it has begun. The motion is the way along the hand's
 /// own direction; the model's mean amplitude stands in for the task's.
-class SpottedFollower final : public GestureFollower {
+class HmmSession final : public GestureSession {
 public:
-	/// spotter: outlives the follower, and is given each frame before the follower is.
-	SpottedFollower(const GestureModel &model, const Synthesis &synthesis, GestureSpotter &r_spotter);
+	/// spotter: outlives the session, and is given each frame before the session is.
+	HmmSession(const GestureModel &model, const Synthesis &synthesis, GestureSpotter &r_spotter);
 
 	/// Whether the HMMs include the model's gesture, by the same feature.
 	[[nodiscard]] static bool can_follow(const GestureModel &model, const ClassifierModel &hmms);
 
-	[[nodiscard]] bool claims() const override { return claims_; }
-	void confirm(double t_s) override;
-	void pass_over_before(double /*t_s*/) override {} // of an end the spotter forgets all onsets
-	void give_way(double t_s) override;
-	void miss(double t_s, const StrokeFinder &strokes) override;
+	[[nodiscard]] bool may_end() const override { return may_end_; }
+	void end_gesture(double t_s) override;
+	void ignore_before(double /*t_s*/) override {} // of an end the spotter forgets all onsets
+	void abort(double t_s) override;
+	void on_dropout(double t_s, const StrokeFinder &strokes) override;
 
 private:
 	/// A hand that has come back to half the way, or was at the end for so long, is at a new start.
@@ -29,9 +29,10 @@ private:
 	GestureSpotter *spotter_;
 	FeaturePlace start_ = FeaturePlace::Zero();
 	FeaturePlace way_; ///< unit vector
-	bool claims_ = false;
+	bool may_end_ = false;
 
-	std::optional<double> see(const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
+	std::optional<double> measure(
+			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void begin_at_onset(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s);
 	void aim();

@@ -5,12 +5,12 @@
 namespace steadyhand {
 
 /// When a hand was seen, and when about the way of its task.
-class SeenHand {
+class HandPresence {
 public:
 	/// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
 	static constexpr double RECENT_S = 0.1;
 
-	void see(double t_s, bool is_about_way) {
+	void push(double t_s, bool is_about_way) {
 		found_s_ = is_recent(t_s) ? found_s_ : t_s;
 		last_s_ = t_s;
 		about_way_s_ = is_about_way ? t_s : about_way_s_;

@@ -1,4 +1,4 @@
-#include "recognition/gesture_follower.h"
+#include "recognition/gesture_session.h"
 
 #include "base/parameters.h"
 #include "strokes/stroke_evidence.h"
@@ -15,7 +15,7 @@ constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: with
 
 } // namespace
 
-GestureFollower::GestureFollower(
+GestureSession::GestureSession(
 		const GestureModel &model, const Task &task, const Synthesis &synthesis, bool follows_rest) :
 		model_(&model),
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
@@ -24,7 +24,7 @@ GestureFollower::GestureFollower(
 							   follows_rest ? parameters::GAIN_SPREAD
 											: feature_->open_gain_spread * parameters::OPEN_GAIN_SPREAD) {}
 
-bool GestureFollower::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
+bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
 		const StrokeFinder &strokes, const Measurement &measurement) {
 	if (!clock_started_) {
 		clock_.start(frame.t_s);
@@ -32,25 +32,25 @@ bool GestureFollower::push(const HandFrame &frame, const std::optional<FeaturePl
 	}
 	place_ = place.value_or(place_);
 	measurement_ = measurement;
-	const std::optional<double> x_m = see(frame, place.has_value(), strokes);
+	const std::optional<double> x_m = measure(frame, place.has_value(), strokes);
 	if (!x_m) {
 		return false;
 	}
-	const Motion before = is_forgotten_ ? motion(frame.t_s) : Motion{};
+	const Motion before = is_reset_ ? motion(frame.t_s) : Motion{};
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
 		const double x = *x_m / task_.amplitude_m;
-		is_elsewhere_ ? phase_.pass_over(frame.t_s, x) : phase_.push(measurement, x);
+		is_paused_ ? phase_.pass_over(frame.t_s, x) : phase_.push(measurement, x);
 	}
-	if (is_forgotten_) {
-		is_forgotten_ = false;
+	if (is_reset_) {
+		is_reset_ = false;
 		blend_from(before, frame.t_s, RELEASE_RATE_PER_S);
 	}
 	fresh_ = true;
 	return true;
 }
 
-void GestureFollower::advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
+void GestureSession::advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
@@ -60,51 +60,51 @@ void GestureFollower::advance(double t_s, const StrokeFinder &strokes, const Tra
 	}
 }
 
-void GestureFollower::step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
+void GestureSession::step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
 	if (!fresh_ && follows_phase()) {
 		phase_.wait(t_s, monitor.is_overdue(t_s));
 	}
-	if (stage_ == Stage::MOVING) {
+	if (stage_ == Stage::ACTIVE) {
 		decode(t_s);
 	}
-	decide(t_s, strokes);
+	update_stage(t_s, strokes);
 	fresh_ = false;
 }
 
-void GestureFollower::begin(double t_s, double value) {
+void GestureSession::begin(double t_s, double value) {
 	decoder_.reset();
 	state_played_ = 0;
 	if (mode_ == MotionMode::PAPER) {
 		paper_.begin(t_s, phase_of_value(*model_, value));
 	}
-	gestures_begun_ += stage_ != Stage::MOVING ? 1 : 0;
-	begun_s_ = t_s;
-	enter(Stage::MOVING, t_s);
+	gestures_started_ += stage_ != Stage::ACTIVE ? 1 : 0;
+	started_s_ = t_s;
+	enter(Stage::ACTIVE, t_s);
 }
 
-void GestureFollower::rest(double t_s) {
+void GestureSession::rest(double t_s) {
 	const Motion before = motion(t_s);
-	enter(Stage::RESTING, t_s);
+	enter(Stage::IDLE, t_s);
 	if (!follows_phase()) { // the estimator blends by itself
 		blend_from(before, t_s, RELEASE_RATE_PER_S);
 	}
 }
 
-void GestureFollower::forget_hand(double t_s) {
+void GestureSession::reset_hand(double t_s) {
 	const Motion before = motion(t_s);
-	enter(Stage::RESTING, t_s);
-	forget_frames();
-	is_forgotten_ = true;
+	enter(Stage::IDLE, t_s);
+	reset_frames();
+	is_reset_ = true;
 	blend_from(before, t_s, RELEASE_RATE_PER_S);
 }
 
-void GestureFollower::enter(Stage stage, double t_s) {
+void GestureSession::enter(Stage stage, double t_s) {
 	stage_ = stage;
 	stage_began_s_ = t_s;
-	end_told_ = false;
+	is_end_reported_ = false;
 }
 
-void GestureFollower::decode(double t_s) {
+void GestureSession::decode(double t_s) {
 	decoder_.push(fresh_ ? model_->quantiser.symbol(observation()) : UNSEEN);
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
@@ -114,20 +114,20 @@ void GestureFollower::decode(double t_s) {
 	}
 }
 
-bool GestureFollower::is_at_end(double t_s) const {
+bool GestureSession::is_at_end(double t_s) const {
 	return mode_ == MotionMode::PAPER ? paper_.phase(t_s) >= 1.0 : estimate(t_s).value >= END_LEVEL;
 }
 
-bool GestureFollower::is_still_at_end(double t_s) const {
+bool GestureSession::is_still_at_end(double t_s) const {
 	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < NEARLY_STILL);
 }
 
-void GestureFollower::forget_frames() {
+void GestureSession::reset_frames() {
 	window_.reset();
 	phase_.reset();
 }
 
-void GestureFollower::recall(double t_s, double x_m) {
+void GestureSession::replay(double t_s, double x_m) {
 	window_.push(t_s, x_m);
 	fresh_ = true;
 	if (mode_ == MotionMode::PHASE) {
@@ -135,26 +135,26 @@ void GestureFollower::recall(double t_s, double x_m) {
 	}
 }
 
-void GestureFollower::decode_recalled(double t_s) {
+void GestureSession::decode_replayed(double t_s) {
 	decode(t_s);
 	fresh_ = false;
 }
 
-void GestureFollower::blend_from(const Motion &before, double t_s, double rate_per_s) {
+void GestureSession::blend_from(const Motion &before, double t_s, double rate_per_s) {
 	blend_.start(t_s, before, synthesised(t_s), rate_per_s);
 }
 
-Motion GestureFollower::synthesised(double t_s) const {
+Motion GestureSession::synthesised(double t_s) const {
 	if (follows_phase()) {
 		const MotionEstimate now = estimate(t_s);
 		return { task_.amplitude_m * now.value, task_.amplitude_m * now.velocity,
-			task_.amplitude_m * now.acceleration, stage_ == Stage::RESTING ? 0.0 : now.phase,
+			task_.amplitude_m * now.acceleration, stage_ == Stage::IDLE ? 0.0 : now.phase,
 			task_.amplitude_m * now.correction };
 	}
-	return stage_ == Stage::RESTING ? Motion{} : paper_.motion(t_s, task_.amplitude_m);
+	return stage_ == Stage::IDLE ? Motion{} : paper_.motion(t_s, task_.amplitude_m);
 }
 
-Motion GestureFollower::motion(double t_s) const {
+Motion GestureSession::motion(double t_s) const {
 	return blend_.completed(synthesised(t_s), t_s);
 }
 

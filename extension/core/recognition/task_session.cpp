@@ -1,4 +1,4 @@
-#include "recognition/task_follower.h"
+#include "recognition/task_session.h"
 
 #include "strokes/stroke_evidence.h"
 
@@ -59,12 +59,12 @@ constexpr double MISSING_S = 0.05;
 
 } // namespace
 
-TaskFollower::TaskFollower(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
-		GestureFollower(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
+TaskSession::TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
+		GestureSession(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
 
-std::optional<double> TaskFollower::see(
+std::optional<double> TaskSession::measure(
 		const HandFrame &frame, bool /*has_place*/, const StrokeFinder &strokes) {
-	if (stage() == Stage::RESTING) {
+	if (stage() == Stage::IDLE) {
 		element_.restart();
 	}
 	const std::optional<double> x_m = element_.measure(frame, task());
@@ -75,14 +75,14 @@ std::optional<double> TaskFollower::see(
 		off_way_m_ = feature().off_way_m(frame, task());
 	}
 	const double about = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
-	hand_.see(frame.t_s, off_way_m_ < about * task().amplitude_m);
-	follow_near(frame.t_s);
+	hand_.push(frame.t_s, off_way_m_ < about * task().amplitude_m);
+	update_nearness(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
-	if (stage() == Stage::RESTING && std::abs(x) < BACK_VALUE) {
+	if (stage() == Stage::IDLE && std::abs(x) < BACK_VALUE) {
 		wander_.push(frame.t_s, x);
 	}
-	if (stage() != Stage::RESTING) {
+	if (stage() != Stage::IDLE) {
 		strokes_.add(strokes);
 		set_log_odds(strokes_.judge(strokes));
 	}
@@ -90,42 +90,42 @@ std::optional<double> TaskFollower::see(
 }
 
 /// The estimator costs most of what a task does, and of many in a scene the hand is near few.
-void TaskFollower::follow_near(double t_s) {
-	if (is_near() || stage() != Stage::RESTING) {
-		attend(t_s);
+void TaskSession::update_nearness(double t_s) {
+	if (is_near() || stage() != Stage::IDLE) {
+		follow_hand(t_s);
 	}
-	set_elsewhere(mode() == MotionMode::PHASE && t_s - attended_s_ > ELSEWHERE_S);
+	set_paused(mode() == MotionMode::PHASE && t_s - followed_s_ > ELSEWHERE_S);
 }
 
-bool TaskFollower::is_near() const {
+bool TaskSession::is_near() const {
 	return away_m() < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
 }
 
-bool TaskFollower::has_gone_elsewhere() const {
+bool TaskSession::has_gone_elsewhere() const {
 	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_way_s() > GONE_S
 						 : hand_.off_way_s() > DOUBT_S;
 }
 
-double TaskFollower::off_start_m() const {
+double TaskSession::off_start_m() const {
 	const bool is_anywhere = !is_straight() || feature().is_radius;
 	return is_anywhere ? std::max(away_m(), ANYWHERE_M) : away_m();
 }
 
-void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
-	if (!is_forgotten() && t_s - hand_.last_s() > ABSENCES_S.back()) {
+void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
+	if (!is_reset() && t_s - hand_.last_s() > ABSENCES_S.back()) {
 		is_rejected_ = false;
 		lose(t_s);
 	}
 	switch (stage()) {
-		case Stage::RESTING:
-			if (is_elsewhere()) {
+		case Stage::IDLE:
+			if (is_paused()) {
 				break;
 			}
-			if (is_rejected_ ? is_back(t_s) : has_been_elsewhere(t_s)) {
+			if (is_rejected_ ? has_returned(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) &&
-					has_begun(t_s, strokes)) {
+					has_started(t_s, strokes)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = likely_s_ = off_start_s_ = t_s;
@@ -135,22 +135,22 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 				decode(t_s);
 			}
 			break;
-		case Stage::MOVING:
+		case Stage::ACTIVE:
 			follow_stop(t_s);
 			if (has_gone_elsewhere()) {
 				is_rejected_ = true;
-				come_to_rest(t_s);
-			} else if (was_nothing(t_s)) {
-				come_to_rest(t_s);
+				go_idle(t_s);
+			} else if (has_aborted(t_s)) {
+				go_idle(t_s);
 			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_known(t_s, strokes)) {
-				come_to_end(t_s);
+				try_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
 			}
 			break;
-		case Stage::ARRIVED:
-			if (is_back(t_s)) {
-				come_to_rest(t_s);
+		case Stage::ENDED:
+			if (has_returned(t_s)) {
+				go_idle(t_s);
 			} else {
 				beyond_s_ = t_s;
 			}
@@ -158,7 +158,7 @@ void TaskFollower::decide(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
+bool TaskSession::has_started(double t_s, const StrokeFinder &strokes) const {
 	if (mode() == MotionMode::PAPER) {
 		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
 	}
@@ -176,16 +176,16 @@ bool TaskFollower::has_begun(double t_s, const StrokeFinder &strokes) const {
 }
 
 /// It went its own way, which the estimator takes for a gesture that is over, and has come back.
-bool TaskFollower::has_been_elsewhere(double t_s) const {
+bool TaskSession::has_been_elsewhere(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false;
 	}
 	// The value that is put out is yet to follow what a frame has changed, the phase is not.
 	const MotionEstimate now = expected(t_s);
-	return now.phase > ARRIVED_PHASE && std::abs(now.value) < BACK_VALUE;
+	return now.phase > ENDED_PHASE && std::abs(now.value) < BACK_VALUE;
 }
 
-bool TaskFollower::was_nothing(double t_s) {
+bool TaskSession::has_aborted(double t_s) {
 	if (mode() == MotionMode::PAPER) {
 		return value() < BACK_VALUE &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
@@ -194,7 +194,7 @@ bool TaskFollower::was_nothing(double t_s) {
 	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin = furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
-	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ARRIVED_PHASE;
+	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ENDED_PHASE;
 	// A hand that is taken to stand there, wherever it came from, has given up as well.
 	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
 	const double wander = std::max(TURNED_BACK, RETURN_WANDERS * wander_.deviation(t_s));
@@ -204,19 +204,19 @@ bool TaskFollower::was_nothing(double t_s) {
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
 /// that is seen in the first half of the way is none of its doing yet.
-bool TaskFollower::is_known(double t_s, const StrokeFinder &strokes) const {
+bool TaskSession::is_known(double t_s, const StrokeFinder &strokes) const {
 	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : hand_.last_s());
 	const bool may_be_there = value() > HALF_WAY || unseen_s > MISSING_S;
 	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 
-bool TaskFollower::is_back(double t_s) const {
+bool TaskSession::has_returned(double t_s) const {
 	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
 	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
 }
 
-void TaskFollower::follow_stop(double t_s) {
+void TaskSession::follow_stop(double t_s) {
 	const MotionEstimate now = estimate(t_s);
 	const bool is_seen = hand_.is_recent(t_s);
 	moved_s_ = is_seen && now.hold > STOPPED ? moved_s_ : t_s;
@@ -224,7 +224,7 @@ void TaskFollower::follow_stop(double t_s) {
 }
 
 /// Where the gesture counts, or it has turned back from there.
-bool TaskFollower::has_stopped(double t_s) const {
+bool TaskSession::has_stopped(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false; // plays to the end
 	}
@@ -234,45 +234,45 @@ bool TaskFollower::has_stopped(double t_s) const {
 	return strokes_.best_log_odds() > BEYOND_DOUBT && (has_turned || has_stopped);
 }
 
-void TaskFollower::come_to_end(double t_s) {
+void TaskSession::try_end(double t_s) {
 	const bool is_paper = mode() == MotionMode::PAPER;
 	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
 	if (counts && (is_paper || hand_.off_way_s() <= 0.0)) {
 		arrive(t_s);
 	} else if (!counts && t_s - at_end_since_s_ > DOUBT_S) {
 		is_rejected_ = true;
-		come_to_rest(t_s);
+		go_idle(t_s);
 	}
 }
 
-void TaskFollower::come_to_rest(double t_s) {
-	const bool had_left = stage() == Stage::ARRIVED || furthest_ > SEEN_ON_WAY;
+void TaskSession::go_idle(double t_s) {
+	const bool had_left = stage() == Stage::ENDED || furthest_ > SEEN_ON_WAY;
 	rest(t_s);
 	if (had_left) {
-		strokes_.pass_over_before(beyond_s_ - TURNS_S);
+		strokes_.ignore_before(beyond_s_ - TURNS_S);
 	}
-	if (!is_rejected_ && is_back(t_s)) { // a hand that is elsewhere does not begin there
+	if (!is_rejected_ && has_returned(t_s)) { // a hand that is elsewhere does not begin there
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
 	}
 }
 
-bool TaskFollower::nears_end() const {
-	return stage() != Stage::RESTING && value() > NEAR_END;
+bool TaskSession::is_near_end() const {
+	return stage() != Stage::IDLE && value() > NEAR_END;
 }
 
 /// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
-void TaskFollower::lose(double t_s) {
+void TaskSession::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);
 	off_start_m_ = off_way_m_ = INFINITY;
-	forget_hand(t_s);
+	reset_hand(t_s);
 }
 
-void TaskFollower::give_way(double t_s) {
-	if (stage() != Stage::RESTING) {
+void TaskSession::abort(double t_s) {
+	if (stage() != Stage::IDLE) {
 		set_log_odds(LOG_PRIOR_OPEN);
 		is_rejected_ = true; // nor does it begin again in this motion
-		come_to_rest(t_s);
+		go_idle(t_s);
 	}
 }
 

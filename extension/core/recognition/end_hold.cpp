@@ -1,4 +1,4 @@
-#include "recognition/held_end.h"
+#include "recognition/end_hold.h"
 
 #include <algorithm>
 
@@ -22,23 +22,23 @@ double will_stand_s(double t_s, const Stroke &stroke) {
 
 } // namespace
 
-void HeldEnd::begin(double onset_s, double gone_m) {
+void EndHold::begin(double onset_s, double gone_m) {
 	onset_s_ = onset_s;
 	gone_m_ = furthest_m_ = gone_m;
 }
 
-void HeldEnd::see(double gone_m) {
+void EndHold::push(double gone_m) {
 	gone_m_ = gone_m;
 	furthest_m_ = std::max(furthest_m_, gone_m);
 }
 
-void HeldEnd::end(double t_s, const Stroke &stroke) {
+void EndHold::end(double t_s, const Stroke &stroke) {
 	ended_s_ = t_s;
 	moved_s_ = stood_s_ = will_stand_s(t_s, stroke);
 	may_set_out_s_ = INFINITY;
 }
 
-void HeldEnd::follow(double t_s, const Stroke &stroke) {
+void EndHold::follow(double t_s, const Stroke &stroke) {
 	const bool is_gesture = stroke.onset_s < ended_s_;
 	if (is_gesture) {
 		stood_s_ = will_stand_s(t_s, stroke);
@@ -51,11 +51,11 @@ void HeldEnd::follow(double t_s, const Stroke &stroke) {
 	moved_s_ = std::max(moved_s_, t_s);
 }
 
-bool HeldEnd::has_returned() const {
+bool EndHold::has_returned() const {
 	return gone_m_ < RETURNED * furthest_m_;
 }
 
-bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {
+bool EndHold::is_at_new_start(double t_s, const StrokeFinder &strokes, double amplitude_m) const {
 	if (t_s - moved_s_ <= HOLD_S) {
 		return false;
 	}
@@ -63,7 +63,7 @@ bool HeldEnd::is_at_new_start(double t_s, const StrokeFinder &strokes, double am
 	return !may_settle || strokes.stray_m(t_s - HOLD_S, t_s) <= CREEPS * amplitude_m;
 }
 
-bool HeldEnd::has_rested(const Stroke &stroke, const StrokeFinder &strokes, double stray_m) const {
+bool EndHold::has_rested(const Stroke &stroke, const StrokeFinder &strokes, double stray_m) const {
 	// When a slow hand stands is less sure.
 	const double rested_s = stood_s_ + HOLD_S + SLOWS_DOWN * (stood_s_ - onset_s_);
 	return stroke.onset_s >= rested_s && strokes.stray_m(stroke.onset_s - HOLD_S, stroke.onset_s) <= stray_m;
