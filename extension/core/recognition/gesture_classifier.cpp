@@ -2,6 +2,7 @@
 
 #include "gesture/task.h"
 #include "hmm/linear_hmm.h"
+#include "strokes/direction_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,13 +45,21 @@ double reach_ratio(const DirectedHmm &model, double way_m, double growth_m) {
 	return OTHER_REACHES * normal_density(off, model.reach_deviation);
 }
 
+/// How much likelier the direction is if it is the gesture's. The jitter of the tip turns short ways.
+double direction_ratio(
+		const Eigen::Vector3d &way_m, const Eigen::Vector3d &axis, const ClassifierOptions &options) {
+	const double distance_m = way_m.norm();
+	const double width = std::hypot(options.direction_width, options.jitter_m / distance_m);
+	return std::isfinite(width) ? std::exp(log_direction_ratio((way_m / distance_m - axis).norm(), width))
+								: 1.0;
+}
+
 } // namespace
 
 GestureClassifier::GestureClassifier(std::shared_ptr<const ClassifierModel> model,
 		std::vector<std::string> gestures, const ClassifierOptions &options) :
 		model_(std::move(model)),
-		options_(options), directions_(options.cone_deg, options.cone_deviation_deg),
-		filler_(filler_of(*model_, options.evidence)), filler_filter_(filler_) {
+		options_(options), filler_(filler_of(*model_, options.evidence)), filler_filter_(filler_) {
 	expect(std::move(gestures));
 }
 
@@ -247,7 +256,7 @@ void GestureClassifier::weigh(const Hypothesis &hypothesis, std::size_t lane, co
 	const double on_way = 1.0 - has_arrived + there;
 	double weight = options_.onset_prior * quotient(all, filler) * on_way;
 	if (!model.is_radius) {
-		weight *= directions_.ratio(way_m, model.axis, options_.jitter_m);
+		weight *= direction_ratio(way_m, model.axis, options_);
 	}
 	onset.weight = std::max(onset.weight, weight);
 	GestureCandidate &candidate = candidates_[hypothesis.gesture];

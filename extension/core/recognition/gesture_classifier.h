@@ -5,7 +5,6 @@
 #include "gesture/symbol_clock.h"
 #include "hmm/filler_filter.h"
 #include "hmm/scaled_recursion.h"
-#include "recognition/direction_prior.h"
 #include "signal/ring.h"
 #include "tracking/frame.h"
 
@@ -35,9 +34,8 @@ struct GestureCandidate {
 struct ClassifierOptions {
 	/// Odds of an onset at a given instant, for each gesture. The threshold between misses and false alarms.
 	double onset_prior = 3e-5;
-	/// Gestures may run 20 degrees off their axes, and hands 2 more: as far any direction is as likely.
-	double cone_deg = 22.0;
-	double cone_deviation_deg = 2.0;
+	/// Radians, log_direction_ratio()'s: gestures may run 20 degrees off their axes.
+	double direction_width = 0.42;
 	double jitter_m = 0.005; ///< of a tracked tip
 	/// A hand is at rest that has moved less far within REST_SYMBOLS; only there gestures begin.
 	double rest_m = 0.015;
@@ -99,7 +97,6 @@ private:
 
 	std::shared_ptr<const ClassifierModel> model_;
 	ClassifierOptions options_;
-	DirectionPrior directions_;
 	FillerModel filler_;
 	FillerFilter<ONSETS> filler_filter_;
 	std::vector<std::string> gestures_;

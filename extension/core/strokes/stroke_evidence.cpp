@@ -1,6 +1,7 @@
 #include "strokes/stroke_evidence.h"
 
 #include "signal/minimum_jerk.h"
+#include "strokes/direction_density.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace {
 // beginning on.
 constexpr double TURNED = 0.35;
 constexpr double YET_TO_TURN = 0.35;
-constexpr double GAMMA_THIRD = 2.6789385347077476; ///< gamma(1/3)
 /// About the way to a task's end: radians, each of two; aim and the tracker's error.
 constexpr double ANGLE = 0.11;
 /// Mean distance from the chord, in its lengths, within which a way is bowed.
@@ -70,11 +70,9 @@ double log_two_piece_normal(double x, double below, double above) {
 	return -0.5 * z * z - std::log(0.5 * (below + above) * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// off: distance on the unit sphere from the axis, by which areas there are those of the plane. As likely
-/// anywhere within TURNED, hardly beyond: exp(-(off / TURNED)^6) against the uniform 1 / (4 pi).
+/// off: distance on the unit sphere from the axis.
 double direction_in_the_open(double off) {
-	const double cube = off * off * off / (TURNED * TURNED * TURNED);
-	return std::log(12.0 / (TURNED * TURNED * GAMMA_THIRD)) - cube * cube;
+	return log_direction_ratio(off, TURNED);
 }
 
 /// The same where the axis is known: a normal.

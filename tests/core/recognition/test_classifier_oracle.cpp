@@ -76,11 +76,21 @@ std::vector<HandMotion> motions_of(const std::vector<HandFrame> &frames) {
 	return motions;
 }
 
+/// Of a density exp(-(off / width)^6) over the plane, against 1 / (4 pi).
+double direction_ratio(const Eigen::Vector3d &way_m, const Eigen::Vector3d &axis) {
+	if (way_m.isZero(0.0)) {
+		return 1.0;
+	}
+	const double width = std::hypot(0.42, 0.005 / way_m.norm());
+	const double off = (way_m.normalized() - axis).norm();
+	const double at_axis = std::max(12.0 / (width * width * std::tgamma(1.0 / 3.0)), 1.0);
+	return at_axis * std::exp(-std::pow(off / width, 6.0));
+}
+
 /// Sum over all segmentations: the filler up to an onset, and a gesture from there to the newest instant.
 double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
 		std::size_t newest) {
 	const DiscreteHmm filler = filler_hmm(model);
-	const DirectionPrior directions(22.0, 2.0);
 	std::array<double, 2> weights{};
 	for (std::size_t onset = 0; onset <= newest; onset += ONSET_STEP) {
 		MotionObserver observer(motions[onset]);
@@ -99,7 +109,7 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 			const double reach = 4.605 * std::exp(-0.5 * off * off) /
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
 			weights[g] += ONSET_PRIOR * std::exp(likelihood.log_all - log_filler) *
-					(1.0 + likelihood.last_share * (reach - 1.0)) * directions.ratio(way_m, own.axis, 0.005);
+					(1.0 + likelihood.last_share * (reach - 1.0)) * direction_ratio(way_m, own.axis);
 		}
 	}
 	return weights[gesture] / (1.0 + weights[0] + weights[1]);
