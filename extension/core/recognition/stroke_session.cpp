@@ -5,18 +5,16 @@
 namespace steadyhand {
 namespace {
 
-/// A stroke's onset is told by its speed, when the hand has gone some hundredths of the way already: it set
-/// out from the furthest back that it was in this time before, by means over parts of it, in which a
-/// tracker's noise counts little.
+/// A stroke's onset is where it has a quarter of its peak speed, some hundredths of the amplitude late. The
+/// movement starts at the hindmost place of the time before it. Means over parts of that time suppress noise.
 constexpr double BEFORE_ONSET_S = 0.15, REST_PART_S = 0.05;
-/// Strokes that are shorter than so many times the tracker's noise do not say where they go, but for such as
-/// are well under way.
+/// Strokes shorter than so many standard deviations of the noise have no clear direction.
 constexpr double TREMBLES = 10.0;
-/// A gesture that comes again this soon after its own way back needs no rest before it.
+/// A gesture that is repeated this soon after the return needs no rest before it.
 constexpr double AGAIN_S = 1.0;
 constexpr double STARTING_RATE_PER_S = 100.0;
 
-/// The model's speed at this phase, its end, in shares of its peak, and what people slow down less.
+/// The model's speed at this phase / its peak, and a margin for people who slow down less.
 double end_speed_share(const GestureModel &model, double end_phase) {
 	constexpr double SLOWED_LESS = 0.25;
 	constexpr int POINTS = 50;
@@ -27,7 +25,7 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
 }
 
-/// Where the hand set out that makes one of the finder's strokes. way: unit vector.
+/// Where the movement of a stroke of the finder starts. way: unit vector.
 FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) {
 	FeaturePlace start = stroke.from, sum = FeaturePlace::Zero();
 	int count = 0;
@@ -97,7 +95,8 @@ FeaturePlace StrokeSession::way_of(const Stroke &stroke) const {
 			directions_, {}, [&chord](const FeaturePlace &direction) { return direction.dot(chord); });
 }
 
-/// stroke: one of the finder's; way: in its sense.
+/// stroke: one of the finder's; way: direction of the model that it follows. A jump of the tracker may have
+/// been the hand's.
 StrokeEvidence StrokeSession::evidence_of(
 		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
 	Stroke watched = stroke;
@@ -116,7 +115,7 @@ StrokeEvidence StrokeSession::evidence_of(
 	return evidence;
 }
 
-/// The motion is the way along the hand's own direction, once that can be told.
+/// The motion is measured along the hand's own direction, once that is clear.
 void StrokeSession::aim(const FeaturePlace &to) {
 	const FeaturePlace chord = to - from_;
 	if (!feature().is_radius && chord.norm() > SHORTEST * task().amplitude_m) {
@@ -132,12 +131,12 @@ double StrokeSession::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
-/// A bound on the log odds that the stroke, or what is still to come of it, could come to; quickly told.
+/// An upper bound of the log odds that the stroke can reach; cheap.
 double StrokeSession::most_odds(const Stroke &stroke) const {
 	return LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
 }
 
-/// What the hand does, or did in several strokes, leads anywhere but along the gesture.
+/// One of the strokes cannot become the gesture.
 bool StrokeSession::goes_elsewhere(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
 		return stroke.onset_s >= not_before_s_ && most_odds(stroke) < HOPELESS;
@@ -165,11 +164,11 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
-			// A hand that came into view waving is not excused a second time.
+			// Not of a hand that waved when it came into view.
 			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= Stroke::REST_S;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
-			look_for_end(t_s, strokes); // it may be over already
+			look_for_end(t_s, strokes); // it may have ended already
 			return;
 		}
 	}
@@ -187,7 +186,6 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 	likely_s_ = moved_s_ = t_s;
 	furthest_ = 0.0;
 	gone_m_ = furthest_m_ = along(last_place());
-	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }
 

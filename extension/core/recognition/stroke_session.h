@@ -8,9 +8,9 @@
 
 namespace steadyhand {
 
-/// Follows a gesture whose task is not known. Strokes say all: the start is where one began, either way of
-/// the model's axis may be meant, and the session claims a stroke when it ends, for the recogniser to decide
-/// between claims. The model's mean amplitude stands in for the task's.
+/// A gesture without a task in `phase` mode, recognised by strokes. It starts where a stroke did, in any
+/// direction of the model. When the stroke ends, the recogniser decides between the sessions that may_end().
+/// The model's mean amplitude stands in for the task's.
 class StrokeSession final : public GestureSession {
 public:
 	StrokeSession(const GestureModel &model, const Synthesis &synthesis);
@@ -23,31 +23,29 @@ public:
 
 private:
 	static constexpr double IMPOSSIBLE = -INFINITY; ///< log odds
-	/// Strokes, amplitudes: shorter ones do not say where they go, and from the other on they are well under
+	/// Strokes, amplitudes: shorter ones have no clear direction; longer ones than the second are well under
 	/// way.
 	static constexpr double SHORTEST = 0.12, WELL_UNDER_WAY = 0.3;
-	/// log odds, at the best that may come, below which a stroke is none.
+	/// A stroke whose greatest possible log odds are less is no gesture.
 	static constexpr double HOPELESS = -8.0;
 
-	double end_speed_share_; ///< of the peak speed: what a hand still has where the gesture ends
-	std::vector<FeaturePlace> directions_;      ///< in which the model was trained: unit vectors
+	double end_speed_share_;                    ///< speed at the end of the gesture / peak speed
+	std::vector<FeaturePlace> directions_;      ///< of the model: unit vectors
 	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
-	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
-	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
-	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
+	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, scaled as strokes are
+	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector: growth of the motion element
+	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's direction that the stroke follows
 
 	bool may_end_ = false;
-	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
-	double moved_s_ = 0.0;            ///< when such a one was last on its way
-	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
-	double furthest_ = 0.0;           ///< that it came while it looked so, amplitudes
-	double hopeless_s_ = -INFINITY;   ///< when one was last found to be none
-	double returned_s_ = -INFINITY;   ///< when the hand was last on its way back after the gesture
-	bool may_come_again_ = false;     ///< without a rest: the first one's, or none, was seen
-	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
-	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
-	double ended_s_ = 0.0, stopped_s_ = 0.0;        ///< when the gesture ended, and the hand stopped, or will
-	double gone_m_ = 0.0, furthest_m_ = 0.0;        ///< along the way, since the start
+	double likely_s_ = 0.0;                  ///< when a stroke was last likelier the gesture than none
+	double moved_s_ = 0.0;                   ///< when that stroke last moved; since the end, any stroke
+	double not_before_s_ = -INFINITY;        ///< earlier onsets belong to earlier gestures
+	double furthest_ = 0.0;                  ///< length of the stroke while it was likely, amplitudes
+	double hopeless_s_ = -INFINITY;          ///< when a stroke was last found to be no gesture
+	double returned_s_ = -INFINITY;          ///< when the hand last returned after a gesture
+	bool may_come_again_ = false;            ///< without a rest before it
+	double ended_s_ = 0.0, stopped_s_ = 0.0; ///< of the gesture; of the hand after it, predicted
+	double gone_m_ = 0.0, furthest_m_ = 0.0; ///< value of the motion element, now and at most
 
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
@@ -60,7 +58,7 @@ private:
 	[[nodiscard]] bool goes_elsewhere(const StrokeFinder &strokes) const;
 	void dismiss(double t_s);
 
-	/// How far a place is along the way, m.
+	/// The motion element, m.
 	[[nodiscard]] double along(const FeaturePlace &place) const { return (place - start_).dot(way_); }
 	[[nodiscard]] bool comes_again(const Stroke &stroke) const;
 	[[nodiscard]] double amplitudes(const Stroke &stroke) const;

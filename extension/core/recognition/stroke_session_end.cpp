@@ -5,27 +5,25 @@
 namespace steadyhand {
 namespace {
 
-/// A stroke that is hopeless for so long was none after all: one that is well under way, or any where the
-/// gesture has come no further than this, amplitudes. It begins again where it is well under way.
+/// A gesture is aborted whose strokes have been hopeless for so long, at a length of WELL_UNDER_WAY, or of
+/// any length if the gesture was never longer than this, amplitudes.
 constexpr double HOPELESS_S = 0.1;
 constexpr double BARELY_BEGUN = 0.2;
-/// log odds from which on an end is taken before the hand has come to it.
+/// log odds from which on an end is predicted.
 constexpr double SURE = 1.5;
-/// A hand that has slowed down to this share of its peak may be at the end, if it goes no further from there
-/// than this, amplitudes: what follows is the tracker's error.
-constexpr double SLOWED = 0.5;
+/// Shorter strokes after the end, amplitudes, are no other gesture.
 constexpr double TAIL = 0.25;
 /// Of a stroke's time, how much later the hand stops: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
-/// The hand has returned once it is at this share of the furthest that it went.
+/// The hand has returned once it is back at this fraction of its greatest distance.
 constexpr double RETURNED = 0.5;
-/// A hand that has been at the end, or has stopped on its way, for so long is at a new start.
+/// A hand that has stopped for so long, at the end or before it, is at a new start.
 constexpr double HOLD_S = 1.0;
-/// Where tracking is lost this near to the end, that was the end.
+/// A dropout from this fraction of the amplitude on ends the gesture.
 constexpr double LOST_AT_END = 0.7;
 
-/// log odds by the best that may come of it.
+/// log odds if the rest of the stroke fits as well as it can.
 double best_odds(const StrokeEvidence &evidence) {
 	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook;
 }
@@ -51,7 +49,7 @@ void StrokeSession::on_dropout(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-/// is_missed: nothing more is expected to be seen of it.
+/// is_missed: in a dropout that has lasted for ABSENCES_S.
 void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
 	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
 	bool is_hopeless = false;
@@ -72,15 +70,8 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
-		if (ended > slowed_odds_ && strokes.speed_m_s() < SLOWED * stroke.peak_m_s) {
-			slowed_odds_ = ended;
-			slowed_at_ = stroke.to;
-		}
-		const bool has_stayed = (stroke.to - slowed_at_).norm() < TAIL * task().amplitude_m;
 		const bool is_end = is_missed ? is_near_end(stroke) : strokes.ended();
-		if (is_end) {
-			size = std::max({ size, ended, has_stayed ? slowed_odds_ : ended });
-		} else if (ended > SURE && is_arriving(t_s, stroke)) {
+		if (is_end || (ended > SURE && is_arriving(t_s, stroke))) {
 			size = std::max(size, ended);
 		}
 	}
@@ -90,26 +81,24 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		ended_s_ = t_s;
 		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > HOLD_S) {
-		abort(t_s); // half-way; the way back of what is given up is over by now, and no gesture
+		abort(t_s); // stopped halfway; its return makes no gesture either
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		hopeless_s_ = t_s;
 		dismiss(t_s);
 	}
 }
 
-/// The end is predicted as with a task; but how far this hand will go is not known, so that it must have
-/// slowed down too.
+/// The end is predicted as with a task. As the hand's own amplitude is unknown, it must have slowed down too.
 bool StrokeSession::is_arriving(double t_s, const Stroke &stroke) const {
 	return mode() == MotionMode::PHASE && is_at_end(t_s) &&
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
-/// The end is held until the hand has come back half of the way, has not moved for a second, or makes another
-/// gesture from rest a while after it stopped.
+/// The end is held until the hand has returned, has not moved for HOLD_S, or makes another gesture from rest.
 void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 	if (!strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST) {
 		const Stroke &stroke = strokes.strokes().front();
-		const bool is_gesture = stroke.onset_s < ended_s_; // it still slows down
+		const bool is_gesture = stroke.onset_s < ended_s_; // still slowing down
 		stopped_s_ = is_gesture ? will_stop_s(t_s, stroke) : stopped_s_;
 		moved_s_ = std::max(moved_s_, is_gesture ? stopped_s_ : t_s);
 		if (is_next(stroke, strokes)) {
@@ -123,7 +112,7 @@ void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 		returned_s_ = t_s;
 	}
 	if (has_returned || t_s - moved_s_ > HOLD_S) {
-		not_before_s_ = t_s; // the way back is no gesture
+		not_before_s_ = t_s; // the return is no gesture
 		dismiss(t_s);
 	}
 }

@@ -53,25 +53,6 @@ TEST_CASE("a row of taps needs one rest before it, a short one where the hand ha
 	}
 }
 
-TEST_CASE("what little follows a gesture's end is the tracker's error, a long way aside is the hand's own") {
-	struct Tail {
-		double angle, amplitudes;
-	};
-	for (const auto &[angle, amplitudes] :
-			{ Tail{ 0.3, 0.1 }, { 0.3, 0.18 }, { 0.15, 0.33 }, { 0.3, 0.38 } }) {
-		CAPTURE(amplitudes);
-		const Eigen::Vector3d oblique(std::cos(angle), std::sin(angle), 0.0);
-		const Eigen::Vector3d aside(-std::sin(angle), std::cos(angle), 0.0);
-		// Too fast for a hand that has stopped. In `paper` mode: in `phase` mode it has arrived before.
-		const Way way = [&](double t_s) {
-			const double off_m = std::clamp(0.13 * (t_s - 1.4), 0.0, amplitudes * DRAG.amplitude_m);
-			return Eigen::Vector3d(DRAG.x_m(t_s) * oblique + off_m * aside);
-		};
-		GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PAPER);
-		CHECK(none_ends(watch(recogniser, way, 3.5)) == (amplitudes > 0.25));
-	}
-}
-
 TEST_CASE("an end is foretold where the gesture is rather likely, and awaited where it is doubtful") {
 	// Slow and far: its stroke ends 0.05 s after it has a quarter of its peak speed, of which little is left.
 	const Drag far{ .onset_s = 0.6, .duration_s = 1.5, .amplitude_m = 0.4 };
