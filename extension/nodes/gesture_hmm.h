@@ -9,7 +9,7 @@
 #include "motion/motion.h"
 #include "recognition/gesture_news.h"
 #include "recognition/start_condition.h"
-#include "recognition/task_watch.h"
+#include "gesture/task_watch.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>

@@ -1,4 +1,4 @@
-#include "recognition/task_watch.h"
+#include "gesture/task_watch.h"
 
 #include <algorithm>
 #include <limits>
