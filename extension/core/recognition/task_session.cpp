@@ -17,8 +17,8 @@ constexpr double WANDERS = 7.0;
 /// no more.
 constexpr double BEGUN = 0.7, NOT_BEGUN = 0.1;
 constexpr double UNLIKELY_S = 0.3;
-constexpr double HALF_WAY = 0.5;     ///< from there on a hand has begun, whatever it did before,
-constexpr double SEEN_ON_WAY = 0.25; ///< and from here on where it is seen to go the task's way
+constexpr double HALF_WAY = 0.5; ///< from there on a hand has started, whatever it did before
+constexpr double LEFT_START = 0.25;
 /// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
 /// next round from this far beyond its end on.
 constexpr double BACK_VALUE = 0.15;
@@ -124,8 +124,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? has_returned(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) &&
-					has_started(t_s, strokes)) {
+			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) && has_started(t_s)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
 				at_end_since_s_ = likely_s_ = off_start_s_ = t_s;
@@ -158,7 +157,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 	}
 }
 
-bool TaskSession::has_started(double t_s, const StrokeFinder &strokes) const {
+bool TaskSession::has_started(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
 	}
@@ -171,8 +170,7 @@ bool TaskSession::has_started(double t_s, const StrokeFinder &strokes) const {
 		return false;
 	}
 	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
-	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALF_WAY) ||
-			(now.value > SEEN_ON_WAY && strokes_.go_the_way(strokes));
+	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALF_WAY);
 }
 
 /// It went its own way, which the estimator takes for a gesture that is over, and has come back.
@@ -246,7 +244,7 @@ void TaskSession::try_end(double t_s) {
 }
 
 void TaskSession::go_idle(double t_s) {
-	const bool had_left = stage() == Stage::ENDED || furthest_ > SEEN_ON_WAY;
+	const bool had_left = stage() == Stage::ENDED || furthest_ > LEFT_START;
 	rest(t_s);
 	if (had_left) {
 		strokes_.ignore_before(beyond_s_ - TURNS_S);

@@ -55,7 +55,7 @@ private:
 	[[nodiscard]] bool is_near() const;
 	[[nodiscard]] bool has_gone_elsewhere() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
-	[[nodiscard]] bool has_started(double t_s, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool has_started(double t_s) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool has_returned(double t_s) const;
 	/// To be asked at each step of a gesture under way, as the next one.

@@ -45,11 +45,6 @@ double TaskStrokes::off_way_m(const FeaturePlace &place_m) const {
 	return way_(3) != 0.0 ? 0.0 : (off_m - along_m * way_).norm();
 }
 
-bool TaskStrokes::go_the_way(const StrokeFinder &strokes) const {
-	return std::ranges::any_of(
-			counted(strokes), [this](const Stroke &stroke) { return log_odds(stroke) > 0.0; });
-}
-
 void TaskStrokes::begin() {
 	best_of_one_ = of_all_ = NO_STROKE;
 	before_last_.reset();

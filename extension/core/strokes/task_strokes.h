@@ -33,9 +33,6 @@ public:
 	/// How far it is from the way of the gesture, m; a radius may grow anywhere.
 	[[nodiscard]] double off_way_m(const FeaturePlace &place_m) const;
 
-	/// One of them is likelier the gesture, so far, than none.
-	[[nodiscard]] bool go_the_way(const StrokeFinder &strokes) const;
-
 	/// A gesture begins: it is made of what is added from now on.
 	void begin();
 	/// The newest, as of now.
