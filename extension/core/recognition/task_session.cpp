@@ -127,7 +127,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) && has_started(t_s)) {
 				strokes_.begin();
 				set_log_odds(strokes_.judge(strokes));
-				at_end_since_s_ = likely_s_ = off_start_s_ = t_s;
+				at_end_since_s_ = likely_s_ = t_s;
 				furthest_ = 0.0;
 				moved_s_ = t_s;
 				begin(t_s, value());
@@ -193,11 +193,9 @@ bool TaskSession::has_aborted(double t_s) {
 	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
 	const bool may_begin = furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ENDED_PHASE;
-	// A hand that is taken to stand there, wherever it came from, has given up as well.
-	off_start_s_ = furthest_ < BACK_VALUE || now.value > ONSET_VALUE ? t_s : off_start_s_;
 	const double wander = std::max(TURNED_BACK, RETURN_WANDERS * wander_.deviation(t_s));
 	const bool has_returned = furthest_ - now.value > wander || now.hold > RESTS;
-	return now.value < BACK_VALUE && (has_returned || !is_under_way || t_s - off_start_s_ > UNLIKELY_S);
+	return now.value < BACK_VALUE && (has_returned || !is_under_way);
 }
 
 /// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand

@@ -41,7 +41,6 @@ private:
 	double at_end_since_s_ = 0.0;
 	double furthest_ = 0.0;       ///< that a hand which is seen has come since it began
 	double moved_s_ = 0.0;        ///< when it last did not hold still
-	double off_start_s_ = 0.0;    ///< when it was last not at the start, once it had left that
 	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
 
 	std::optional<double> measure(
