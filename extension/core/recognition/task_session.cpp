@@ -8,53 +8,41 @@
 namespace steadyhand {
 namespace {
 
-// All in normalised units: the part of the amplitude, and 1.875 = peak velocity of a minimum-jerk movement.
-constexpr double ONSET_VALUE = 0.03;
-constexpr double ONSET_VELOCITY = 0.1;
-/// A hand that wanders at rest has begun from so many standard deviations on, at BACK_VALUE at the latest.
-constexpr double WANDERS = 7.0;
-/// Probabilities: a hand is on its way above the one, and was not after all below the other, or for so long
-/// no more.
-constexpr double BEGUN = 0.7, NOT_BEGUN = 0.1;
-constexpr double UNLIKELY_S = 0.3;
-constexpr double HALF_WAY = 0.5; ///< from there on a hand has started, whatever it did before
-constexpr double LEFT_START = 0.25;
-/// Below this the hand has come back to where it started. On a circle, which leads there anyway, it is on its
-/// next round from this far beyond its end on.
-constexpr double BACK_VALUE = 0.15;
-/// The next gesture is no stroke that began so long before the hand was back: one that turns round at once
-/// does so sooner, and a tracker that errs may show it late.
+// Values are in amplitudes, velocities in amplitudes / mean duration: a minimum jerk peaks at 1.875.
+
+/// Of a start; in `paper` mode both. With drift at rest the value must exceed so many deviations of it.
+constexpr double ONSET_VALUE = 0.03, ONSET_VELOCITY = 0.1, ONSET_DRIFTS = 7.0;
+/// P(gesture) above which it starts, and below which it is aborted; between them after UNLIKELY_S.
+constexpr double BEGUN = 0.7, NOT_BEGUN = 0.1, UNLIKELY_S = 0.3;
+constexpr double HALFWAY = 0.5;     ///< from here on a gesture has started at any probability
+constexpr double LEFT_START = 0.25; ///< from here on the hand has left the start
+/// Below this the hand has returned. On a circle the next round starts so far beyond the end.
+constexpr double RETURN_VALUE = 0.15;
+/// An onset so long before the return belongs to the gesture before.
 constexpr double TURNS_S = 0.3;
-/// A movement that is at its start after so many times its mean first state was none.
+/// `paper` mode: a gesture at its start after so many mean durations of the first state is aborted.
 constexpr double ABORT_AFTER = 3.0;
-/// At its end a stroke may still turn out to have been the gesture; and a tracker may show another place.
+/// Time at the end in which a stroke may still become the gesture.
 constexpr double DOUBT_S = 0.3;
-/// A hand has stopped that holds still with this probability for so long; one has turned back that has come
-/// back so far.
+/// The hand has stopped if P(hold) exceeds the first for so long, and turned back if it is back so far.
 constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.08;
-/// What ends short of its task has to be the task's way beyond doubt, log odds: hands that go about something
-/// else stop anywhere.
+/// log odds of the strokes for an end before the target: hands that do something else stop anywhere.
 constexpr double BEYOND_DOUBT = 9.0;
-/// A hand that holds still at the start with this probability has given up.
+/// P(hold) at the start above which the gesture is aborted.
 constexpr double RESTS = 0.95;
-/// A hand that wanders at rest comes back by less than this many standard deviations.
-constexpr double RETURN_WANDERS = 4.0;
-/// From here on the end is near.
+/// With drift at rest the hand has turned back only by so many deviations of it.
+constexpr double RETURN_DRIFTS = 4.0;
 constexpr double NEAR_END = 0.75;
-/// No gesture begins from so far off its start, amplitudes (TaskStrokes lets it from 0.62 at most); a hand
-/// that has been there for so long is left alone until it is nearer.
-constexpr double ELSEWHERE = 0.7;
-constexpr double ELSEWHERE_S = 3.0;
-/// The same off a way that is not straight, of which strokes say nothing: a circle is made by hands that keep
-/// to about its place, twice as wide as it is or not.
+/// No gesture starts so far off its start (TaskStrokes allows 0.62 at most). A hand that stays there for so
+/// long is not followed.
+constexpr double ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
+/// The same off a circle, for which there are no strokes.
 constexpr double OFF_CIRCLE = 0.3;
-/// Seen so far off a straight way, amplitudes, a hand has gone elsewhere once it stays there for so long, and
-/// ends nothing meanwhile: a game may move the player, a tracker may show another place.
-constexpr double OFF_STRAIGHT = 1.0;
-constexpr double GONE_S = 1.0;
-/// From where a gesture begins that may begin anywhere.
+/// A hand so far off a straight task for so long has left it: a game may move the player, a tracker may jump.
+constexpr double OFF_STRAIGHT = 1.0, GONE_S = 1.0;
+/// Distance from the start of a gesture that may start anywhere.
 constexpr double ANYWHERE_M = 0.1;
-/// A hand of which nothing new is seen for so long may be elsewhere by now.
+/// Without a measurement for so long the hand may be elsewhere.
 constexpr double MISSING_S = 0.05;
 
 } // namespace
@@ -79,7 +67,7 @@ std::optional<double> TaskSession::measure(
 	update_nearness(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
-	if (stage() == Stage::IDLE && std::abs(x) < BACK_VALUE) {
+	if (stage() == Stage::IDLE && std::abs(x) < RETURN_VALUE) {
 		wander_.push(frame.t_s, x);
 	}
 	if (stage() != Stage::IDLE) {
@@ -165,51 +153,52 @@ bool TaskSession::has_started(double t_s) const {
 		return false;
 	}
 	const MotionEstimate now = estimate(t_s);
-	// It is rather about to have been elsewhere.
-	if (now.value <= ONSET_VALUE || (now.value < BACK_VALUE && now.phase > HALF_WAY)) {
+	// A value this small so late belongs to a movement elsewhere.
+	if (now.value <= ONSET_VALUE || (now.value < RETURN_VALUE && now.phase > HALFWAY)) {
 		return false;
 	}
-	const double onset = std::clamp(WANDERS * wander_.deviation(t_s), ONSET_VALUE, BACK_VALUE);
-	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALF_WAY);
+	const double onset = std::clamp(ONSET_DRIFTS * wander_.deviation(t_s), ONSET_VALUE, RETURN_VALUE);
+	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALFWAY);
 }
 
-/// It went its own way, which the estimator takes for a gesture that is over, and has come back.
+/// The estimator took a movement elsewhere for a whole gesture, and the hand is back.
 bool TaskSession::has_been_elsewhere(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false;
 	}
-	// The value that is put out is yet to follow what a frame has changed, the phase is not.
+	// Before it is blended: the output still follows the last frame.
 	const MotionEstimate now = expected(t_s);
-	return now.phase > ENDED_PHASE && std::abs(now.value) < BACK_VALUE;
+	return now.phase > ENDED_PHASE && std::abs(now.value) < RETURN_VALUE;
 }
 
 bool TaskSession::has_aborted(double t_s) {
 	if (mode() == MotionMode::PAPER) {
-		return value() < BACK_VALUE &&
+		return value() < RETURN_VALUE &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
 	}
 	const MotionEstimate now = estimate(t_s);
 	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
-	beyond_s_ = now.value < BACK_VALUE ? beyond_s_ : t_s;
-	const bool may_begin = furthest_ < BACK_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
+	beyond_s_ = now.value < RETURN_VALUE ? beyond_s_ : t_s;
+	const bool may_begin =
+			furthest_ < RETURN_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
 	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ENDED_PHASE;
-	const double wander = std::max(TURNED_BACK, RETURN_WANDERS * wander_.deviation(t_s));
+	const double wander = std::max(TURNED_BACK, RETURN_DRIFTS * wander_.deviation(t_s));
 	const bool has_returned = furthest_ - now.value > wander || now.hold > RESTS;
-	return now.value < BACK_VALUE && (has_returned || !is_under_way);
+	return now.value < RETURN_VALUE && (has_returned || !is_under_way);
 }
 
-/// What goes on unseen is a guess after a while, unless little of it was left; and what is foretold of a hand
-/// that is seen in the first half of the way is none of its doing yet.
+/// The estimate may end the gesture: not long into a dropout unless the end was near, and not while the hand
+/// is tracked in the first half.
 bool TaskSession::is_known(double t_s, const StrokeFinder &strokes) const {
 	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : hand_.last_s());
-	const bool may_be_there = value() > HALF_WAY || unseen_s > MISSING_S;
+	const bool may_be_there = value() > HALFWAY || unseen_s > MISSING_S;
 	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 
 bool TaskSession::has_returned(double t_s) const {
 	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
-	return shown < BACK_VALUE || (element_.is_periodic() && shown > 1.0 + BACK_VALUE);
+	return shown < RETURN_VALUE || (element_.is_periodic() && shown > 1.0 + RETURN_VALUE);
 }
 
 void TaskSession::follow_stop(double t_s) {
@@ -219,7 +208,7 @@ void TaskSession::follow_stop(double t_s) {
 	furthest_ = is_seen && !hand_.is_just_found(t_s) ? std::max(furthest_, now.value) : furthest_;
 }
 
-/// Where the gesture counts, or it has turned back from there.
+/// At `completion` or beyond, or turned back from there.
 bool TaskSession::has_stopped(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false; // plays to the end
@@ -247,7 +236,7 @@ void TaskSession::go_idle(double t_s) {
 	if (had_left) {
 		strokes_.ignore_before(beyond_s_ - TURNS_S);
 	}
-	if (!is_rejected_ && has_returned(t_s)) { // a hand that is elsewhere does not begin there
+	if (!is_rejected_ && has_returned(t_s)) { // not if it is elsewhere
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
 	}
@@ -257,7 +246,7 @@ bool TaskSession::is_near_end() const {
 	return stage() != Stage::IDLE && value() > NEAR_END;
 }
 
-/// A tracker that repeats itself may show a hand that holds still; one that shows nothing has no hand.
+/// A dropout, not a freeze: a tracker that repeats itself may show a hand at rest.
 void TaskSession::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_OPEN);
 	off_start_m_ = off_way_m_ = INFINITY;
@@ -267,7 +256,7 @@ void TaskSession::lose(double t_s) {
 void TaskSession::abort(double t_s) {
 	if (stage() != Stage::IDLE) {
 		set_log_odds(LOG_PRIOR_OPEN);
-		is_rejected_ = true; // nor does it begin again in this motion
+		is_rejected_ = true; // until the hand has returned
 		go_idle(t_s);
 	}
 }

@@ -10,8 +10,8 @@
 
 namespace steadyhand {
 
-/// Follows a gesture whose task is known: what is put out says when it begins and arrives, and the strokes
-/// whether it was the gesture.
+/// A gesture with a task. The estimator decides when it starts and ends, and the strokes whether it was the
+/// gesture. In `paper` mode value and velocity start it.
 class TaskSession final : public GestureSession {
 public:
 	TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis);
@@ -31,33 +31,32 @@ private:
 	MotionElement element_;
 	double completion_ = END_LEVEL;
 	TaskStrokes strokes_;
-	RestWander wander_; ///< of what is measured before the gesture
+	RestWander wander_; ///< of the motion element at rest
 	HandPresence hand_;
-	double off_start_m_ = INFINITY; ///< of a straight way
+	double off_start_m_ = INFINITY; ///< of a straight task
 	double off_way_m_ = INFINITY;
-	double followed_s_ = -INFINITY; ///< when there was last a reason to follow the hand
-	bool is_rejected_ = false;      ///< what was under way was none: nothing begins before the hand is back
-	double likely_s_ = 0.0;         ///< when what is under way was last likelier than none
+	double followed_s_ = -INFINITY; ///< when the hand was last near, or the motion shown
+	bool is_rejected_ = false;      ///< the movement was no gesture: nothing starts before the return
+	double likely_s_ = 0.0;         ///< when P(gesture) was last above the threshold of a start
 	double at_end_since_s_ = 0.0;
-	double furthest_ = 0.0;       ///< that a hand which is seen has come since it began
-	double moved_s_ = 0.0;        ///< when it last did not hold still
-	double beyond_s_ = -INFINITY; ///< when a gesture was last shown further than a hand that is back
+	double furthest_ = 0.0;       ///< greatest estimated value of a tracked hand since the start
+	double moved_s_ = 0.0;        ///< when P(hold) was last small
+	double beyond_s_ = -INFINITY; ///< when the value was last greater than at a return
 
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void update_stage(double t_s, const StrokeFinder &strokes) override;
 	void update_nearness(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
-	/// From where the gesture may begin: all about a way that is not straight.
+	/// From where the gesture may start: on a circle, anywhere.
 	[[nodiscard]] double away_m() const { return is_straight() ? off_start_m_ : off_way_m_; }
-	/// So that the gesture may begin.
 	[[nodiscard]] bool is_near() const;
 	[[nodiscard]] bool has_gone_elsewhere() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
 	[[nodiscard]] bool has_started(double t_s) const;
 	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool has_returned(double t_s) const;
-	/// To be asked at each step of a gesture under way, as the next one.
+	/// To be called at each step while ACTIVE.
 	[[nodiscard]] bool has_aborted(double t_s);
 	void follow_stop(double t_s);
 	[[nodiscard]] bool has_stopped(double t_s) const;
