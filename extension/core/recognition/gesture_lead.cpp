@@ -19,7 +19,7 @@ constexpr double SAME_WAY = 0.1;
 
 } // namespace
 
-/// Tasks beside one another are begun by one stroke, which ends at one of them.
+/// One stroke may start several neighbouring tasks, and ends at one of them.
 void GestureRecogniser::settle() {
 	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED || session()->is_end_reported()) {
 		return;
@@ -76,8 +76,7 @@ void GestureRecogniser::lead(int session) {
 	go_on_from(before, rate_per_s);
 }
 
-/// What is shown was `before` until now. Along another task's way the same hand is at another value: that is
-/// no step of the motion.
+/// The motion was `before` until now. On another task the same hand has another value: that is no step.
 void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 	const Motion now = synthesised(time_s_);
 	const double step_m = std::abs(before.value_m - now.value_m);
@@ -94,8 +93,8 @@ std::size_t GestureRecogniser::nearest() const {
 	return static_cast<std::size_t>(nearest - sessions_.begin());
 }
 
-/// So that a gesture begins where the motion already is: before the sessions see the frame of t_s. Returns
-/// what was shown until now, where that was another one's.
+/// Before the sessions read the frame of t_s, so that a gesture starts from the motion that is shown. Returns
+/// the motion so far if another session is shown from now on.
 std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	if (sessions_.empty()) {
 		return std::nullopt;
@@ -117,7 +116,7 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	return before;
 }
 
-/// A hand at a task is shown at rest too.
+/// With a task an idle session shows the hand too.
 Motion GestureRecogniser::synthesised(double t_s) const {
 	return leader_ >= 0 || gestures_[shown_].task ? sessions_[shown_]->motion(t_s) : Motion{};
 }

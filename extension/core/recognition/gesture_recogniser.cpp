@@ -7,11 +7,11 @@
 namespace steadyhand {
 namespace {
 
-/// What a finger does while several make a gesture it may do by itself, and then hardly moves against the
-/// others: nats against that, for each amplitude by which the gesture of several has grown.
+/// A finger's movement in a gesture of several fingers is no gesture of its own: nats against it, for each
+/// amplitude of the other gesture.
 constexpr double PART = 12.0;
 
-/// The point that the tracker's faults are looked for at: of a radius, the circle's centre and that.
+/// The point that TrackerMonitor judges: of a radius, the circle's centre and the radius.
 std::optional<Eigen::Vector3d> tracked_point(const Feature &feature, const HandFrame &frame) {
 	const std::optional<FeaturePlace> place = feature.place != nullptr ? feature.place(frame) : std::nullopt;
 	if (place) {
@@ -54,8 +54,8 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
-	// What is due before this frame must not see the stroke that it makes.
-	advance_followers(std::nextafter(frame.t_s, -INFINITY));
+	// What is due before this frame must not read the stroke that it makes.
+	advance_sessions(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
 		watched.push(frame);
 	}
@@ -83,7 +83,7 @@ void GestureRecogniser::advance(double t_s) {
 	if (!(t_s > time_s_) || t_s > FARTHEST_S) {
 		return;
 	}
-	advance_followers(t_s);
+	advance_sessions(t_s);
 	time_s_ = t_s;
 	judge_starts();
 	choose_leader();
@@ -100,10 +100,10 @@ void GestureRecogniser::expect_absence() {
 	}
 }
 
-void GestureRecogniser::advance_followers(double t_s) {
+void GestureRecogniser::advance_sessions(double t_s) {
 	while (next_absence_s_ <= t_s) {
 		time_s_ = last_absence_s_ = next_absence_s_;
-		step_followers(time_s_);
+		step_sessions(time_s_);
 		for (std::size_t i = 0; i < sessions_.size(); ++i) {
 			sessions_[i]->on_dropout(time_s_, watched(i).strokes);
 		}
@@ -112,10 +112,10 @@ void GestureRecogniser::advance_followers(double t_s) {
 		choose_leader();
 		expect_absence();
 	}
-	step_followers(t_s);
+	step_sessions(t_s);
 }
 
-void GestureRecogniser::step_followers(double t_s) {
+void GestureRecogniser::step_sessions(double t_s) {
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		sessions_[i]->advance(t_s, watched(i).strokes, watched(i).monitor);
 	}

@@ -127,8 +127,8 @@ private:
 		return watched_[watched_by_[session]];
 	}
 	/// Including dropouts.
-	void advance_followers(double t_s);
-	void step_followers(double t_s);
+	void advance_sessions(double t_s);
+	void step_sessions(double t_s);
 	void expect_absence();
 	[[nodiscard]] double posterior(std::size_t session) const;
 	/// GestureSession::log_odds, less if this motion is a part of another gesture.
