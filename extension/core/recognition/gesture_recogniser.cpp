@@ -76,7 +76,6 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	expect_absence();
 	judge_starts();
 	decide_ends();
-	ignore_returns();
 	choose_leader();
 }
 
@@ -212,19 +211,6 @@ void GestureRecogniser::decide_ends() {
 		}
 	}
 	lead(best);
-}
-
-/// A hand on its way back after a gesture may look like another one's: fingers that close after a zoom, like
-/// a drag of the index.
-void GestureRecogniser::ignore_returns() {
-	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED) {
-		return;
-	}
-	for (const std::unique_ptr<GestureSession> &other : sessions_) {
-		if (other.get() != session() && session()->return_log_odds() > std::max(other->log_odds(), 0.0)) {
-			other->abort(time_s_);
-		}
-	}
 }
 
 } // namespace steadyhand

@@ -143,7 +143,6 @@ private:
 	/// Of tasks with a straight path: the end of `other` is further off the path of `one` than along it.
 	[[nodiscard]] bool ends_to_the_side(std::size_t one, std::size_t other) const;
 	void decide_ends();
-	void ignore_returns();
 	void settle();
 	void choose_leader();
 	void lead(int session);

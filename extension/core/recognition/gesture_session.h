@@ -89,9 +89,6 @@ public:
 	virtual void ignore_before(double t_s) = 0;
 	/// The movement so far, and the rest of it, belongs to another gesture.
 	virtual void abort(double t_s) = 0;
-	/// log of the posterior odds that the hand returns after the gesture, against anything else, nats;
-	/// -infinity while it does not move, and with a task.
-	[[nodiscard]] virtual double return_log_odds() const { return -INFINITY; }
 	/// The measured motion element, m; 0 before the first frame.
 	[[nodiscard]] double measured_m() const { return window_.position_m(); }
 	[[nodiscard]] const Task &task() const { return task_; }

@@ -70,12 +70,12 @@ StrokeSession::StrokeSession(const GestureModel &model, const Synthesis &synthes
 std::optional<double> StrokeSession::measure(
 		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
 	may_end_ = false;
-	return_log_odds_ = IMPOSSIBLE;
 	if (!has_place) {
 		return std::nullopt;
 	}
 	if (measurement().is_usable()) {
-		end_.push(along(last_place()));
+		gone_m_ = along(last_place());
+		furthest_m_ = std::max(furthest_m_, gone_m_);
 	}
 	switch (stage()) {
 		case Stage::IDLE:
@@ -167,7 +167,6 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 			aim(stroke.to);
 			// A hand that came into view waving is not excused a second time.
 			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= Stroke::REST_S;
-			begun_unrest_m_ = stroke.unrest_m;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may be over already
@@ -187,7 +186,7 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
 	furthest_ = 0.0;
-	end_.begin(stroke.onset_s, along(last_place()));
+	gone_m_ = furthest_m_ = along(last_place());
 	slowed_odds_ = IMPOSSIBLE;
 	blend_from(before, t_s, STARTING_RATE_PER_S);
 }

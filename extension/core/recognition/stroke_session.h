@@ -1,6 +1,5 @@
 #pragma once
 
-#include "recognition/end_hold.h"
 #include "recognition/gesture_session.h"
 #include "strokes/stroke_evidence.h"
 
@@ -21,7 +20,6 @@ public:
 	void ignore_before(double t_s) override { not_before_s_ = t_s; }
 	void abort(double t_s) override;
 	void on_dropout(double t_s, const StrokeFinder &strokes) override;
-	[[nodiscard]] double return_log_odds() const override { return return_log_odds_; }
 
 private:
 	static constexpr double IMPOSSIBLE = -INFINITY; ///< log odds
@@ -35,12 +33,10 @@ private:
 	std::vector<FeaturePlace> directions_;      ///< in which the model was trained: unit vectors
 	FeaturePlace start_ = FeaturePlace::Zero(); ///< of the motion element
 	FeaturePlace from_ = FeaturePlace::Zero();  ///< the same, as strokes count it
-	double begun_unrest_m_ = 0.0;               ///< of the stroke that began
 	FeaturePlace way_ = FeaturePlace::Zero();   ///< unit vector of the motion element's growth
 	FeaturePlace axis_ = FeaturePlace::Zero();  ///< the model's, in the sense of the stroke
 
 	bool may_end_ = false;
-	double return_log_odds_ = -INFINITY;
 	double likely_s_ = 0.0;           ///< when a stroke last looked like the gesture
 	double moved_s_ = 0.0;            ///< when such a one was last on its way
 	double not_before_s_ = -INFINITY; ///< strokes that began earlier are done with
@@ -50,7 +46,8 @@ private:
 	bool may_come_again_ = false;     ///< without a rest: the first one's, or none, was seen
 	double slowed_odds_ = -INFINITY;  ///< log odds of the whole stroke, the best since it slowed down
 	FeaturePlace slowed_at_ = FeaturePlace::Zero(); ///< where that was, as strokes count it
-	EndHold end_;
+	double ended_s_ = 0.0, stopped_s_ = 0.0;        ///< when the gesture ended, and the hand stopped, or will
+	double gone_m_ = 0.0, furthest_m_ = 0.0;        ///< along the way, since the start
 
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;

@@ -15,18 +15,24 @@ constexpr double SURE = 1.5;
 /// than this, amplitudes: what follows is the tracker's error.
 constexpr double SLOWED = 0.5;
 constexpr double TAIL = 0.25;
-/// At rest at the end a hand is shown to stray as far as trembling goes, and so many times as far as it did
-/// before the gesture, but no further than this, amplitudes.
-constexpr double STRAYS = 2.0;
-constexpr double FARTHEST_STRAY = 0.2;
-/// Cosine between directions that are reciprocal.
-constexpr double OPPOSITE = 0.7;
+/// Of a stroke's time, how much later the hand stops: strokes are from a quarter of the peak speed to a
+/// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
+constexpr double SLOWS_DOWN = 0.146 / 0.708;
+/// The hand has returned once it is at this share of the furthest that it went.
+constexpr double RETURNED = 0.5;
+/// A hand that has been at the end, or has stopped on its way, for so long is at a new start.
+constexpr double HOLD_S = 1.0;
 /// Where tracking is lost this near to the end, that was the end.
 constexpr double LOST_AT_END = 0.7;
 
 /// log odds by the best that may come of it.
 double best_odds(const StrokeEvidence &evidence) {
 	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook;
+}
+
+/// When the hand will stop if it slows down now.
+double will_stop_s(double t_s, const Stroke &stroke) {
+	return t_s + SLOWS_DOWN * (t_s - stroke.onset_s);
 }
 
 } // namespace
@@ -81,8 +87,9 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 	if (size > 0.0) {
 		set_log_odds(size);
 		may_end_ = true;
-		end_.end(t_s, strokes.strokes().front());
-	} else if (t_s - moved_s_ > EndHold::HOLD_S) {
+		ended_s_ = t_s;
+		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
+	} else if (t_s - moved_s_ > HOLD_S) {
 		abort(t_s); // half-way; the way back of what is given up is over by now, and no gesture
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		hopeless_s_ = t_s;
@@ -97,43 +104,37 @@ bool StrokeSession::is_arriving(double t_s, const Stroke &stroke) const {
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
+/// The end is held until the hand has come back half of the way, has not moved for a second, or makes another
+/// gesture from rest a while after it stopped.
 void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
-	const bool is_on_its_way = !strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST;
-	if (is_on_its_way) {
+	if (!strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST) {
 		const Stroke &stroke = strokes.strokes().front();
-		end_.follow(t_s, stroke);
-		return_log_odds_ = LOG_PRIOR_TASK +
-				stroke_evidence(stroke, -axis_, task().amplitude_m, model().duration_mean_s).path;
+		const bool is_gesture = stroke.onset_s < ended_s_; // it still slows down
+		stopped_s_ = is_gesture ? will_stop_s(t_s, stroke) : stopped_s_;
+		moved_s_ = std::max(moved_s_, is_gesture ? stopped_s_ : t_s);
+		if (is_next(stroke, strokes)) {
+			not_before_s_ = stroke.onset_s;
+			dismiss(t_s);
+			return;
+		}
 	}
-	if (is_on_its_way && is_next(strokes.strokes().front(), strokes)) {
-		not_before_s_ = strokes.strokes().front().onset_s;
-		dismiss(t_s);
-	} else if (end_.has_returned()) {
-		not_before_s_ = returned_s_ = t_s; // the way back is no gesture
-		dismiss(t_s);
-	} else if (end_.is_at_new_start(t_s, strokes, task().amplitude_m)) {
-		not_before_s_ = end_.may_set_out_s();
+	const bool has_returned = gone_m_ < RETURNED * furthest_m_;
+	if (has_returned) {
+		returned_s_ = t_s;
+	}
+	if (has_returned || t_s - moved_s_ > HOLD_S) {
+		not_before_s_ = t_s; // the way back is no gesture
 		dismiss(t_s);
 	}
 }
 
-/// A way back that began long after the hand stood at the end, at rest, is a gesture of its own, however the
-/// tracker wandered meanwhile; and so is a way on after a second.
+/// When a slow hand stopped is less sure.
 bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
-	if (amplitudes(stroke) < TAIL) {
+	const double hold_s = HOLD_S + SLOWS_DOWN * (stopped_s_ - started_s());
+	if (amplitudes(stroke) < TAIL || stroke.onset_s < stopped_s_ + hold_s) {
 		return false;
 	}
-	if ((stroke.to - stroke.from).dot(axis_) > 0.0) {
-		return stroke.onset_s >= end_.may_set_out_s() && best_odds(evidence_of(stroke, strokes, axis_)) > 0.0;
-	}
-	const double stray_m = SHORTEST * task().amplitude_m + STRAYS * begun_unrest_m_;
-	const bool is_reverse_known = std::ranges::any_of(
-			directions_, [this](const FeaturePlace &direction) { return direction.dot(axis_) < -OPPOSITE; });
-	if (!is_reverse_known ||
-			!end_.has_rested(stroke, strokes, std::min(stray_m, FARTHEST_STRAY * task().amplitude_m))) {
-		return false;
-	}
-	const StrokeEvidence evidence = evidence_of(stroke, strokes, -axis_);
+	const StrokeEvidence evidence = evidence_of(stroke, strokes, way_of(stroke));
 	return evidence.rest > 0.0 && best_odds(evidence) > 0.0;
 }
 

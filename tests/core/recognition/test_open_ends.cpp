@@ -257,56 +257,6 @@ TEST_CASE("after a second of rest the way back is a gesture, however a tracker w
 	}
 }
 
-TEST_CASE("a way back soon after the hand has corrected itself at the end is none") {
-	for (const double by_m : { -0.06, -0.045, -0.035, 0.035, 0.045, 0.06 }) {
-		CAPTURE(by_m);
-		const Drag there{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = 0.2 - by_m };
-		const Drag correction{ .onset_s = 2.3, .duration_s = 0.3, .amplitude_m = by_m };
-		const Drag back{ .onset_s = 3.1, .duration_s = 0.8, .amplitude_m = -0.2 };
-		CHECK(in_the_open(along(X, { there, correction, back }), 5.3).said == times(1, "sideways"));
-	}
-}
-
-TEST_CASE("a hand that settles slowly at the end is followed there for longer than one that rests") {
-	const double stands_s = DRAG.onset_s + DRAG.duration_s;
-	for (const double settles_m : { 0.0, 0.01, 0.02 }) {
-		for (const double sense : { 1.0, -1.0 }) {
-			CAPTURE(settles_m);
-			CAPTURE(sense);
-			const Drag tail{
-				.onset_s = stands_s - 0.15, .duration_s = 1.5, .amplitude_m = sense * settles_m
-			};
-			const Way way = along(X, { DRAG, tail });
-			const double rests_at_m = DRAG.amplitude_m + tail.amplitude_m;
-			const Events soon = in_the_open(way, stands_s + 1.35), later = in_the_open(way, stands_s + 2.35);
-			CHECK(std::abs(soon.last_value_m - (settles_m > 0.0 ? rests_at_m : 0.0)) < 0.002);
-			CHECK(std::abs(later.last_value_m) < 0.001);
-			CHECK(later.said == times(1, "sideways"));
-		}
-	}
-}
-
-TEST_CASE("an end is let go three seconds after the hand stood there, however the tracker wanders") {
-	const double stands_s = DRAG.onset_s + DRAG.duration_s;
-	const Way way = [](double t_s) {
-		return Eigen::Vector3d((DRAG.x_m(t_s) + 0.01 * std::sin(4.0 * t_s)) * X);
-	};
-	CHECK(in_the_open(way, stands_s + 2.5).last_value_m > 0.18);
-	CHECK(std::abs(in_the_open(way, stands_s + 3.5).last_value_m) < 1e-3);
-}
-
-TEST_CASE("a correction at the end leads nowhere else, and what settles after it is followed") {
-	const double stands_s = DRAG.onset_s + DRAG.duration_s, corrected_s = stands_s + 0.7;
-	for (const double corrects_m : { 0.03, 0.04 }) {
-		CAPTURE(corrects_m);
-		const Drag correction{ .onset_s = stands_s + 0.2, .duration_s = 0.5, .amplitude_m = corrects_m };
-		const Drag tail{ .onset_s = corrected_s, .duration_s = 1.8, .amplitude_m = 0.015 };
-		const Events events = in_the_open(along(X, { DRAG, correction, tail }), corrected_s + 1.5);
-		CHECK(events.said == times(1, "sideways"));
-		CHECK(events.last_value_m > DRAG.amplitude_m + corrects_m);
-	}
-}
-
 TEST_CASE("a hand that goes on from the end after a second makes another gesture, however the tracker "
 		  "wanders") {
 	constexpr double WANDERS_M = 0.007;
