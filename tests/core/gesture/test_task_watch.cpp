@@ -10,7 +10,7 @@ namespace {
 
 constexpr double FRAME_S = 0.01;
 
-/// To and fro for `duration_s`, from `from_m` by `way_m` and back each 3 s; how often something is said.
+/// To and fro for `duration_s`, from `from_m` by `way_m` and back each 3 s; the number of reports.
 int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &way_m, double duration_s,
 		std::optional<TaskDoubt> &r_last) {
 	int count = 0;
@@ -34,7 +34,7 @@ Task task_at(const Eigen::Vector3d &start_m) {
 
 } // namespace
 
-TEST_CASE("a hand that is never near any task is told once") {
+TEST_CASE("a hand that is never near a task is reported once") {
 	TaskWatch watch;
 	watch.expect({ task_at({ 5.0, 0.0, 0.0 }), task_at({ 0.5, 0.0, 0.0 }) });
 	std::optional<TaskDoubt> last;
@@ -45,7 +45,7 @@ TEST_CASE("a hand that is never near any task is told once") {
 	CHECK(last->distance_m == doctest::Approx(0.5));
 }
 
-TEST_CASE("a hand that leaves the start another way is told once") {
+TEST_CASE("a hand that leaves the start another way is reported once") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
 	std::optional<TaskDoubt> last;
@@ -55,14 +55,14 @@ TEST_CASE("a hand that leaves the start another way is told once") {
 	CHECK(last->way.isApprox(-Eigen::Vector3d::UnitX()));
 }
 
-TEST_CASE("a hand that rests far away is not told") {
+TEST_CASE("a hand that rests far from a task is not reported") {
 	TaskWatch watch;
 	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
 	std::optional<TaskDoubt> last;
 	CHECK(doubts(watch, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 60.0, last) == 0);
 }
 
-TEST_CASE("a hand that goes the task's way, or has made a gesture, is not told") {
+TEST_CASE("a hand on its task, or after a gesture, is not reported") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
 	std::optional<TaskDoubt> last;

@@ -83,6 +83,14 @@ inline Way held(const Way &seen, double from_s, double to_s) {
 	};
 }
 
+/// As a tracker shows it that is off by off_m between the two times.
+inline Way jumped(const Way &seen, double from_s, double to_s, const Eigen::Vector3d &off_m) {
+	return [=](double t_s) {
+		const bool is_off = t_s >= from_s && t_s < to_s;
+		return Eigen::Vector3d(seen(t_s) + (is_off ? 1.0 : 0.0) * off_m);
+	};
+}
+
 /// To multiples of grid_m; 0: as it is.
 inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
 	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;
@@ -164,6 +172,10 @@ inline std::vector<std::string> times(int n, const std::string &gesture) {
 		said.push_back("ended " + gesture);
 	}
 	return said;
+}
+
+inline std::vector<std::string> started_and_aborted(const std::string &gesture) {
+	return { "started " + gesture, "aborted " + gesture };
 }
 
 inline std::ptrdiff_t count(const Events &events, std::string_view said) {

@@ -1,4 +1,3 @@
-#include "near.h"
 #include "recognition/rest_wander.h"
 
 #include <doctest/doctest.h>
@@ -10,23 +9,22 @@ using namespace steadyhand;
 
 namespace {
 
-/// Of what is shown of a hand at rest: a first-order autoregression of deviation 1 that forgets in that time;
-/// the mean of what is told of it in a minute, at 100 frames a second.
-double told_of_wander(double lasts_s) {
+/// Mean over a minute at 100 Hz, of a first-order autoregression of deviation 1 with that time constant.
+double mean_wander(double lasts_s) {
 	constexpr double DT_S = 0.01;
 	std::mt19937_64 random(7);
 	std::normal_distribution<double> noise;
 	RestWander wander;
 	const double kept = std::exp(-DT_S / lasts_s);
 	double x = noise(random), sum = 0.0;
-	int told = 0;
+	int n = 0;
 	for (int i = 0; i < 6200; ++i) {
 		wander.push(i * DT_S, 0.5 + x);
 		x = kept * x + std::sqrt(1.0 - kept * kept) * noise(random);
 		sum += i >= 200 ? wander.deviation(i * DT_S) : 0.0;
-		told += i >= 200 ? 1 : 0;
+		n += i >= 200 ? 1 : 0;
 	}
-	return sum / told;
+	return sum / n;
 }
 
 /// Deviation of second differences 0.1 s apart of that autoregression, against white noise's.
@@ -37,45 +35,43 @@ double bends(double lasts_s) {
 
 } // namespace
 
-TEST_SUITE("rest wander") {
-	TEST_CASE("white noise is told by its deviation, what lasts by what it does in a tenth of a second") {
-		for (const double lasts_s : { 1e-6, 0.03, 0.1, 0.3, 1.0 }) {
-			CAPTURE(lasts_s);
-			CHECK(std::abs(told_of_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
-		}
+TEST_CASE("rest wander is the deviation of the noise over 0.1 s") {
+	for (const double lasts_s : { 1e-6, 0.1, 1.0 }) {
+		CAPTURE(lasts_s);
+		CHECK(std::abs(mean_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
 	}
+}
 
-	TEST_CASE("a drift is no wander, nor is the way by which the hand came, nor what it sets out on") {
-		RestWander wander;
-		for (int i = 0; i < 100; ++i) {
-			const double t_s = 0.01 * i;
-			const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
-			const double sets_out = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
-			wander.push(t_s, 0.1 * t_s + came + sets_out);
-		}
-		CHECK(wander.deviation(1.0) < 1e-9);
+TEST_CASE("drift, arrival and onset are no rest wander") {
+	RestWander wander;
+	for (int i = 0; i < 100; ++i) {
+		const double t_s = 0.01 * i;
+		const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
+		const double sets_out = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
+		wander.push(t_s, 0.1 * t_s + came + sets_out);
 	}
+	CHECK(wander.deviation(1.0) < 1e-9);
+}
 
-	TEST_CASE("of a hand that was seen for less than 0.4 s, or in gaps, no more is known than of any") {
-		RestWander shortly, rarely;
-		for (int i = 0; i < 36; ++i) {
-			shortly.push(0.01 * i, 0.0);
-			rarely.push(0.4 * i, 0.0);
-		}
-		CHECK(shortly.deviation(0.36) == 0.02);
-		CHECK(rarely.deviation(14.4) == 0.02);
-		for (int i = 36; i < 60; ++i) {
-			shortly.push(0.01 * i, 0.0);
-		}
-		CHECK(shortly.deviation(0.6) == 0.0);
+TEST_CASE("a rest below 0.4 s, or with dropouts, gives the default") {
+	RestWander shortly, rarely;
+	for (int i = 0; i < 36; ++i) {
+		shortly.push(0.01 * i, 0.0);
+		rarely.push(0.4 * i, 0.0);
 	}
+	CHECK(shortly.deviation(0.36) == 0.02);
+	CHECK(rarely.deviation(14.4) == 0.02);
+	for (int i = 36; i < 60; ++i) {
+		shortly.push(0.01 * i, 0.0);
+	}
+	CHECK(shortly.deviation(0.6) == 0.0);
+}
 
-	TEST_CASE("frames with one stamp count once") {
-		RestWander wander;
-		for (int i = 0; i < 100; ++i) {
-			wander.push(0.01 * i, 0.0);
-			wander.push(0.01 * i, 1.0);
-		}
-		CHECK(wander.deviation(1.0) == 0.0);
+TEST_CASE("frames with equal time stamps count once") {
+	RestWander wander;
+	for (int i = 0; i < 100; ++i) {
+		wander.push(0.01 * i, 0.0);
+		wander.push(0.01 * i, 1.0);
 	}
+	CHECK(wander.deviation(1.0) == 0.0);
 }

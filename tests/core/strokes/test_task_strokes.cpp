@@ -1,4 +1,4 @@
-// What the strokes of a hand whose task is known add up to.
+// The evidence that the strokes of a hand with a task add up to.
 
 #include "gesture/feature.h"
 #include "gesture/task.h"
@@ -18,7 +18,7 @@ constexpr double PERIOD_S = 0.01;
 constexpr double TASK_M = 0.2;               ///< of Task{}
 constexpr double SMALLEST_M = 0.06 * TASK_M; ///< stroke, as a recogniser has it
 
-/// What is made of a hand's strokes, frame by frame.
+/// The strokes of a hand, judged in each frame.
 class Watched {
 public:
 	/// A gesture has begun before the first frame.
@@ -47,33 +47,14 @@ private:
 	bool has_set_out_ = false;
 };
 
-/// Along the task's way, and aside of it.
+/// Along the task's axis, and across it.
 auto place_of(const std::vector<test::Drag> &along, const std::vector<test::Drag> &aside = {}) {
 	return [=](double t_s) { return FeaturePlace(test::x_m(along, t_s), test::x_m(aside, t_s), 0.0, 0.0); };
 }
 
-/// Comes down from aside to the task's start, and then goes `far_m` of the task's way.
-double odds_from_aside_and_on(double far_m) {
-	constexpr double ASIDE_M = 0.25;
-	const test::Drag up{ .onset_s = -1.0, .duration_s = 0.5, .amplitude_m = ASIDE_M };
-	const test::Drag down{ .onset_s = 0.6, .duration_s = 0.6, .amplitude_m = -ASIDE_M };
-	const test::Drag on{ .onset_s = 1.5, .duration_s = 0.4, .amplitude_m = far_m };
-	Watched watched;
-	watched.watch(0.0, 2.6, place_of({ on }, { up, down }));
-	return watched.best_log_odds();
-}
-
 } // namespace
 
-TEST_CASE("strokes that are too short to say where they go say nothing for a gesture, whatever else there "
-		  "was") {
-	CHECK(odds_from_aside_and_on(0.2 * TASK_M) < 0.0);
-	CHECK(odds_from_aside_and_on(0.4 * TASK_M) < 0.0);
-	CHECK(odds_from_aside_and_on(TASK_M) > 0.0);
-}
-
-TEST_CASE("strokes that are too short each make a gesture together, however long the hand rested between "
-		  "them") {
+TEST_CASE("two short strokes make a gesture together, after any rest") {
 	constexpr double SHORT_M = 0.45 * TASK_M;
 	for (const double rests_s : { 0.5, 3.0 }) {
 		CAPTURE(rests_s);
@@ -85,7 +66,7 @@ TEST_CASE("strokes that are too short each make a gesture together, however long
 	}
 }
 
-TEST_CASE("what was before a gesture began says nothing of it") {
+TEST_CASE("strokes before a gesture began do not count for it") {
 	const test::Drag drag{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = TASK_M };
 	const test::Drag aside{ .onset_s = 5.0, .duration_s = 0.5, .amplitude_m = TASK_M };
 	Watched watched;
@@ -97,7 +78,7 @@ TEST_CASE("what was before a gesture began says nothing of it") {
 	CHECK(watched.best_log_odds() < 0.0);
 }
 
-TEST_CASE("a hand sets out along the task's way, not by trembling, back or aside") {
+TEST_CASE("an onset is along the task's axis, not noise, back or aside") {
 	const auto sets_out = [](double along_m, double aside_m) {
 		Watched watched;
 		watched.watch(0.0, 2.0,

@@ -20,7 +20,7 @@ GestureRecogniser paper(const std::vector<std::shared_ptr<const GestureModel>> &
 
 const Way SIDEWAYS = along(X, { DRAG });
 
-TEST_CASE("each synthetic person's gesture is started and ended, taps down too") {
+TEST_CASE("paper mode without a task ends synthetic people's gestures") {
 	SyntheticSetOptions set;
 	set.population = Population::TUNE;
 	set.subjects = 3;
@@ -53,7 +53,7 @@ TEST_CASE("each synthetic person's gesture is started and ended, taps down too")
 	CHECK(found_down >= made_down * 3 / 4);
 }
 
-TEST_CASE("the motion of a spotted drag comes to the way of the hand and back") {
+TEST_CASE("a spotted drag starts on its way and ends within 0.2 s") {
 	GestureRecogniser recogniser = paper(four_models());
 	const Events events = watch(recogniser, SIDEWAYS, 3.0);
 	CHECK(events.said == times(1, "horizontal_drag"));
@@ -63,7 +63,7 @@ TEST_CASE("the motion of a spotted drag comes to the way of the hand and back") 
 	CHECK(events.last_confidence > 0.9);
 }
 
-TEST_CASE("only the gestures of the models that are expected are spotted") {
+TEST_CASE("only expected gestures are spotted") {
 	GestureRecogniser recogniser = paper({ four_models()[1], four_models()[2] });
 	CHECK(watch(recogniser, SIDEWAYS, 3.0).said.empty());
 }
@@ -73,7 +73,7 @@ TEST_CASE("a gesture that the HMMs do not include is recognised by strokes") {
 	CHECK(watch(recogniser, SIDEWAYS, 3.0).said == times(1, "sideways"));
 }
 
-TEST_CASE("a spotted gesture goes on where a model is added, and is aborted where its own goes") {
+TEST_CASE("a spotted gesture aborts when expect() removes it, else goes on") {
 	const auto all = four_models();
 	for (const bool stays : { true, false }) {
 		GestureRecogniser recogniser = paper({ all[1], all[0] });
@@ -100,7 +100,7 @@ TEST_CASE("a start condition is judged at a spotted gesture's onset") {
 	}
 }
 
-TEST_CASE("a hand that is lost for a second on a spotted gesture has made none") {
+TEST_CASE("a dropout of a second aborts a spotted gesture") {
 	GestureRecogniser recogniser = paper(four_models());
 	const Events events = watch(recogniser, SIDEWAYS, 4.0, DRAG.onset_s + 0.7 * DRAG.duration_s, 1e9);
 	CHECK(events.said == std::vector<std::string>{ "started horizontal_drag", "aborted horizontal_drag" });

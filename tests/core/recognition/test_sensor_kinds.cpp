@@ -2,19 +2,17 @@
 #include "minimum_jerk_drag.h"
 #include "monitored_estimator.h"
 #include "recognition/gesture_recogniser.h"
-#include "signal/minimum_jerk.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <memory>
 #include <random>
 #include <vector>
 
 using namespace steadyhand;
 
-// `phase` mode before sensors of other makes, values in amplitudes: what they show must not get worse by it.
+// `phase` mode before sensors with other rates, noise, rounding and clocks; values in amplitudes.
 
 namespace {
 
@@ -22,14 +20,14 @@ struct Sensor {
 	const char *name;
 	double rate_hz = 113.0;
 	double white = 2e-4;
-	double resolution = 0.0; ///< what it rounds to
-	int reads = 1;           ///< of each of its frames
-	double outliers = 0.0;   ///< share of its frames that are elsewhere
-	double tick_s = 0.0;     ///< its clock's
+	double resolution = 0.0; ///< it rounds to multiples of this
+	int reads = 1;           ///< how often each of its frames is read
+	double outliers = 0.0;   ///< share of its frames
+	double tick_s = 0.0;     ///< resolution of its clock
 };
 
 struct Figures {
-	double shown = 0.0, estimated = 0.0; ///< R2 at no lag
+	double shown = 0.0, estimated = 0.0; ///< zero-lag R2
 };
 
 /// Mean over drags of 0.7 to 1.2 s.
@@ -75,21 +73,16 @@ Figures figures(const Sensor &sensor) {
 
 } // namespace
 
-TEST_CASE("phase mode keeps to what sensors of all makes show" * doctest::test_suite("figures")) {
+TEST_CASE("phase mode is as near to the hand as any sensor" * doctest::test_suite("figures")) {
 	for (const Sensor &sensor : {
 				 Sensor{ .name = "white noise of 2 mm in 20 cm", .white = 0.01 },
-				 Sensor{ .name = "of 5 mm", .white = 0.025 },
-				 Sensor{ .name = "of 10 mm", .white = 0.05 },
-				 Sensor{ .name = "rounded to 0.1 mm", .resolution = 0.0005 },
+				 Sensor{ .name = "white noise of 10 mm", .white = 0.05 },
 				 Sensor{ .name = "rounded to 1 mm", .resolution = 0.005 },
-				 Sensor{ .name = "60 Hz, read twice", .rate_hz = 120.0, .reads = 2 },
 				 Sensor{ .name = "30 Hz, read four times", .rate_hz = 120.0, .reads = 4 },
-				 Sensor{ .name = "one frame in fifty elsewhere", .outliers = 0.02 },
+				 Sensor{ .name = "one frame in fifty an outlier", .outliers = 0.02 },
 				 Sensor{ .name = "15 Hz", .rate_hz = 15.0 },
 				 Sensor{ .name = "1 kHz", .rate_hz = 1000.0 },
 				 Sensor{ .name = "1 kHz, stamps of 4 ms", .rate_hz = 1000.0, .tick_s = 0.004 },
-				 Sensor{ .name = "240 Hz, stamps of 8 ms", .rate_hz = 240.0, .tick_s = 0.008 },
-				 Sensor{ .name = "2 kHz", .rate_hz = 2000.0 },
 				 Sensor{ .name = "10 kHz", .rate_hz = 10000.0 },
 		 }) {
 		CAPTURE(sensor.name);
@@ -99,11 +92,10 @@ TEST_CASE("phase mode keeps to what sensors of all makes show" * doctest::test_s
 	}
 }
 
-TEST_CASE("at any rate a gesture with a task ends where the hand comes to rest" *
-		doctest::test_suite("figures")) {
+TEST_CASE("with a task gestures end at their endpoint at any rate" * doctest::test_suite("figures")) {
 	const auto &model = test::shared_drag_model();
-	for (const double rate_hz : { 30.0, 120.0, 500.0, 1000.0, 2000.0, 10000.0 }) {
-		for (const double duration_s : { 0.5, 1.0, 1.5 }) {
+	for (const double rate_hz : { 30.0, 120.0, 10000.0 }) {
+		for (const double duration_s : { 0.5, 1.5 }) {
 			CAPTURE(rate_hz);
 			CAPTURE(duration_s);
 			const test::Drag drag{ .onset_s = 1.5, .duration_s = duration_s };
@@ -125,7 +117,7 @@ TEST_CASE("at any rate a gesture with a task ends where the hand comes to rest" 
 					end_s = ms / 1000.0;
 				}
 			}
-			CHECK(std::abs(end_s - drag.onset_s - duration_s) < 0.0605); // told each millisecond
+			CHECK(std::abs(end_s - drag.onset_s - duration_s) < 0.0605); // checked each millisecond
 		}
 	}
 }

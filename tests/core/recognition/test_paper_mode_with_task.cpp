@@ -1,0 +1,183 @@
+// `paper` mode with a task: when its motion aborts, where it ends. What the decoder of states changes.
+
+#include "gesture_events.h"
+#include "near.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+constexpr double TASK_M = 0.2; ///< amplitude of Task{}
+constexpr double ONSET_S = 0.5;
+
+constexpr std::array DECODINGS{
+	StateDecoding{ StateDecoding::Rule::VITERBI, 3 },
+	StateDecoding{ StateDecoding::Rule::VITERBI, 8 },
+	StateDecoding{ StateDecoding::Rule::FILTER },
+	StateDecoding{ StateDecoding::Rule::VITERBI, 0, StateDecoding::Precision::SINGLE },
+};
+
+Events on_paper(const Way &way, double length_s) {
+	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
+	return watch(recogniser, way, length_s);
+}
+
+Drag drag_to(double far, double duration_s = 0.8) {
+	return { .onset_s = ONSET_S, .duration_s = duration_s, .amplitude_m = far * TASK_M };
+}
+
+} // namespace
+
+TEST_CASE("paper mode aborts a halt at the start within 1.2 s") {
+	const Drag sets_out = drag_to(0.05, 0.12);
+	CHECK(on_paper(along(X, { sets_out }), ONSET_S + 0.6).said ==
+			std::vector<std::string>{ "started sideways" });
+	CHECK(on_paper(along(X, { sets_out }), ONSET_S + 1.2).said == started_and_aborted("sideways"));
+	const Drag goes_on{ .onset_s = ONSET_S + 0.5, .duration_s = 0.8, .amplitude_m = 0.95 * TASK_M };
+	CHECK(on_paper(along(X, { sets_out, goes_on }), 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("paper mode aborts when the hand returns from half-way or before") {
+	for (const double far : { 0.1, 0.5 }) {
+		CAPTURE(far);
+		const Drag back{ .onset_s = ONSET_S + 0.6, .duration_s = 0.5, .amplitude_m = -far * TASK_M };
+		const Events events = on_paper(along(X, { drag_to(far, 0.5), back }), 6.0);
+		CHECK(std::abs(events.last_value_m) < 1e-9);
+		CHECK(events.said == started_and_aborted("sideways"));
+	}
+}
+
+TEST_CASE("paper mode ends at the task's amplitude wherever the hand stops") {
+	for (const double far : { 0.6, 1.5 }) {
+		CAPTURE(far);
+		const Events events = on_paper(along(X, { drag_to(far) }), 4.0);
+		CHECK(events.said == times(1, "sideways"));
+		CHECK(events.last_value_m == near(TASK_M).epsilon(1e-9));
+	}
+}
+
+TEST_CASE("paper mode waits at the end of the first state") {
+	// Three tenths of the way, slowly, are its first state.
+	const double first_end = drag_model().elements.front().phase_end;
+	const Events waits = on_paper(along(X, { drag_to(0.3) }), 4.0);
+	CHECK(waits.said == std::vector<std::string>{ "started sideways" });
+	CHECK(waits.last_value_m == near(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
+}
+
+TEST_CASE("paper mode with a task accepts oblique and winding movement") {
+	CHECK(on_paper(along((X + Y).normalized(), { drag_to(2.0) }), 3.0).said == times(1, "sideways"));
+	const Way winding = [](double t_s) {
+		return Eigen::Vector3d(drag_to(1.0).x_m(t_s), 0.1 * std::sin(8.0 * t_s), 0.1 * std::cos(8.0 * t_s));
+	};
+	CHECK(on_paper(winding, 3.0).said == times(1, "sideways"));
+}
+
+TEST_CASE("paper mode holds its end until the hand returns") {
+	constexpr double TURNS_S = 2.0, BACK_S = 2.3;
+	const auto shown_m = [](double left, double later_s) {
+		const Drag back{ TURNS_S, BACK_S - TURNS_S, (left - 1.0) * TASK_M };
+		return on_paper(along(X, { drag_to(1.0), back }), BACK_S + later_s).last_value_m;
+	};
+	CHECK(shown_m(0.16, 1.0) == near(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.14, -0.04) == near(TASK_M).epsilon(1e-9));
+	CHECK(shown_m(0.14, 0.1) < 0.05 * TASK_M);
+}
+
+TEST_CASE("a state that is decoded late ends when it would have ended") {
+	const GestureModel &model = drag_model();
+	constexpr double SLOWER = 1.2, LATE_S = 0.05;
+	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
+	const double entered_s = SLOWER * first.duration_mean_s,
+				 through_s = entered_s + SLOWER * second.duration_mean_s;
+	PaperSynthesiser in_time(model), late(model);
+	in_time.begin(0.0, 0.0);
+	late.begin(0.0, 0.0);
+	in_time.enter_state(1, entered_s, entered_s);
+	const double phase_before = late.phase(entered_s + LATE_S);
+	const double value_before = late.motion(entered_s + LATE_S, 1.0).value_m;
+	late.enter_state(1, entered_s, entered_s + LATE_S);
+	CHECK(late.phase(entered_s + LATE_S) == phase_before);
+	CHECK(late.motion(entered_s + LATE_S, 1.0).value_m == near(value_before));
+	for (const PaperSynthesiser *const synthesiser : { &in_time, &late }) {
+		CHECK(synthesiser->phase(through_s - 1e-3) < second.phase_end - 1e-4);
+		CHECK(synthesiser->phase(through_s + 1e-9) == near(second.phase_end).epsilon(1e-12));
+	}
+}
+
+TEST_CASE("a gesture that begins late starts at its phase") {
+	const GestureModel &model = drag_model();
+	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
+	for (const double share : { 0.0, 0.9 }) {
+		PaperSynthesiser synthesiser(model);
+		synthesiser.begin(2.0, share * first.phase_end);
+		const double through_s = 2.0 + (1.0 - share) * first.duration_mean_s;
+		CHECK(synthesiser.phase(2.0) == near(share * first.phase_end));
+		CHECK(synthesiser.phase(through_s - 1e-3) < first.phase_end);
+		CHECK(synthesiser.phase(through_s + 1e-9) == near(first.phase_end).epsilon(1e-12));
+		CHECK(synthesiser.phase(through_s + 1.0) == first.phase_end);
+	}
+	// A state that is known when it should be through is played at once, forwards.
+	PaperSynthesiser late(model);
+	late.begin(0.0, 0.0);
+	const double known_s = first.duration_mean_s + 3.0 * second.duration_mean_s;
+	late.enter_state(1, first.duration_mean_s, known_s);
+	CHECK(late.phase(known_s) == near(first.phase_end));
+	CHECK(late.phase(known_s + 0.5e-3) > first.phase_end);
+	CHECK(late.phase(known_s + 1.1e-3) == near(second.phase_end));
+}
+
+TEST_CASE("without a task the decoder does not change the gesture's stages") {
+	const Track track = drag_track({ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 }, 97.0, 2.5);
+	const auto stages = [&](const StateDecoding &decoding) {
+		GestureRecogniser recogniser(
+				{ shared_drag_model() }, std::nullopt, MotionMode::PAPER, {}, 0.0, decoding);
+		std::vector<int> told;
+		for (const HandFrame &frame : track.frames) {
+			recogniser.push(frame);
+			const GestureSession *const session = recogniser.session();
+			told.push_back(session != nullptr ? static_cast<int>(session->stage()) : -1);
+		}
+		return told;
+	};
+	const std::vector<int> as_shipped = stages({});
+	REQUIRE(as_shipped.back() == static_cast<int>(GestureSession::Stage::ENDED));
+	for (const StateDecoding &decoding : DECODINGS) {
+		CHECK(stages(decoding) == as_shipped);
+	}
+}
+
+TEST_CASE("paper mode ends with every decoder; lagged ones are never earlier") {
+	const Drag drag{ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 };
+	const Track track = drag_track(drag, 97.0, 3.0);
+	const auto first_seen_s = [&](const StateDecoding &decoding) {
+		GestureRecogniser recogniser({ shared_drag_model() }, Task{}, MotionMode::PAPER, {}, 0.0, decoding);
+		std::array<double, 4> seen_s{};
+		for (const HandFrame &frame : track.frames) {
+			recogniser.push(frame);
+			if (const GestureSession *const session = recogniser.session()) {
+				double &first_s = seen_s.at(static_cast<std::size_t>(session->state()));
+				first_s = first_s > 0.0 ? first_s : frame.t_s;
+			}
+		}
+		CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m == near(drag.amplitude_m));
+		return seen_s;
+	};
+	const std::array<double, 4> as_shipped = first_seen_s({});
+	for (const StateDecoding &decoding : DECODINGS) {
+		const std::array<double, 4> seen_s = first_seen_s(decoding);
+		for (std::size_t state = 1; state < seen_s.size(); ++state) {
+			CAPTURE(state);
+			CAPTURE(decoding.lag);
+			CHECK(seen_s[state] > 0.0);
+			if (decoding.rule == StateDecoding::Rule::VITERBI) {
+				CHECK(seen_s[state] >= as_shipped[state]);
+			}
+		}
+	}
+}

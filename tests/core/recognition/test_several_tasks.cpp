@@ -1,0 +1,184 @@
+// Several tasks at a time: which one is shown; the others change nothing.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+const Task HERE{ Eigen::Vector3d::Zero(), X, 0.2 };
+
+ExpectedGesture drag_at(const Eigen::Vector3d &start_m, const Eigen::Vector3d &axis) {
+	return { models()[0], Task{ start_m, axis, 0.2 } };
+}
+
+struct Run {
+	std::vector<double> values_m; ///< synthesised, at each frame, before the frame is pushed
+	std::vector<std::size_t> shown;
+	Events events;
+};
+
+Run run(const std::vector<ExpectedGesture> &gestures, const Way &way, double length_s,
+		double noise_m = 1e-4) {
+	GestureRecogniser recogniser(gestures);
+	Run run;
+	const Way noted = [&](double t_s) {
+		run.values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
+		run.shown.push_back(recogniser.shown());
+		return way(t_s);
+	};
+	run.events = watch(recogniser, noted, length_s, 1e9, 1e9, 110.0, noise_m);
+	return run;
+}
+
+/// Rests 0.5 m off for 3 s, comes to the origin within half a second, and drags pause_s later.
+Way comes_from(const Eigen::Vector3d &direction, double pause_s) {
+	const Drag approach{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = 0.5 },
+			drag{ .onset_s = 3.5 + pause_s, .duration_s = 0.8, .amplitude_m = 0.2 };
+	return [=](double t_s) {
+		return Eigen::Vector3d((0.5 - approach.x_m(t_s)) * direction + drag.x_m(t_s) * X);
+	};
+}
+
+} // namespace
+
+TEST_CASE("tasks elsewhere change nothing, to the last bit, in any order") {
+	const Way drag = along(X, { DRAG });
+	const Run alone = run({ drag_at(HERE.start_m, X) }, drag, 2.5);
+	for (const std::size_t place : { 0, 4, 10 }) {
+		std::vector<ExpectedGesture> gestures;
+		for (int i = 1; i <= 10; ++i) {
+			gestures.push_back(
+					drag_at(i * Eigen::Vector3d(i % 3 == 0 ? -0.4 * Y : 0.6 * X), i % 2 == 0 ? X : Y));
+		}
+		gestures.insert(gestures.begin() + static_cast<std::ptrdiff_t>(place), drag_at(HERE.start_m, X));
+		const Run among = run(gestures, drag, 2.5);
+		CHECK(std::ranges::equal(alone.values_m, among.values_m));
+		CHECK(among.shown.back() == place);
+		CHECK(among.events.said == times(1, "sideways"));
+	}
+}
+
+TEST_CASE("an idle hand is shown at its nearest task") {
+	const Way way = comes_from(-X, 0.5);
+	const Run alone = run({ drag_at(HERE.start_m, X) }, way, 6.0);
+	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(HERE.start_m, X) }, way, 6.0);
+	CHECK(two.events.said == times(1, "sideways"));
+	for (std::size_t i = 1; i < two.values_m.size(); ++i) {
+		const bool is_here = two.shown[i] == 1;
+		// Else it is aside. A hand at 2 m/s goes on by 2 cm until the next frame.
+		CHECK(std::abs(two.values_m[i] - (is_here ? alone.values_m[i] : 0.0)) < 6e-3);
+	}
+	CHECK(two.shown[330] == 0); // of 110 a second, as the hand sets out
+	CHECK(two.shown[385] == 1);
+}
+
+TEST_CASE("a hand from another task is followed like one from here") {
+	for (const double noise_m : { 1e-4, 2e-3 }) {
+		for (const Eigen::Vector3d &direction : { Y, Z }) {
+			for (const double pause_s : { 0.1, 0.3 }) {
+				CAPTURE(noise_m);
+				CAPTURE(direction.transpose());
+				CAPTURE(pause_s);
+				const Way way = comes_from(direction, pause_s);
+				const Run alone = run({ drag_at(HERE.start_m, X) }, way, 6.0, noise_m);
+				const Run coming = run(
+						{ drag_at(0.5 * direction, direction), drag_at(HERE.start_m, X) }, way, 6.0, noise_m);
+				CHECK(coming.events.said == alone.events.said);
+				for (auto i = static_cast<std::size_t>(110.0 * (3.5 + pause_s)); i < alone.values_m.size();
+						++i) {
+					CHECK(std::abs(coming.values_m[i] - alone.values_m[i]) < 5e-3);
+				}
+			}
+		}
+	}
+}
+
+TEST_CASE("of two tasks at one place either begins without a step") {
+	const Run other = run({ drag_at(HERE.start_m, Y), drag_at(HERE.start_m, X) }, along(X, { DRAG }), 2.5);
+	CHECK(other.events.said == times(1, "sideways"));
+	CHECK(other.events.largest_step < FASTEST_M_MS);
+}
+
+TEST_CASE("a gesture at its task is not one without a task") {
+	for (const double amplitude_m : { 0.2, 0.15 }) {
+		for (const double angle_rad : { 0.0, 0.2 }) {
+			CAPTURE(amplitude_m);
+			CAPTURE(angle_rad);
+			Task task;
+			task.axis = { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
+			task.amplitude_m = amplitude_m;
+			const auto here = model("here", X, false), anywhere = model("anywhere", X, true);
+			GestureRecogniser recogniser({ ExpectedGesture{ here, task }, { anywhere, std::nullopt } });
+			const Drag drag{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = amplitude_m };
+			const Events events = watch(recogniser, along(task.axis, { drag }), 3.5);
+			CHECK(count(events, "ended here") == 1);
+			CHECK(count(events, "ended anywhere") == 0);
+		}
+	}
+}
+
+TEST_CASE("an idle zoom is shown where no other task is near") {
+	constexpr double CLOSED_M = 0.016;
+	const Task opens{ { CLOSED_M, 0.0, 0.0 }, X, 0.03 };
+	for (const double off_m : { 0.05, 0.5 }) {
+		GestureRecogniser recogniser({ { zoom_model(CLOSED_M, 0.03), opens }, drag_at(-X, X) });
+		for (int i = 0; i < 60; ++i) {
+			HandFrame frame;
+			frame.t_s = i / 110.0;
+			int tip = 0;
+			for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {
+				const double angle_rad = 2.1 * tip++;
+				const Eigen::Vector3d spread(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+				frame.set(joint, off_m * Y - X + CLOSED_M * spread);
+			}
+			recogniser.push(frame);
+		}
+		CHECK(recogniser.shown() == (off_m < 0.1 ? 1 : 0));
+	}
+}
+
+TEST_CASE("a hand as near to either task does not change between them") {
+	const std::vector<ExpectedGesture> two{ drag_at(0.1 * Y, X), drag_at(-0.1 * Y, X) };
+	const Run between = run(
+			two, [](double t_s) { return Eigen::Vector3d(0.008 * std::sin(9.0 * t_s) * Y); }, 3.0);
+	CHECK(std::ranges::count(between.shown, between.shown.back()) >= std::ssize(between.shown) - 1);
+}
+
+TEST_CASE("when expect() removes the shown task, the nearest is shown at once") {
+	const ExpectedGesture here = drag_at(HERE.start_m, X), beside = drag_at(0.1 * Y, X),
+						  away = drag_at(2.0 * Y, X);
+	GestureRecogniser recogniser({ here, beside, away });
+	watch(recogniser, along(X, {}), 0.5);
+	REQUIRE(recogniser.shown() == 0);
+	recogniser.expect({ away, beside });
+	CHECK(recogniser.shown() == 1);
+}
+
+TEST_CASE("expect() of other tasks at an end keeps a resting hand still") {
+	GestureRecogniser recogniser({ drag_at(HERE.start_m, X) });
+	bool is_changed = false;
+	double fastest_m_s = 0.0;
+	const Way way = [&](double t_s) {
+		if (is_changed) {
+			const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
+			fastest_m_s = std::max(fastest_m_s, std::abs(motion.velocity_m_s));
+		} else if (t_s > 1.9) {
+			is_changed = true;
+			recogniser.expect({ drag_at(1.2 * Y, Y), drag_at(0.2 * X + 0.24 * Y, -Y) });
+		}
+		return Eigen::Vector3d(DRAG.x_m(t_s) * X);
+	};
+	watch(recogniser, way, 3.0);
+	CHECK(recogniser.shown() == 1);
+	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m - 0.24) < 2e-3);
+	CHECK(fastest_m_s < 0.2); // as for any hand that comes into view off the start
+}

@@ -1,0 +1,178 @@
+// What a stroke says for or against a gesture, as logarithms of ratios of densities.
+
+#include "near.h"
+#include "strokes/stroke_evidence.h"
+
+#include <Eigen/Geometry>
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+using namespace steadyhand;
+
+namespace {
+
+Stroke straight(double length_m) {
+	Stroke stroke;
+	stroke.now_s = 1.0;
+	stroke.to = FeaturePlace(length_m, 0.0, 0.0, 0.0);
+	stroke.middle = 0.5 * stroke.to;
+	stroke.way_m = length_m;
+	stroke.watched_s = Stroke::REST_S;
+	return stroke;
+}
+
+StrokeEvidence evidence(const Stroke &stroke) {
+	return stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
+}
+
+/// Density of a hand that makes no gesture.
+double other_detour(double detour) {
+	return 2.0 / 1.7 * std::pow(1.0 + detour / 1.7, -3.0);
+}
+
+/// Of f over 0 .. to, by the midpoint rule.
+double integral(const std::function<double(double)> &f, double to) {
+	constexpr int STEPS = 20000;
+	double sum = 0.0;
+	for (int i = 0; i < STEPS; ++i) {
+		sum += f(to * (i + 0.5) / STEPS) * to / STEPS;
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST_CASE("the evidence of a stroke is the ratio of its densities") {
+	// The integral of the gesture's density is 1. The null model's densities are those of stroke_evidence.h.
+	constexpr double BOW = 0.18, LARGEST_BOW = 0.5;
+	const double straightness = std::log(LARGEST_BOW / (BOW * std::tgamma(1.25)));
+	const auto directions = [&](double angle) {
+		Stroke turned = straight(0.2);
+		turned.to = 0.2 * FeaturePlace(std::cos(angle), std::sin(angle), 0.0, 0.0);
+		turned.middle = 0.5 * turned.to;
+		CHECK(evidence(turned).size == test::near(evidence(straight(0.2)).size));
+		return std::exp(evidence(turned).path - straightness) * 0.5 * std::sin(angle);
+	};
+	CHECK(integral(directions, std::numbers::pi) == test::near(1.0).epsilon(1e-3));
+	const auto bows = [&](double bow) {
+		Stroke bent = straight(0.2);
+		bent.middle.y() += 0.2 * bow;
+		return std::exp(evidence(bent).path - evidence(straight(0.2)).path + straightness) / LARGEST_BOW;
+	};
+	CHECK(integral(bows, 1.0) == test::near(1.0).epsilon(1e-3));
+	const auto detours = [](double detour) {
+		Stroke winding = straight(0.2);
+		winding.way_m = (1.0 + detour) * 0.2;
+		return std::exp(evidence(winding).detour) * other_detour(detour);
+	};
+	CHECK(integral(detours, 10.0) == test::near(1.0).epsilon(1e-3));
+	const auto unrest = [](double amplitudes) {
+		Stroke stroke = straight(0.2);
+		stroke.unrest_m = 0.2 * amplitudes;
+		const double deviation = std::hypot(0.07 + 0.002 / 0.2, 1.5 * 0.5);
+		const double z = amplitudes / deviation;
+		return std::exp(evidence(stroke).rest - 0.5 * z * z) * std::sqrt(2.0 / std::numbers::pi) / deviation;
+	};
+	CHECK(integral(unrest, 10.0) == test::near(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("with a task the evidence adds direction, bow and start") {
+	const FeaturePlace start(0.3, -0.2, 0.1, 0.0);
+	constexpr double AMPLITUDE_M = 0.2;
+	const auto evidence_at = [&](const Stroke &stroke) {
+		return task_evidence(stroke, start, FeaturePlace::UnitX(), AMPLITUDE_M);
+	};
+	const auto stroke = [&](const Eigen::Vector3d &off_m, double angle, double bow) {
+		Stroke moved = straight(AMPLITUDE_M);
+		moved.from = start;
+		moved.from.head<3>() += off_m;
+		moved.shown_from = moved.from;
+		// Hands aim at the end, from wherever beside the start they began.
+		const Eigen::Vector3d aim = Eigen::Vector3d(AMPLITUDE_M, -off_m.y(), -off_m.z()).normalized();
+		const Eigen::AngleAxisd turn(angle, aim.unitOrthogonal());
+		moved.to = moved.from;
+		moved.to.head<3>() += AMPLITUDE_M * (turn * aim);
+		moved.middle = 0.5 * (moved.from + moved.to) + bow * AMPLITUDE_M * FeaturePlace::UnitZ();
+		return moved;
+	};
+	const double best = evidence_at(stroke({ 0.0, 0.0, 0.0 }, 0.0, 0.0));
+	const auto share = [&](const Stroke &of) { return std::exp(evidence_at(of) - best); };
+	// Each density by its own integral; that of the null model is the uniform one.
+	const double directions = integral(
+			[&](double angle) {
+				return share(stroke({ 0.0, 0.0, 0.0 }, angle, 0.0)) * 0.5 * std::sin(angle);
+			},
+			std::numbers::pi);
+	const double bows = integral(
+			[&](double bow) {
+				return share(stroke({ 0.0, 0.0, 0.0 }, 0.0, bow)) / 0.5;
+			},
+			0.5);
+	const double ball_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(1.5 * AMPLITUDE_M, 3.0);
+	const Eigen::Vector3d way = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
+	const double starts = integral(
+			[&](double off_m) {
+				return share(stroke(off_m * way, 0.0, 0.0)) * 4.0 * std::numbers::pi * off_m * off_m /
+						ball_m3;
+			},
+			1.5 * AMPLITUDE_M);
+	CHECK(best == test::near(-std::log(directions * bows * starts)).epsilon(1e-3));
+
+	// Where on its way the hand was longest is no bow.
+	Stroke late = stroke({ 0.01, 0.0, 0.0 }, 0.1, 0.02);
+	const double path = evidence(late).path, of_task = evidence_at(late);
+	late.middle += 0.3 * (late.to - late.from);
+	CHECK(evidence(late).path == test::near(path).epsilon(1e-12));
+	CHECK(evidence_at(late) == test::near(of_task).epsilon(1e-12));
+}
+
+TEST_CASE("no stroke exceeds the greatest evidence, the best comes near") {
+	std::mt19937_64 random(1);
+	std::uniform_real_distribution<double> uniform(0.0, 1.0);
+	for (int i = 0; i < 5000; ++i) {
+		Stroke stroke = straight(0.5 * std::pow(uniform(random), 3.0));
+		const double turned = 2.0 * std::pow(uniform(random), 2.0);
+		stroke.to = stroke.to.x() * FeaturePlace(std::cos(turned), std::sin(turned), 0.0, 0.0);
+		stroke.middle = 0.5 * stroke.to + FeaturePlace(0.0, 0.0, 0.02 * uniform(random), 0.0);
+		stroke.way_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
+		stroke.now_s = 0.1 + 3.0 * uniform(random);
+		stroke.unrest_m = 0.2 * std::pow(uniform(random), 3.0);
+		stroke.watched_s = Stroke::REST_S * uniform(random);
+		const StrokeEvidence come = evidence(stroke);
+		const double most = most_evidence(stroke, FeaturePlace::UnitX(), 0.2);
+		REQUIRE(come.so_far() + come.outlook <= most + 1e-12);
+		REQUIRE(come.sum() <= most + 1e-12);
+	}
+	CHECK(evidence(straight(0.2)).sum() > most_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
+	CHECK(most_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
+}
+
+TEST_CASE("a long rest before a stroke speaks for a gesture") {
+	const auto rest = [](double watched_s) {
+		Stroke stroke = straight(0.2);
+		stroke.watched_s = watched_s;
+		return evidence(stroke).rest;
+	};
+	CHECK(rest(0.0) < -std::log(3.0));
+	for (const double watched_s : { 0.1, 0.2, 0.3, 0.4, 0.5 }) {
+		CAPTURE(watched_s);
+		CHECK(rest(watched_s) > rest(watched_s - 0.1) + 0.3);
+	}
+	CHECK(rest(0.5) > std::log(5.0));
+}
+
+TEST_CASE("a stroke without length, end or duration speaks against every gesture") {
+	CHECK(evidence(straight(0.0)).sum() < -100.0);
+	CHECK(evidence(straight(INFINITY)).sum() < -100.0);
+	Stroke instant = straight(0.2);
+	instant.now_s = instant.onset_s;
+	CHECK(evidence(instant).sum() < -100.0);
+	Stroke endless = straight(0.2);
+	endless.way_m = 1e9;
+	CHECK(std::isfinite(evidence(endless).sum()));
+	CHECK(evidence(endless).sum() < -100.0);
+}
