@@ -46,6 +46,36 @@ inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 /// Released at 50 /s from 0.2 m, critically damped, a value comes to 0.2 * 50 / e m a second.
 inline constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 
+/// When the drag has gone this share of its amplitude, to the millisecond.
+inline double reaches_s(const Drag &drag, double share) {
+	double t_s = drag.onset_s;
+	while (drag.x_m(t_s) < share * drag.amplitude_m) {
+		t_s += 1e-3;
+	}
+	return t_s;
+}
+
+/// Of the gesture that is shown.
+inline GestureSession::Stage stage(const GestureRecogniser &recogniser) {
+	return recogniser.session() != nullptr ? recogniser.session()->stage() : GestureSession::Stage::IDLE;
+}
+
+/// Counts how often a recogniser comes into a stage.
+class StageEntries {
+public:
+	explicit StageEntries(GestureSession::Stage counted) : counted_(counted) {}
+	void look(const GestureRecogniser &recogniser) {
+		const GestureSession::Stage now = stage(recogniser);
+		count_ += now == counted_ && last_ != now ? 1 : 0;
+		last_ = now;
+	}
+	[[nodiscard]] int count() const { return count_; }
+
+private:
+	GestureSession::Stage counted_, last_ = GestureSession::Stage::IDLE;
+	int count_ = 0;
+};
+
 struct Events {
 	std::vector<std::string> said; ///< "started sideways" and so on
 	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m

@@ -1,34 +1,56 @@
-// Gestures that one hand seems to make at once: which of them it is, in whatever order they are named.
+// Several gestures or tasks that fit one movement: which of them is shown, in whatever order they are given.
 
 #include "gesture_events.h"
-#include "near.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
 
 namespace {
 
+using Expected = std::vector<ExpectedGesture>;
+using Said = std::vector<std::string>;
+
 Eigen::Vector3d turned(double angle_rad) {
 	return { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
 }
 
+std::vector<Expected> both_orders(const ExpectedGesture &one, const ExpectedGesture &other) {
+	return { { one, other }, { other, one } };
+}
+
+constexpr double LIFT_M = 0.12; ///< of a finger above a keypad
+
+/// Beside the first key by x_m; its surface lies deeper by deeper_m.
+ExpectedGesture key(const char *name, double x_m, double deeper_m) {
+	return { model(name, -Z, false), Task{ { x_m, 0.0, LIFT_M - deeper_m }, -Z, LIFT_M } };
+}
+
+/// A finger presses 3 mm into a surface at 0, beside_m from the first key, and returns. At its onset it is
+/// further beside by onset_m.
+Events press(const Expected &keys, double beside_m, double onset_m, double duration_s, double noise_m) {
+	const double down_m = LIFT_M + 0.003;
+	const std::vector<Drag> strokes{ { 0.8, duration_s, down_m },
+		{ 0.8 + duration_s + 0.08, duration_s, -down_m } };
+	const Way finger = [&](double t_s) {
+		const double gone_m = x_m(strokes, t_s);
+		return Eigen::Vector3d(beside_m + onset_m * (1.0 - gone_m / down_m), 0.0, LIFT_M - gone_m);
+	};
+	GestureRecogniser recogniser(keys);
+	return watch(recogniser, finger, 3.0, 1e9, 1e9, 90.0, noise_m);
+}
+
 } // namespace
 
-TEST_CASE("of gestures that end at once it is the likeliest, in whatever order they are named") {
-	const ExpectedGesture level{ model("level", X, false), std::nullopt };
-	const ExpectedGesture rising{ model("rising", turned(0.35), false), std::nullopt };
-	for (const std::vector<ExpectedGesture> &both :
-			{ std::vector{ level, rising }, std::vector{ rising, level } }) {
-		for (const double angle_rad : { 0.0, 0.1, 0.25, 0.35 }) {
-			CAPTURE(both.front().model->gesture);
-			CAPTURE(angle_rad);
+TEST_CASE("of two gestures along nearly one axis the likelier one ends") {
+	for (const Expected &both : both_orders({ model("level", X, false), std::nullopt },
+				 { model("rising", turned(0.35), false), std::nullopt })) {
+		for (const double angle_rad : { 0.1, 0.25 }) {
+			INFO("first ", both.front().model->gesture, ", angle ", angle_rad);
 			GestureRecogniser recogniser(both);
 			const Events events = watch(recogniser, along(turned(angle_rad), { DRAG }), 2.5);
 			REQUIRE(!events.said.empty());
@@ -38,8 +60,18 @@ TEST_CASE("of gestures that end at once it is the likeliest, in whatever order t
 	}
 }
 
-TEST_CASE("a gesture is made between two of another kind, each from where the last one ended") {
-	for (const double pause_s : { 0.3, 0.5, 0.8 }) {
+TEST_CASE("a movement that bends onto another gesture's axis changes to it once") {
+	GestureRecogniser recogniser({ model("first", X, false), model("second", turned(0.45), false) },
+			std::nullopt, MotionMode::PHASE);
+	const Way way = [](double t_s) {
+		const double share = DRAG.x_m(t_s) / DRAG.amplitude_m;
+		return Eigen::Vector3d(DRAG.x_m(t_s) * turned(0.42 * std::min(share / 0.7, 1.0)));
+	};
+	CHECK(watch(recogniser, way, 1.25).said == Said{ "started first", "aborted first", "started second" });
+}
+
+TEST_CASE("a gesture between two of another kind ends, from the endpoint before") {
+	for (const double pause_s : { 0.3, 0.8 }) {
 		CAPTURE(pause_s);
 		const double each_s = 0.6, period_s = each_s + pause_s;
 		const Way way = [&](double t_s) {
@@ -47,22 +79,18 @@ TEST_CASE("a gesture is made between two of another kind, each from where the la
 					last{ 1.0 + 2.0 * period_s, each_s, 0.2 };
 			return Eigen::Vector3d((first.x_m(t_s) + last.x_m(t_s)) * X - push.x_m(t_s) * Z);
 		};
-		std::vector<std::string> said = in_the_open(way, 1.0 + 3.0 * period_s + 0.5).said;
+		Said said = in_the_open(way, 1.0 + 3.0 * period_s + 0.5).said;
 		std::erase_if(said, [](const std::string &one) { return !one.starts_with("ended"); });
-		CHECK(said == std::vector<std::string>{ "ended sideways", "ended push", "ended sideways" });
+		CHECK(said == Said{ "ended sideways", "ended push", "ended sideways" });
 	}
 }
 
-TEST_CASE("a hand that stops at the nearer of two tasks on one way begins no other there") {
+TEST_CASE("a hand that stops at the nearer of two targets ends there") {
 	for (const double beside_m : { 0.0, 0.02 }) {
-		const ExpectedGesture nearer{ model("near", X, false), Task{ beside_m * Y, X, 0.15 } };
-		const ExpectedGesture farther{ model("far", X, false), Task{ Eigen::Vector3d::Zero(), X, 0.3 } };
-		for (const std::vector<ExpectedGesture> &both :
-				{ std::vector{ nearer, farther }, std::vector{ farther, nearer } }) {
-			for (const double duration_s : { 0.4, 0.8, 1.2 }) {
-				CAPTURE(beside_m);
-				CAPTURE(both.front().model->gesture);
-				CAPTURE(duration_s);
+		for (const Expected &both : both_orders({ model("near", X, false), Task{ beside_m * Y, X, 0.15 } },
+					 { model("far", X, false), Task{ Eigen::Vector3d::Zero(), X, 0.3 } })) {
+			for (const double duration_s : { 0.4, 1.2 }) {
+				INFO("beside ", beside_m, ", first ", both.front().model->gesture, ", duration ", duration_s);
 				GestureRecogniser recogniser(both);
 				const Events events = watch(recogniser, along(X, { { 1.0, duration_s, 0.15 } }), 3.0);
 				REQUIRE(!events.said.empty());
@@ -73,16 +101,14 @@ TEST_CASE("a hand that stops at the nearer of two tasks on one way begins no oth
 	}
 }
 
-TEST_CASE("what is done near a task, but likelier something else, is that") {
-	for (const double angle_rad : { 0.6, 0.65, 0.7 }) {
-		const ExpectedGesture here{ model("here", turned(angle_rad), false),
-			Task{ Eigen::Vector3d::Zero(), turned(angle_rad), 0.2 } };
-		const ExpectedGesture anywhere{ model("anywhere", X, false), std::nullopt };
-		for (const std::vector<ExpectedGesture> &both :
-				{ std::vector{ here, anywhere }, std::vector{ anywhere, here } }) {
-			for (const double duration_s : { 0.5, 0.8, 1.2 }) {
-				CAPTURE(angle_rad);
-				CAPTURE(duration_s);
+TEST_CASE("a likelier gesture without a task beats one with a task") {
+	for (const double angle_rad : { 0.6, 0.7 }) {
+		const Eigen::Vector3d axis = turned(angle_rad);
+		for (const Expected &both :
+				both_orders({ model("here", axis, false), Task{ Eigen::Vector3d::Zero(), axis, 0.2 } },
+						{ model("anywhere", X, false), std::nullopt })) {
+			for (const double duration_s : { 0.5, 1.2 }) {
+				INFO("angle ", angle_rad, ", duration ", duration_s);
 				GestureRecogniser recogniser(both);
 				const Events events = watch(recogniser, along(X, { { 1.0, duration_s, 0.2 } }), 3.0);
 				REQUIRE(!events.said.empty());
@@ -92,40 +118,22 @@ TEST_CASE("what is done near a task, but likelier something else, is that") {
 	}
 }
 
-TEST_CASE("what takes another gesture's lead is as sure as what is shown first") {
-	// It bends from the first one's way to between those of the others.
-	constexpr double SURE = 0.83, BENDS_UNTIL = 0.7;
-	for (const double turn_rad : { 0.6, 0.7, 0.8 }) {
-		CAPTURE(turn_rad);
-		GestureRecogniser recogniser({ model("first", X, false), model("second", turned(0.6), false),
-											 model("third", turned(0.8), false) },
-				std::nullopt, MotionMode::PHASE);
-		recogniser.set_min_confidence(SURE);
-		int last = -1, shown = 0;
-		const Way way = [&](double t_s) {
-			if (recogniser.gesture() >= 0 && recogniser.gesture() != last) {
-				CHECK(recogniser.confidence() >= SURE);
-				++shown;
+TEST_CASE("a press ends at its own key, beside a deeper one" * doctest::test_suite("figures")) {
+	for (const double pitch_m : { 0.04, 0.06, 0.1 }) {
+		for (const double duration_s : { 0.3, 0.5 }) {
+			INFO("pitch ", pitch_m, ", duration ", duration_s);
+			for (const double deeper_m : { 0.002, 0.01 }) {
+				for (const Expected &keys :
+						both_orders(key("this", 0.0, 0.0), key("next", pitch_m, deeper_m))) {
+					CHECK(press(keys, 0.01, 0.0, duration_s, 1e-4).said == times(1, "this"));
+					CHECK(press(keys, 0.01, 0.0, duration_s, 1e-3).said == times(1, "this"));
+				}
 			}
-			last = recogniser.gesture();
-			const double far_m = DRAG.x_m(t_s), share = far_m / DRAG.amplitude_m;
-			return Eigen::Vector3d(far_m * turned(turn_rad * std::min(share / BENDS_UNTIL, 1.0)));
-		};
-		watch(recogniser, way, 2.5);
-		CHECK(shown > 0);
+			for (const Expected &keys : both_orders(key("this", 0.0, 0.0), key("next", pitch_m, 0.0))) {
+				const Events above_next = press(keys, 0.0, std::min(pitch_m, 0.06), duration_s, 1e-4);
+				CHECK(count(above_next, "ended this") == 1);
+				CHECK(ends(above_next) == 1);
+			}
+		}
 	}
-}
-
-TEST_CASE("an end is held while another task's hand comes back to where that began") {
-	// Up, to the right, and down: back to where the way up began, but not the way to the right.
-	const ExpectedGesture up{ model("up", Y, false), Task{ Eigen::Vector3d::Zero(), Y, 0.2 } };
-	const ExpectedGesture right{ model("right", X, false), Task{ 0.2 * Y, X, 0.2 } };
-	GestureRecogniser recogniser({ up, right });
-	const Way way = [](double t_s) {
-		const Drag lift{ 1.0, 0.6, 0.2 }, aside{ 2.2, 0.6, 0.2 }, down{ 3.5, 0.6, -0.2 };
-		return Eigen::Vector3d(aside.x_m(t_s) * X + (lift.x_m(t_s) + down.x_m(t_s)) * Y);
-	};
-	const Events events = watch(recogniser, way, 5.0);
-	CHECK(events.last_value_m == near(0.2).epsilon(0.05));
-	CHECK(recogniser.gesture() == 1);
 }

@@ -12,40 +12,36 @@ constexpr GestureShown NOTHING, DRAG_MOVES{ 0, 1, 0, false }, DRAG_NEAR_END{ 0, 
 		DRAG_ENDS{ 0, 1, 3, true }, SECOND_DRAG{ 0, 2, 0, false }, SHORT_DRAG{ 0, 2, 3, true },
 		TAP_MOVES{ 1, 1, 0, false };
 
-constexpr GestureNews BEGINS{ .started = true, .state_changed = true },
-		STATE_CHANGES{ .state_changed = true }, IS_GIVEN_UP{ .aborted = true, .state_changed = true },
-		ENDS{ .ended = true }, GIVES_WAY{ .aborted = true, .started = true, .state_changed = true },
-		BEGINS_AND_ENDS{ .started = true, .state_changed = true, .ended = true };
+constexpr GestureNews STARTS{ .started = true, .state_changed = true },
+		STATE_CHANGES{ .state_changed = true }, ABORTS{ .aborted = true, .state_changed = true },
+		ENDS{ .ended = true }, IS_REPLACED{ .aborted = true, .started = true, .state_changed = true },
+		STARTS_AND_ENDS{ .started = true, .state_changed = true, .ended = true };
 
 } // namespace
 
-TEST_CASE("what is news of gestures between two instants") {
+TEST_CASE("a gesture starts, changes state, ends or aborts between two instants") {
 	CHECK(news(NOTHING, NOTHING) == GestureNews());
 	CHECK(news(DRAG_MOVES, DRAG_MOVES) == GestureNews());
-	CHECK(news(NOTHING, DRAG_MOVES) == BEGINS);
+	CHECK(news(NOTHING, DRAG_MOVES) == STARTS);
 	CHECK(news(DRAG_MOVES, DRAG_NEAR_END) == STATE_CHANGES);
 	CHECK(news(DRAG_NEAR_END, DRAG_ENDS) == ENDS);
-	CHECK(news(DRAG_MOVES, NOTHING) == IS_GIVEN_UP);
-	CHECK_MESSAGE(news(DRAG_ENDS, NOTHING) == STATE_CHANGES, "what has ended is over, and not given up");
+	CHECK(news(DRAG_MOVES, NOTHING) == ABORTS);
+	CHECK_MESSAGE(news(DRAG_ENDS, NOTHING) == STATE_CHANGES, "a gesture that has ended is not aborted");
 }
 
-TEST_CASE("a gesture that takes another one's place") {
-	CHECK(news(DRAG_MOVES, TAP_MOVES) == GIVES_WAY);
-	CHECK_MESSAGE(news(DRAG_ENDS, TAP_MOVES) == BEGINS, "after one that has ended");
-	CHECK_MESSAGE(news(DRAG_ENDS, SECOND_DRAG) == BEGINS, "after one of the same model");
-	CHECK_MESSAGE(
-			news(DRAG_NEAR_END, SECOND_DRAG) == GIVES_WAY, "given up and begun again within an instant");
-	CHECK_MESSAGE(news(DRAG_ENDS, SHORT_DRAG) == BEGINS_AND_ENDS, "begun and ended within an instant");
+TEST_CASE("a gesture that replaces an active one aborts that one") {
+	CHECK(news(DRAG_MOVES, TAP_MOVES) == IS_REPLACED);
+	CHECK_MESSAGE(news(DRAG_ENDS, TAP_MOVES) == STARTS, "after one that has ended");
+	CHECK_MESSAGE(news(DRAG_ENDS, SECOND_DRAG) == STARTS, "after one of the same model");
+	CHECK_MESSAGE(news(DRAG_NEAR_END, SECOND_DRAG) == IS_REPLACED, "aborted and started within an instant");
+	CHECK_MESSAGE(news(DRAG_ENDS, SHORT_DRAG) == STARTS_AND_ENDS, "started and ended within an instant");
 }
 
-TEST_CASE("what a recogniser shows of a drag") {
+TEST_CASE("a recogniser shows nothing, a drag's movement, and its end") {
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
 	CHECK(shown_by(recogniser) == NOTHING);
 	bool moved = false;
-	for (int i = 0; i < 250; ++i) {
-		HandFrame frame;
-		frame.t_s = i / 100.0;
-		frame.set(Joint::INDEX, Eigen::Vector3d(x_m({ DRAG }, frame.t_s), 0.0, 0.0));
+	for (const HandFrame &frame : drag_track(DRAG, 100.0, 2.5).frames) {
 		recogniser.push(frame);
 		const GestureShown now = shown_by(recogniser);
 		moved = moved || (now.gesture == 0 && now.begun == 1 && !now.arrived);

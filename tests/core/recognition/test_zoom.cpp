@@ -1,0 +1,148 @@
+// Without a task: fingers that open are a zoom. Fingers that come into one line are none, though the circle
+// through their tips grows as much.
+
+#include "gesture/circumcircle.h"
+#include "gesture_events.h"
+#include "near.h"
+#include "signal/minimum_jerk.h"
+#include "simulation/other_motion.h"
+#include "simulation/subject.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+constexpr double CLOSED_M = 0.03, GROWTH_M = 0.03; ///< radius
+using Tips = std::array<Eigen::Vector2d, 3>;
+
+/// Thumb against two fingers, opened to this radius.
+Tips opened(double radius_m) {
+	Tips tips;
+	constexpr std::array ANGLES_RAD{ 3.6, 1.5, 0.4 };
+	for (std::size_t i = 0; i < 3; ++i) {
+		tips[i] = radius_m * Eigen::Vector2d(std::cos(ANGLES_RAD[i]), std::sin(ANGLES_RAD[i]));
+	}
+	return tips;
+}
+
+/// Thumb and middle finger stay; the index finger sinks to the line between them as far as makes this radius.
+Tips flattened(double radius_m) {
+	const double half_m = CLOSED_M;
+	const double height_m = radius_m - std::sqrt(radius_m * radius_m - half_m * half_m);
+	return { Eigen::Vector2d(-half_m, 0.0), Eigen::Vector2d(0.0, height_m), Eigen::Vector2d(half_m, 0.0) };
+}
+
+HandFrame frame_of(double t_s, const Tips &tips, Tremor &tremor,
+		const Eigen::Vector3d &shift_m = Eigen::Vector3d::Zero()) {
+	HandFrame frame;
+	frame.t_s = t_s;
+	constexpr std::array JOINTS{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
+	for (std::size_t i = 0; i < 3; ++i) {
+		frame.set(JOINTS[i], Eigen::Vector3d(tips[i].x(), tips[i].y(), 0.0) + shift_m + tremor());
+	}
+	return frame;
+}
+
+GestureRecogniser zooms(double closed_m = CLOSED_M, const std::optional<Task> &task = std::nullopt) {
+	return { { zoom_model(closed_m, GROWTH_M) }, task, MotionMode::PHASE };
+}
+
+struct Opening {
+	Tips (*shape)(double radius_m) = opened;
+	double growth_m = GROWTH_M;
+	Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();
+	double lost_s = 0.0; ///< from 1.35 s on
+};
+
+struct Outcome {
+	int ended = 0;
+	double off_m = 0.0; ///< the motion's radius from the hand's, root mean square from 0.2 s after its end on
+};
+
+/// The fingers open from 1 to 1.9 s, then rest.
+Outcome watch(const Opening &opening) {
+	GestureRecogniser recogniser = zooms();
+	Tremor tremor(2e-4, 3);
+	StageEntries ended(GestureSession::Stage::ENDED);
+	double sum = 0.0;
+	int frames = 0;
+	for (int i = 0; i < 260; ++i) {
+		const double t_s = i / 100.0, gone = minimum_jerk((t_s - 1.0) / 0.9).value;
+		if (t_s < 1.35 || t_s >= 1.35 + opening.lost_s) {
+			const Tips tips = opening.shape(CLOSED_M + gone * opening.growth_m);
+			recogniser.push(frame_of(t_s, tips, tremor, gone * opening.shift_m));
+		}
+		recogniser.advance(t_s);
+		ended.look(recogniser);
+		if (t_s > 2.1) {
+			sum += std::pow(recogniser.motion(MotionSource::SYNTHESISED).value_m - opening.growth_m, 2);
+			++frames;
+		}
+	}
+	return { ended.count(), std::sqrt(sum / frames) };
+}
+
+} // namespace
+
+TEST_CASE("fingers that open are a zoom, also on a moving hand") {
+	for (const Eigen::Vector3d &shift_m : { Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.03, 0.02, 0.0),
+				 Eigen::Vector3d(0.0, 0.0, -0.1) }) {
+		CAPTURE(shift_m.transpose());
+		const Outcome zoom = watch({ .shift_m = shift_m });
+		CHECK(zoom.ended == 1);
+		CHECK(zoom.off_m < 3e-4);
+	}
+}
+
+TEST_CASE("fingers that come into one line end no zoom") {
+	// Their circle grows as much as a zoom's.
+	const auto radius = [](const Tips &tips) { return *circumradius(tips[0], tips[1], tips[2]); };
+	CHECK(radius(flattened(0.06)) == near(radius(opened(0.06))));
+	CHECK(watch({ .shape = flattened }).ended == 0);
+}
+
+TEST_CASE("a larger or smaller zoom is shown as such, despite a dropout") {
+	for (const double length : { 0.75, 1.4 }) {
+		for (const double lost_s : { 0.0, 0.2 }) {
+			INFO("length ", length, ", lost ", lost_s);
+			const Outcome outcome = watch({ .growth_m = length * GROWTH_M, .lost_s = lost_s });
+			CHECK(outcome.ended == 1);
+			CHECK(outcome.off_m < 0.06 * GROWTH_M);
+		}
+	}
+}
+
+TEST_CASE("fingers that fidget end at most 0.2 zooms a minute") {
+	const Subject subject = draw_subject(Population::TUNE, 1);
+	StageEntries ended(GestureSession::Stage::ENDED);
+	for (std::uint64_t seed = 0; seed < 60; ++seed) {
+		Random random(seed);
+		const TrueMotion hand = make_other_motion(
+				*find_other_motion("fidgeting"), HandPosition::STABLE, subject, 10.0, random);
+		GestureRecogniser recogniser = zooms();
+		for (int i = 0; i < 1000; ++i) {
+			recogniser.push(hand.hand(i / 100.0));
+			ended.look(recogniser);
+		}
+	}
+	CHECK(ended.count() <= 2); // in ten minutes
+}
+
+TEST_CASE("with a task 1 mm noise at rest hardly starts a zoom") {
+	StageEntries started(GestureSession::Stage::ACTIVE);
+	for (unsigned seed = 0; seed < 20; ++seed) {
+		Tremor tremor(1e-3, seed);
+		GestureRecogniser recogniser = zooms(CLOSED_M, Task{ { 0.016, 0.0, 0.0 }, X, GROWTH_M });
+		for (int i = 0; i < 600; ++i) {
+			recogniser.push(frame_of(i / 60.0, opened(0.016), tremor));
+			started.look(recogniser);
+		}
+	}
+	CHECK(started.count() <= 3); // in 200 s
+}
