@@ -53,7 +53,7 @@ void GestureHMM::give_up_shown(const StringName &p_gesture, GestureTask *p_task)
 	if (before.gesture >= 0 && !has_ended && is_told) {
 		emit_signal(names_.gesture_aborted, p_gesture, p_task);
 	}
-	if (before.state >= 0 && !watch.is_gone() && shown_.state < 0) {
+	if (!watch.is_gone() && shown_.state < 0 && std::exchange(told_state_, -1) >= 0) {
 		emit_signal(names_.state_changed, -1);
 	}
 }
@@ -183,6 +183,7 @@ void GestureHMM::publish() {
 		emit_signal(names_.gesture_started, gesture, task_of(shown_.gesture));
 	}
 	if (news.state_changed && is_valid()) {
+		told_state_ = state;
 		emit_signal(names_.state_changed, state);
 	}
 	if (news.ended && is_valid()) {

@@ -164,6 +164,7 @@ private:
 	StringName recognised_;
 	/// Of the gesture in shown_, while a signal of the same instant is told.
 	bool is_start_untold_ = false, is_end_untold_ = false;
+	int told_state_ = -1; ///< of the last state_changed
 	uint32_t gestures_started_ = 0;
 	String warned_;
 	int task_changes_ = 0;                        ///< since a gesture last ended

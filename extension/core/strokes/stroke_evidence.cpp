@@ -144,8 +144,8 @@ double best_off(double off, double length_m, double amplitude_m) {
 }
 
 /// m: from where the gesture may begin - the task's start or, of a hand that comes into view, the first part
-/// of its way, beyond which it is infinite - to where it began. With or without the tracker's displacement,
-/// whichever is less: a jump may have been the hand's, or the game's that moved the player.
+/// of its way, beyond which it is infinite - to where it began: as the tracker showed it then, or would show
+/// it now, whichever is less. The tracker may have been displaced then, or may be now.
 FeaturePlace off_start(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m) {
 	const auto off = [&](const FeaturePlace &from) -> FeaturePlace {
@@ -158,8 +158,8 @@ FeaturePlace off_start(
 		return way(3) != 0.0 ? FeaturePlace((along_m - unseen_m) * way)
 							 : FeaturePlace(from - start - unseen_m * way);
 	};
-	const FeaturePlace without = off(stroke.from), with = off(stroke.shown_from);
-	return without.squaredNorm() < with.squaredNorm() ? without : with;
+	const FeaturePlace now = off(stroke.from + stroke.shown_to - stroke.to), then = off(stroke.shown_from);
+	return now.squaredNorm() < then.squaredNorm() ? now : then;
 }
 
 double start_evidence(const Stroke &stroke, const FeaturePlace &off_start_m, double amplitude_m) {
