@@ -102,6 +102,26 @@ TEST_CASE("a hand from another task is followed like one from here") {
 	}
 }
 
+TEST_CASE("a gesture from the endpoint of another, without a return, is shown") {
+	// 15 cm down from the end of the first, and on from there: both are drags to the right.
+	const Drag first{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 },
+			down{ .onset_s = 1.9, .duration_s = 0.4, .amplitude_m = 0.15 },
+			second{ .onset_s = 2.7, .duration_s = 0.8, .amplitude_m = 0.2 };
+	const Way way = [&](double t_s) {
+		return Eigen::Vector3d((first.x_m(t_s) + second.x_m(t_s)) * X - down.x_m(t_s) * Y);
+	};
+	const ExpectedGesture there = drag_at(0.2 * X - 0.15 * Y, X);
+	const Run alone = run({ there }, way, 4.5);
+	const Run both = run({ drag_at(HERE.start_m, X), there }, way, 4.5);
+	CHECK(both.events.said == times(2, "sideways"));
+	for (std::size_t i = 0; i < both.values_m.size(); ++i) {
+		if (both.shown[i] == 1) {
+			CHECK(std::abs(both.values_m[i] - alone.values_m[i]) < 2e-3);
+		}
+	}
+	CHECK(both.shown.back() == 1);
+}
+
 TEST_CASE("of two tasks at one place either begins without a step") {
 	const Run other = run({ drag_at(HERE.start_m, Y), drag_at(HERE.start_m, X) }, along(X, { DRAG }), 2.5);
 	CHECK(other.events.said == times(1, "sideways"));

@@ -158,6 +158,14 @@ TEST_CASE("a dropout of 0.5 s ends a pinch without releasing it") {
 	CHECK(stream.show(pinch(), 0.5).condition.is_met());
 }
 
+TEST_CASE("frames that stop coming end a pinch") {
+	Stream stream = pinching();
+	stream.now_s += 2.0;
+	CHECK(!stream.condition.may_begin(stream.now_s));
+	stream.push(pinch());
+	CHECK(!stream.condition.is_met());
+}
+
 TEST_CASE("a pinch of low confidence counts only if all confidence is low") {
 	HandFrame doubted = pinch();
 	doubted.confidence = 0.0;
