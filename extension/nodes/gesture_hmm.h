@@ -6,10 +6,10 @@
 #include "motion_listener.h"
 
 #include "gesture/task.h"
+#include "gesture/task_watch.h"
 #include "motion/motion.h"
 #include "recognition/gesture_news.h"
 #include "recognition/start_condition.h"
-#include "gesture/task_watch.h"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/core/object_id.hpp>

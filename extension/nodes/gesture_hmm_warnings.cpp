@@ -290,8 +290,7 @@ String GestureHMM::paper_fault() const {
 		return String();
 	}
 	for (const Expected &one : find_expected()) {
-		if (!one.place &&
-				!steadyhand::HmmSession::can_follow(*one.model, *steadyhand::own_classifier())) {
+		if (!one.place && !steadyhand::HmmSession::can_follow(*one.model, *steadyhand::own_classifier())) {
 			return String("Add a GestureTask of '") + String(one.gesture) +
 					String("' to \"tasks\", or set \"mode\" to MODE_PHASE: the HMMs of MODE_PAPER do not "
 						   "include it, "

@@ -117,8 +117,7 @@ private:
 		for (const HandFrame &frame : trial.measured.frames) {
 			recogniser.push(frame);
 			const GestureSession *const session = recogniser.session();
-			const bool has_arrived =
-					session != nullptr && session->stage() == GestureSession::Stage::ENDED;
+			const bool has_arrived = session != nullptr && session->stage() == GestureSession::Stage::ENDED;
 			if (has_arrived && !had_arrived) {
 				found.push_back(recogniser.gesture());
 			}

@@ -51,12 +51,12 @@ inline void draw_circles(Performance &hand, Draws &draws) {
 }
 
 inline void reach_elsewhere(Performance &hand, Draws &draws) {
-	const auto is_paused = [axis = hand.movement().axis(), most = std::cos(radians(38.0))](
+	const auto is_elsewhere = [axis = hand.movement().axis(), most = std::cos(radians(38.0))](
 									  const Eigen::Vector3d &drawn) {
 		return std::max({ std::abs(drawn.x()), std::abs(drawn.y()), -drawn.z(), drawn.dot(axis) }) <= most;
 	};
 	for (int i = 0; i < 5; ++i) {
-		const Eigen::Vector3d direction = draws.unit_vector_where(is_paused);
+		const Eigen::Vector3d direction = draws.unit_vector_where(is_elsewhere);
 		HandPose there = hand.start();
 		there.head<3>() += draws.between(0.15, 0.4) * direction;
 		hand.go(there, draws.between(0.5, 1.0)).rest(draws.between(0.2, 0.9));
