@@ -41,7 +41,7 @@ Ref<XRHandTracker> XRStream::find_hand() {
 		is_class_told_ = true;
 		announce(StreamEvent::Kind::FAILED,
 				String("XRSource: the tracker '") + String(name) + String("' is an ") + tracker->get_class() +
-						String(", not an XRHandTracker. Set \"tracker_name\" to that of a hand"));
+						String(", not an XRHandTracker. Set \"tracker_name\" to the name of a hand"));
 	}
 	return hand;
 }

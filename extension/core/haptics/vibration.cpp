@@ -165,18 +165,16 @@ std::size_t Vibration::longest_stretch(double from_s) const {
 	}
 	const double run_s = stretch_.pace * run_s_;
 	std::size_t runs = MOST_RUNS;
-	for (const Arrival *const arrival : { &motion_.snapshot().arrival, &motion_.snapshot().expected }) {
-		const double left_s = arrival->time_s - from_s;
-		if (arrival->number > arrived_ && left_s < static_cast<double>(runs) * run_s) {
+	const auto end_before = [&](const Arrival &cause, std::uint32_t last) {
+		const double left_s = cause.time_s - from_s;
+		if (cause.number > last && left_s < static_cast<double>(runs) * run_s) {
 			runs = left_s > run_s ? static_cast<std::size_t>(left_s / run_s) : 1;
 		}
-	}
-	// Live, it is in the past by now; in a file, it may be still to come.
-	const Arrival &onset = motion_.snapshot().onset;
-	if (const double left_s = onset.time_s - from_s;
-			onset.number > begun_ && left_s < static_cast<double>(runs) * run_s) {
-		runs = left_s > run_s ? static_cast<std::size_t>(left_s / run_s) : 1;
-	}
+	};
+	const MotionSnapshot &motion = motion_.snapshot();
+	end_before(motion.arrival, arrived_);
+	end_before(motion.expected, arrived_);
+	end_before(motion.onset, begun_); // live it is past by now; in a file it may be still to come
 	return runs;
 }
 

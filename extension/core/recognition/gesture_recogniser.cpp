@@ -11,9 +11,10 @@ namespace {
 /// amplitude of the other gesture.
 constexpr double PART = 12.0;
 
-/// The point that TrackerMonitor judges: of a radius, the circle's centre and the radius.
-std::optional<Eigen::Vector3d> tracked_point(const Feature &feature, const HandFrame &frame) {
-	const std::optional<FeaturePlace> place = feature.place != nullptr ? feature.place(frame) : std::nullopt;
+/// The point that TrackerMonitor judges: of a radius, the circle's centre and the radius. place: the
+/// feature's in the frame.
+std::optional<Eigen::Vector3d> tracked_point(
+		const Feature &feature, const std::optional<FeaturePlace> &place, const HandFrame &frame) {
 	if (place) {
 		return feature.is_radius ? Eigen::Vector3d(place->x(), place->y(), place->w())
 								 : Eigen::Vector3d(place->head<3>());
@@ -26,13 +27,13 @@ std::optional<Eigen::Vector3d> tracked_point(const Feature &feature, const HandF
 
 void GestureRecogniser::WatchedFeature::push(const HandFrame &frame) {
 	place = feature->place != nullptr ? feature->place(frame) : std::nullopt;
-	if (place && !place->allFinite()) {
-		place.reset();
-	}
 	measurement = { .t_s = frame.t_s };
-	if (const std::optional<Eigen::Vector3d> point_m = tracked_point(*feature, frame);
+	if (const std::optional<Eigen::Vector3d> point_m = tracked_point(*feature, place, frame);
 			point_m && point_m->allFinite()) {
 		measurement = monitor.push(frame.t_s, *point_m);
+	}
+	if (place && !place->allFinite()) {
+		place.reset();
 	}
 	if (place) {
 		const Eigen::Vector3d &beside_m = measurement.displacement_m;

@@ -66,7 +66,6 @@ private:
 	[[nodiscard]] StrokeEvidence evidence_of(
 			const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const;
 	void aim(const FeaturePlace &to);
-	[[nodiscard]] bool is_near_end(const Stroke &stroke) const;
 	[[nodiscard]] bool is_arriving(double t_s, const Stroke &stroke) const;
 };
 

@@ -35,10 +35,6 @@ double will_stop_s(double t_s, const Stroke &stroke) {
 
 } // namespace
 
-bool StrokeSession::is_near_end(const Stroke &stroke) const {
-	return amplitudes(stroke) > LOST_AT_END;
-}
-
 void StrokeSession::on_dropout(double t_s, const StrokeFinder &strokes) {
 	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
 	if (stage() == Stage::ACTIVE && t_s >= strokes.news_s() + ABSENCES_S.front()) {
@@ -70,7 +66,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
-		const bool is_end = is_missed ? is_near_end(stroke) : strokes.ended();
+		const bool is_end = is_missed ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
 		if (is_end || (ended > SURE && is_arriving(t_s, stroke))) {
 			size = std::max(size, ended);
 		}

@@ -50,10 +50,6 @@ public:
 	/// How far from `from` the hand was before the onset of one of strokes(), at most, m: before slow strokes
 	/// it is looked at for longer, as a hand that wanders slowly hardly moves for a while where it turns.
 	[[nodiscard]] double unrest_m(const Stroke &stroke) const;
-	/// How far it was between the two times from where it was at then_s, at most, m.
-	[[nodiscard]] double stray_m(double since_s, double then_s) const {
-		return knots_.stray_m(since_s, then_s);
-	}
 	/// The tracker's, as of the newest frame.
 	[[nodiscard]] const FeaturePlace &displacement_m() const { return displacement_m_; }
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }

@@ -12,6 +12,14 @@
 
 namespace steadyhand {
 
+/// From the path that this velocity makes within 0..most_s to the place way_m from its start, m.
+[[nodiscard]] inline Eigen::Vector3d off_path_m(
+		const Eigen::Vector3d &way_m, const Eigen::Vector3d &velocity_m_s, double most_s) {
+	const double square = velocity_m_s.squaredNorm();
+	const double time_s = square > 0.0 ? std::clamp(way_m.dot(velocity_m_s) / square, 0.0, most_s) : 0.0;
+	return way_m - time_s * velocity_m_s;
+}
+
 /// Where a hand can be: position and velocity with their covariance, m and s, under the accelerations and
 /// speeds of real hands.
 class HandTrack {
@@ -65,10 +73,8 @@ public:
 	[[nodiscard]] Eigen::Vector3d residual_m(const Eigen::Vector3d &position_m, double late_s) const {
 		const Eigen::Vector3d off_m = position_m - from_m_;
 		const double most_s = step_s_ + late_s + behind_s_;
-		const auto left_m = [&](const Eigen::Vector3d &velocity) -> Eigen::Vector3d {
-			return off_m - std::clamp(time_along(velocity, off_m), 0.0, most_s) * velocity;
-		};
-		const Eigen::Vector3d now_m = left_m(velocity_m_s()), late_m = left_m(late_m_s_);
+		const Eigen::Vector3d now_m = off_path_m(off_m, velocity_m_s(), most_s);
+		const Eigen::Vector3d late_m = off_path_m(off_m, late_m_s_, most_s);
 		return late_m.squaredNorm() < now_m.squaredNorm() ? late_m : now_m;
 	}
 	/// Before correct(): what the reading falls behind the hand, later ones may catch up.

@@ -43,6 +43,8 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 	jump_.reset();
 	accepted_.reset();
 	displacement_m_.setZero();
+	fastest_m_s_.setZero();
+	fastest_s_ = t_s;
 	is_frozen_ = false;
 }
 
@@ -87,9 +89,7 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 void TrackerMonitor::accept_jump(const Jump &jump) {
 	hand_ = jump.track;
 	accepted_ = jump;
-	if (!jump.is_catch_up) {
-		displacement_m_ += jump.way_m;
-	}
+	displacement_m_ += jump.displacement_m();
 	jump_.reset();
 }
 
@@ -169,7 +169,7 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		r_measurement.gap_s = r_measurement.t_s - accepted_->since_s;
 		r_measurement.outlier_probability = 0.0;
 		hand_ = HandTrack(r_measurement.t_s, r_measurement.position_m, hand_.velocity_m_s(), noise_m);
-		displacement_m_ -= accepted_->is_catch_up ? Eigen::Vector3d::Zero().eval() : accepted_->way_m;
+		displacement_m_ -= accepted_->displacement_m();
 		accepted_.reset();
 		return;
 	}
@@ -241,22 +241,18 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 /// A hand that was shown standing, as by a tracker that lost it, is shown again where it has gone on to.
 bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const {
 	constexpr double STOOD = 0.5; // of the speed before
-	const double speed = fastest_m_s_.norm();
-	if (hand_.velocity_m_s().norm() >= STOOD * speed || way_m.dot(fastest_m_s_) <= 0.0) {
+	if (hand_.velocity_m_s().norm() >= STOOD * fastest_m_s_.norm() || way_m.dot(fastest_m_s_) <= 0.0) {
 		return false;
 	}
-	const double gone_s = std::min(way_m.dot(fastest_m_s_) / (speed * speed), t_s - fastest_s_);
-	return (way_m - gone_s * fastest_m_s_).norm() < STOOD * way_m.norm();
+	return off_path_m(way_m, fastest_m_s_, t_s - fastest_s_).norm() < STOOD * way_m.norm();
 }
 
 /// To where the hand is if it moved as it was shown to meanwhile, or went on or stood where it was lost.
 bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
 	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
 	const double away_s = t_s - jump.since_s, undone_m = UNDONE * jump.way_m.norm();
-	const Eigen::Vector3d moved_m = hand_.position_m() - jump.way_m, gone_m = position_m - jump.from_m;
-	const double speed = jump.hand_m_s.norm();
-	const double gone_s = speed > 0.0 ? gone_m.dot(jump.hand_m_s) / (speed * speed) : 0.0;
-	const Eigen::Vector3d off_m = gone_m - std::clamp(gone_s, 0.0, away_s) * jump.hand_m_s;
+	const Eigen::Vector3d moved_m = hand_.position_m() - jump.way_m;
+	const Eigen::Vector3d off_m = off_path_m(position_m - jump.from_m, jump.hand_m_s, away_s);
 	return away_s <= MEMORY_S && ((position_m - moved_m).norm() < undone_m || off_m.norm() < undone_m);
 }
 

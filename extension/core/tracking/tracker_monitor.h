@@ -60,6 +60,10 @@ private:
 		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< if a hand had made it
 		HandTrack track;
 		int readings = 1;
+
+		[[nodiscard]] Eigen::Vector3d displacement_m() const {
+			return is_catch_up ? Eigen::Vector3d(0.0, 0.0, 0.0) : way_m;
+		}
 	};
 
 	bool has_frame_ = false;

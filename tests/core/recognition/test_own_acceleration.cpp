@@ -1,4 +1,4 @@
-// The acceleration of the hand, without that of what frames correct.
+// The acceleration of the hand, without the corrections that new frames bring.
 
 #include "gesture_events.h"
 #include "haptics/effect.h"
