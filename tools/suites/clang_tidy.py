@@ -1,8 +1,8 @@
 """clang-tidy on what ships, only on sources that have changed since they were last found clean.
 
 Tests are compiled with all warnings as errors, and their runs show the rest. Most of the time goes into headers, which
-the sources of a folder share: one source that is made here includes those of a folder that are to be checked. Where it
-is not clean, or two of them define the same name, they are checked one by one.
+the sources of a folder share: one source that is made here includes those of a folder that are to be checked. So the
+sources of a folder must not define the same name, even in an anonymous namespace.
 """
 
 import itertools
@@ -28,7 +28,7 @@ INCLUDE = re.compile(rb'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 
 
 def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
-    """One outcome a folder, or one a source of a folder in which something is found."""
+    """One outcome a folder."""
     status, output = scons("compiledb")
     if status != 0:
         yield Outcome.of("lint/clang-tidy", False, output)
@@ -46,23 +46,18 @@ def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
     entries = [as_compiled(TOGETHER / folder / NAME, inside[0], commands) for folder, inside in folders.items()]
     write(TOGETHER / "compile_commands.json", json.dumps(entries))
 
-    def look(folder: Path) -> list[Outcome]:
+    def look(folder: Path) -> Outcome:
         if not changed[folder]:
-            return [Outcome.of(f"lint/clang-tidy {folder}", True)]
+            return Outcome.of(f"lint/clang-tidy {folder}", True)
         made = write(TOGETHER / folder / NAME, together(changed[folder]))
-        found = [clang_tidy(folder, made, TOGETHER)]
-        if found[0].failed:
-            found = [clang_tidy(source.relative_to(ROOT), source, ROOT) for source in changed[folder]]
-            passed = [source for source, outcome in zip(changed[folder], found, strict=True) if outcome.passed]
-        else:
-            passed = changed[folder]
-        clean.keep(key[source] for source in passed)
+        found = check(f"clang-tidy {folder}", [PROGRAM, "--quiet", "-p", TOGETHER, made])
+        if found.passed:
+            clean.keep(key[source] for source in changed[folder])
         return found
 
     largest_first = sorted(folders, key=lambda folder: -len(changed[folder]))
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        for found in pool.map(look, largest_first):
-            yield from found
+        yield from pool.map(look, largest_first)
     clean.keep(key[source] for source in sources if clean.is_clean(key[source]))
 
 
@@ -114,10 +109,6 @@ def as_compiled(made: Path, source: Path, commands: dict[str, str]) -> dict:
     name = str(source.relative_to(ROOT))
     command = commands[name].removesuffix(name) + shlex.quote(str(made))
     return {"directory": str(ROOT), "file": str(made), "command": command}
-
-
-def clang_tidy(name: Path, source: Path, database: Path) -> Outcome:
-    return check(f"clang-tidy {name}", [PROGRAM, "--quiet", "-p", database, source])
 
 
 def write(path: Path, text: str) -> Path:

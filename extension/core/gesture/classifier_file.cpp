@@ -17,10 +17,10 @@ using namespace json_fields;
 
 namespace {
 
-constexpr const char *FORMAT_NAME = "steadyhand-classifier";
-constexpr int FORMAT_VERSION = 1;
-constexpr double LENGTH_TOLERANCE = 1e-6;                       // of an axis
-constexpr double LEAST_DEVIATION = 1e-3, MOST_DEVIATION = 10.0; // of logarithms
+constexpr const char *CLASSIFIER_FORMAT = "steadyhand-classifier";
+constexpr int CLASSIFIER_VERSION = 1;
+constexpr double LENGTH_TOLERANCE = 1e-6; // of an axis
+constexpr double LEAST_LOG_DEVIATION = 1e-3, MOST_LOG_DEVIATION = 10.0;
 constexpr int SIZE = MotionCodebook::Point::RowsAtCompileTime;
 
 Json gesture_to_json(const DirectedHmm &gesture) {
@@ -45,7 +45,7 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 				json["axis"], gesture.is_radius ? "axis: a radius has none" : "axis: its length is not 1");
 	}
 	gesture.reach_m = within(json, "reach_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
-	gesture.reach_deviation = within(json, "reach_deviation", LEAST_DEVIATION, MOST_DEVIATION);
+	gesture.reach_deviation = within(json, "reach_deviation", LEAST_LOG_DEVIATION, MOST_LOG_DEVIATION);
 	Result<DiscreteHmm> checked = validated({ vector(array(json, "log_pi"), "log_pi", true),
 			matrix(json, "log_a", true), matrix(json, "log_b", true) });
 	if (!checked) {
@@ -59,12 +59,7 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 }
 
 ClassifierModel classifier_from_json(const Json &json) {
-	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
-		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
-	}
-	if (number(json, "version") != FORMAT_VERSION) {
-		throw Fault(json["version"], "version: this program reads version " + std::to_string(FORMAT_VERSION));
-	}
+	require_format(json, CLASSIFIER_FORMAT, CLASSIFIER_VERSION);
 	const Json &quantiser = member(json, "quantiser");
 	const Eigen::MatrixXd codebook = matrix(quantiser, "codebook", false);
 	const Eigen::VectorXd scale = vector(member(quantiser, "scale"), "scale", false);
@@ -101,8 +96,8 @@ std::string format_classifier(const ClassifierModel &model) {
 		gestures.push_back(gesture_to_json(gesture));
 	}
 	const Json json = {
-		{ "format", FORMAT_NAME },
-		{ "version", FORMAT_VERSION },
+		{ "format", CLASSIFIER_FORMAT },
+		{ "version", CLASSIFIER_VERSION },
 		{ "quantiser",
 				{ { "scale", row_to_json(model.codebook.scale()) },
 						{ "codebook", matrix_to_json(model.codebook.codebook()) } } },

@@ -132,6 +132,15 @@ Error error_of(const Fault &fault, const Json &document, std::string_view text, 
 	return error_at(source, line_of_value(text, values_before(document, fault.place)), fault.what());
 }
 
+void require_format(const Json &document, const char *format, int version) {
+	if (!document.is_object() || text(document, "format") != format) {
+		throw Fault(document, std::string("format: not a ") + format + " file");
+	}
+	if (number(document, "version") != version) {
+		throw Fault(document["version"], "version: this program reads version " + std::to_string(version));
+	}
+}
+
 const Json &member(const Json &object, const char *key) {
 	if (!object.is_object() || !object.contains(key)) {
 		throw Fault(object, std::string(key) + ": missing");

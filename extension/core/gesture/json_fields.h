@@ -68,6 +68,8 @@ template <class Value, class Read>
 	}
 }
 
+/// Throws a Fault where the members "format" and "version" differ.
+void require_format(const Json &document, const char *format, int version);
 [[nodiscard]] const Json &member(const Json &object, const char *key);
 /// Finite.
 [[nodiscard]] double number(const Json &object, const char *key);

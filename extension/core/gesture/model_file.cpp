@@ -16,8 +16,8 @@ using namespace json_fields;
 
 namespace {
 
-constexpr const char *FORMAT_NAME = "steadyhand-gesture";
-constexpr int FORMAT_VERSION = 1;
+constexpr const char *MODEL_FORMAT = "steadyhand-gesture";
+constexpr int MODEL_VERSION = 1;
 /// Far more than any gesture needs; a file that asks for more is damaged.
 constexpr std::size_t MAX_STATES = 256;
 /// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
@@ -119,12 +119,7 @@ std::vector<Eigen::Vector3d> axes(const Json &json, const char *key) {
 }
 
 GestureModel model_from_json(const Json &json) {
-	if (!json.is_object() || text(json, "format") != FORMAT_NAME) {
-		throw Fault(json, std::string("format: not a ") + FORMAT_NAME + " file");
-	}
-	if (number(json, "version") != FORMAT_VERSION) {
-		throw Fault(json["version"], "version: this program reads version " + std::to_string(FORMAT_VERSION));
-	}
+	require_format(json, MODEL_FORMAT, MODEL_VERSION);
 	GestureModel model;
 	model.gesture = text(json, "gesture");
 	if (const std::string_view fault = gesture_name_fault(model.gesture); !fault.empty()) {
@@ -205,8 +200,8 @@ std::string format_model(const GestureModel &model) {
 		other_axes.push_back(row_to_json(axis));
 	}
 	Json json = {
-		{ "format", FORMAT_NAME },
-		{ "version", FORMAT_VERSION },
+		{ "format", MODEL_FORMAT },
+		{ "version", MODEL_VERSION },
 		{ "gesture", model.gesture },
 		{ "feature", model.feature },
 		{ "typical_start_m", row_to_json(model.typical_task.start_m) },

@@ -111,7 +111,7 @@ void read_curve(const Json &json, AhapPattern &r_pattern, std::size_t &r_points)
 	controls->push_back(std::move(control));
 }
 
-HapticClip clip_from_json(const Json &json) {
+HapticClip clip_from_ahap(const Json &json) {
 	AhapPattern pattern;
 	std::size_t control_points = 0;
 	const Json &entries = array(json, "Pattern");
@@ -145,7 +145,7 @@ HapticClip clip_from_json(const Json &json) {
 } // namespace
 
 Result<HapticClip> parse_ahap(std::string_view text, std::string_view source_name) {
-	return clip_json::read_clip(text, source_name, clip_from_json);
+	return clip_json::read_clip(text, source_name, clip_from_ahap);
 }
 
 } // namespace steadyhand

@@ -9,7 +9,7 @@ namespace {
 
 /// Between two looks at a pattern: its products of straight lines bend less in between than the error.
 constexpr double STEP_S = 0.002;
-constexpr double ERROR = 0.005;
+constexpr double CURVE_ERROR = 0.005;
 /// What steps at a time has its value of before so long ahead of it.
 constexpr double JUST_S = 1e-9;
 
@@ -138,8 +138,8 @@ HapticClip AhapPattern::clip() const {
 		}
 		amplitudes[i].value = std::min(amplitudes[i].value, 1.0);
 	}
-	clip.amplitude = simplified(amplitudes, ERROR);
-	clip.frequency = simplified(frequencies, ERROR);
+	clip.amplitude = simplified(amplitudes, CURVE_ERROR);
+	clip.frequency = simplified(frequencies, CURVE_ERROR);
 	for (const Event &event : events) {
 		if (event.is_transient) {
 			ControlReader factor(intensities, 1.0), summand(sharpnesses, 0.0);

@@ -8,7 +8,7 @@
 namespace steadyhand {
 namespace {
 
-constexpr double TWO_PI = 2.0 * std::numbers::pi;
+constexpr double RADIANS_A_TURN = 2.0 * std::numbers::pi;
 constexpr double DEFAULT_FREQUENCY = 0.5; // "typically 0.5": the .haptic specification
 constexpr double TRANSIENT_LOWEST_HZ = 55.0, TRANSIENT_HIGHEST_HZ = 165.0;
 constexpr double TRANSIENT_PERIODS = 2.0;
@@ -55,7 +55,7 @@ std::vector<float> waveform_of(const HapticClip &clip, double sample_rate_hz) {
 	for (std::size_t i = 0; i < count; ++i) {
 		const double time_s = static_cast<double>(i) / sample_rate_hz;
 		const double fade = std::clamp((end_s - time_s) / FADE_S, 0.0, 1.0);
-		samples[i] = fade * clip.amplitude_at(time_s) * std::sin(TWO_PI * turns);
+		samples[i] = fade * clip.amplitude_at(time_s) * std::sin(RADIANS_A_TURN * turns);
 		turns += clip.playback.range.hz(clip.frequency_at(time_s)) / sample_rate_hz;
 		turns -= std::floor(turns);
 	}
@@ -68,7 +68,7 @@ std::vector<float> waveform_of(const HapticClip &clip, double sample_rate_hz) {
 		for (std::size_t i = first; i < count && static_cast<double>(i) < until_s * sample_rate_hz; ++i) {
 			const double since_s = static_cast<double>(i) / sample_rate_hz - transient.time_s;
 			samples[i] = DUCKED * samples[i] +
-					transient.amplitude * std::sin(TWO_PI * transient_hz(transient) * since_s);
+					transient.amplitude * std::sin(RADIANS_A_TURN * transient_hz(transient) * since_s);
 		}
 	}
 	std::vector<float> held(count);

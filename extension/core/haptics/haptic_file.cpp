@@ -24,7 +24,7 @@ Breakpoint breakpoint_from_json(const Json &json, const char *value, const std::
 	return point;
 }
 
-HapticClip clip_from_json(const Json &json) {
+HapticClip clip_from_haptic(const Json &json) {
 	if (number(member(json, "version"), "major") != MAJOR_VERSION) {
 		throw Fault(json["version"]["major"], "version: this program reads .haptic files of version 1");
 	}
@@ -121,7 +121,7 @@ Json frequency_to_json(const HapticClip &clip) {
 } // namespace
 
 Result<HapticClip> parse_haptic(std::string_view text, std::string_view source_name) {
-	return clip_json::read_clip(text, source_name, clip_from_json);
+	return clip_json::read_clip(text, source_name, clip_from_haptic);
 }
 
 std::string format_haptic(const HapticClip &clip) {

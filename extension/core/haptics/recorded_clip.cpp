@@ -7,7 +7,7 @@
 namespace steadyhand {
 namespace {
 
-constexpr double ERROR = 0.02;
+constexpr double ENVELOPE_ERROR = 0.02;
 /// Weaker than this is silence: some thirty steps of a 16-bit file.
 constexpr double SILENT = 1e-3;
 /// Slower than this is no vibration: what hands feel begins at about 20 Hz.
@@ -125,8 +125,8 @@ HapticClip recorded_clip(std::span<const float> samples, double sample_rate_hz, 
 		amplitude.push_back({ sound.back().end_s, 0.0 });
 	}
 	amplitude.push_back({ end_s, 0.0 });
-	clip.amplitude = simplified(amplitude, ERROR);
-	clip.frequency = simplified(frequency, ERROR);
+	clip.amplitude = simplified(amplitude, ENVELOPE_ERROR);
+	clip.frequency = simplified(frequency, ENVELOPE_ERROR);
 	return clip;
 }
 
