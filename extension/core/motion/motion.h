@@ -2,10 +2,6 @@
 
 namespace steadyhand {
 
-/// A frame that comes sooner after the last one says nothing that it has not said: a tracker's errors last
-/// longer. So a sensor of 10 kHz costs no more than one of 250 Hz, and stamps that repeat do no harm.
-inline constexpr double LEAST_FRAME_S = 0.0035;
-
 /// How old what a frame shows is taken to be unless it is told: less than optical trackers have, as a cue
 /// that comes 15 ms early is noticed, and one that is less than 50 ms late is not.
 inline constexpr double USUAL_SENSOR_LATENCY_S = 0.007;

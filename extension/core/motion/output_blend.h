@@ -8,9 +8,6 @@
 
 namespace steadyhand {
 
-/// What the next frame or state changes, 1 / 8 ms.
-inline constexpr double BLEND_RATE_PER_S = 125.0;
-
 /// Hides a step of an output and of its velocity: what is missing fades out critically damped.
 class OutputBlend {
 public:

@@ -1,5 +1,7 @@
 #include "motion/paper_synthesiser.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +40,7 @@ void PaperSynthesiser::enter_state(int state, double entered_s, double t_s) {
 }
 
 void PaperSynthesiser::blend_from(const Motion &before, double t_s) {
-	blend_.start(t_s, before, played(t_s), BLEND_RATE_PER_S);
+	blend_.start(t_s, before, played(t_s), parameters::FRAME_BLEND_PER_S);
 }
 
 double PaperSynthesiser::phase(double t_s) const {
@@ -55,8 +57,8 @@ Motion PaperSynthesiser::played(double t_s) const {
 	}
 	// It waits, and comes to rest there.
 	OutputBlend stop;
-	stop.start(
-			entered_s_ + (end - phase_at_entry_) / rate_per_s_, 0.0, playing.velocity_m_s, BLEND_RATE_PER_S);
+	stop.start(entered_s_ + (end - phase_at_entry_) / rate_per_s_, 0.0, playing.velocity_m_s,
+			parameters::FRAME_BLEND_PER_S);
 	return stop.completed({ point.value, 0.0, 0.0, now }, t_s);
 }
 

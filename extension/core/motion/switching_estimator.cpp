@@ -13,11 +13,8 @@ namespace steadyhand {
 namespace {
 
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
-/// In so short a time a hand does not turn.
-constexpr double SAME_MOVEMENT_S = 0.1;
 /// Of what a hand does in a longer time without measurements nothing is left to be told.
 constexpr double LONGEST_GAP_S = 2.0;
-constexpr double WIDEST = 1.9; ///< durations that are begun, standard deviations about the mean
 
 double share(TrackerMode tracker, double lagging) {
 	return tracker == TrackerMode::SOUND ? 1.0 - lagging : lagging;
@@ -36,11 +33,11 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 		amplitude_m_(amplitude_m), effort_(effort), latency_s_(latency_s),
 		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
 		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
-	const double step = 2.0 * WIDEST / static_cast<double>(effort.durations - 1);
+	const double step = 2.0 * parameters::WIDEST_DURATION / static_cast<double>(effort.durations - 1);
 	log_duration_deviation_ = 0.55 * step * parameters::LOG_DURATION_SPREAD; // so that neighbours overlap
 	double total = 0.0;
 	for (std::size_t k = 0; k < effort.durations; ++k) {
-		const double z = step * static_cast<double>(k) - WIDEST;
+		const double z = step * static_cast<double>(k) - parameters::WIDEST_DURATION;
 		log_durations_[k] = std::log(model.duration_mean_s) + parameters::LOG_DURATION_SPREAD * z;
 		duration_weights_[k] = std::exp(-0.5 * z * z);
 		total += duration_weights_[k];
@@ -115,14 +112,16 @@ template <class Change> void SwitchingEstimator::change(double t_s, Change apply
 	start_knots(t_s);
 	const MotionEstimate now = expected(t_s);
 	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
-	blend_.start(t_s, before.value - now.value, before.velocity - now.velocity, BLEND_RATE_PER_S);
+	blend_.start(
+			t_s, before.value - now.value, before.velocity - now.velocity, parameters::FRAME_BLEND_PER_S);
 }
 
 void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	const double t_s = measurement.t_s;
 	if (!has_hand()) {
 		const double since_s = t_s - passed_s_;
-		begin(t_s, x, since_s > 0.0 && since_s < SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
+		begin(t_s, x,
+				since_s > 0.0 && since_s < parameters::SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
 		now_.seen_s = now_.changed_s = t_s;
 		now_.changed_x = x;
 		before_last_ = now_;
@@ -130,7 +129,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		return;
 	}
 	if (measurement.is_usable() && !measurement.replaces_last) {
-		is_last_used_ = t_s - now_.seen_s >= LEAST_FRAME_S;
+		is_last_used_ = t_s - now_.seen_s >= parameters::LEAST_FRAME_S;
 	}
 	if (measurement.is_usable() && !is_last_used_) {
 		return;

@@ -1,5 +1,6 @@
 // Which gestures a GestureRecogniser expects, from the start and later on.
 
+#include "base/parameters.h"
 #include "gesture/classifier_file.h"
 #include "recognition/gesture_recogniser.h"
 #include "recognition/hmm_session.h"
@@ -15,9 +16,6 @@
 
 namespace steadyhand {
 namespace {
-
-/// Of the smallest amplitude: what is shorter is no stroke of its own.
-constexpr double SMALLEST_STROKE = 0.06;
 
 std::vector<ExpectedGesture> at_one_place(
 		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
@@ -131,7 +129,7 @@ void GestureRecogniser::watch_features() {
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		const Feature *const feature = find_feature(gestures_[i].model->feature);
 		const auto is_its = [feature](const WatchedFeature &watched) { return watched.feature == feature; };
-		const double smallest_m = SMALLEST_STROKE * sessions_[i]->task().amplitude_m;
+		const double smallest_m = parameters::strokes::SMALLEST_STROKE * sessions_[i]->task().amplitude_m;
 		const auto known = std::find_if(watched_.begin(), watched_.end(), is_its);
 		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
 		if (known != watched_.end()) {

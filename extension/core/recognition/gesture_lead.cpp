@@ -1,5 +1,6 @@
 // Which of the gestures of a GestureRecogniser is shown, and how its motion goes on from the last one's.
 
+#include "base/parameters.h"
 #include "recognition/gesture_recogniser.h"
 
 #include <algorithm>
@@ -8,14 +9,8 @@
 namespace steadyhand {
 namespace {
 
-/// The gesture shown changes for one that is likelier by this factor, in nats.
-constexpr double SWITCH_MARGIN = 2.0;
-/// 1/s: to a first gesture's motion within half of the time that another one's takes.
-constexpr double SHOW_RATE_PER_S = 100.0;
-/// At rest another task is shown from so much nearer on, of the distance from the one that is.
-constexpr double NEARER = 0.8;
-/// Motions that are so near, in amplitudes, are held to be of one way.
-constexpr double SAME_WAY = 0.1;
+using namespace parameters;
+using namespace parameters::sessions;
 
 } // namespace
 
@@ -66,7 +61,7 @@ void GestureRecogniser::lead(int session) {
 		return;
 	}
 	const Motion before = motion(MotionSource::SYNTHESISED);
-	const double rate_per_s = leader_ < 0 ? SHOW_RATE_PER_S : LEAD_RATE_PER_S;
+	const double rate_per_s = leader_ < 0 ? START_BLEND_PER_S : CHANGE_BLEND_PER_S;
 	leader_ = session;
 	if (leader_ >= 0) {
 		shown_ = static_cast<std::size_t>(leader_);
@@ -81,7 +76,7 @@ void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 	const Motion now = synthesised(time_s_);
 	const double step_m = std::abs(before.value_m - now.value_m);
 	blend_ = {};
-	if (!gestures_[shown_].task || step_m < SAME_WAY * sessions_[shown_]->task().amplitude_m) {
+	if (!gestures_[shown_].task || step_m < SAME_PATH * sessions_[shown_]->task().amplitude_m) {
 		blend_.start(time_s_, before, now, rate_per_s);
 	}
 }

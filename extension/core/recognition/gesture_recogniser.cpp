@@ -1,5 +1,7 @@
 #include "recognition/gesture_recogniser.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,9 +9,8 @@
 namespace steadyhand {
 namespace {
 
-/// A finger's movement in a gesture of several fingers is no gesture of its own: nats against it, for each
-/// amplitude of the other gesture.
-constexpr double PART = 12.0;
+using namespace parameters;
+using namespace parameters::sessions;
 
 /// The point that TrackerMonitor judges: of a radius, the circle's centre and the radius. place: the
 /// feature's in the frame.
@@ -72,7 +73,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	time_s_ = frame.t_s;
 	if (before) {
-		go_on_from(*before, LEAD_RATE_PER_S);
+		go_on_from(*before, CHANGE_BLEND_PER_S);
 	}
 	expect_absence();
 	judge_starts();

@@ -77,9 +77,6 @@ public:
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
-	/// 1/s: from one gesture's motion to another's within a tenth of a second.
-	static constexpr double LEAD_RATE_PER_S = 50.0;
-
 	Synthesis synthesis_;
 	std::vector<ExpectedGesture> gestures_;
 	struct WatchedFeature {

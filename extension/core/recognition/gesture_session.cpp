@@ -6,12 +6,13 @@
 namespace steadyhand {
 namespace {
 
+using namespace parameters;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
+
 /// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
 /// hang.
 constexpr double LONGEST_GAP_S = 10.0;
-/// Phase that is left where a hand has all but come to rest.
-constexpr double NEARLY_STILL = 0.03;
-constexpr double RELEASE_RATE_PER_S = 50.0; ///< from the end back to rest: within a tenth of a second
 
 } // namespace
 
@@ -44,7 +45,7 @@ bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePla
 	}
 	if (is_reset_) {
 		is_reset_ = false;
-		blend_from(before, frame.t_s, RELEASE_RATE_PER_S);
+		blend_from(before, frame.t_s, CHANGE_BLEND_PER_S);
 	}
 	fresh_ = true;
 	return true;
@@ -86,7 +87,7 @@ void GestureSession::rest(double t_s) {
 	const Motion before = motion(t_s);
 	enter(Stage::IDLE, t_s);
 	if (!follows_phase()) { // the estimator blends by itself
-		blend_from(before, t_s, RELEASE_RATE_PER_S);
+		blend_from(before, t_s, CHANGE_BLEND_PER_S);
 	}
 }
 
@@ -95,7 +96,7 @@ void GestureSession::reset_hand(double t_s) {
 	enter(Stage::IDLE, t_s);
 	reset_frames();
 	is_reset_ = true;
-	blend_from(before, t_s, RELEASE_RATE_PER_S);
+	blend_from(before, t_s, CHANGE_BLEND_PER_S);
 }
 
 void GestureSession::enter(Stage stage, double t_s) {
@@ -119,7 +120,7 @@ bool GestureSession::is_at_end(double t_s) const {
 }
 
 bool GestureSession::is_still_at_end(double t_s) const {
-	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < NEARLY_STILL);
+	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < STILL_PHASE);
 }
 
 void GestureSession::reset_frames() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "gesture/gesture_model.h"
 #include "gesture/observation.h"
 #include "gesture/symbol_clock.h"
@@ -39,7 +40,7 @@ public:
 	enum class Stage { IDLE, ACTIVE, ENDED };
 	/// Without a frame for so long: without a task an active gesture near its end has ended, with one it can
 	/// end no more; after the second time the session is idle.
-	static constexpr std::array ABSENCES_S{ 0.3, 1.0 };
+	static inline const std::array ABSENCES_S{ parameters::SHORT_DROPOUT_S, parameters::LONG_DROPOUT_S };
 
 	GestureSession(const GestureSession &) = delete;
 	GestureSession &operator=(const GestureSession &) = delete;
@@ -95,9 +96,6 @@ public:
 	[[nodiscard]] const GestureModel &model() const { return *model_; }
 
 protected:
-	/// Phase from which on the gesture is at its end.
-	static constexpr double ENDED_PHASE = 0.97;
-
 	/// model must outlive the session; its feature must exist. follows_rest: in `phase` mode an idle session
 	/// shows the hand too.
 	GestureSession(

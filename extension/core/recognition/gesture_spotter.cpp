@@ -1,15 +1,14 @@
 #include "recognition/gesture_spotter.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 
 namespace steadyhand {
 namespace {
 
-/// Posteriors at which a gesture begins, is aborted, and ends: an end cannot be taken back.
-constexpr double BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99;
-constexpr double ENDED = 0.5; ///< GestureCandidate::end_probability at an end
-/// A hand that sets out in the opposite direction, within 45 degrees, so soon after a gesture goes back.
-constexpr double WAY_BACK_S = 1.0, OPPOSITE = -0.7;
+using namespace parameters;
+using namespace parameters::sessions;
 
 } // namespace
 
@@ -56,7 +55,7 @@ GestureSpotter::News GestureSpotter::look_for() {
 }
 
 bool GestureSpotter::is_way_back(const GestureCandidate &candidate) const {
-	return candidate.onset_s - ended_s_ < WAY_BACK_S && candidate.axis.dot(ended_axis_) < OPPOSITE;
+	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < OPPOSITE;
 }
 
 GestureSpotter::News GestureSpotter::follow() {
@@ -66,7 +65,7 @@ GestureSpotter::News GestureSpotter::follow() {
 		return News::ABORTED;
 	}
 	candidate_ = now;
-	if (now.posterior > CERTAIN && now.end_probability > ENDED) {
+	if (now.posterior > CERTAIN && now.end_probability > LAST_STATE) {
 		ended_s_ = classifier_.time_s();
 		ended_axis_ = now.axis;
 		drop();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/parameters.h"
+
 #include <cmath>
 
 namespace steadyhand {
@@ -7,9 +9,6 @@ namespace steadyhand {
 /// When a hand was seen, and when about the way of its task.
 class HandPresence {
 public:
-	/// What was seen no longer ago says where the hand is; and what shows it again is taken in by then.
-	static constexpr double RECENT_S = 0.1;
-
 	void push(double t_s, bool is_about_way) {
 		found_s_ = is_recent(t_s) ? found_s_ : t_s;
 		last_s_ = t_s;
@@ -18,9 +17,11 @@ public:
 
 	/// Of the newest frame that held what the feature needs; before one, never.
 	[[nodiscard]] double last_s() const { return last_s_; }
-	[[nodiscard]] bool is_recent(double t_s) const { return t_s - last_s_ <= RECENT_S; }
+	[[nodiscard]] bool is_recent(double t_s) const { return t_s - last_s_ <= parameters::sessions::RECENT_S; }
 	/// After it had been lost.
-	[[nodiscard]] bool is_just_found(double t_s) const { return t_s - found_s_ <= RECENT_S; }
+	[[nodiscard]] bool is_just_found(double t_s) const {
+		return t_s - found_s_ <= parameters::sessions::RECENT_S;
+	}
 	/// For how long it has been seen elsewhere than about the way.
 	[[nodiscard]] double off_way_s() const { return last_s_ - about_way_s_; }
 

@@ -1,13 +1,17 @@
 #include "recognition/hmm_session.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 
 namespace steadyhand {
 namespace {
 
+using namespace parameters;
+using namespace parameters::sessions;
+
 using News = GestureSpotter::News;
 
-constexpr double STARTING_RATE_PER_S = 100.0;
 constexpr double LEAST_DOUBT = 1e-12; ///< keeps log odds finite
 
 FeaturePlace vector_of(const Eigen::Vector3d &tip, double radius) {
@@ -40,8 +44,8 @@ std::optional<double> HmmSession::measure(
 	} else if (stage() == Stage::ACTIVE) {
 		look_for_end(frame.t_s);
 	} else if (stage() == Stage::ENDED) {
-		const bool has_returned = along(last_place()) < BACK * task().amplitude_m;
-		if (has_started || has_returned || frame.t_s - stage_began_s() > HOLD_S) {
+		const bool has_returned = along(last_place()) < HALF_BACK * task().amplitude_m;
+		if (has_started || has_returned || frame.t_s - stage_began_s() > PAUSE_S) {
 			rest(frame.t_s);
 		}
 	}
@@ -81,7 +85,7 @@ void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 			replay(frame_s, along(place));
 		}
 	});
-	blend_from(before, t_s, STARTING_RATE_PER_S);
+	blend_from(before, t_s, START_BLEND_PER_S);
 }
 
 void HmmSession::look_for_end(double t_s) {

@@ -23,9 +23,6 @@ public:
 	void on_dropout(double t_s, const StrokeFinder &strokes) override;
 
 private:
-	/// A hand that has come back to half the way, or was at the end for so long, is at a new start.
-	static constexpr double BACK = 0.5, HOLD_S = 1.0;
-
 	GestureSpotter *spotter_;
 	FeaturePlace start_ = FeaturePlace::Zero();
 	FeaturePlace way_; ///< unit vector

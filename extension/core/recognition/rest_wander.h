@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "signal/ring.h"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ public:
 		if (!values_.empty() && t_s - values_.newest().t_s < APART_S) {
 			return false;
 		}
-		if (!values_.empty() && t_s - values_.newest().t_s > LONGEST_S) { // it may have been elsewhere
+		if (!values_.empty() &&
+				t_s - values_.newest().t_s > parameters::SHORT_DROPOUT_S) { // it may have been elsewhere
 			values_.clear();
 		}
 		values_.push({ t_s, x });
@@ -38,17 +40,18 @@ public:
 	}
 
 	/// Standard deviation of white noise that bends as much, of the median, in the time before the hand may
-	/// have set out by t_s; UNKNOWN where it has not been seen for 0.4 s.
+	/// have set out by t_s; UNKNOWN_DRIFT where it has not been seen for 0.4 s.
 	[[nodiscard]] double deviation(double t_s) const {
 		std::size_t count = values_.size();
-		while (count > 0 && values_[count - 1].t_s > t_s - SETS_OUT_S) {
+		while (count > 0 && values_[count - 1].t_s > t_s - parameters::sessions::RECENT_S) {
 			--count;
 		}
 		if (count < 2) {
-			return UNKNOWN;
+			return parameters::sessions::UNKNOWN_DRIFT;
 		}
 		const double apart_s = (values_[count - 1].t_s - values_[0].t_s) / static_cast<double>(count - 1);
-		const auto step = static_cast<std::size_t>(std::max(std::lround(BEND_S / apart_s), 1L));
+		const auto step =
+				static_cast<std::size_t>(std::max(std::lround(parameters::sessions::DRIFT_S / apart_s), 1L));
 		std::array<double, MOST> bends{};
 		std::size_t bend_count = 0;
 		for (std::size_t i = 2 * step; i < count; ++i) {
@@ -56,7 +59,7 @@ public:
 					std::abs(values_[i].x - 2.0 * values_[i - step].x + values_[i - 2 * step].x);
 		}
 		if (bend_count < FEWEST) {
-			return UNKNOWN;
+			return parameters::sessions::UNKNOWN_DRIFT;
 		}
 		return deviation_of_bends(std::span(bends).first(bend_count));
 	}
@@ -65,9 +68,6 @@ private:
 	static constexpr std::size_t MOST = 64; ///< values, of 1.2 s and more
 	static constexpr std::size_t FEWEST = 6;
 	static constexpr double APART_S = 0.019;
-	static constexpr double LONGEST_S = 0.3; ///< between values of one rest
-	static constexpr double BEND_S = 0.1, SETS_OUT_S = 0.1;
-	static constexpr double UNKNOWN = 0.02;
 
 	struct Value {
 		double t_s = 0.0, x = 0.0;

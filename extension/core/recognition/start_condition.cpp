@@ -1,35 +1,14 @@
 #include "recognition/start_condition.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 
 namespace steadyhand {
 namespace {
 
-// Two-sided hysteresis: what opens a condition is looser than what closes it.
-
-/// DWELL: a hand has left beyond 30 mm (Ultraleap TouchFree starts a drag there). It dwells within 20 mm: at
-/// the 10 mm where the Meta Interaction SDK starts a drag, a bad tracker shows a hand at rest as moving.
-constexpr double STILL_M = 0.020, LEFT_M = 0.030;
-/// PINCH: Ultraleap's detector opens at 30 mm what closes at 25 mm.
-constexpr double OPENS_AT = 30.0 / 25.0;
-/// POINTING_POSE: the index tip is this much further from the palm than each of the other three. Open hands
-/// and fists have 0.9 to 1.1 (leapjs-playback, Leap-QTM), a pointing hand of average size has 2.1.
-constexpr double POINTS_FROM = 1.5, POINTS_TO = 1.3;
-/// m: a fist has all tips within 5 cm of the palm, where the ratio is mostly noise.
-constexpr double EXTENDED_M = 0.07;
-
-/// A slip of a finger, or of its tracker, this short must not drop what the hand carries (MRTK #10391).
-constexpr double SLIP_S = 0.1;
-/// A gesture is recognised through a dropout of this length, and so is its start.
-constexpr double LOST_S = 0.3;
-/// A tracker's hand model takes some frames to fit a hand that it finds; and fingers that closed this shortly
-/// before the hand was lost are an open hand that leaves the view (wolvic #1467).
-constexpr double SETTLES_S = 0.2;
-/// A gesture is detected some time after its onset, when a dwell is over.
-constexpr double GRACE_S = 0.3;
-/// Of 0..1. In leapjs-playback the open hand that leaves the view reads as a pinch with a median of 0.6 and
-/// as little as 0.3; the pinch has 0.97 or more.
-constexpr double LEAST_CONFIDENCE = 0.5;
+using namespace parameters;
+using namespace parameters::start;
 
 double distance_m(const HandFrame &frame, Joint one, Joint other) {
 	return (frame.position(one) - frame.position(other)).norm();
@@ -64,7 +43,7 @@ void StartCondition::push(const HandFrame &frame) {
 		return;
 	}
 	const bool is_seen = is_seen_well(frame);
-	const bool was_lost = frame.t_s - seen_s_ > LOST_S;
+	const bool was_lost = frame.t_s - seen_s_ > SHORT_DROPOUT_S;
 	if (was_lost) {
 		lose();
 	}
@@ -76,7 +55,7 @@ void StartCondition::push(const HandFrame &frame) {
 	if (is_pose() && frame.t_s - found_s_ < SETTLES_S) {
 		return;
 	}
-	judge(frame) ? meet(frame.t_s) : on_dropout(frame.t_s);
+	judge(frame) ? meet(frame.t_s) : fail(frame.t_s);
 }
 
 void StartCondition::lose() {
@@ -129,7 +108,7 @@ void StartCondition::meet(double t_s) {
 	is_released_ = false;
 }
 
-void StartCondition::on_dropout(double t_s) {
+void StartCondition::fail(double t_s) {
 	is_met_ = false;
 	open_from_s_ = std::min(open_from_s_, t_s);
 	if (settings_.kind == StartKind::PINCH && t_s - open_from_s_ >= SLIP_S) {
@@ -139,7 +118,8 @@ void StartCondition::on_dropout(double t_s) {
 }
 
 bool StartCondition::may_begin(double onset_s) const {
-	return settings_.kind == StartKind::NONE || (onset_s >= met_from_s_ && onset_s <= met_to_s_ + GRACE_S);
+	return settings_.kind == StartKind::NONE ||
+			(onset_s >= met_from_s_ && onset_s <= met_to_s_ + DETECTION_S);
 }
 
 } // namespace steadyhand

@@ -69,7 +69,7 @@ private:
 	[[nodiscard]] bool judge(const HandFrame &frame);
 	[[nodiscard]] bool is_still(const HandFrame &frame);
 	void meet(double t_s);
-	void on_dropout(double t_s);
+	void fail(double t_s);
 };
 
 } // namespace steadyhand

@@ -1,22 +1,18 @@
 #include "recognition/stroke_session.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 
 namespace steadyhand {
 namespace {
 
-/// A stroke's onset is where it has a quarter of its peak speed, some hundredths of the amplitude late. The
-/// movement starts at the hindmost place of the time before it. Means over parts of that time suppress noise.
-constexpr double BEFORE_ONSET_S = 0.15, REST_PART_S = 0.05;
-/// Strokes shorter than so many standard deviations of the noise have no clear direction.
-constexpr double TREMBLES = 10.0;
-/// A gesture that is repeated this soon after the return needs no rest before it.
-constexpr double AGAIN_S = 1.0;
-constexpr double STARTING_RATE_PER_S = 100.0;
+using namespace parameters;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
 
 /// The model's speed at this phase / its peak, and a margin for people who slow down less.
 double end_speed_share(const GestureModel &model, double end_phase) {
-	constexpr double SLOWED_LESS = 0.25;
 	constexpr int POINTS = 50;
 	double peak = 0.0;
 	for (int i = 0; i <= POINTS; ++i) {
@@ -25,7 +21,8 @@ double end_speed_share(const GestureModel &model, double end_phase) {
 	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
 }
 
-/// Where the movement of a stroke of the finder starts. way: unit vector.
+/// Where the movement of a stroke of the finder starts. A stroke's onset is some hundredths of the amplitude
+/// late: the start is the hindmost place of the time before it. way: unit vector.
 FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) {
 	FeaturePlace start = stroke.from, sum = FeaturePlace::Zero();
 	int count = 0;
@@ -40,7 +37,7 @@ FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const F
 		if (frame_s > stroke.onset_s) {
 			return;
 		}
-		if (frame_s > since_s + REST_PART_S) {
+		if (frame_s > since_s + MEAN_S) {
 			end_part();
 			since_s = frame_s;
 		}
@@ -55,7 +52,7 @@ FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const F
 
 StrokeSession::StrokeSession(const GestureModel &model, const Synthesis &synthesis) :
 		GestureSession(model, model.typical_task, synthesis, false),
-		end_speed_share_(end_speed_share(model, ENDED_PHASE)), directions_{ FeaturePlace::Zero() } {
+		end_speed_share_(end_speed_share(model, END_PHASE)), directions_{ FeaturePlace::Zero() } {
 	if (feature().direction == nullptr) {
 		return; // its strokes have no direction
 	}
@@ -124,7 +121,7 @@ void StrokeSession::aim(const FeaturePlace &to) {
 }
 
 bool StrokeSession::comes_again(const Stroke &stroke) const {
-	return may_come_again_ && stroke.onset_s - returned_s_ < AGAIN_S;
+	return may_come_again_ && stroke.onset_s - returned_s_ < PAUSE_S;
 }
 
 double StrokeSession::amplitudes(const Stroke &stroke) const {
@@ -146,14 +143,14 @@ bool StrokeSession::goes_elsewhere(const StrokeFinder &strokes) const {
 void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	start_ = last_place();
 	way_ = feature().direction(task());
-	const double trembling = TREMBLES * strokes.noise_m() / task().amplitude_m;
-	const double shortest = std::clamp(trembling, SHORTEST, WELL_UNDER_WAY);
+	const double trembling = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
+	const double shortest = std::clamp(trembling, SHORTEST, UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
-		const double least = stroke.onset_s < hopeless_s_ ? WELL_UNDER_WAY : shortest;
+		const double least = stroke.onset_s < hopeless_s_ ? UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
 			continue;
 		}
-		if (most_odds(stroke) < 0.0 || (amplitudes(stroke) < WELL_UNDER_WAY && goes_elsewhere(strokes))) {
+		if (most_odds(stroke) < 0.0 || (amplitudes(stroke) < UNDER_WAY && goes_elsewhere(strokes))) {
 			continue;
 		}
 		const FeaturePlace way = way_of(stroke);
@@ -165,7 +162,7 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 			way_ = axis_ = way;
 			aim(stroke.to);
 			// Not of a hand that waved when it came into view.
-			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= Stroke::REST_S;
+			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= REST_S;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may have ended already
@@ -186,7 +183,7 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 	likely_s_ = moved_s_ = t_s;
 	furthest_ = 0.0;
 	gone_m_ = furthest_m_ = along(last_place());
-	blend_from(before, t_s, STARTING_RATE_PER_S);
+	blend_from(before, t_s, START_BLEND_PER_S);
 }
 
 void StrokeSession::abort(double t_s) {

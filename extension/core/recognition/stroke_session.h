@@ -23,11 +23,6 @@ public:
 
 private:
 	static constexpr double IMPOSSIBLE = -INFINITY; ///< log odds
-	/// Strokes, amplitudes: shorter ones have no clear direction; longer ones than the second are well under
-	/// way.
-	static constexpr double SHORTEST = 0.12, WELL_UNDER_WAY = 0.3;
-	/// A stroke whose greatest possible log odds are less is no gesture.
-	static constexpr double HOPELESS = -8.0;
 
 	double end_speed_share_;                    ///< speed at the end of the gesture / peak speed
 	std::vector<FeaturePlace> directions_;      ///< of the model: unit vectors

@@ -1,3 +1,4 @@
+#include "base/parameters.h"
 #include "recognition/stroke_session.h"
 
 #include <algorithm>
@@ -5,23 +6,13 @@
 namespace steadyhand {
 namespace {
 
-/// A gesture is aborted whose strokes have been hopeless for so long, at a length of WELL_UNDER_WAY, or of
-/// any length if the gesture was never longer than this, amplitudes.
-constexpr double HOPELESS_S = 0.1;
-constexpr double BARELY_BEGUN = 0.2;
-/// log odds from which on an end is predicted.
-constexpr double SURE = 1.5;
-/// Shorter strokes after the end, amplitudes, are no other gesture.
-constexpr double TAIL = 0.25;
+using namespace parameters;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
+
 /// Of a stroke's time, how much later the hand stops: strokes are from a quarter of the peak speed to a
 /// quarter, which a minimum jerk has at 0.146 and 0.854 of its time.
 constexpr double SLOWS_DOWN = 0.146 / 0.708;
-/// The hand has returned once it is back at this fraction of its greatest distance.
-constexpr double RETURNED = 0.5;
-/// A hand that has stopped for so long, at the end or before it, is at a new start.
-constexpr double HOLD_S = 1.0;
-/// A dropout from this fraction of the amplitude on ends the gesture.
-constexpr double LOST_AT_END = 0.7;
 
 /// log odds if the rest of the stroke fits as well as it can.
 double best_odds(const StrokeEvidence &evidence) {
@@ -62,12 +53,12 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			under_way = std::max(under_way, path);
 			set_log_odds(under_way);
-		} else if (best < HOPELESS && (furthest_ < BARELY_BEGUN || amplitudes(stroke) > WELL_UNDER_WAY)) {
+		} else if (best < HOPELESS && (furthest_ < BARELY_BEGUN || amplitudes(stroke) > UNDER_WAY)) {
 			is_hopeless = true;
 		}
 		const double ended = LOG_PRIOR_OPEN + evidence.sum();
-		const bool is_end = is_missed ? amplitudes(stroke) > LOST_AT_END : strokes.ended();
-		if (is_end || (ended > SURE && is_arriving(t_s, stroke))) {
+		const bool is_end = is_missed ? amplitudes(stroke) > NEAR_END : strokes.ended();
+		if (is_end || (ended > END_LOG_ODDS && is_arriving(t_s, stroke))) {
 			size = std::max(size, ended);
 		}
 	}
@@ -76,7 +67,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		may_end_ = true;
 		ended_s_ = t_s;
 		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
-	} else if (t_s - moved_s_ > HOLD_S) {
+	} else if (t_s - moved_s_ > PAUSE_S) {
 		abort(t_s); // stopped halfway; its return makes no gesture either
 	} else if (is_hopeless && t_s - likely_s_ > HOPELESS_S) {
 		hopeless_s_ = t_s;
@@ -90,7 +81,8 @@ bool StrokeSession::is_arriving(double t_s, const Stroke &stroke) const {
 			task().amplitude_m * estimate(t_s).velocity < end_speed_share_ * stroke.peak_m_s;
 }
 
-/// The end is held until the hand has returned, has not moved for HOLD_S, or makes another gesture from rest.
+/// The end is held until the hand has returned, has not moved for PAUSE_S, or makes another gesture from
+/// rest.
 void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 	if (!strokes.strokes().empty() && amplitudes(strokes.strokes().front()) > SHORTEST) {
 		const Stroke &stroke = strokes.strokes().front();
@@ -103,11 +95,11 @@ void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 			return;
 		}
 	}
-	const bool has_returned = gone_m_ < RETURNED * furthest_m_;
+	const bool has_returned = gone_m_ < HALF_BACK * furthest_m_;
 	if (has_returned) {
 		returned_s_ = t_s;
 	}
-	if (has_returned || t_s - moved_s_ > HOLD_S) {
+	if (has_returned || t_s - moved_s_ > PAUSE_S) {
 		not_before_s_ = t_s; // the return is no gesture
 		dismiss(t_s);
 	}
@@ -115,7 +107,7 @@ void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 
 /// When a slow hand stopped is less sure.
 bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
-	const double hold_s = HOLD_S + SLOWS_DOWN * (stopped_s_ - started_s());
+	const double hold_s = PAUSE_S + SLOWS_DOWN * (stopped_s_ - started_s());
 	if (amplitudes(stroke) < TAIL || stroke.onset_s < stopped_s_ + hold_s) {
 		return false;
 	}

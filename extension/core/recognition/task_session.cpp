@@ -1,5 +1,6 @@
 #include "recognition/task_session.h"
 
+#include "base/parameters.h"
 #include "strokes/stroke_evidence.h"
 
 #include <algorithm>
@@ -8,42 +9,9 @@
 namespace steadyhand {
 namespace {
 
-// Values are in amplitudes, velocities in amplitudes / mean duration: a minimum jerk peaks at 1.875.
-
-/// Of a start; in `paper` mode both. With drift at rest the value must exceed so many deviations of it.
-constexpr double ONSET_VALUE = 0.03, ONSET_VELOCITY = 0.1, ONSET_DRIFTS = 7.0;
-/// P(gesture) above which it starts, and below which it is aborted; between them after UNLIKELY_S.
-constexpr double BEGUN = 0.7, NOT_BEGUN = 0.1, UNLIKELY_S = 0.3;
-constexpr double HALFWAY = 0.5;     ///< from here on a gesture has started at any probability
-constexpr double LEFT_START = 0.25; ///< from here on the hand has left the start
-/// Below this the hand has returned. On a circle the next round starts so far beyond the end.
-constexpr double RETURN_VALUE = 0.15;
-/// An onset so long before the return belongs to the gesture before.
-constexpr double TURNS_S = 0.3;
-/// `paper` mode: a gesture at its start after so many mean durations of the first state is aborted.
-constexpr double ABORT_AFTER = 3.0;
-/// Time at the end in which a stroke may still become the gesture.
-constexpr double DOUBT_S = 0.3;
-/// The hand has stopped if P(hold) exceeds the first for so long, and turned back if it is back so far.
-constexpr double STOPPED = 0.7, STOPPED_S = 0.2, TURNED_BACK = 0.08;
-/// log odds of the strokes for an end before the target: hands that do something else stop anywhere.
-constexpr double BEYOND_DOUBT = 9.0;
-/// P(hold) at the start above which the gesture is aborted.
-constexpr double RESTS = 0.95;
-/// With drift at rest the hand has turned back only by so many deviations of it.
-constexpr double RETURN_DRIFTS = 4.0;
-constexpr double NEAR_END = 0.75;
-/// No gesture starts so far off its start (TaskStrokes allows 0.62 at most). A hand that stays there for so
-/// long is not followed.
-constexpr double ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
-/// The same off a circle, for which there are no strokes.
-constexpr double OFF_CIRCLE = 0.3;
-/// A hand so far off a straight task for so long has left it: a game may move the player, a tracker may jump.
-constexpr double OFF_STRAIGHT = 1.0, GONE_S = 1.0;
-/// Distance from the start of a gesture that may start anywhere.
-constexpr double ANYWHERE_M = 0.1;
-/// Without a measurement for so long the hand may be elsewhere.
-constexpr double MISSING_S = 0.05;
+using namespace parameters;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
 
 } // namespace
 
@@ -67,14 +35,19 @@ std::optional<double> TaskSession::measure(
 	update_nearness(frame.t_s);
 	strokes_.look(strokes);
 	const double x = *x_m / task().amplitude_m;
-	if (stage() == Stage::IDLE && std::abs(x) < RETURN_VALUE) {
+	if (stage() == Stage::IDLE && std::abs(x) < RETURNED) {
 		wander_.push(frame.t_s, x);
 	}
 	if (stage() != Stage::IDLE) {
 		strokes_.add(strokes);
-		set_log_odds(strokes_.judge(strokes));
+		judge(strokes);
 	}
 	return x_m;
+}
+
+/// In `paper` mode the task alone says which gesture it is.
+void TaskSession::judge(const StrokeFinder &strokes) {
+	set_log_odds(mode() == MotionMode::PAPER ? LOG_PRIOR_TASK : strokes_.judge(strokes));
 }
 
 /// The estimator costs most of what a task does, and of many in a scene the hand is near few.
@@ -90,8 +63,8 @@ bool TaskSession::is_near() const {
 }
 
 bool TaskSession::has_gone_elsewhere() const {
-	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_way_s() > GONE_S
-						 : hand_.off_way_s() > DOUBT_S;
+	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_way_s() > LONG_DROPOUT_S
+						 : hand_.off_way_s() > DETECTION_S;
 }
 
 double TaskSession::off_start_m() const {
@@ -114,7 +87,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) && has_started(t_s)) {
 				strokes_.begin();
-				set_log_odds(strokes_.judge(strokes));
+				judge(strokes);
 				at_end_since_s_ = likely_s_ = t_s;
 				furthest_ = 0.0;
 				moved_s_ = t_s;
@@ -147,18 +120,18 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 
 bool TaskSession::has_started(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
-		return value() > ONSET_VALUE && observation().y() > ONSET_VELOCITY;
+		return value() > START_VALUE && observation().y() > START_SPEED;
 	}
 	if (!strokes_.has_set_out()) {
 		return false;
 	}
 	const MotionEstimate now = estimate(t_s);
 	// A value this small so late belongs to a movement elsewhere.
-	if (now.value <= ONSET_VALUE || (now.value < RETURN_VALUE && now.phase > HALFWAY)) {
+	if (now.value <= START_VALUE || (now.value < RETURNED && now.phase > HALFWAY)) {
 		return false;
 	}
-	const double onset = std::clamp(ONSET_DRIFTS * wander_.deviation(t_s), ONSET_VALUE, RETURN_VALUE);
-	return now.value > (now.gesture > BEGUN && strokes_.heads_along() ? onset : HALFWAY);
+	const double onset = std::clamp(START_DRIFTS * wander_.deviation(t_s), START_VALUE, RETURNED);
+	return now.value > (now.gesture > START_PROBABILITY && strokes_.heads_along() ? onset : HALFWAY);
 }
 
 /// The estimator took a movement elsewhere for a whole gesture, and the hand is back.
@@ -168,23 +141,23 @@ bool TaskSession::has_been_elsewhere(double t_s) const {
 	}
 	// Before it is blended: the output still follows the last frame.
 	const MotionEstimate now = expected(t_s);
-	return now.phase > ENDED_PHASE && std::abs(now.value) < RETURN_VALUE;
+	return now.phase > END_PHASE && std::abs(now.value) < RETURNED;
 }
 
 bool TaskSession::has_aborted(double t_s) {
 	if (mode() == MotionMode::PAPER) {
-		return value() < RETURN_VALUE &&
+		return value() < RETURNED &&
 				t_s - stage_began_s() > ABORT_AFTER * model().elements.front().duration_mean_s;
 	}
 	const MotionEstimate now = estimate(t_s);
-	likely_s_ = now.gesture > BEGUN ? t_s : likely_s_;
-	beyond_s_ = now.value < RETURN_VALUE ? beyond_s_ : t_s;
+	likely_s_ = now.gesture > START_PROBABILITY ? t_s : likely_s_;
+	beyond_s_ = now.value < RETURNED ? beyond_s_ : t_s;
 	const bool may_begin =
-			furthest_ < RETURN_VALUE && now.gesture > NOT_BEGUN && t_s - likely_s_ < UNLIKELY_S;
-	const bool is_under_way = (now.gesture > BEGUN || may_begin) && now.phase < ENDED_PHASE;
-	const double wander = std::max(TURNED_BACK, RETURN_DRIFTS * wander_.deviation(t_s));
-	const bool has_returned = furthest_ - now.value > wander || now.hold > RESTS;
-	return now.value < RETURN_VALUE && (has_returned || !is_under_way);
+			furthest_ < RETURNED && now.gesture > ABORT_PROBABILITY && t_s - likely_s_ < DETECTION_S;
+	const bool is_under_way = (now.gesture > START_PROBABILITY || may_begin) && now.phase < END_PHASE;
+	const double wander = std::max(TURNED_BACK, TURNED_BACK_DRIFTS * wander_.deviation(t_s));
+	const bool has_returned = furthest_ - now.value > wander || now.hold > REST_PROBABILITY;
+	return now.value < RETURNED && (has_returned || !is_under_way);
 }
 
 /// The estimate may end the gesture: not long into a dropout unless the end was near, and not while the hand
@@ -198,13 +171,13 @@ bool TaskSession::is_known(double t_s, const StrokeFinder &strokes) const {
 
 bool TaskSession::has_returned(double t_s) const {
 	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
-	return shown < RETURN_VALUE || (element_.is_periodic() && shown > 1.0 + RETURN_VALUE);
+	return shown < RETURNED || (element_.is_periodic() && shown > 1.0 + RETURNED);
 }
 
 void TaskSession::follow_stop(double t_s) {
 	const MotionEstimate now = estimate(t_s);
 	const bool is_seen = hand_.is_recent(t_s);
-	moved_s_ = is_seen && now.hold > STOPPED ? moved_s_ : t_s;
+	moved_s_ = is_seen && now.hold > STOP_PROBABILITY ? moved_s_ : t_s;
 	furthest_ = is_seen && !hand_.is_just_found(t_s) ? std::max(furthest_, now.value) : furthest_;
 }
 
@@ -215,8 +188,8 @@ bool TaskSession::has_stopped(double t_s) const {
 	}
 	const double value = estimate(t_s).value;
 	const bool has_turned = furthest_ > completion_ && value < furthest_ - TURNED_BACK;
-	const bool has_stopped = value > completion_ && t_s - moved_s_ > STOPPED_S;
-	return strokes_.best_log_odds() > BEYOND_DOUBT && (has_turned || has_stopped);
+	const bool has_stopped = value > completion_ && t_s - moved_s_ > STOP_S;
+	return strokes_.best_log_odds() > STOP_LOG_ODDS && (has_turned || has_stopped);
 }
 
 void TaskSession::try_end(double t_s) {
@@ -224,7 +197,7 @@ void TaskSession::try_end(double t_s) {
 	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
 	if (counts && (is_paper || hand_.off_way_s() <= 0.0)) {
 		arrive(t_s);
-	} else if (!counts && t_s - at_end_since_s_ > DOUBT_S) {
+	} else if (!counts && t_s - at_end_since_s_ > DETECTION_S) {
 		is_rejected_ = true;
 		go_idle(t_s);
 	}
@@ -234,7 +207,7 @@ void TaskSession::go_idle(double t_s) {
 	const bool had_left = stage() == Stage::ENDED || furthest_ > LEFT_START;
 	rest(t_s);
 	if (had_left) {
-		strokes_.ignore_before(beyond_s_ - TURNS_S);
+		strokes_.ignore_before(beyond_s_ - DETECTION_S);
 	}
 	if (!is_rejected_ && has_returned(t_s)) { // not if it is elsewhere
 		const double amplitude_m = task().amplitude_m;

@@ -46,6 +46,7 @@ private:
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void update_stage(double t_s, const StrokeFinder &strokes) override;
+	void judge(const StrokeFinder &strokes);
 	void update_nearness(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
 	/// From where the gesture may start: on a circle, anywhere.

@@ -20,13 +20,12 @@ struct Stroke {
 	/// How far from `from` the hand was before the onset, at most; before slow strokes there is more to it:
 	/// StrokeFinder::unrest_m.
 	double unrest_m = 0.0;
-	/// For how long before the onset: no more than REST_S, less where it was not tracked.
+	/// For how long before the onset: no more than parameters::strokes::REST_S, less where it was not
+	/// tracked.
 	double watched_s = 0.0;
 	bool is_joined = false; ///< of several, between which the hand hesitated
 	/// It set out from rest. Otherwise the hand came into view on its way, at `from`.
 	bool is_from_rest = true;
-
-	static constexpr double REST_S = 0.5;
 
 	/// The same if the hand made all jumps of the tracker.
 	[[nodiscard]] Stroke as_shown() const;

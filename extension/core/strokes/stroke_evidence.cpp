@@ -1,5 +1,6 @@
 #include "strokes/stroke_evidence.h"
 
+#include "base/parameters.h"
 #include "signal/minimum_jerk.h"
 #include "strokes/direction_density.h"
 
@@ -10,58 +11,9 @@
 namespace steadyhand {
 namespace {
 
-// Set on synthetic subjects of the tuning population and on recorded hands.
+using namespace parameters::strokes;
 
-// In the open: radians off the model's axis within which tasks lie, and by which a way may yet turn from its
-// beginning on.
-constexpr double TURNED = 0.35;
-constexpr double YET_TO_TURN = 0.35;
-/// About the way to a task's end: radians, each of two; aim and the tracker's error.
-constexpr double ANGLE = 0.11;
-/// Mean distance from the chord, in its lengths, within which a way is bowed.
-constexpr double BOW = 0.18;
 constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
-constexpr double LARGEST_BOW = 0.5;
-// Detours, way / distance - 1: mean of a hand's, and what a tracker's error adds to the way, m, and m for
-// each second that it takes. Of gestures, a share goes astray by so many times that, because the tracker
-// does. Of any hand (1 + detour / OTHER_DETOUR)^-3: the distance of one that comes back to where it set out
-// is next to nothing.
-constexpr double DETOUR = 0.03;
-constexpr double DETOUR_M = 0.01;
-constexpr double DETOUR_M_S = 0.003;
-constexpr double ASTRAY = 0.1;
-constexpr double ASTRAY_TIMES = 3.0;
-constexpr double OTHER_DETOUR = 1.7;
-// How far a hand strays before the onset: at rest, in amplitudes, and what a tracker's error adds to it, m;
-// any hand, in amplitudes for each second that it is watched. Of gestures, those that begin without a rest;
-// nats against one whose rest nobody saw, as the hand must have come from elsewhere.
-constexpr double UNREST = 0.07;
-constexpr double UNREST_M = 0.002;
-constexpr double OTHER_UNREST_PER_S = 1.5;
-constexpr double ON_THE_GO = 0.001;
-constexpr double UNSEEN = 1.5;
-constexpr double LOG_SHORTER = 0.15; ///< of the logarithm of length / amplitude
-constexpr double LOG_LONGER = 0.5;   ///< a hand that reaches further than it was asked is common
-constexpr double LOG_LENGTHS = 3.7;  ///< the null model's: 5 % to twice the amplitude
-constexpr double LOG_DURATION = 0.55;
-constexpr double LOG_DURATIONS = 3.9; ///< 0.1 to 5 s
-/// Of gestures, those that are done at any pace.
-constexpr double OWN_PACE = 0.25;
-/// Nats against a gesture of several strokes: few are.
-constexpr double HESITATED = 0.5;
-/// Below this share of its peak speed a hand slows down, and goes at most so many times as far as a minimum
-/// jerk that does; but for a share of all.
-constexpr double SLOWS_DOWN = 0.85;
-constexpr double FURTHER = 2.0;
-constexpr double GOES_ON = 0.003;
-constexpr double START = 0.12; ///< amplitudes: how far from a task's start a hand begins
-/// A normal of that deviation at its peak, against a ball of 1.5 amplitudes anywhere in which a hand may
-/// begin: log((4/3) pi 1.5^3 / ((2 pi)^1.5 0.12^3)).
-constexpr double LOG_STARTS = 6.25;
-/// Amplitudes that a hand which comes into view on its way may have gone unseen; with nothing said of how
-/// far, log((4/3) pi 1.5^3 / (2 pi 0.12^2 0.45)).
-constexpr double ENTERED_BY = 0.45;
-constexpr double LOG_ENTRIES = 5.85;
 constexpr double IMPOSSIBLE = -1e3;
 
 /// Of the density of a normal whose deviation differs below and above its mode, 0.
@@ -72,12 +24,13 @@ double log_two_piece_normal(double x, double below, double above) {
 
 /// off: distance on the unit sphere from the axis.
 double direction_in_the_open(double off) {
-	return log_direction_ratio(off, TURNED);
+	return log_direction_ratio(off, DIRECTION);
 }
 
 /// The same where the axis is known: a normal.
 double direction_in_task(double off) {
-	return std::log(2.0 / (ANGLE * ANGLE)) - 0.5 * off * off / (ANGLE * ANGLE);
+	return std::log(2.0 / (TASK_DIRECTION * TASK_DIRECTION)) -
+			0.5 * off * off / (TASK_DIRECTION * TASK_DIRECTION);
 }
 
 /// Ways are as likely bowed by anything within BOW, and hardly beyond: exp(-(bow / BOW)^4) against the
@@ -107,13 +60,13 @@ double usual_detour(const Stroke &stroke, double length_m) {
 /// By how much less likely any hand goes such a detour than none, in nats, less the same of one that goes
 /// astray.
 double astray_evidence(double detour, double mean) {
-	return 3.0 * std::log1p(detour / OTHER_DETOUR) - detour / (ASTRAY_TIMES * mean);
+	return 3.0 * std::log1p(detour / OTHER_DETOUR) - detour / (LARGE_DETOUR * mean);
 }
 
 double detour_evidence(double detour, double mean) {
 	// The slower of the two exponentials is taken out, so that no detour is too long for a logarithm.
-	const double plain = (1.0 - ASTRAY) * std::exp(-detour / mean * (1.0 - 1.0 / ASTRAY_TIMES));
-	return std::log((plain + ASTRAY / ASTRAY_TIMES) / mean * 0.5 * OTHER_DETOUR) +
+	const double plain = (1.0 - LARGE_DETOUR_SHARE) * std::exp(-detour / mean * (1.0 - 1.0 / LARGE_DETOUR));
+	return std::log((plain + LARGE_DETOUR_SHARE / LARGE_DETOUR) / mean * 0.5 * OTHER_DETOUR) +
 			astray_evidence(detour, mean);
 }
 
@@ -121,14 +74,14 @@ double rest_evidence(const Stroke &stroke, double amplitude_m) {
 	const double unrest = stroke.unrest_m / amplitude_m, still = UNREST + UNREST_M / amplitude_m;
 	const double other = std::hypot(still, OTHER_UNREST_PER_S * stroke.watched_s);
 	const double ratio = std::exp(-0.5 * unrest * unrest * (1.0 / (still * still) - 1.0 / (other * other)));
-	return std::log((1.0 - ON_THE_GO) * ratio * other / still + ON_THE_GO) -
-			UNSEEN * (1.0 - stroke.watched_s / Stroke::REST_S);
+	return std::log((1.0 - NO_REST_SHARE) * ratio * other / still + NO_REST_SHARE) -
+			REST_UNSEEN * (1.0 - stroke.watched_s / REST_S);
 }
 
 double size_evidence(double log_length, double log_time) {
 	const double usual = std::exp(log_two_piece_normal(log_time, LOG_DURATION, LOG_DURATION)) * LOG_DURATIONS;
 	return log_two_piece_normal(log_length, LOG_SHORTER, LOG_LONGER) + std::log(LOG_LENGTHS) +
-			std::log((1.0 - OWN_PACE) * usual + OWN_PACE);
+			std::log((1.0 - ANY_PACE_SHARE) * usual + ANY_PACE_SHARE);
 }
 
 /// Of the way of a minimum jerk, that which is covered by the time that its speed has fallen to this share, 0
@@ -140,7 +93,7 @@ double covered(double speed_share) {
 /// By which a stroke may go off the way at its end, as it has gone so far.
 double best_off(double off, double length_m, double amplitude_m) {
 	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
-	return std::max(off - YET_TO_TURN * to_go * to_go, 0.0);
+	return std::max(off - LATER_TURN * to_go * to_go, 0.0);
 }
 
 /// m: from where the gesture may begin - the task's start or, of a hand that comes into view, the first part
@@ -151,7 +104,7 @@ FeaturePlace off_start(
 	const auto off = [&](const FeaturePlace &from) -> FeaturePlace {
 		const double along_m = (from - start).dot(way);
 		const double unseen_m = stroke.is_from_rest ? 0.0 : std::max(along_m, 0.0);
-		if (unseen_m > ENTERED_BY * amplitude_m) {
+		if (unseen_m > UNSEEN_PART * amplitude_m) {
 			return FeaturePlace::Constant(INFINITY);
 		}
 		// A radius has no place.
@@ -163,7 +116,7 @@ FeaturePlace off_start(
 }
 
 double start_evidence(const Stroke &stroke, const FeaturePlace &off_start_m, double amplitude_m) {
-	return (stroke.is_from_rest ? LOG_STARTS : LOG_ENTRIES - UNSEEN) -
+	return (stroke.is_from_rest ? LOG_STARTS : LOG_UNSEEN_STARTS - REST_UNSEEN) -
 			0.5 * off_start_m.squaredNorm() / (START * START * amplitude_m * amplitude_m);
 }
 
@@ -191,7 +144,7 @@ StrokeEvidence stroke_evidence(
 	StrokeEvidence evidence;
 	evidence.path = direction + straightness(stroke, length_m);
 	evidence.detour = detour_evidence(detour(stroke, length_m), usual_detour(stroke, length_m)) -
-			(stroke.is_joined ? HESITATED : 0.0);
+			(stroke.is_joined ? SEVERAL_STROKES : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
 	evidence.outlook =
@@ -201,18 +154,18 @@ StrokeEvidence stroke_evidence(
 
 double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m) {
 	const double share = speed_m_s / stroke.peak_m_s;
-	if (!(share < SLOWS_DOWN)) {
+	if (!(share < SLOWING_SHARE)) {
 		return 0.0;
 	}
 	const double longest_m = FURTHER * (stroke.to - stroke.from).norm() / covered(share);
 	const double z = std::min(std::log(longest_m / amplitude_m), 0.0) / LOG_SHORTER;
-	return std::log((1.0 - GOES_ON) * std::exp(-0.5 * z * z) + GOES_ON);
+	return std::log((1.0 - GOES_ON_SHARE) * std::exp(-0.5 * z * z) + GOES_ON_SHARE);
 }
 
 double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m) {
-	static const double at_most = bow_evidence(0.0) + detour_evidence(0.0, DETOUR) +
-			std::log((1.0 - ON_THE_GO) * std::hypot(1.0, OTHER_UNREST_PER_S * Stroke::REST_S / UNREST) +
-					ON_THE_GO) +
+	const double at_most = bow_evidence(0.0) + detour_evidence(0.0, DETOUR) +
+			std::log((1.0 - NO_REST_SHARE) * std::hypot(1.0, OTHER_UNREST_PER_S * REST_S / UNREST) +
+					NO_REST_SHARE) +
 			size_evidence(0.0, 0.0);
 	const FeaturePlace chord = stroke.to - stroke.from;
 	const double length_m = chord.norm();

@@ -42,10 +42,4 @@ struct StrokeEvidence {
 [[nodiscard]] double most_task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
 
-/// Of strokes, those that are a gesture while all kinds of motion may come: nats. Posterior odds of a gesture
-/// are exp(evidence + this).
-inline constexpr double LOG_PRIOR_OPEN = -5.0;
-/// The same while a task waits for this gesture at a known place.
-inline constexpr double LOG_PRIOR_TASK = 1.0;
-
 } // namespace steadyhand

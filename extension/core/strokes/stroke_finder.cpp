@@ -1,27 +1,17 @@
 #include "strokes/stroke_finder.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
 namespace {
 
-/// Longer than ObservationWindow's: a tracker's slow error moves by a centimetre in a tenth of a second.
-constexpr double WINDOW_S = 0.1;
-constexpr double ONSET_SHARE = 0.25; ///< of the peak speed
-constexpr double END_SHARE = 0.25;
-constexpr double SLOWEST_M_S = 1e-3;
-/// Standard deviation of white noise of each axis that passes, in smallest strokes: more is averaged. Means
-/// over a longer time bend the hand's own way.
-constexpr double STILL = 0.15, LONGEST_MEAN_S = 0.2;
+using namespace parameters;
+using namespace parameters::strokes;
+
 constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
-/// A tracker that shows nothing for longer has lost the hand, after the other it may have been anywhere.
-constexpr double LOST_S = 0.1, LONGEST_GAP_S = 1.0;
-/// Before a slow stroke the hand is watched for this share of the stroke's own time, or so long.
-constexpr double WATCH_SHARE = 0.8;
-constexpr double LONGEST_WATCH_S = 1.5;
-/// Between two halves of one gesture the hand rests no longer than this.
-constexpr double HESITATION_S = 1.0;
 
 } // namespace
 
@@ -81,7 +71,7 @@ void StrokeFinder::push(
 	const Sample now{ .t_s = measurement.t_s,
 		.place_m = scale_.cwiseProduct(place_m - displacement_m),
 		.shown_m = scale_.cwiseProduct(place_m) };
-	if (since_s > LONGEST_GAP_S) {
+	if (since_s > LONG_DROPOUT_S) {
 		recent_.clear();
 		restart(smoothed(now));
 		return;
@@ -136,7 +126,7 @@ void StrokeFinder::follow(Sample now) {
 		find_onset();
 	}
 	slow_moments_.push(now);
-	const bool is_slow = now.speed_m_s < END_SHARE * peak_m_s_;
+	const bool is_slow = now.speed_m_s < SPEED_SHARE * peak_m_s_;
 	list_strokes(now);
 	if (stroke_count_ > 0) {
 		ended_ = is_slow || velocity_m_s.dot(now.place_m - strokes_[0].from) < 0.0;
@@ -161,7 +151,7 @@ void StrokeFinder::list_strokes(const Sample &now) {
 	}
 	strokes_[stroke_count_++] = between(*onset_, now, peak_m_s_);
 	const bool goes_on = (now.place_m - onset_->place_m).norm() > smallest_m_;
-	if ((goes_on ? onset_->t_s : now.t_s) - earlier_end_s_ >= HESITATION_S) {
+	if ((goes_on ? onset_->t_s : now.t_s) - earlier_end_s_ >= PAUSE_S) {
 		return;
 	}
 	for (std::size_t i = earlier_count_; i > 0; --i) {
@@ -184,9 +174,9 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 
 void StrokeFinder::measure_rest(Sample &r_onset) const {
 	const double until_s = r_onset.speed_s;
-	double since_s = until_s - Stroke::REST_S;
-	r_onset.watched_s = Stroke::REST_S;
-	if (found_s_ > since_s && gap_s_ > LONGEST_GAP_S) {
+	double since_s = until_s - REST_S;
+	r_onset.watched_s = REST_S;
+	if (found_s_ > since_s && gap_s_ > LONG_DROPOUT_S) {
 		r_onset.watched_s = std::max(until_s - found_s_, 0.0);
 	} else if (found_s_ > since_s) {
 		since_s -= gap_s_;
@@ -195,8 +185,8 @@ void StrokeFinder::measure_rest(Sample &r_onset) const {
 }
 
 double StrokeFinder::unrest_m(const Stroke &stroke) const {
-	const double watch_s = std::min(WATCH_SHARE * (stroke.now_s - stroke.onset_s), LONGEST_WATCH_S);
-	if (watch_s <= Stroke::REST_S) {
+	const double watch_s = std::min(REST_SHARE * (stroke.now_s - stroke.onset_s), LONGEST_REST_S);
+	if (watch_s <= REST_S) {
 		return stroke.unrest_m;
 	}
 	const double then_s = stroke.onset_s - 0.5 * WINDOW_S;
@@ -205,7 +195,7 @@ double StrokeFinder::unrest_m(const Stroke &stroke) const {
 
 /// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
 void StrokeFinder::find_onset() {
-	const Sample *const rest = slow_moments_.last_slower_than(ONSET_SHARE * peak_m_s_);
+	const Sample *const rest = slow_moments_.last_slower_than(SPEED_SHARE * peak_m_s_);
 	if (rest == nullptr) {
 		onset_ = entry_;
 	} else if (!onset_ || rest->t_s > onset_->t_s) {
@@ -235,7 +225,7 @@ void StrokeFinder::begin_anew(const Sample &end) {
 
 /// The next one begins after it. Where the hand only trembled, it may have begun before.
 void StrokeFinder::remember_stroke(const Sample &onset, const Sample &end) {
-	if (onset.t_s - earlier_end_s_ >= HESITATION_S) {
+	if (onset.t_s - earlier_end_s_ >= PAUSE_S) {
 		earlier_count_ = 0;
 	}
 	if (earlier_count_ == EARLIER) {

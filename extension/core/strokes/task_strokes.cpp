@@ -1,5 +1,6 @@
 #include "strokes/task_strokes.h"
 
+#include "base/parameters.h"
 #include "strokes/stroke_evidence.h"
 
 #include <algorithm>
@@ -7,10 +8,8 @@
 namespace steadyhand {
 namespace {
 
-constexpr double SMALLEST_MOVE = 0.02; ///< amplitudes: a hand that rests beside the start has not begun
-constexpr double ALONG = 0.64;         ///< cosine of 50 degrees
-/// Shorter strokes (in amplitudes) do not say where they go.
-constexpr double LONG_ENOUGH = 0.5;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
 
 } // namespace
 

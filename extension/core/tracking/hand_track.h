@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "signal/constant_velocity_state.h"
 
 #include <Eigen/Core>
@@ -24,12 +25,6 @@ namespace steadyhand {
 /// speeds of real hands.
 class HandTrack {
 public:
-	/// Standard deviation of a hand's acceleration, m/s^2, which keeps over a frame. A 15 cm tap in 0.2 s
-	/// peaks at 22 m/s^2 (5.77 A / T^2, Flash & Hogan 1985).
-	static constexpr double ACCELERATION_M_S2 = 15.0;
-	/// Standard deviation of a hand's velocity, m/s. The fastest gestures peak at 3 m/s.
-	static constexpr double SPEED_M_S = 1.0;
-
 	HandTrack() = default;
 	/// First seen at position_m.
 	HandTrack(double t_s, const Eigen::Vector3d &position_m, const Eigen::Vector3d &velocity_m_s,
@@ -40,7 +35,7 @@ public:
 			axes_[i] = { .position = position_m[axis],
 				.velocity = velocity_m_s[axis],
 				.p00 = noise_m[axis] * noise_m[axis],
-				.p11 = SPEED_M_S * SPEED_M_S };
+				.p11 = parameters::tracker::SPEED_M_S * parameters::tracker::SPEED_M_S };
 		}
 	}
 
@@ -51,12 +46,14 @@ public:
 		step_s_ = dt_s;
 		from_m_ = position_m();
 		for (ConstantVelocityState &axis : axes_) {
-			const double furthest_m = SPEED_M_S * (dt_s + stamp_error_s);
+			const double furthest_m = parameters::tracker::SPEED_M_S * (dt_s + stamp_error_s);
 			const double before = axis.p00;
-			axis.predict(dt_s, ACCELERATION_M_S2 * ACCELERATION_M_S2 * dt_s);
-			axis.p00 += SPEED_M_S * SPEED_M_S * stamp_error_s * stamp_error_s;
+			axis.predict(dt_s,
+					parameters::tracker::ACCELERATION_M_S2 * parameters::tracker::ACCELERATION_M_S2 * dt_s);
+			axis.p00 += parameters::tracker::SPEED_M_S * parameters::tracker::SPEED_M_S * stamp_error_s *
+					stamp_error_s;
 			axis.p00 = std::min(axis.p00, before + furthest_m * furthest_m);
-			axis.p11 = std::min(axis.p11, SPEED_M_S * SPEED_M_S);
+			axis.p11 = std::min(axis.p11, parameters::tracker::SPEED_M_S * parameters::tracker::SPEED_M_S);
 			axis.p01 = std::clamp(axis.p01, -std::sqrt(axis.p00 * axis.p11), std::sqrt(axis.p00 * axis.p11));
 		}
 	}
@@ -81,8 +78,8 @@ public:
 	void fall_behind(const Eigen::Vector3d &position_m) {
 		const Eigen::Vector3d velocity = velocity_m_s();
 		behind_s_ += step_s_ - time_along(velocity, position_m - from_m_);
-		behind_s_ = std::clamp(behind_s_, 0.0, MOST_BEHIND_S);
-		if (velocity.norm() > late_m_s_.norm() || t_s_ - late_s_ > MOST_BEHIND_S) {
+		behind_s_ = std::clamp(behind_s_, 0.0, parameters::tracker::MOST_BEHIND_S);
+		if (velocity.norm() > late_m_s_.norm() || t_s_ - late_s_ > parameters::tracker::MOST_BEHIND_S) {
 			late_m_s_ = velocity;
 			late_s_ = t_s_;
 		}
@@ -109,9 +106,6 @@ public:
 	}
 
 private:
-	/// A busy computer delivers a frame so late at most, and then those that waited.
-	static constexpr double MOST_BEHIND_S = 0.06;
-
 	double t_s_ = 0.0;
 	double step_s_ = 0.0;                                ///< of the last predict()
 	double late_s_ = 0.0;                                ///< when the hand was fastest of late

@@ -1,11 +1,18 @@
 #include "tracking/tracker_monitor.h"
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
 namespace steadyhand {
+namespace {
+
+using namespace parameters::tracker;
+
+} // namespace
 
 Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) {
 	Measurement measurement{ .t_s = t_s, .position_m = position_m };
@@ -140,7 +147,6 @@ void TrackerMonitor::time(double t_s) {
 /// Includes the error of the stamp, which shifts a moving hand: where a camera and its reader have two
 /// clocks, a reading is up to one period old.
 Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
-	constexpr double MOST_UNDERESTIMATED = 1.5; // a deviation from 14 differences, once in a hundred times
 	const Eigen::Vector3d shift_m = hand_.velocity_m_s() * (period_s_ / std::sqrt(12.0));
 	const Eigen::Vector3d noise_m = MOST_UNDERESTIMATED * noise_.deviation_m();
 	return (noise_m.cwiseAbs2() + shift_m.cwiseAbs2()).cwiseSqrt();
@@ -203,7 +209,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double jumped = r_jump.track.log_likelihood(off_jumped_m, noise_m);
 	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
 	// A hand that made the jump itself goes on at its speed; a tracker that did shows the hand's own.
-	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * HandTrack::SPEED_M_S &&
+	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * SPEED_M_S &&
 			(r_measurement.position_m - goes_on_m).norm() <
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
 	if (is_motion) { // of which nothing was seen
@@ -240,7 +246,6 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 
 /// A hand that was shown standing, as by a tracker that lost it, is shown again where it has gone on to.
 bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const {
-	constexpr double STOOD = 0.5; // of the speed before
 	if (hand_.velocity_m_s().norm() >= STOOD * fastest_m_s_.norm() || way_m.dot(fastest_m_s_) <= 0.0) {
 		return false;
 	}
@@ -249,7 +254,6 @@ bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const 
 
 /// To where the hand is if it moved as it was shown to meanwhile, or went on or stood where it was lost.
 bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
-	constexpr double UNDONE = 0.5; // of the jump: nearer to where the hand would be than to where it is shown
 	const double away_s = t_s - jump.since_s, undone_m = UNDONE * jump.way_m.norm();
 	const Eigen::Vector3d moved_m = hand_.position_m() - jump.way_m;
 	const Eigen::Vector3d off_m = off_path_m(position_m - jump.from_m, jump.hand_m_s, away_s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/parameters.h"
 #include "signal/ring.h"
 #include "tracking/hand_track.h"
 #include "tracking/measurement.h"
@@ -23,7 +24,7 @@ public:
 
 	/// A frame should have come by now: a dropout is under way.
 	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
-	/// Between new readings, median; UNKNOWN_PERIOD_S before the second one.
+	/// Between new readings, median; parameters::tracker::UNKNOWN_PERIOD_S before the second one.
 	[[nodiscard]] double period_s() const { return period_s_; }
 	[[nodiscard]] bool is_period_known() const { return !intervals_s_.empty(); }
 	/// Standard deviation of white noise per axis, root mean square of the three.
@@ -32,23 +33,6 @@ public:
 	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
 
 private:
-	static constexpr double UNKNOWN_PERIOD_S = 1.0 / 30.0; ///< the slowest camera in use
-	/// No hand tracker looks more often: frames closer together waited for each other on the way.
-	static constexpr double BURST_S = 1e-3;
-	/// Loaded trackers often skip one or two frames. Half a period more, because stamps jitter.
-	static constexpr double DROPOUT_PERIODS = 3.5;
-	static constexpr double LEAST_DROPOUT_S = 0.03;
-	static constexpr double FREEZE_PERIODS = 2.5; ///< so that the third repeated reading is one
-	/// Of jumps, and of freezes: recordings of Leap Motion have 0.05 to 0.5 jumps a second.
-	static constexpr double FAULTS_PER_S = 0.3;
-	/// Standard deviation of a jump per axis, m: 10 to 60 mm of a lost model, 0.3 m to the other hand.
-	static constexpr double JUMP_M = 0.1;
-	/// Wrong poses of one to ten frames last up to 90 ms; a tracker that stays longer has moved its origin.
-	static constexpr double LONGEST_JUMP_S = 0.09;
-	/// A jump that is undone within this time was one of the tracker. After a longer gap the hand may be
-	/// anywhere.
-	static constexpr double MEMORY_S = 0.4;
-
 	/// Where the tracker shows the hand since it jumped.
 	struct Jump {
 		double since_s = 0.0;
@@ -73,7 +57,7 @@ private:
 	double kept_s_ = 0.0; ///< of the newest reading but for those of a burst
 	double used_s_ = 0.0; ///< of the newest usable reading but for those that replaced it
 	Ring<double, 8> intervals_s_;
-	double period_s_ = UNKNOWN_PERIOD_S;
+	double period_s_ = parameters::tracker::UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
 	HandTrack hand_;
 	std::optional<Jump> jump_;

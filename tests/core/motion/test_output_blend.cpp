@@ -11,7 +11,7 @@ using namespace steadyhand;
 TEST_CASE(
 		"what a blend adds obeys x'' = -2 a x' - a^2 x, from the value and the velocity that it began with") {
 	constexpr double BEGAN_S = 3.0, STEP_S = 1e-6;
-	for (const double rate_per_s : { 4.0, BLEND_RATE_PER_S }) {
+	for (const double rate_per_s : { 4.0, parameters::FRAME_BLEND_PER_S }) {
 		for (const auto &[value, velocity] :
 				{ std::pair{ 0.3, 0.0 }, std::pair{ 0.0, -2.0 }, std::pair{ 0.1, 5.0 } }) {
 			OutputBlend blend;

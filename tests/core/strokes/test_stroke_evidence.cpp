@@ -21,7 +21,7 @@ Stroke straight(double length_m) {
 	stroke.to = FeaturePlace(length_m, 0.0, 0.0, 0.0);
 	stroke.middle = 0.5 * stroke.to;
 	stroke.way_m = length_m;
-	stroke.watched_s = Stroke::REST_S;
+	stroke.watched_s = parameters::strokes::REST_S;
 	return stroke;
 }
 
@@ -141,7 +141,7 @@ TEST_CASE("no stroke exceeds the greatest evidence, the best comes near") {
 		stroke.way_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
 		stroke.now_s = 0.1 + 3.0 * uniform(random);
 		stroke.unrest_m = 0.2 * std::pow(uniform(random), 3.0);
-		stroke.watched_s = Stroke::REST_S * uniform(random);
+		stroke.watched_s = parameters::strokes::REST_S * uniform(random);
 		const StrokeEvidence come = evidence(stroke);
 		const double most = most_evidence(stroke, FeaturePlace::UnitX(), 0.2);
 		REQUIRE(come.so_far() + come.outlook <= most + 1e-12);

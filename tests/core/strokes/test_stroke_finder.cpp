@@ -119,7 +119,7 @@ TEST_CASE("a stroke knows how still the hand was before it") {
 	const Stroke rested = longest(from_rest, 110.0);
 	CHECK(rested.unrest_m < 0.01);
 	CHECK(rested.watched_s > 0.4);
-	CHECK(rested.watched_s <= Stroke::REST_S);
+	CHECK(rested.watched_s <= parameters::strokes::REST_S);
 	// Comes from 10 cm above and is there 0.1 s before it sets out.
 	const auto from_above = [&](double t_s) {
 		const test::Drag down{ .onset_s = 0.5, .duration_s = 0.4, .amplitude_m = 0.1 };
