@@ -6,10 +6,7 @@
 
 #include "events/gesturing_hands.h"
 #include "events/idle_hands.h"
-#include "events/performance.h"
-#include "events/plain_tracker.h"
-#include "events/said.h"
-#include "events/verdict.h"
+#include "events/run.h"
 #include "models.h"
 
 #include <algorithm>
@@ -32,13 +29,6 @@ namespace {
 using namespace steadyhand;
 using namespace steadyhand::bench;
 
-struct NamedTracker {
-	const char *name;
-	TrackerKind kind;
-};
-constexpr std::array TRACKERS{ NamedTracker{ "0.1 mm", TrackerKind::GOOD },
-	NamedTracker{ "1 mm", TrackerKind::NOISY }, NamedTracker{ "bad", TrackerKind::BAD } };
-
 struct NamedContext {
 	const char *name;
 	Context context;
@@ -51,23 +41,6 @@ struct Setting {
 	std::uint64_t runs;
 	double min_confidence;
 };
-
-struct Run {
-	Performance hand;
-	std::vector<Said> said;
-	std::set<std::string> faults;
-};
-
-Run run(const Models &models, const HandKind &kind, TrackerKind tracker, Context context, std::uint64_t seed,
-		double min_confidence = 0.0) {
-	Performance hand(models, context, kind.movements.at(seed), seed);
-	kind.perform(hand, hand.draws());
-	const std::vector<HandFrame> frames =
-			PlainTracker(tracker_traits(tracker, seed), seed).watch(hand.plan());
-	std::vector<Said> said = follow(hand.gestures(), frames, hand.now_s(), min_confidence);
-	std::set<std::string> faults = Verdict(hand.expected(), said, tracker == TrackerKind::BAD).faults();
-	return { std::move(hand), std::move(said), std::move(faults) };
-}
 
 /// Of runs without a fault.
 double percent_right(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "base/parameters.h"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace steadyhand::bench {
+
+/// A mechanism, and values of parameters with which it does nothing.
+struct Mechanism {
+	const char *name;
+	std::vector<std::pair<double *, double>> off;
+};
+
+namespace ablation {
+
+using namespace parameters;
+namespace s = parameters::strokes;
+namespace r = parameters::sessions;
+namespace t = parameters::tracker;
+
+constexpr double NEVER = 1e9, NONE = 1e-9;
+
+} // namespace ablation
+
+inline std::vector<Mechanism> mechanisms() {
+	using namespace ablation;
+	return {
+		{ "tracker mode LAGGING", { { &LAGGING_SHARE, 0.0 }, { &LAGGING_AT_LEAST, 0.0 } } },
+		{ "faults are evidence of a lag",
+				{ { &LOG_FAULTS, 0.0 }, { &LOG_JUMPS, 0.0 }, { &LOG_FAULTS_PER_S, 0.0 },
+						{ &FAULTS_PER_S, 0.0 } } },
+		{ "a jump is evidence of a lag", { { &LOG_JUMPS, NONE } } },
+		{ "a longer fault is more evidence", { { &LOG_FAULTS_PER_S, 0.0 } } },
+		{ "time without faults is evidence of none", { { &FAULTS_PER_S, 0.0 } } },
+		{ "evidence of a lag is forgotten", { { &LAGGING_SWITCH_PER_S, 0.0 } } },
+		{ "least probability of a lag", { { &LAGGING_AT_LEAST, 0.0 } } },
+		{ "further latency after a fault", { { &FAULTY_LATENCY_S, 0.0 } } },
+		{ "lag builds up", { { &LAG_SETTLING_S, 0.0 } } },
+		{ "error of a lagging tracker grows", { { &LAGGING_ERROR, 0.05 }, { &LAGGING_ERROR_ON_WAY, 0.0 } } },
+		{ "share of the minimum-jerk curve", { { &SHAPE_MEAN, 0.0 }, { &SHAPE_SPREAD, NONE } } },
+		{ "unknown endpoint", { { &GAIN_SPREAD, NONE } } },
+		{ "change of pace", { { &PACE_WALK, 0.0 } } },
+		{ "hand deviates from the curve", { { &DEVIATION, 1e-3 } } },
+		{ "errors of close frames are alike", { { &ALIKE_S, 0.0 } } },
+		{ "outliers that TrackerMonitor misses", { { &OUTLIERS, NONE } } },
+		{ "hand mode FREE", { { &GESTURE_TO_FREE_PER_S, 0.0 }, { &HOLD_TO_FREE_PER_S, 0.0 } } },
+		{ "hold within a gesture", { { &GESTURE_TO_HOLD_PER_S, 0.0 } } },
+		{ "births only near the start", { { &START_SPREAD, NEVER } } },
+		{ "unseen onsets are not put out", { { &UNSEEN_S, 0.0 } } },
+		{ "early phases are not put out", { { &VISIBLE_PHASE, 0.0 } } },
+
+		{ "TrackerMonitor: jumps and freezes", { { &t::FAULTS_PER_S, 1e-300 } } },
+		{ "TrackerMonitor: dropouts", { { &t::DROPOUT_PERIODS, NEVER } } },
+		{ "TrackerMonitor: catch-up is no displacement", { { &t::STOOD, 0.0 } } },
+		{ "TrackerMonitor: margin of the noise", { { &t::MOST_UNDERESTIMATED, 1.0 } } },
+		{ "TrackerMonitor: late frames", { { &t::MOST_BEHIND_S, 0.0 } } },
+
+		{ "with a task: strokes decide", { { &s::LOG_PRIOR_TASK, 1e3 } } },
+		{ "with a task: strokes decide early ends", { { &r::STOP_LOG_ODDS, -NEVER } } },
+		{ "with a task: probability of a start", { { &r::START_PROBABILITY, 0.0 } } },
+		{ "with a task: drift delays the start", { { &r::START_DRIFTS, 0.0 } } },
+		{ "with a task: drift is no return", { { &r::TURNED_BACK_DRIFTS, 0.0 } } },
+		{ "with a task: rest at the start aborts", { { &r::REST_PROBABILITY, NEVER } } },
+		{ "with a task: halfway starts at any probability", { { &r::HALFWAY, NEVER } } },
+		{ "with a task: direction of a start", { { &r::ALONG, -1.0 } } },
+		{ "with a task: gestures that enter the view", { { &s::UNSEEN_PART, 0.0 } } },
+
+		{ "strokes: direction", { { &s::DIRECTION, NEVER } } },
+		{ "strokes: later turn", { { &s::LATER_TURN, 0.0 } } },
+		{ "strokes: bow", { { &s::BOW, 0.55 } } },
+		{ "strokes: large detours", { { &s::LARGE_DETOUR_SHARE, NONE } } },
+		{ "strokes: detour by the tracker's error", { { &s::DETOUR_M, 0.0 }, { &s::DETOUR_M_S, 0.0 } } },
+		{ "strokes: detour by its duration", { { &s::DETOUR_M_S, 0.0 } } },
+		{ "strokes: rest before", { { &s::NO_REST_SHARE, 1.0 - NONE }, { &s::REST_UNSEEN, 0.0 } } },
+		{ "strokes: rest unseen", { { &s::REST_UNSEEN, 0.0 } } },
+		{ "strokes: longer rest before slow ones", { { &s::LONGEST_REST_S, 0.0 } } },
+		{ "strokes: duration", { { &s::ANY_PACE_SHARE, 1.0 - NONE } } },
+		{ "strokes: any pace", { { &s::ANY_PACE_SHARE, NONE } } },
+		{ "strokes: slowing down", { { &s::SLOWING_SHARE, 0.0 } } },
+		{ "strokes: several are one gesture", { { &s::SEVERAL_STROKES, NEVER } } },
+		{ "strokes: several are less likely", { { &s::SEVERAL_STROKES, 0.0 } } },
+		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } } },
+		{ "strokes: clear direction despite noise", { { &r::NOISE_TIMES, 0.0 } } },
+		{ "strokes: hopeless ones abort", { { &r::HOPELESS, -NEVER } } },
+		{ "strokes: barely begun ones abort", { { &r::BARELY_BEGUN, 0.0 } } },
+		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } } },
+		{ "strokes: tail after an end", { { &r::TAIL, 0.0 } } },
+		{ "strokes: start before the onset", { { &r::BEFORE_ONSET_S, 0.0 } } },
+
+		{ "several gestures: margin of a change", { { &r::SWITCH_MARGIN, 0.0 } } },
+		{ "several gestures: part of another", { { &r::PART, 0.0 } } },
+	};
+}
+
+} // namespace steadyhand::bench

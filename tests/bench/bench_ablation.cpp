@@ -1,0 +1,211 @@
+// What each mechanism of `phase` mode is worth: all measures without it, minus those with it. Prints
+// docs/ablation.md:
+//
+//     bench_ablation [MODELS [RUNS [TRIALS...]]]
+//
+// MODELS: folder of the models, by default models. RUNS: of each hand of bench_events (8). TRIALS: trial sets
+// of real hands. Compiled with STEADYHAND_VARIABLE_PARAMETERS.
+
+#include "ablation/mechanisms.h"
+#include "events/gesturing_hands.h"
+#include "events/idle_hands.h"
+#include "events/run.h"
+#include "matrix/bounds.h"
+#include "matrix/measures.h"
+#include "matrix/recogniser_estimator.h"
+#include "matrix/scenarios.h"
+#include "metrics/summary.h"
+#include "models.h"
+#include "trials.h"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+namespace {
+
+using namespace steadyhand;
+using namespace steadyhand::bench;
+
+/// One number for each trial or run, in equal order with and without a mechanism.
+using Sample = std::vector<double>;
+
+/// Calls f(index) for all, on all processors.
+template <class Function> Sample each(std::size_t count, const Function &f) {
+	Sample values(count);
+	std::atomic<std::size_t> next = 0;
+	std::vector<std::jthread> workers;
+	for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1U); ++i) {
+		workers.emplace_back([&] {
+			for (std::size_t k = next++; k < count; k = next++) {
+				values[k] = f(k);
+			}
+		});
+	}
+	workers.clear();
+	return values;
+}
+
+class Measure {
+public:
+	Measure(Models models, std::uint64_t runs, std::vector<SyntheticTrial> simulated,
+			std::vector<SyntheticTrial> real) :
+			models_(std::move(models)),
+			runs_(runs), simulated_(std::move(simulated)), real_(std::move(real)) {}
+
+	struct Samples {
+		std::array<Sample, 4> r2_zero; ///< simulated and real, unstable and stable each
+		Sample bounds;                 ///< of bench_matrix, %: outside
+		Sample task, open;             ///< runs of bench_events, %: with a fault
+		Sample starts, alarms; ///< a minute of hands that make no gesture: with a task, and without one
+	};
+	[[nodiscard]] Samples all() const {
+		return { { accuracy(simulated_, HandPosition::UNSTABLE), accuracy(real_, HandPosition::UNSTABLE),
+						 accuracy(simulated_, HandPosition::STABLE), accuracy(real_, HandPosition::STABLE) },
+			bounds(), faulty(Context::TASK), faulty(Context::OPEN),
+			needless(Context::TASK, Happening::STARTED), needless(Context::OPEN, Happening::ENDED) };
+	}
+
+private:
+	Models models_;
+	std::uint64_t runs_;
+	std::vector<SyntheticTrial> simulated_, real_;
+
+	std::vector<matrix::Scenario> scenarios_ = matrix::Scenarios().all();
+
+	[[nodiscard]] const std::shared_ptr<const GestureModel> &model_of(std::string_view gesture) const {
+		return *std::ranges::find(models_, gesture, [](const auto &model) { return model->gesture; });
+	}
+	[[nodiscard]] Sample accuracy(const std::vector<SyntheticTrial> &trials, HandPosition position) const {
+		std::vector<const SyntheticTrial *> chosen;
+		for (const SyntheticTrial &one : trials) {
+			if (one.trial.position == position && one.trial.gesture != NO_GESTURE) {
+				chosen.push_back(&one);
+			}
+		}
+		return each(chosen.size(), [&](std::size_t i) {
+			const auto &model = model_of(chosen[i]->trial.gesture);
+			GestureRecogniser recogniser({ model }, task_of(*chosen[i]), MotionMode::PHASE,
+					estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
+			constexpr double OUTPUTS_PER_S = 250.0;
+			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
+		});
+	}
+	[[nodiscard]] Sample bounds() const {
+		return each(scenarios_.size(), [&](std::size_t i) {
+			const matrix::Scenario &one = scenarios_[i];
+			const bool is_tap = one.gesture == matrix::Gesture::TAP;
+			matrix::RecogniserEstimator estimator(
+					model_of(is_tap ? "tap" : "horizontal_drag"), one.task, 0.0);
+			const matrix::Measures measured = matrix::measure(one, estimator);
+			double checks = 0.0, outside = 0.0;
+			for (const matrix::Bound &bound : matrix::BOUNDS) {
+				if (applies(bound, one)) {
+					checks += 1.0;
+					outside += value_of(bound.metric, one, measured) > bound.limit ? 1.0 : 0.0;
+				}
+			}
+			return checks > 0.0 ? 100.0 * outside / checks : 0.0;
+		});
+	}
+	[[nodiscard]] Run run_of(std::span<const HandKind> kinds, Context context, std::size_t i) const {
+		const HandKind &kind = kinds[i / (runs_ * TRACKERS.size())];
+		return run(models_, kind, TRACKERS[i / runs_ % TRACKERS.size()].kind, context, i % runs_);
+	}
+	[[nodiscard]] Sample faulty(Context context) const {
+		return each(GESTURING_HANDS.size() * TRACKERS.size() * runs_, [&](std::size_t i) {
+			return run_of(GESTURING_HANDS, context, i).faults.empty() ? 0.0 : 100.0;
+		});
+	}
+	[[nodiscard]] Sample needless(Context context, Happening happening) const {
+		return each(IDLE_HANDS.size() * TRACKERS.size() * runs_, [&](std::size_t i) {
+			const Run one = run_of(IDLE_HANDS, context, i);
+			return 60.0 / one.hand.now_s() *
+					static_cast<double>(std::ranges::count(one.said, happening, &Said::happening));
+		});
+	}
+};
+
+/// A cell: mean change and its standard error; bold beyond two standard errors.
+void print_change(const Sample &with, const Sample &without, int decimals) {
+	if (with.empty()) {
+		std::printf(" - |");
+		return;
+	}
+	Sample change(with.size());
+	std::ranges::transform(without, with, change.begin(), std::minus());
+	const double mean_change = mean(change), n = static_cast<double>(change.size());
+	double squares = 0.0;
+	for (const double one : change) {
+		squares += (one - mean_change) * (one - mean_change);
+	}
+	const double error = std::sqrt(squares / (n * (n - 1.0)));
+	const char *const bold = std::abs(mean_change) > 2.0 * error ? "**" : "";
+	std::printf(" %s%+.*f%s ± %.*f |", bold, decimals, mean_change, bold, decimals, error);
+}
+
+void print_head(const Measure::Samples &with) {
+	std::printf("| | simulated, unstable | real, unstable | simulated, stable | real, stable | outside "
+				"bounds, %% | "
+				"with a task, %% | without a task, %% | needless starts | false alarms |\n"
+				"| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n| all mechanisms |");
+	for (const Sample &r2_zero : with.r2_zero) {
+		r2_zero.empty() ? std::printf(" - |") : std::printf(" %.4f |", mean(r2_zero));
+	}
+	std::printf(" %.2f | %.1f | %.1f | %.1f | %.2f |\n", mean(with.bounds), mean(with.task), mean(with.open),
+			mean(with.starts), mean(with.alarms));
+}
+
+} // namespace
+
+int main(int count, char **arguments) {
+	const Models models = read_models(count > 1 ? arguments[1] : "models");
+	std::uint64_t runs = 8;
+	if (count > 2) {
+		const std::string_view text = arguments[2];
+		if (std::from_chars(text.data(), text.data() + text.size(), runs).ec != std::errc() || runs == 0) {
+			std::fprintf(stderr, "bench_ablation: RUNS must be a whole number of at least 1, is %s\n",
+					arguments[2]);
+			return 1;
+		}
+	}
+	std::vector<SyntheticTrial> simulated = tuning_trials(12, 2, { 1.0, 0.6 }), real;
+	for (int i = 3; i < count; ++i) {
+		std::ranges::move(read_trials(arguments[i]), std::back_inserter(real));
+	}
+	if (models.empty() || simulated.empty()) {
+		return 1;
+	}
+	const Measure measure(models, runs, std::move(simulated), std::move(real));
+	const Measure::Samples with = measure.all();
+	print_head(with);
+	for (const Mechanism &mechanism : mechanisms()) {
+		std::vector<double> kept;
+		for (const auto &[parameter, off] : mechanism.off) {
+			kept.push_back(std::exchange(*parameter, off));
+		}
+		const Measure::Samples without = measure.all();
+		for (std::size_t i = 0; i < kept.size(); ++i) {
+			*mechanism.off[i].first = kept[i];
+		}
+		std::printf("| %s |", mechanism.name);
+		for (std::size_t i = 0; i < with.r2_zero.size(); ++i) {
+			print_change(with.r2_zero[i], without.r2_zero[i], 4);
+		}
+		print_change(with.bounds, without.bounds, 2);
+		print_change(with.task, without.task, 1);
+		print_change(with.open, without.open, 1);
+		print_change(with.starts, without.starts, 1);
+		print_change(with.alarms, without.alarms, 2);
+		std::printf("\n");
+		std::fflush(stdout);
+	}
+	return 0;
+}
