@@ -37,6 +37,10 @@ def without_one(prefix: Path) -> Iterator[Outcome]:
     (prefix / "lib" / LIBRARY).touch()
     status, output = run(["scons", "-Q", "-n", f"godot_cpp={prefix}"])
     compiled = re.findall(r"^  compile  (\S+)$", output, re.MULTILINE)
+    joint = [ROOT / source for source in compiled if Path(source).name.startswith("unity_")]
+    compiled += [
+        source for path in joint for source in re.findall(r'^#include "(.+)"$', path.read_text(), re.MULTILINE)
+    ]
     nodes = {str(path.relative_to(ROOT)) for path in (ROOT / "extension/nodes").glob("*.cpp")}
     own = [source for source in compiled if "bindings" in source]
     good = status == 0 and nodes <= set(compiled) and not own

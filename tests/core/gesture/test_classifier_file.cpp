@@ -6,7 +6,9 @@
 #include <sstream>
 #include <string>
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 /// Tests run in the repository's root.
@@ -48,4 +50,3 @@ TEST_CASE("a damaged classifier gives one error with line and reason") {
 }
 
 } // namespace
-} // namespace steadyhand::test

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <random>
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 constexpr int SYMBOLS = 5;
@@ -81,4 +83,3 @@ TEST_CASE("a million symbols leave the filler's likelihood finite and additive")
 }
 
 } // namespace
-} // namespace steadyhand::test

@@ -8,7 +8,9 @@
 #include <numbers>
 #include <random>
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 constexpr double EVIDENCE = 0.5, ONSET_PRIOR = 0.01;
@@ -143,4 +145,3 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 }
 
 } // namespace
-} // namespace steadyhand::test

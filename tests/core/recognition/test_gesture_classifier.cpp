@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <iterator>
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 using News = GestureSpotter::News;
@@ -191,4 +193,3 @@ TEST_CASE("frames without an index tip, and hands a mile away, find nothing and 
 }
 
 } // namespace
-} // namespace steadyhand::test

@@ -5,7 +5,9 @@
 #include "gesture_events.h"
 #include "simulation/classifier_set.h"
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 /// Named as the gestures of the HMMs, of which they have only the motion.
@@ -144,4 +146,3 @@ TEST_CASE("spotting allocates nothing per frame") {
 }
 
 } // namespace
-} // namespace steadyhand::test

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 
-namespace steadyhand::test {
+using namespace steadyhand;
+using namespace steadyhand::test;
+
 namespace {
 
 SyntheticSetOptions few(Population population, std::uint32_t subjects, std::uint32_t repetitions) {
@@ -81,4 +83,3 @@ TEST_CASE("of people it was not trained on, nine of ten steady gestures are foun
 }
 
 } // namespace
-} // namespace steadyhand::test
