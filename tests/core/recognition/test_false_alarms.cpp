@@ -115,7 +115,7 @@ TEST_CASE("random movement of synthetic people ends nothing and has low confiden
 	CHECK(sum_of_greatest <= 0.4 * begun);
 }
 
-TEST_CASE("a hand that wanders by 1 cm is mostly idle") {
+TEST_CASE("a hand that wanders by 1 cm is mostly idle" * doctest::test_suite("figures")) {
 	constexpr int HANDS = 16;
 	constexpr double SECONDS = 20.0, WANDERS_M = 0.01;
 	struct Pace {

@@ -119,7 +119,7 @@ TEST_CASE("a classifier that was reset is as a new one, to the last bit") {
 	}
 }
 
-TEST_CASE("ten minutes of rest before a drag change nothing") {
+TEST_CASE("ten minutes of rest before a drag change nothing" * doctest::test_suite("figures")) {
 	const std::vector<Spotted> early = spot(frames_of({}));
 	const std::vector<Spotted> spotted = spot(frames_of({ .start_s = 601.0, .length_s = 603.0 }));
 	check_one(spotted, "horizontal_drag");

@@ -118,7 +118,7 @@ TEST_CASE("a larger or smaller zoom is shown as such, despite a dropout") {
 	}
 }
 
-TEST_CASE("fingers that fidget end at most 0.2 zooms a minute") {
+TEST_CASE("fingers that fidget end at most 0.2 zooms a minute" * doctest::test_suite("figures")) {
 	const Subject subject = draw_subject(Population::TUNE, 1);
 	StageEntries ended(GestureSession::Stage::ENDED);
 	for (std::uint64_t seed = 0; seed < 60; ++seed) {

@@ -34,7 +34,8 @@ TEST_CASE("turned trials run up to 20 degrees off the gesture's axes, every othe
 	CHECK(forward == 6);
 }
 
-TEST_CASE("equal recordings train an equal classifier, one HMM for each direction") {
+TEST_CASE("equal recordings train an equal classifier, one HMM for each direction" *
+		doctest::test_suite("figures")) {
 	const auto trials = make_turned_trials(few(Population::TRAIN, 2, 4)).value();
 	ClassifierTrainingOptions options;
 	options.symbols = 16;

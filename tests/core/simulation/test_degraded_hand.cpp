@@ -139,7 +139,7 @@ TEST_SUITE("degraded hand") {
 		CHECK(std::signbit(back.hand.position(Joint::PALM).x()));
 	}
 
-	TEST_CASE("dropouts come at their rate and last their time") {
+	TEST_CASE("dropouts come at their rate and last their time" * doctest::test_suite("figures")) {
 		DegradeSettings settings;
 		settings.dropouts_per_minute = 12.0;
 		settings.dropout_s = 0.25;
@@ -194,7 +194,8 @@ TEST_SUITE("degraded hand") {
 		CHECK(sum_m.norm() / (10.0 * static_cast<double>(lengths.size())) < 0.01);
 	}
 
-	TEST_CASE("drift has its deviation and time constant, the same for all joints") {
+	TEST_CASE("drift has its deviation and time constant, the same for all joints" *
+			doctest::test_suite("figures")) {
 		DegradeSettings settings;
 		settings.drift_m = 4e-3;
 		settings.drift_s = 2.0;

@@ -48,7 +48,8 @@ TEST_CASE("a rare jump does not change the measured noise") {
 	CHECK(noise.deviation_m().maxCoeff() < 0.3e-3);
 }
 
-TEST_CASE("a tracker repeats a resting hand as often as two rounded readings agree") {
+TEST_CASE("a tracker repeats a resting hand as often as two rounded readings agree" *
+		doctest::test_suite("figures")) {
 	// Noise of two steps: brute force over drawn readings.
 	constexpr double STEP_M = 0.1e-3;
 	Random random(6);

@@ -124,7 +124,8 @@ TEST_CASE("reported faults on real moves are found") {
 	}
 }
 
-TEST_CASE("synthetic people before trackers without faults have no jump and no freeze") {
+TEST_CASE("synthetic people before trackers without faults have no jump and no freeze" *
+		doctest::test_suite("figures")) {
 	for (const SensorProfile &of_table : sensor_profiles()) {
 		CAPTURE(of_table.name);
 		SensorProfile profile = of_table;

@@ -81,7 +81,8 @@ TrackingSurvey surveyed_at_two(
 
 } // namespace
 
-TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not") {
+TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not" *
+		doctest::test_suite("figures")) {
 	int distinct = 0;
 	double stable_severity = 0.0;
 	double unstable_severity = 0.0;
@@ -131,7 +132,7 @@ TEST_CASE("a hand that is first seen at one end of its reach is followed to the 
 	CHECK((proposal.value().unstable.position_m - far_m).norm() < 1e-3);
 }
 
-TEST_CASE("a sensor that is alike everywhere has no two positions") {
+TEST_CASE("a sensor that is alike everywhere has no two positions" * doctest::test_suite("figures")) {
 	int distinct = 0;
 	for (int seed = 1; seed <= RUNS; ++seed) {
 		const Result<TrackingSurvey::Proposal> proposal =
@@ -262,7 +263,8 @@ TEST_CASE("a tracker that shows the hand all over the world takes no place from 
 	}
 }
 
-TEST_CASE("a mouse, whose positions are rounded to pixels, has no two positions") {
+TEST_CASE("a mouse, whose positions are rounded to pixels, has no two positions" *
+		doctest::test_suite("figures")) {
 	for (const double pixel_m : { 0.0005, 0.001, 0.002 }) {
 		for (std::uint64_t seed = 1; seed <= 20; ++seed) {
 			Random random(seed);
