@@ -1,6 +1,6 @@
 """Fuzzing: libFuzzer runs each parser of the core under sanitizers, from the corpus in tests/fuzz/corpus.
 
-Each target runs for 15 s; STEADYHAND_FUZZ_S sets another time. An input that fails stays in build/fuzz.
+Each target runs for 5 s; STEADYHAND_FUZZ_S sets another time. An input that fails stays in build/fuzz.
 """
 
 import os
@@ -60,7 +60,7 @@ def outcome_of(target: Path, faults: dict[Path, str]) -> Outcome:
 
 def fuzz(name: str, program: Path) -> Outcome:
     """Runs it from a copy of the corpus: libFuzzer adds what it finds to its first folder."""
-    seconds = float(os.environ.get("STEADYHAND_FUZZ_S", "15"))
+    seconds = float(os.environ.get("STEADYHAND_FUZZ_S", "5"))
     target = program.name.removeprefix("fuzz_")
     corpus = BUILD / f"{target}.corpus"
     shutil.rmtree(corpus, ignore_errors=True)
