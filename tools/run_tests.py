@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
 """Runs the test suites named, or all but EXTRA, and closes with `N passed, N failed`, which the exit status tells too.
 
-The linters, which most of the time goes to, run beside the rest and yield to it, and after them what needs no engine.
-All else is one after the other.
+The suites of BESIDE run one after the other, beside the rest, which run one after the other too. Both take as long.
 """
 
 import sys
@@ -49,7 +48,7 @@ SUITES = {
     "platforms": platforms,
 }
 EXTRA = ["openxr", "dist", "platforms"]  # fetches 265 MB; builds for release; cross-compiles for some 10 minutes
-BESIDE = ["fuzz", "study_export", "lint", "command"]
+BESIDE = ["fuzz", "study_export", "lint", "command", "lsl", "predictors", "docs", "engine_api"]
 
 
 def main(names: list[str]) -> int:
