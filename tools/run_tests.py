@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 """Runs the test suites named, or all but EXTRA, and closes with `N passed, N failed`, which the exit status tells too.
 
-The suites of BESIDE run one after the other, beside the rest, which run one after the other too. Both take as long.
+The suites of BESIDE run one after the other, beside the rest, which run one after the other too. Those of LAST come
+after them, in whichever half ends first.
 """
 
+import itertools
 import sys
 import time
 import traceback
+from collections import deque
 from collections.abc import Iterator
 from queue import SimpleQueue
 from threading import Thread
@@ -48,7 +51,8 @@ SUITES = {
     "platforms": platforms,
 }
 EXTRA = ["openxr", "dist", "platforms"]  # fetches 265 MB; builds for release; cross-compiles for some 10 minutes
-BESIDE = ["fuzz", "study_export", "lint", "command", "lsl", "predictors", "docs", "engine_api"]
+BESIDE = ["fuzz", "study_export", "lint", "command"]
+LAST = ["devices", "lsl", "predictors", "docs", "engine_api"]
 
 
 def main(names: list[str]) -> int:
@@ -68,12 +72,14 @@ def main(names: list[str]) -> int:
 
 def run_all(names: list[str]) -> Iterator[tuple[str, Outcome, float]]:
     """Each outcome as it comes, with its suite and the time, s, since the one before it in the same lane."""
-    lanes = [[name for name in names if name not in BESIDE], [name for name in BESIDE if name in names]]
+    beside, last = ([name for name in some if name in names] for some in (BESIDE, LAST))
+    lanes = [[name for name in names if name not in beside + last], beside]
+    left = deque([*last, *(None for _ in lanes)])
     come: SimpleQueue[tuple[str, Outcome, float] | None] = SimpleQueue()
 
     def run(lane: list[str]) -> None:
         before = time.monotonic()
-        for name in lane:
+        for name in itertools.chain(lane, iter(left.popleft, None)):
             try:
                 for outcome in SUITES[name].outcomes():
                     now = time.monotonic()
