@@ -187,10 +187,8 @@ STEADYHAND_PARAMETER ABORT_AFTER = 3.0;
 STEADYHAND_PARAMETER STOP_PROBABILITY = 0.7, STOP_S = 0.2;
 /// Log odds by strokes that an end before the target needs: hands that do something else stop anywhere.
 STEADYHAND_PARAMETER STOP_LOG_ODDS = 9.0;
-/// P(hold) at the start that aborts a gesture.
-STEADYHAND_PARAMETER REST_PROBABILITY = 0.95;
-/// The hand has turned back by this value, or by these standard deviations of the drift at rest.
-STEADYHAND_PARAMETER TURNED_BACK = 0.08, TURNED_BACK_DRIFTS = 4.0;
+/// The hand has turned back by this value.
+STEADYHAND_PARAMETER TURNED_BACK = 0.08;
 /// No gesture starts so far from its start. A hand that stays there for longer is not followed.
 STEADYHAND_PARAMETER ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
 /// Distance to the start of a gesture that may start anywhere, m.
@@ -284,8 +282,6 @@ STEADYHAND_PARAMETER JUMP_M = 0.1;
 STEADYHAND_PARAMETER LONGEST_JUMP_S = 0.09;
 /// A jump that is undone within this time was the tracker's. After a longer one the hand may be anywhere.
 STEADYHAND_PARAMETER MEMORY_S = 0.4;
-/// Ratio of true to measured noise that 14 differences exceed once in a hundred times.
-STEADYHAND_PARAMETER MOST_UNDERESTIMATED = 1.5;
 /// Share of a jump, and of the speed before it, by which it is undone and the hand stood.
 STEADYHAND_PARAMETER UNDONE = 0.5, STOOD = 0.5;
 /// Standard deviation of a hand's acceleration within a frame. A 15 cm tap in 0.2 s peaks at 22 m/s^2 (5.77 A

@@ -155,8 +155,7 @@ bool TaskSession::has_aborted(double t_s) {
 	const bool may_begin =
 			furthest_ < RETURNED && now.gesture > ABORT_PROBABILITY && t_s - likely_s_ < DETECTION_S;
 	const bool is_under_way = (now.gesture > START_PROBABILITY || may_begin) && now.phase < END_PHASE;
-	const double wander = std::max(TURNED_BACK, TURNED_BACK_DRIFTS * wander_.deviation(t_s));
-	const bool has_returned = furthest_ - now.value > wander || now.hold > REST_PROBABILITY;
+	const bool has_returned = furthest_ - now.value > TURNED_BACK;
 	return now.value < RETURNED && (has_returned || !is_under_way);
 }
 

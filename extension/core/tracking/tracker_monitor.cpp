@@ -148,7 +148,7 @@ void TrackerMonitor::time(double t_s) {
 /// clocks, a reading is up to one period old.
 Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
 	const Eigen::Vector3d shift_m = hand_.velocity_m_s() * (period_s_ / std::sqrt(12.0));
-	const Eigen::Vector3d noise_m = MOST_UNDERESTIMATED * noise_.deviation_m();
+	const Eigen::Vector3d noise_m = noise_.deviation_m();
 	return (noise_m.cwiseAbs2() + shift_m.cwiseAbs2()).cwiseSqrt();
 }
 
