@@ -66,11 +66,14 @@ public:
 		Sample task, open;             ///< runs of bench_events, %: with a fault
 		Sample starts, alarms; ///< a minute of hands that make no gesture: with a task, and without one
 	};
-	[[nodiscard]] Samples all() const {
-		return { { accuracy(simulated_, HandPosition::UNSTABLE), accuracy(real_, HandPosition::UNSTABLE),
-						 accuracy(simulated_, HandPosition::STABLE), accuracy(real_, HandPosition::STABLE) },
-			bounds(), faulty(Context::TASK), faulty(Context::OPEN),
-			needless(Context::TASK, Happening::STARTED), needless(Context::OPEN, Happening::ENDED) };
+	/// Without the motion where that is the same as in `known`.
+	[[nodiscard]] Samples all(const Samples *known = nullptr) const {
+		Samples all = known != nullptr ? *known : motion();
+		all.task = faulty(Context::TASK);
+		all.open = faulty(Context::OPEN);
+		all.starts = needless(Context::TASK, Happening::STARTED);
+		all.alarms = needless(Context::OPEN, Happening::ENDED);
+		return all;
 	}
 
 private:
@@ -82,6 +85,13 @@ private:
 
 	[[nodiscard]] const std::shared_ptr<const GestureModel> &model_of(std::string_view gesture) const {
 		return *std::ranges::find(models_, gesture, [](const auto &model) { return model->gesture; });
+	}
+	[[nodiscard]] Samples motion() const {
+		Samples all;
+		all.r2_zero = { accuracy(simulated_, HandPosition::UNSTABLE), accuracy(real_, HandPosition::UNSTABLE),
+			accuracy(simulated_, HandPosition::STABLE), accuracy(real_, HandPosition::STABLE) };
+		all.bounds = bounds();
+		return all;
 	}
 	[[nodiscard]] Sample accuracy(const std::vector<SyntheticTrial> &trials, HandPosition position) const {
 		std::vector<const SyntheticTrial *> chosen;
@@ -133,10 +143,10 @@ private:
 	}
 };
 
-/// A cell: mean change and its standard error; bold beyond two standard errors.
+/// A cell: mean change and its standard error; bold beyond two standard errors; empty without a change.
 void print_change(const Sample &with, const Sample &without, int decimals) {
-	if (with.empty()) {
-		std::printf(" - |");
+	if (with.empty() || with == without) {
+		std::printf(" |");
 		return;
 	}
 	Sample change(with.size());
@@ -151,10 +161,30 @@ void print_change(const Sample &with, const Sample &without, int decimals) {
 	std::printf(" %s%+.*f%s ± %.*f |", bold, decimals, mean_change, bold, decimals, error);
 }
 
+const char *const HEAD = R"(# What each mechanism is worth
+
+`./steadyhand bench ablation` writes this page. It sets the parameters of one mechanism at a time
+(`extension/core/base/parameters.h`) so that the mechanism does nothing, and measures what changes. Mechanisms without
+which nothing gets worse are candidates for removal.
+
+| column | measure |
+| --- | --- |
+| simulated, real | zero-lag R2 with a task, at the unstable and the stable position. *real*: `../shared/real`, if it is there |
+| outside bounds | checks of `bench_matrix` (closed-form hands x faults x lengths x rates) outside of their bounds, % |
+| faults with a task, without | runs of `bench_events` with an event missing, wrong or too much, % |
+| needless starts | starts a minute of hands that make no gesture, with a task |
+| false alarms | ends a minute of hands that make no gesture, without a task |
+
+Each cell is the change and its standard error. Bold: beyond two standard errors. Empty: no change at all. Higher R2 is
+better; for all other columns, lower is better.
+
+)";
+
 void print_head(const Measure::Samples &with) {
+	std::printf("%s", HEAD);
 	std::printf("| | simulated, unstable | real, unstable | simulated, stable | real, stable | outside "
 				"bounds, %% | "
-				"with a task, %% | without a task, %% | needless starts | false alarms |\n"
+				"faults with a task, %% | without, %% | needless starts | false alarms |\n"
 				"| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n| all mechanisms |");
 	for (const Sample &r2_zero : with.r2_zero) {
 		r2_zero.empty() ? std::printf(" - |") : std::printf(" %.4f |", mean(r2_zero));
@@ -191,7 +221,7 @@ int main(int count, char **arguments) {
 		for (const auto &[parameter, off] : mechanism.off) {
 			kept.push_back(std::exchange(*parameter, off));
 		}
-		const Measure::Samples without = measure.all();
+		const Measure::Samples without = measure.all(mechanism.is_of_events ? &with : nullptr);
 		for (std::size_t i = 0; i < kept.size(); ++i) {
 			*mechanism.off[i].first = kept[i];
 		}

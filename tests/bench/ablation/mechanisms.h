@@ -12,6 +12,8 @@ namespace steadyhand::bench {
 struct Mechanism {
 	const char *name;
 	std::vector<std::pair<double *, double>> off;
+	/// Of recognition only: with a task the motion does not depend on it.
+	bool is_of_events = false;
 };
 
 namespace ablation {
@@ -55,43 +57,41 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "TrackerMonitor: jumps and freezes", { { &t::FAULTS_PER_S, 1e-300 } } },
 		{ "TrackerMonitor: dropouts", { { &t::DROPOUT_PERIODS, NEVER } } },
 		{ "TrackerMonitor: catch-up is no displacement", { { &t::STOOD, 0.0 } } },
-		{ "TrackerMonitor: margin of the noise", { { &t::MOST_UNDERESTIMATED, 1.0 } } },
 		{ "TrackerMonitor: late frames", { { &t::MOST_BEHIND_S, 0.0 } } },
 
 		{ "with a task: strokes decide", { { &s::LOG_PRIOR_TASK, 1e3 } } },
 		{ "with a task: strokes decide early ends", { { &r::STOP_LOG_ODDS, -NEVER } } },
 		{ "with a task: probability of a start", { { &r::START_PROBABILITY, 0.0 } } },
 		{ "with a task: drift delays the start", { { &r::START_DRIFTS, 0.0 } } },
-		{ "with a task: drift is no return", { { &r::TURNED_BACK_DRIFTS, 0.0 } } },
-		{ "with a task: rest at the start aborts", { { &r::REST_PROBABILITY, NEVER } } },
 		{ "with a task: halfway starts at any probability", { { &r::HALFWAY, NEVER } } },
 		{ "with a task: direction of a start", { { &r::ALONG, -1.0 } } },
 		{ "with a task: gestures that enter the view", { { &s::UNSEEN_PART, 0.0 } } },
 
-		{ "strokes: direction", { { &s::DIRECTION, NEVER } } },
-		{ "strokes: later turn", { { &s::LATER_TURN, 0.0 } } },
-		{ "strokes: bow", { { &s::BOW, 0.55 } } },
-		{ "strokes: large detours", { { &s::LARGE_DETOUR_SHARE, NONE } } },
-		{ "strokes: detour by the tracker's error", { { &s::DETOUR_M, 0.0 }, { &s::DETOUR_M_S, 0.0 } } },
-		{ "strokes: detour by its duration", { { &s::DETOUR_M_S, 0.0 } } },
-		{ "strokes: rest before", { { &s::NO_REST_SHARE, 1.0 - NONE }, { &s::REST_UNSEEN, 0.0 } } },
-		{ "strokes: rest unseen", { { &s::REST_UNSEEN, 0.0 } } },
-		{ "strokes: longer rest before slow ones", { { &s::LONGEST_REST_S, 0.0 } } },
-		{ "strokes: duration", { { &s::ANY_PACE_SHARE, 1.0 - NONE } } },
-		{ "strokes: any pace", { { &s::ANY_PACE_SHARE, NONE } } },
-		{ "strokes: slowing down", { { &s::SLOWING_SHARE, 0.0 } } },
-		{ "strokes: several are one gesture", { { &s::SEVERAL_STROKES, NEVER } } },
-		{ "strokes: several are less likely", { { &s::SEVERAL_STROKES, 0.0 } } },
-		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } } },
-		{ "strokes: clear direction despite noise", { { &r::NOISE_TIMES, 0.0 } } },
-		{ "strokes: hopeless ones abort", { { &r::HOPELESS, -NEVER } } },
-		{ "strokes: barely begun ones abort", { { &r::BARELY_BEGUN, 0.0 } } },
-		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } } },
-		{ "strokes: tail after an end", { { &r::TAIL, 0.0 } } },
-		{ "strokes: start before the onset", { { &r::BEFORE_ONSET_S, 0.0 } } },
+		{ "strokes: direction", { { &s::DIRECTION, NEVER } }, true },
+		{ "strokes: later turn", { { &s::LATER_TURN, 0.0 } }, true },
+		{ "strokes: bow", { { &s::BOW, 0.55 } }, true },
+		{ "strokes: large detours", { { &s::LARGE_DETOUR_SHARE, NONE } }, true },
+		{ "strokes: detour by the tracker's error", { { &s::DETOUR_M, 0.0 }, { &s::DETOUR_M_S, 0.0 } },
+				true },
+		{ "strokes: detour by its duration", { { &s::DETOUR_M_S, 0.0 } }, true },
+		{ "strokes: rest before", { { &s::NO_REST_SHARE, 1.0 - NONE }, { &s::REST_UNSEEN, 0.0 } }, true },
+		{ "strokes: rest unseen", { { &s::REST_UNSEEN, 0.0 } }, true },
+		{ "strokes: longer rest before slow ones", { { &s::LONGEST_REST_S, 0.0 } }, true },
+		{ "strokes: duration", { { &s::ANY_PACE_SHARE, 1.0 - NONE } }, true },
+		{ "strokes: any pace", { { &s::ANY_PACE_SHARE, NONE } }, true },
+		{ "strokes: slowing down", { { &s::SLOWING_SHARE, 0.0 } }, true },
+		{ "strokes: several are one gesture", { { &s::SEVERAL_STROKES, NEVER } }, true },
+		{ "strokes: several are less likely", { { &s::SEVERAL_STROKES, 0.0 } }, true },
+		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } }, true },
+		{ "strokes: clear direction despite noise", { { &r::NOISE_TIMES, 0.0 } }, true },
+		{ "strokes: hopeless ones abort", { { &r::HOPELESS, -NEVER } }, true },
+		{ "strokes: barely begun ones abort", { { &r::BARELY_BEGUN, 0.0 } }, true },
+		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } }, true },
+		{ "strokes: tail after an end", { { &r::TAIL, 0.0 } }, true },
+		{ "strokes: start before the onset", { { &r::BEFORE_ONSET_S, 0.0 } }, true },
 
-		{ "several gestures: margin of a change", { { &r::SWITCH_MARGIN, 0.0 } } },
-		{ "several gestures: part of another", { { &r::PART, 0.0 } } },
+		{ "several gestures: margin of a change", { { &r::SWITCH_MARGIN, 0.0 } }, true },
+		{ "several gestures: part of another", { { &r::PART, 0.0 } }, true },
 	};
 }
 
