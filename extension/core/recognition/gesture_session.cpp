@@ -1,7 +1,6 @@
 #include "recognition/gesture_session.h"
 
 #include "base/parameters.h"
-#include "strokes/stroke_evidence.h"
 
 namespace steadyhand {
 namespace {

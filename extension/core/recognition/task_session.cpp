@@ -1,7 +1,6 @@
 #include "recognition/task_session.h"
 
 #include "base/parameters.h"
-#include "strokes/stroke_evidence.h"
 
 #include <algorithm>
 #include <cmath>

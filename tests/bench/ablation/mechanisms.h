@@ -2,7 +2,6 @@
 
 #include "base/parameters.h"
 
-#include <array>
 #include <utility>
 #include <vector>
 
