@@ -3,9 +3,14 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from whole_file import whole
+
 
 def fill(path: Path, tables: dict[str, str]) -> None:
-    """Replaces the text between `<!-- NAME -->` and `<!-- end of NAME -->`. Raises SystemExit without these marks."""
+    """Replaces the text between `<!-- NAME -->` and `<!-- end of NAME -->`, in all places or in none.
+
+    Raises SystemExit without these marks.
+    """
     text = path.read_text()
     for name, table in tables.items():
         begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
@@ -13,7 +18,8 @@ def fill(path: Path, tables: dict[str, str]) -> None:
         if not found or end not in rest:
             raise SystemExit(f"{path}: no place for the table '{name}'")
         text = before + begin + "\n" + table + "\n" + end + rest.partition(end)[2]
-    path.write_text(text)
+    with whole(path) as part:
+        part.write_text(text)
 
 
 def table(head: list[str], rows: Iterable[list[str]]) -> str:

@@ -1,10 +1,13 @@
-"""Passes on the table that bench_recognition prints, and adds what the same training takes in hmmlearn.
+"""Rows for the table of bench_recognition: the time of the same training in hmmlearn.
 
 bench_recognition | python tests/bench/hmmlearn_training.py
 """
 
 import sys
 import time
+
+import numpy as np
+from hmmlearn.hmm import CategoricalHMM
 
 GESTURES, SEQUENCES, LENGTH = 4, 500, 75
 STATES, SYMBOLS = 4, 16
@@ -14,9 +17,6 @@ REFERENCE = "plain scaled forward pass"
 
 def iteration_ns(implementation: str) -> float:
     """One Baum-Welch iteration of all gestures, on sequences made as bench_recognition's."""
-    import numpy as np
-    from hmmlearn.hmm import CategoricalHMM
-
     rng = np.random.default_rng(1)
     state = np.arange(LENGTH) * STATES // LENGTH
     own = state * (SYMBOLS // STATES) + rng.integers(SYMBOLS // STATES, size=(SEQUENCES, LENGTH))
@@ -35,17 +35,11 @@ def iteration_ns(implementation: str) -> float:
 
 
 def main() -> None:
-    reference_ns = float("nan")
-    for line in sys.stdin:
-        print(line, end="", flush=True)
-        if REFERENCE in line:
-            reference_ns = float(line.split()[-2])
-    try:
-        for implementation in ("scaling", "log"):
-            ns = min(iteration_ns(implementation) for _ in range(3))
-            print(f"  {f'Baum-Welch, the same in hmmlearn, {implementation}':<46} {ns:12.1f} {ns / reference_ns:14.1f}")
-    except ImportError:
-        print("  (hmmlearn is not installed: ./steadyhand setup)")
+    row = next(line for line in sys.stdin if REFERENCE in line)
+    reference_ns = float(row.split()[-2])
+    for implementation in ("scaling", "log"):
+        ns = min(iteration_ns(implementation) for _ in range(3))
+        print(f"  {f'Baum-Welch, the same in hmmlearn, {implementation}':<46} {ns:12.1f} {ns / reference_ns:14.1f}")
 
 
 if __name__ == "__main__":

@@ -35,6 +35,8 @@ def outcomes() -> Iterator[Outcome]:
         yield from results(Path(folder))
     with tempfile.TemporaryDirectory(prefix="steadyhand_haptics") as folder:
         yield from haptics(Path(folder))
+    with tempfile.TemporaryDirectory(prefix="steadyhand_cost") as folder:
+        yield from cost(Path(folder))
     yield from events()
     yield from worked_example.outcomes()
     yield from installed_godot_cpp.outcomes()
@@ -144,6 +146,38 @@ def training(folder: Path) -> Iterator[Outcome]:
     told = f"ERROR: {folder}/train: no trial of the gesture 'swipe', but of horizontal_drag, tap, vertical_drag, zoom"
     good = status == 2 and output.splitlines()[-1] == told
     yield Outcome.of("command/train: another gesture's name is one line", good, f"{status}\n{output}")
+
+
+def cost(folder: Path) -> Iterator[Outcome]:
+    """docs/cost.md from benchmarks that print two rows each, and then from one that fails."""
+    page = folder / "cost.md"
+    page.write_text((ROOT / "docs/cost.md").read_text())
+    recognition = [("plain scaled forward pass, a symbol", 12.34, 1.0), ("a frame", 5678.9, 460.2)]
+    rows = "".join(f"  {name:<46} {ns:12.1f} {ratio:14.1f}\n" for name, ns, ratio in recognition)
+    write_program(folder / "bench_recognition", f"least of 2 rounds   ns    x forward\n{rows}", 0)
+    vibration = "ns a sample\n  spring              0.250   0.031 x std::sin     7.1 x memset\n"
+    write_program(folder / "bench_vibration", vibration, 0)
+    command = [sys.executable, "-m", "cost", "--programs", folder, "--page", page]
+    status, output = run(command, PYTHONPATH=str(ROOT / "tools"))
+    text = page.read_text()
+    wanted = [
+        "In ns, least of 2 rounds:",
+        "| a frame | 5679 | 460 |  |",
+        "In ns a sample:",
+        "| spring | 0.250 | 0.031 | 0.5 |",
+    ]
+    good = status == 0 and rows in output and all(f"\n{line}\n" in text for line in wanted)
+    yield Outcome.of("command/bench: prints its output and fills the tables", good, f"{status}\n{output}\n{text}")
+    write_program(folder / "bench_vibration", vibration.replace("0.250", "0.350"), 1)
+    status, output = run(command, PYTHONPATH=str(ROOT / "tools"))
+    good = status != 0 and "no page is changed" in output and page.read_text() == text
+    yield Outcome.of("command/bench: a benchmark that fails leaves the page as it is", good, f"{status}\n{output}")
+
+
+def write_program(path: Path, output: str, status: int) -> None:
+    """A program that prints the output and ends with the status."""
+    path.write_text(f"#!/bin/sh\ncat <<'END'\n{output}END\nexit {status}\n")
+    path.chmod(0o755)
 
 
 def haptics(folder: Path) -> Iterator[Outcome]:
