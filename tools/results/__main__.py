@@ -5,9 +5,9 @@ import argparse
 import json
 import os
 import shutil
-import subprocess
 from pathlib import Path
 
+from commit import commit_of
 from peers.comparison import compare_all
 from peers.table import as_markdown
 from peers.training import Trained
@@ -16,6 +16,7 @@ from plots.confusion import draw_confusions
 from plots.speed import draw_speed
 from plots.trials import draw_small_multiples, draw_trial
 from results.evaluation import ROOT, run_all
+from results.goals import goals
 from results.made_trials import PACES, make_timed_trials, make_trials
 from results.other_hands import OtherHands
 from results.page import write_pages
@@ -88,6 +89,7 @@ def main() -> None:
     write_pages(
         given.out,
         studies,
+        list(goals(studies, compared, others)),
         predictors,
         speed,
         rounds,
@@ -124,19 +126,8 @@ def describe(study: Study, subjects: int) -> str:
 
 def origin(study: Study) -> str:
     """The version, and the last commit that changed what the figures depend on: this page's own does not."""
-    summary = study.scene["phase"].summary
-    text = f"SteadyHand {summary['settings']['version']}, Godot {summary['settings']['godot']}"
-    try:
-        command = ["git", "-C", ROOT, "log", "-1", "--format=%h", "--", *SOURCES]
-        commit = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
-        changes = subprocess.run(
-            ["git", "-C", ROOT, "status", "--porcelain", "--", *SOURCES], check=True, capture_output=True, text=True
-        ).stdout
-    except (OSError, subprocess.CalledProcessError):
-        commit = changes = ""
-    if commit:
-        text += f", commit {commit}" + (" with changes" if changes else "")
-    return text + "."
+    settings = study.scene["phase"].summary["settings"]
+    return f"SteadyHand {settings['version']}, Godot {settings['godot']}{commit_of(SOURCES)}."
 
 
 def draw(studies: list[Study], images: Path) -> dict[str, str]:

@@ -5,12 +5,14 @@ from pathlib import Path
 from textwrap import fill
 
 import numpy as np
+from results.formats import ms, percent
+from results.goals import Goal
 from results.other_hands import OtherHands
 from results.rounds import Rounds
 from results.sensors import Sensors
 from results.speed import Speed
 from results.study import CONDITIONS, MODES, Study
-from results.targets import Target, percent, targets
+from whole_file import whole
 
 HEAD = """# Results
 
@@ -37,9 +39,14 @@ POSITIONS = ["stable", "unstable"]
 FIGURES = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
 REACHED = {True: "reached", False: "**not reached**"}
 
-TARGETS = """## Goals
+GOALS = """## Goals
 
 `phase` mode, the default. It reaches {reached} of {judged} goals.
+
+- *Best predictor*: the best of One Euro, Kalman, ridge, minimum jerk and ProMP ([table](#other-predictors)).
+- The goals at stable positions are for real hands. A simulated sensor has a constant latency, which no motion shows.
+- These taps go forward. [Recognition](recognition.md) has taps down.
+- Single faults, short tasks and sudden stops have goals of their own: `tests/core/matrix/bounds.h`.
 
 {table}
 """
@@ -121,6 +128,7 @@ too.
 def write_pages(
     folder: Path,
     studies: list[Study],
+    goals: list[Goal],
     predictors: str,
     speed: Speed,
     rounds: Rounds,
@@ -133,7 +141,7 @@ def write_pages(
     """predictors: text and tables. pictures: Markdown of each by its name. sets: what each set is."""
     bullets = (fill(f"- **{name}**: {text}", WIDTH, subsequent_indent="  ") for name, text in sets.items())
     parts = [HEAD.format(origin=origin, sets="\n".join(bullets))]
-    parts.append(targets_part(list(targets(studies, others)), studies))
+    parts.append(goals_part(goals))
     parts.append(PREDICTORS.format(text=predictors))
     parts.append(WITHOUT_A_TASK.format(picture=pictures["confusion"]))
     for study in studies:
@@ -159,7 +167,8 @@ def write_pages(
 
 
 def write(path: Path, parts: list[str]) -> None:
-    path.write_text("\n".join(parts).rstrip() + "\n")
+    with whole(path) as part:
+        part.write_text("\n".join(parts).rstrip() + "\n")
 
 
 def table(rows: Iterable[list[str]]) -> str:
@@ -170,18 +179,13 @@ def table(rows: Iterable[list[str]]) -> str:
     return "\n".join(lines)
 
 
-def targets_part(rows: list[Target], studies: list[Study]) -> str:
-    names = [study.name for study in studies]
-    verdicts = [row.verdicts[name] for row in rows for name in names if name in row.verdicts]
-    lines = [["what", "paper", "to reach", *(cell for name in names for cell in (name, ""))]]
-    for row in rows:
-        cells = [row.what, row.paper, row.wanted]
-        for name in names:
-            verdict = row.verdicts.get(name)
-            cells += [verdict.ours, REACHED[verdict.reached]] if verdict else ["-", ""]
-        lines.append(cells)
-    reached = sum(verdict.reached for verdict in verdicts)
-    return TARGETS.format(reached=reached, judged=len(verdicts), table=table(lines))
+def goals_part(goals: list[Goal]) -> str:
+    lines = [["what", "trials", "paper", "raw", "best predictor", "ours", "aim", ""]]
+    for goal in goals:
+        cells = [goal.what, goal.trials, goal.paper, goal.raw, goal.best_predictor, goal.ours, goal.aim]
+        lines.append([*cells, REACHED[goal.is_reached]])
+    reached = sum(goal.is_reached for goal in goals)
+    return GOALS.format(reached=reached, judged=len(goals), table=table(lines))
 
 
 def conditions_table(study: Study) -> Iterator[list[str]]:
@@ -319,7 +323,3 @@ def false_alarms(study: Study) -> str:
         f"mode, {nothing[1]:.2f} in `phase` mode. With one task: {task[0]:.2f} and {task[1]:.2f}. This motion is "
         "random, and keeps 30 degrees away from the axis of any drag or tap. Motion of people is harder to reject."
     )
-
-
-def ms(value_s: float) -> str:
-    return f"{1000 * value_s:+.0f} ms"

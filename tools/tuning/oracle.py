@@ -24,13 +24,13 @@ from hybrid_trials import minimum_jerk
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from gesture_end import END_LEVEL
-from results.asked import is_inside
 
 MARGIN_S = 0.25
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
 LATE_MS = 30.0  # what the lags of simulated trackers differ by from trial to trial at the unstable position
 LATENESSES_MS = [round(LATE_MS * NormalDist().inv_cdf((i + 0.5) / 9)) for i in range(9)]  # equally likely
+T_DIFF_S = {"stable": (-0.05, 0.015), "unstable": (-0.1, 0.1)}  # what counts as inside, from late to early
 CURVES = ("measured", "synthesised", "measured, best lag", "faults")
 
 
@@ -72,6 +72,11 @@ def end_ms(x: np.ndarray, start: int, level: float) -> int:
     """The first sample from start on at the level; the record's last one where there is none."""
     reached = np.flatnonzero(x[start:] >= level)
     return start + reached[0] if reached.size else len(x) - 1
+
+
+def is_inside(t_diff_s: float, position: str) -> bool:
+    latest_s, earliest_s = T_DIFF_S[position]
+    return latest_s <= t_diff_s <= earliest_s
 
 
 def window_of(t: np.ndarray, start_s: float, end_s: float) -> np.ndarray:
