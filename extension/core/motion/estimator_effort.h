@@ -5,15 +5,15 @@
 
 namespace steadyhand {
 
-/// How much `phase` mode computes.
+/// Number of hypotheses in `phase` mode. More hypotheses cost more time and estimate better.
 struct EstimatorEffort {
 	static constexpr std::size_t MOST_HYPOTHESES = 48, MOST_DURATIONS = 7;
 
-	std::size_t hypotheses = 24; ///< of a gesture that has begun; 2..MOST_HYPOTHESES
-	std::size_t durations = 7;   ///< of which new ones are begun; 3..MOST_DURATIONS
+	std::size_t hypotheses = 24; ///< most GESTURE hypotheses at a time; 2..MOST_HYPOTHESES
+	std::size_t durations = 7;   ///< different durations of new hypotheses; 3..MOST_DURATIONS
 };
 
-/// Points of the measured front of cost against accuracy (docs/results.md).
+/// Compromises between cost and accuracy. docs/results.md has the measurements.
 enum class Quality : std::uint8_t { FAST, BALANCED, ACCURATE };
 [[nodiscard]] constexpr EstimatorEffort estimator_effort(Quality quality) {
 	switch (quality) {

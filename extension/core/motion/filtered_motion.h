@@ -7,8 +7,8 @@
 
 namespace steadyhand {
 
-/// The conditions that a study compares the synthesised motion with, side by side on one motion element, so
-/// that switching between them takes effect at once. Between frames each holds its last output.
+/// The filters that a study compares with the synthesised motion. All run on the same motion element, so that
+/// a switch between them has no delay. Between frames each holds its last output.
 class FilteredMotion {
 public:
 	void push(double t_s, double x_m) {
@@ -18,7 +18,7 @@ public:
 		kalman_.push(t_s, x_m);
 	}
 
-	/// m; 0 before the first frame. Not for SYNTHESISED.
+	/// Output of a filter, m; 0 before the first frame. For SYNTHESISED it returns the measurement.
 	[[nodiscard]] double value_m(MotionSource source) const {
 		switch (source) {
 			case MotionSource::AVERAGE:

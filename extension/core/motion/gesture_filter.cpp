@@ -9,8 +9,8 @@
 namespace steadyhand {
 namespace {
 
-/// Of the lag, in a gesture of that duration.
-double share_of_lag(double duration_s) {
+/// Fraction of the lag that builds up in a gesture of this duration.
+double lag_fraction(double duration_s) {
 	return duration_s / (duration_s + parameters::LAG_SETTLING_S);
 }
 
@@ -27,10 +27,10 @@ DampedTransition::DampedTransition(double a, double dt_s) {
 	noise_vv = a * a - (vx * vx + vv * vv * a * a);
 }
 
-double GestureFilter::deviation(TrackerMode tracker, double gone) {
+double GestureFilter::deviation(TrackerMode tracker, double progress) {
 	return tracker == TrackerMode::SOUND
 			? parameters::DEVIATION
-			: parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY * std::clamp(gone, 0.0, 1.0);
+			: parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY * std::clamp(progress, 0.0, 1.0);
 }
 
 double GestureFilter::deviation_rate_per_s(TrackerMode tracker) {
@@ -61,7 +61,7 @@ GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const Hand
 }
 
 void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s) {
-	kept_s_ = NAN;
+	cached_s_ = NAN;
 	const double x = mean_(DEVIATION), v = mean_(DEVIATION_RATE);
 	mean_(DEVIATION) = by.xx * x + by.xv * v;
 	mean_(DEVIATION_RATE) = by.vx * x + by.vv * v;
@@ -77,7 +77,7 @@ void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s)
 	covariance_.col(DEVIATION_RATE) = column_v;
 	covariance_.row(DEVIATION) = column_x;
 	covariance_.row(DEVIATION_RATE) = column_v;
-	// As the log duration changes by e, the onset does by -(t - onset) e: the phase stays.
+	// A change e of the log duration changes the onset by -(t - onset) e. The phase at t stays the same.
 	const double shift = -std::max(t_s - mean_(ONSET), 0.0);
 	const double walk = parameters::PACE_WALK * parameters::PACE_WALK * std::min(dt_s, 1.0);
 	covariance_(ONSET, ONSET) += walk * shift * shift;
@@ -86,45 +86,46 @@ void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s)
 	covariance_(LOG_DURATION, LOG_DURATION) += walk;
 }
 
-GestureFilter::Prediction GestureFilter::measured(const ReferenceTable &curve, double t_s) const {
+GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTable &curve, double t_s) const {
 	const bool is_lagging = tracker_ == TrackerMode::LAGGING;
 	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
 	const CurvePoint hand = curve.at(phase);
-	const double gone = std::clamp(hand.value, 0.0, 1.0), gone_slope = hand.value == gone ? hand.slope : 0.0;
-	const double late = is_lagging ? share_of_lag(duration_s_) * rate * gone : 0.0;
-	const double shown_phase = phase - mean_(LAG) * late;
+	const double progress = std::clamp(hand.value, 0.0, 1.0),
+				 progress_slope = hand.value == progress ? hand.slope : 0.0;
+	const double lag_slope = is_lagging ? lag_fraction(duration_s_) * rate * progress : 0.0;
+	const double shown_phase = phase - mean_(LAG) * lag_slope;
 	const CurvePoint own = is_lagging ? curve.at(shown_phase) : hand;
 	const Polynomial::Point jerk = minimum_jerk(shown_phase);
-	const double way = 1.0 + mean_(GAIN), f = own.value + mean_(SHAPE) * (jerk.value - own.value);
-	const double slope = way * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
-	const double unit = deviation(tracker_, gone);
+	const double amplitude = 1.0 + mean_(GAIN), f = own.value + mean_(SHAPE) * (jerk.value - own.value);
+	const double slope = amplitude * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
+	const double unit = deviation(tracker_, progress);
 	Prediction p;
-	p.x = way * f + unit * mean_(DEVIATION);
+	p.x = amplitude * f + unit * mean_(DEVIATION);
 	p.velocity = rate * own.slope;
-	// By the phase without the lag, in which the lag and the error's size follow it.
+	// d x / d phase. The lag and the size of the tracker's error depend on the phase too.
 	double by_phase = slope;
 	if (is_lagging) {
-		by_phase *= gone > 0.0 ? 1.0 - mean_(LAG) * late / gone * gone_slope : 1.0;
-		by_phase += parameters::LAGGING_ERROR_ON_WAY * gone_slope * mean_(DEVIATION);
+		by_phase *= progress > 0.0 ? 1.0 - mean_(LAG) * lag_slope / progress * progress_slope : 1.0;
+		by_phase += parameters::LAGGING_ERROR_ON_WAY * progress_slope * mean_(DEVIATION);
 	}
 	p.slope(ONSET) = -by_phase * rate;
 	p.slope(LOG_DURATION) = -by_phase * phase +
-			slope * mean_(LAG) * late * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
+			slope * mean_(LAG) * lag_slope * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
 	p.slope(GAIN) = f;
-	p.slope(SHAPE) = way * (jerk.value - own.value);
-	p.slope(LAG) = -slope * late;
+	p.slope(SHAPE) = amplitude * (jerk.value - own.value);
+	p.slope(LAG) = -slope * lag_slope;
 	p.slope(DEVIATION) = unit;
 	p.covariance.noalias() = covariance_.leftCols<DEVIATION_RATE>() * p.slope.head<DEVIATION_RATE>();
 	p.variance = p.covariance.dot(p.slope);
 	return p;
 }
 
-const GestureFilter::Prediction &GestureFilter::keep_measured(const ReferenceTable &curve, double t_s) {
-	if (kept_s_ != t_s) {
-		kept_ = measured(curve, t_s);
-		kept_s_ = t_s;
+const GestureFilter::Prediction &GestureFilter::cached_prediction(const ReferenceTable &curve, double t_s) {
+	if (cached_s_ != t_s) {
+		cached_ = predict_measurement(curve, t_s);
+		cached_s_ = t_s;
 	}
-	return kept_;
+	return cached_;
 }
 
 void GestureFilter::correct(const Prediction &prediction, const ElementReading &reading) {
@@ -132,18 +133,18 @@ void GestureFilter::correct(const Prediction &prediction, const ElementReading &
 	const ReadingLikelihood likelihood(error, variance);
 	weight *= std::pow(likelihood.density, reading.power);
 	const Vector gain = prediction.covariance / variance;
-	mean_ += likelihood.share * error * gain;
+	mean_ += likelihood.inlier_probability * error * gain;
 	covariance_.noalias() -= likelihood.reduction(error, variance) * gain * gain.transpose();
 	duration_s_ = std::exp(mean_(LOG_DURATION));
-	kept_s_ = NAN;
+	cached_s_ = NAN;
 }
 
-void GestureFilter::forget_error(double deviation) {
+void GestureFilter::widen_error(double deviation) {
 	const double unit = deviation / GestureFilter::deviation(tracker_, 0.0);
 	const double rate = deviation_rate_per_s(tracker_);
 	covariance_(DEVIATION, DEVIATION) += unit * unit;
 	covariance_(DEVIATION_RATE, DEVIATION_RATE) += rate * rate;
-	kept_s_ = NAN;
+	cached_s_ = NAN;
 }
 
 GestureFilter::Hand GestureFilter::hand(
@@ -151,10 +152,10 @@ GestureFilter::Hand GestureFilter::hand(
 	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
 	const CurvePoint own = curve.at(phase);
 	const Polynomial::Point jerk = minimum_jerk(phase);
-	const double shape = mean_(SHAPE), way = 1.0 + mean_(GAIN);
-	Hand hand{ way * (own.value + shape * (jerk.value - own.value)),
-		way * rate * (own.slope + shape * (jerk.first - own.slope)),
-		way * rate * rate * (own.curvature + shape * (jerk.second - own.curvature)),
+	const double shape = mean_(SHAPE), amplitude = 1.0 + mean_(GAIN);
+	Hand hand{ amplitude * (own.value + shape * (jerk.value - own.value)),
+		amplitude * rate * (own.slope + shape * (jerk.first - own.slope)),
+		amplitude * rate * rate * (own.curvature + shape * (jerk.second - own.curvature)),
 		std::clamp(phase, 0.0, 1.0) };
 	if (tracker_ == TrackerMode::SOUND) {
 		const double unit = deviation(tracker_, 0.0);

@@ -11,30 +11,32 @@
 namespace steadyhand {
 
 enum class TrackerMode : std::uint8_t {
-	SOUND,  ///< shows where the hand is
-	LAGGING ///< has a lag that grows along the way, and an error
+	SOUND,  ///< measures the hand's position
+	LAGGING ///< has a lag that grows with the hand's progress, and a slow error
 };
 
-/// Transition of critically damped noise of variance 1, x'' = -2 a x' - a^2 x + white, over a time.
+/// Transition over dt_s of critically damped noise with variance 1: x'' = -2 a x' - a^2 x + white noise.
+/// a: rate_per_s.
 struct DampedTransition {
-	double xx, xv, vx, vv; ///< of [x, x']
-	double noise_xx, noise_xv, noise_vv;
+	double xx, xv, vx, vv;               ///< transition matrix of [x, x']
+	double noise_xx, noise_xv, noise_vv; ///< covariance that the noise adds
 
 	DampedTransition(double rate_per_s, double dt_s);
 };
 
-/// One hypothesis of a gesture that has begun: an extended Kalman filter over when it began, how long it
-/// takes, how far it goes, its shape, the tracker's lag, and a slow deviation, which is the hand's before a
-/// sound tracker and the tracker's error before one that lags:
+/// One hypothesis of an active gesture: an extended Kalman filter. Its state is onset, log duration, gain,
+/// shape, the tracker's lag, and a slow deviation d with its rate. With a SOUND tracker d is the hand's
+/// deviation from the curve; with a LAGGING tracker it is the tracker's error.
 ///
 ///     hand(t)    = (1 + gain) f(p) + d(t)                        p = (t - onset) / duration
 ///     tracker(t) = (1 + gain) f(p - lag s f(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
 ///
-/// e is the model's reference curve, m minimum jerk, s the share of the lag that builds up in the duration.
+/// e: the model's reference curve. m: minimum jerk. s: fraction of the lag that builds up in the duration.
+/// Positions are in amplitudes.
 /// Bar-Shalom, Li, Kirubarajan 2001, section 10.3.
 class GestureFilter {
 public:
-	/// SIZE: one more than there are, so that a column is whole SIMD registers.
+	/// SIZE is one more than the number of states, so that a column fills whole SIMD registers.
 	enum Index : std::uint8_t { ONSET, LOG_DURATION, GAIN, SHAPE, LAG, DEVIATION, DEVIATION_RATE, SIZE = 8 };
 	using Vector = Eigen::Matrix<double, SIZE, 1>;
 	using Matrix = Eigen::Matrix<double, SIZE, SIZE>;
@@ -46,12 +48,12 @@ public:
 	};
 	struct Prediction {
 		double x = 0.0;
-		double variance = 0.0;              ///< without the measurement's noise
-		double velocity = 0.0;              ///< of the model's curve there
+		double variance = 0.0;              ///< without measurement noise
+		double velocity = 0.0;              ///< of the reference curve, 1/s
 		Vector slope = Vector::Zero();      ///< d x / d state
-		Vector covariance = Vector::Zero(); ///< of the state with x
+		Vector covariance = Vector::Zero(); ///< between the state and x
 	};
-	/// Of the hand: without the tracker's lag and error.
+	/// Motion of the hand, without the tracker's lag and error. Amplitudes and seconds.
 	struct Hand {
 		double value, velocity, acceleration, phase;
 	};
@@ -59,7 +61,7 @@ public:
 	double weight = 0.0;
 
 	GestureFilter() = default;
-	/// from: the hand at the onset, beside the start.
+	/// from: state of the hand at the onset, relative to the start.
 	GestureFilter(TrackerMode tracker, const Onset &onset, const HandState &from);
 
 	[[nodiscard]] TrackerMode tracker() const { return tracker_; }
@@ -68,28 +70,30 @@ public:
 	[[nodiscard]] const Vector &mean() const { return mean_; }
 	[[nodiscard]] const Matrix &covariance() const { return covariance_; }
 
-	/// dt_s: to t_s, from the last time; transition: of its deviation.
+	/// Predicts the state to t_s, dt_s after the last prediction. transition: of the deviation over dt_s.
 	void predict(const DampedTransition &transition, double dt_s, double t_s);
-	[[nodiscard]] Prediction measured(const ReferenceTable &curve, double t_s) const;
-	/// The same, kept for the next call.
-	const Prediction &keep_measured(const ReferenceTable &curve, double t_s);
-	/// Takes in a reading; the weight becomes what the hypothesis and it are worth together.
+	[[nodiscard]] Prediction predict_measurement(const ReferenceTable &curve, double t_s) const;
+	/// predict_measurement(), cached until the state or t_s changes.
+	const Prediction &cached_prediction(const ReferenceTable &curve, double t_s);
+	/// Kalman update. Multiplies the weight by the likelihood of the reading.
 	void correct(const Prediction &prediction, const ElementReading &reading);
-	/// The tracker has jumped: of its error nothing is known.
-	void forget_error(double deviation);
-	/// At t_s. since_s: since the time that it was predicted to; fading: of the deviation, exp(-rate
-	/// since_s).
+	/// Raises the variance of d after a jump of the tracker. deviation: standard deviation of the added
+	/// error, amplitudes.
+	void widen_error(double deviation);
+	/// The hand at t_s. since_s: t_s minus the time of the last predict(). fading: exp(-rate since_s), with
+	/// the rate of the deviation.
 	[[nodiscard]] Hand hand(const ReferenceTable &curve, double t_s, double since_s, double fading) const;
 
-	/// Standard deviation of the deviation where the curve is at `gone`.
-	[[nodiscard]] static double deviation(TrackerMode tracker, double gone);
+	/// Stationary standard deviation of d. progress: value of the curve; a LAGGING tracker's error grows with
+	/// it.
+	[[nodiscard]] static double deviation(TrackerMode tracker, double progress);
 	[[nodiscard]] static double deviation_rate_per_s(TrackerMode tracker);
 
 private:
 	TrackerMode tracker_ = TrackerMode::SOUND;
 	double duration_s_ = 1.0;
-	double kept_s_ = NAN; ///< the instant of kept_; NAN: the state has changed since
-	Prediction kept_;
+	double cached_s_ = NAN; ///< time of cached_; NAN if the state has changed since
+	Prediction cached_;
 	Vector mean_ = Vector::Zero();
 	Matrix covariance_ = Matrix::Zero();
 };

@@ -8,45 +8,45 @@
 
 namespace steadyhand {
 
-/// A measurement of the motion element, in amplitudes, and how it is weighed.
+/// A measurement of the motion element, in amplitudes.
 struct ElementReading {
 	double t_s = 0.0;
 	double x = 0.0;
-	double variance = 0.0; ///< of its white noise
-	double power = 1.0;    ///< of its likelihood: how far its error is its own
+	double variance = 0.0; ///< of white measurement noise
+	double power = 1.0;    ///< exponent of the likelihood; below 1 if the error correlates with the last one
 };
 
-/// Likelihood of a measurement at this distance from its prediction: a normal density mixed with an
-/// outlier's.
+/// Likelihood of a measurement: a normal density of its innovation, mixed with a constant density of
+/// outliers. error: measurement minus prediction; variance: of the innovation.
 struct ReadingLikelihood {
 	double density;
-	double share; ///< probability that it is no outlier
+	double inlier_probability;
 
 	ReadingLikelihood(double error, double variance) {
 		const double normal = (1.0 - parameters::OUTLIERS) * std::exp(-0.5 * error * error / variance) /
 				std::sqrt(2.0 * std::numbers::pi * variance);
 		density = normal + parameters::OUTLIERS * parameters::OUTLIER_DENSITY;
-		share = normal / density;
+		inlier_probability = normal / density;
 	}
-	/// The factor of a covariance's reduction by the gain and its transpose: that of a mixture's moments.
+	/// Factor c of the covariance update P - c K K^T, which has the moments of the mixture. K: Kalman gain.
 	[[nodiscard]] double reduction(double error, double variance) const {
-		return share * (variance - (1.0 - share) * error * error);
+		return inlier_probability * (variance - (1.0 - inlier_probability) * error * error);
 	}
 };
 
-/// Position and velocity of a hand that follows no curve, with their covariance.
+/// Position and velocity of a hand in HOLD or FREE, with their covariance.
 struct HandState {
 	double x = 0.0, v = 0.0;
 	double xx = 0.0, xv = 0.0, vv = 0.0; ///< covariance
 
-	/// Takes in a reading; returns the reading's likelihood, to its power.
+	/// Kalman update. Returns the likelihood of the reading to the power reading.power.
 	double correct(const ElementReading &reading) {
 		const double error = reading.x - x, variance = xx + reading.variance;
 		const ReadingLikelihood likelihood(error, variance);
 		const double gain_x = xx / variance, gain_v = xv / variance;
 		const double reduction = likelihood.reduction(error, variance);
-		x += likelihood.share * error * gain_x;
-		v += likelihood.share * error * gain_v;
+		x += likelihood.inlier_probability * error * gain_x;
+		v += likelihood.inlier_probability * error * gain_v;
 		xx -= reduction * gain_x * gain_x;
 		xv -= reduction * gain_x * gain_v;
 		vv -= reduction * gain_v * gain_v;
@@ -54,16 +54,16 @@ struct HandState {
 	}
 };
 
-/// A hand whose velocity is an Ornstein-Uhlenbeck process, dv = -rate v dt + noise: it comes to rest wherever
-/// it is. speed: stationary standard deviation of the velocity.
+/// Motion of a hand whose velocity is an Ornstein-Uhlenbeck process, dv = -rate v dt + noise. speed:
+/// stationary standard deviation of the velocity.
 struct HandProcess {
 	double speed;
 	double rate_per_s;
 
-	/// How far one that goes on with a velocity of 1 gets in dt_s.
+	/// Mean displacement in dt_s, divided by the velocity at its begin.
 	[[nodiscard]] double reach_s(double dt_s) const { return -std::expm1(-rate_per_s * dt_s) / rate_per_s; }
 
-	/// Exact for steps of any length.
+	/// Exact for any dt_s.
 	void predict(HandState &r_hand, double dt_s) const {
 		const double fading = std::exp(-rate_per_s * dt_s), reach = reach_s(dt_s), variance = speed * speed;
 		r_hand.x += reach * r_hand.v;
@@ -75,7 +75,7 @@ struct HandProcess {
 	}
 };
 
-/// Moments of a weighted sum of hands.
+/// Mean and covariance of a weighted mixture of hand states.
 class HandMixture {
 public:
 	void add(double weight, const HandState &hand) {
@@ -87,7 +87,7 @@ public:
 		sum_.vv += weight * (hand.vv + hand.v * hand.v);
 	}
 	[[nodiscard]] double weight() const { return weight_; }
-	/// Of a sum whose weight is not 0.
+	/// weight() must not be 0.
 	[[nodiscard]] HandState state() const {
 		const double x = sum_.x / weight_, v = sum_.v / weight_;
 		return { x, v, std::max(sum_.xx / weight_ - x * x, 0.0), sum_.xv / weight_ - x * v,

@@ -2,28 +2,27 @@
 
 namespace steadyhand {
 
-/// How old what a frame shows is taken to be unless it is told: less than optical trackers have, as a cue
-/// that comes 15 ms early is noticed, and one that is less than 50 ms late is not.
+/// Default of the tracker's latency. Optical trackers have more. People notice a cue that is 15 ms early, but
+/// not one that is up to 50 ms late.
 inline constexpr double USUAL_SENSOR_LATENCY_S = 0.007;
 
-/// The motion that drives vibration, at one instant. Derivatives are those of the curve that is put out, and
-/// come of the motion elements, not of noisy samples; they are 0 for the conditions that hold a sample
-/// (measured, average, One Euro, Kalman).
+/// The motion that drives vibration, at one instant. The derivatives are exact derivatives of the output
+/// curve. They are 0 for the sources that hold a sample between frames (measured, average, One Euro, Kalman).
 struct Motion {
 	double value_m = 0.0; ///< 0 at the task's start, the amplitude at its end
 	double velocity_m_s = 0.0;
 	double acceleration_m_s2 = 0.0;
-	double progress =
-			0.0; ///< 0..1: phase of the synthesised motion; value / amplitude, clamped, of the others
-	/// Part of the acceleration that hides what a frame changes, and is none of the hand's.
+	/// 0..1: the phase if the motion is synthesised, otherwise value / amplitude.
+	double progress = 0.0;
+	/// Part of the acceleration that only blends corrections at frames, and is not the hand's.
 	double correction_m_s2 = 0.0;
 };
 
-/// How motion is synthesised: by the paper's rule, or from a continuous estimate of phase, speed and
-/// amplitude.
+/// How motion is synthesised. PAPER: element by element, by the states of the HMM. PHASE: from a continuous
+/// estimate of phase, speed and amplitude.
 enum class MotionMode { PHASE, PAPER };
 
-/// Where the motion comes from: the conditions that a study compares.
+/// Source of the motion: the conditions that a study compares.
 enum class MotionSource { SYNTHESISED, MEASURED, AVERAGE, ONE_EURO, KALMAN };
 
 } // namespace steadyhand

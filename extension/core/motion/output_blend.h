@@ -8,10 +8,11 @@
 
 namespace steadyhand {
 
-/// Hides a step of an output and of its velocity: what is missing fades out critically damped.
+/// Hides a step of an output and of its velocity: adds an offset that decays critically damped.
 class OutputBlend {
 public:
-	/// At t_s the output would step by -value, its velocity by -velocity. rate: 1/s, of the fading.
+	/// Without the blend the output would step at t_s by -value, and its velocity by -velocity.
+	/// rate_per_s: of the decay.
 	void start(double t_s, double value, double velocity, double rate_per_s) {
 		began_s_ = t_s;
 		value_ = value;
@@ -23,18 +24,18 @@ public:
 		start(t_s, before.value_m - now.value_m, before.velocity_m_s - now.velocity_m_s, rate_per_s);
 	}
 
-	/// What is to be added at t_s.
+	/// The offset at t_s.
 	[[nodiscard]] CriticallyDamped at(double t_s) const {
 		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));
 	}
 
-	/// What is left at t_s of a step that fades by itself, from no rate of change on, twice as soon.
+	/// Fraction left at t_s of a step that decays critically damped at twice the rate.
 	[[nodiscard]] double share_left(double t_s) const {
 		const double dt_s = std::max(t_s - began_s_, 0.0), fading = std::exp(-rate_per_s_ * dt_s);
 		return critically_damped(1.0, 0.0, 2.0 * rate_per_s_, dt_s, fading * fading).value;
 	}
 
-	/// At t_s; values in metres.
+	/// `motion` plus the offset at t_s, in metres.
 	[[nodiscard]] Motion completed(Motion motion, double t_s) const {
 		const CriticallyDamped missing = at(t_s);
 		motion.value_m += missing.value;

@@ -17,8 +17,8 @@ void PaperSynthesiser::begin(double t_s, double phase) {
 	state_ = 0;
 	const PrimitiveMotionElement &first = element(0);
 	phase = std::clamp(phase, 0.0, first.phase_end);
-	// Nothing has been timed yet: the first state is expected to last as long as it does on average, and to
-	// have begun as long ago as the reference takes to get to this phase.
+	// The pace is not known yet. The first state gets its mean duration, and the begin at which a hand of the
+	// mean pace reaches this phase now.
 	const double seconds_per_phase = first.duration_mean_s / (first.phase_end - first.phase_begin);
 	began_s_ = t_s - seconds_per_phase * (phase - first.phase_begin);
 	play(t_s, phase, std::max(seconds_per_phase * (first.phase_end - phase), 1e-3));
@@ -55,7 +55,7 @@ Motion PaperSynthesiser::played(double t_s) const {
 	if (now < end || rate_per_s_ <= 0.0) {
 		return playing;
 	}
-	// It waits, and comes to rest there.
+	// The element is over and waits at its end. Its end velocity decays.
 	OutputBlend stop;
 	stop.start(entered_s_ + (end - phase_at_entry_) / rate_per_s_, 0.0, playing.velocity_m_s,
 			parameters::FRAME_BLEND_PER_S);

@@ -8,8 +8,8 @@
 
 namespace steadyhand {
 
-/// evaluate_onwards() of a model from a table: in each cell the quintic that has the model's value, slope and
-/// curvature at both ends.
+/// Table of evaluate_onwards(). Each cell is the quintic with the model's value, slope and curvature at both
+/// of its ends.
 class ReferenceTable {
 public:
 	explicit ReferenceTable(const GestureModel &model) {
@@ -24,7 +24,7 @@ public:
 		end_ = { evaluate_onwards(model, END).value, 0.0, 0.0 };
 	}
 
-	/// 0 before the start; beyond the table, at its end.
+	/// 0 before phase 0. Beyond the table, its last value.
 	[[nodiscard]] CurvePoint at(double phase) const {
 		if (!(phase > 0.0)) {
 			return {};
@@ -37,7 +37,7 @@ public:
 		return { point.position, point.velocity, point.acceleration };
 	}
 
-	/// The phase at which the value is reached first; the table's end where it is not.
+	/// Phase at which the curve reaches the value first; the table's end if it does not.
 	[[nodiscard]] double phase_of(double value) const {
 		double low = 0.0, high = END;
 		for (int i = 0; i < 30; ++i) { // to 1e-9
@@ -48,10 +48,10 @@ public:
 	}
 
 private:
-	static constexpr double END = 1.5;         ///< a hand has come to rest by then: evaluate_onwards()
+	static constexpr double END = 1.5;         ///< evaluate_onwards() is at rest from here on
 	static constexpr double CELL = 1.0 / 64.0; ///< a power of two: no rounding, and phase 1 is an edge
-	static constexpr double SMALLEST =
-			1e-12; ///< what begins at a phase, an element or the curve, does after it
+	/// Cells are evaluated this far after their begin: an element or the curve may begin exactly there.
+	static constexpr double SMALLEST = 1e-12;
 
 	std::array<QuinticPiece, static_cast<std::size_t>(END / CELL)> cells_{};
 	CurvePoint end_;

@@ -13,15 +13,15 @@ namespace steadyhand {
 namespace {
 
 constexpr std::array TRACKERS{ TrackerMode::SOUND, TrackerMode::LAGGING };
-/// Of what a hand does in a longer time without measurements nothing is left to be told.
+/// After a longer gap, hypotheses are born only in its last part of this length.
 constexpr double LONGEST_GAP_S = 2.0;
 
-double share(TrackerMode tracker, double lagging) {
+double mode_probability(TrackerMode tracker, double lagging) {
 	return tracker == TrackerMode::SOUND ? 1.0 - lagging : lagging;
 }
 
-/// Probability of a switch within dt_s.
-double switches(double per_s, double dt_s) {
+/// Probability of a switch with rate per_s within dt_s.
+double switch_probability(double per_s, double dt_s) {
 	return -std::expm1(-per_s * dt_s);
 }
 
@@ -51,7 +51,7 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 }
 
 void SwitchingEstimator::reset() {
-	now_.time_s = now_.seen_s = NEVER_S;
+	now_.time_s = now_.measured_s = NEVER_S;
 	now_.gestures.clear();
 	now_.hold = now_.free = {};
 	now_.log_fault = 0.0;
@@ -66,12 +66,12 @@ void SwitchingEstimator::pass_over(double t_s, double x) {
 	passed_x_ = x;
 }
 
-/// A hand that moves is about something else than to rest there.
+/// Starts HOLD and FREE at position x. A fast hand raises the weight of FREE.
 void SwitchingEstimator::begin(double t_s, double x, double v) {
 	const double noise = parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE;
 	const auto start = [&](const HandProcess &process, double v_expected) {
 		const double off = v / process.speed, variance = process.speed * process.speed;
-		return Other{ std::exp(-0.5 * off * off) / process.speed, now_.hold.lagging,
+		return CurvelessMode{ std::exp(-0.5 * off * off) / process.speed, now_.hold.lagging,
 			{ x, v_expected, noise, 0.0, variance } };
 	};
 	now_.gestures.clear();
@@ -90,7 +90,7 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 		shown.add(now_.hold.weight, now_.hold.hand);
 		shown.add(now_.free.weight, now_.free.hand);
 		for (const GestureFilter &gesture : now_.gestures) {
-			const GestureFilter::Prediction p = gesture.measured(curve_, now_.time_s);
+			const GestureFilter::Prediction p = gesture.predict_measurement(curve_, now_.time_s);
 			shown.add(gesture.weight, { p.x, 0.0, p.variance, 0.0, 0.0 });
 		}
 		begin(now_.time_s, shown.state().x + shift, shown.state().v);
@@ -105,7 +105,7 @@ void SwitchingEstimator::start_knots(double t_s) {
 	}
 }
 
-/// Applies a change at t_s without a step of the output.
+/// Applies a change at t_s and blends the step of the output.
 template <class Change> void SwitchingEstimator::change(double t_s, Change apply) {
 	const MotionEstimate before = at(t_s);
 	apply();
@@ -122,14 +122,14 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		const double since_s = t_s - passed_s_;
 		begin(t_s, x,
 				since_s > 0.0 && since_s < parameters::SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
-		now_.seen_s = now_.changed_s = t_s;
+		now_.measured_s = now_.changed_s = t_s;
 		now_.changed_x = x;
 		before_last_ = now_;
 		start_knots(t_s);
 		return;
 	}
 	if (measurement.is_usable() && !measurement.replaces_last) {
-		is_last_used_ = t_s - now_.seen_s >= parameters::LEAST_FRAME_S;
+		is_last_used_ = t_s - now_.measured_s >= parameters::LEAST_FRAME_S;
 	}
 	if (measurement.is_usable() && !is_last_used_) {
 		return;
@@ -150,21 +150,22 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 			return;
 		}
 		now_.log_fault = 0.0;
-		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - now_.seen_s;
+		const double noise = measurement.noise_m / amplitude_m_, since_s = t_s - now_.measured_s;
 		const ElementReading reading{ t_s, x,
 			noise * noise + parameters::MEASUREMENT_NOISE * parameters::MEASUREMENT_NOISE,
 			since_s / (since_s + parameters::ALIKE_S) };
-		const std::size_t known = now_.gestures.size();
+		const std::size_t old_count = now_.gestures.size();
 		if (reappears) {
-			seed(reading, t_s - now_.changed_s);
+			spawn_unseen_gestures(reading, t_s - now_.changed_s);
 		}
-		correct(reading, known);
+		correct(reading, old_count);
 		if (x != now_.changed_x) {
 			now_.changed_x = x;
 			now_.changed_s = t_s;
 		}
-		judge_tracker(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S)); // none came
-		now_.seen_s = t_s;
+		// A time without faults is evidence of a sound tracker.
+		update_tracker_modes(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S));
+		now_.measured_s = t_s;
 		prune();
 	});
 }
@@ -181,12 +182,12 @@ void SwitchingEstimator::wait(double t_s, bool is_overdue) {
 	});
 }
 
-/// Births are on a grid of their own, so that nothing depends on when it is asked for.
+/// Births have a fixed grid in time, so that the estimate does not depend on the times of the calls.
 void SwitchingEstimator::predict(double t_s) {
 	now_.next_birth_s = std::max(now_.next_birth_s, t_s - LONGEST_GAP_S);
 	for (; now_.next_birth_s <= t_s; now_.next_birth_s += parameters::BIRTH_PERIOD_S) {
 		step(now_.next_birth_s);
-		give_birth(now_.next_birth_s);
+		spawn_gestures(now_.next_birth_s);
 		prune();
 	}
 	step(t_s);
@@ -213,16 +214,17 @@ void SwitchingEstimator::step(double t_s) {
 		const double more = std::min(parameters::LOG_FAULTS_PER_S * dt_s,
 				std::max(parameters::MOST_LOG_FAULTS - now_.log_fault, 0.0));
 		now_.log_fault += more;
-		judge_tracker(more);
+		update_tracker_modes(more);
 	}
 }
 
-/// HOLD and FREE go on from where the tracker shows the hand, be it late or not.
+/// Switches between GESTURE, HOLD and FREE. HOLD and FREE continue from the tracker's position, even if it
+/// lags.
 void SwitchingEstimator::switch_modes(double dt_s) {
-	const double to_free = switches(parameters::GESTURE_TO_FREE_PER_S, dt_s);
-	const double to_hold = switches(parameters::GESTURE_TO_HOLD_PER_S, dt_s);
-	const double hold_to_free = switches(parameters::HOLD_TO_FREE_PER_S, dt_s);
-	const double free_to_hold = switches(parameters::FREE_TO_HOLD_PER_S, dt_s);
+	const double to_free = switch_probability(parameters::GESTURE_TO_FREE_PER_S, dt_s);
+	const double to_hold = switch_probability(parameters::GESTURE_TO_HOLD_PER_S, dt_s);
+	const double hold_to_free = switch_probability(parameters::HOLD_TO_FREE_PER_S, dt_s);
+	const double free_to_hold = switch_probability(parameters::FREE_TO_HOLD_PER_S, dt_s);
 	const auto at_rest = [&](const HandState &hand) {
 		return HandState{ hand.x, 0.0, hand.xx, 0.0, hold_process_.speed * hold_process_.speed };
 	};
@@ -243,7 +245,7 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 	free(now_.free.weight * (1.0 - free_to_hold), now_.free.hand, now_.free.lagging);
 	free(now_.hold.weight * hold_to_free, leaving, now_.hold.lagging);
 	for (GestureFilter &gesture : now_.gestures) {
-		const GestureFilter::Prediction &p = gesture.keep_measured(curve_, now_.time_s);
+		const GestureFilter::Prediction &p = gesture.cached_prediction(curve_, now_.time_s);
 		const double rate = 1.0 / gesture.duration_s();
 		const HandState shown{ p.x, p.velocity, p.variance, 0.0, 0.25 * rate * rate };
 		const double lagging = gesture.tracker() == TrackerMode::LAGGING ? 1.0 : 0.0;
@@ -251,38 +253,38 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 		free(gesture.weight * to_free, shown, lagging);
 		gesture.weight *= 1.0 - to_hold - to_free;
 	}
-	const double forgotten = switches(parameters::LAGGING_SWITCH_PER_S, dt_s);
-	const auto become = [&](Other &r_other, const HandMixture &mixture, double lagging) {
+	const double reversion = switch_probability(parameters::LAGGING_SWITCH_PER_S, dt_s);
+	const auto set_mode = [&](CurvelessMode &r_mode, const HandMixture &mixture, double lagging) {
 		if (mixture.weight() > 0.0) {
 			lagging /= mixture.weight();
-			r_other = { mixture.weight(), lagging + forgotten * (parameters::LAGGING_SHARE - lagging),
+			r_mode = { mixture.weight(), lagging + reversion * (parameters::LAGGING_SHARE - lagging),
 				mixture.state() };
 		}
 	};
-	become(now_.hold, held, held_lagging);
-	become(now_.free, freed, freed_lagging);
+	set_mode(now_.hold, held, held_lagging);
+	set_mode(now_.free, freed, freed_lagging);
 }
 
-/// The tracker did something that is likelier of one that lags by log_ratio, as a logarithm.
-void SwitchingEstimator::judge_tracker(double log_ratio) {
+/// Applies evidence on the tracker mode. log_ratio: log of P(event | LAGGING) / P(event | SOUND).
+void SwitchingEstimator::update_tracker_modes(double log_ratio) {
 	const double factor = std::exp(-log_ratio);
-	now_.hold.judge_tracker(factor);
-	now_.free.judge_tracker(factor);
+	now_.hold.update_tracker_modes(factor);
+	now_.free.update_tracker_modes(factor);
 	for (GestureFilter &gesture : now_.gestures) {
 		gesture.weight *= gesture.tracker() == TrackerMode::SOUND ? factor : 1.0;
 	}
 	normalise();
 }
 
-/// One that goes on counts the more, the longer it does.
+/// Applies the evidence of a fault once. While the fault lasts, step() adds more.
 void SwitchingEstimator::count_fault(bool is_jump) {
 	if (now_.log_fault == 0.0) {
 		now_.log_fault = is_jump ? parameters::LOG_JUMPS : parameters::LOG_FAULTS;
-		judge_tracker(now_.log_fault);
+		update_tracker_modes(now_.log_fault);
 		if (is_jump) {
 			for (GestureFilter &gesture : now_.gestures) {
 				if (gesture.tracker() == TrackerMode::LAGGING) {
-					gesture.forget_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
+					gesture.widen_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
 				}
 			}
 		}
@@ -290,9 +292,9 @@ void SwitchingEstimator::count_fault(bool is_jump) {
 	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
 }
 
-/// How likely a hand that holds still where this one is shown begins a gesture, beside one at the start: it
-/// may begin beside that, and deviate.
-double SwitchingEstimator::nearness(TrackerMode tracker) const {
+/// Likelihood that a hand at rest in this position begins a gesture, relative to a hand at the start. The
+/// onset may be off the start (START_SPREAD), and the tracker may deviate.
+double SwitchingEstimator::start_likelihood(TrackerMode tracker) const {
 	const double x = now_.hold.hand.x, unit = GestureFilter::deviation(tracker, 0.0);
 	return std::exp(-0.5 * x * x / (parameters::START_SPREAD * parameters::START_SPREAD + unit * unit));
 }
@@ -304,14 +306,15 @@ void SwitchingEstimator::add(
 	now_.gestures.push_back(gesture);
 }
 
-void SwitchingEstimator::give_birth(double t_s) {
+void SwitchingEstimator::spawn_gestures(double t_s) {
 	const double begin = now_.hold.weight * parameters::ONSETS_PER_S * parameters::BIRTH_PERIOD_S;
 	double begun = 0.0;
 	for (const TrackerMode tracker : TRACKERS) {
-		const double begin_so = begin * nearness(tracker) * share(tracker, now_.hold.lagging);
-		begun += begin_so;
+		const double begun_weight =
+				begin * start_likelihood(tracker) * mode_probability(tracker, now_.hold.lagging);
+		begun += begun_weight;
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
-			const double weight = begin_so * duration_weights_[k];
+			const double weight = begun_weight * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
 						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
@@ -323,8 +326,8 @@ void SwitchingEstimator::give_birth(double t_s) {
 	now_.hold.weight -= begun;
 }
 
-/// Of gestures that began while nothing was seen: their curves pass through the reading.
-void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
+/// Adds hypotheses of gestures that began in a gap of gap_s before the reading. Their curves pass through it.
+void SwitchingEstimator::spawn_unseen_gestures(const ElementReading &reading, double gap_s) {
 	if (reading.x < parameters::START_SPREAD || reading.x >= 1.0) {
 		return;
 	}
@@ -339,8 +342,8 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 			const double error = std::sqrt(unit * unit + reading.variance);
 			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
-					now_.hold.weight * nearness(tracker) * parameters::ONSETS_PER_S *
-							share(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
+					now_.hold.weight * start_likelihood(tracker) * parameters::ONSETS_PER_S *
+							mode_probability(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ },
 					{ 0.0, 0.0, unit * unit, 0.0, rate * rate });
@@ -348,13 +351,13 @@ void SwitchingEstimator::seed(const ElementReading &reading, double gap_s) {
 	}
 }
 
-/// count: of the gestures that the reading has not made.
+/// count: number of gestures to update. Those after them were spawned from this reading.
 void SwitchingEstimator::correct(const ElementReading &reading, std::size_t count) {
 	for (std::size_t i = 0; i < count; ++i) {
 		GestureFilter &gesture = now_.gestures[i];
-		gesture.correct(gesture.keep_measured(curve_, reading.t_s), reading);
+		gesture.correct(gesture.cached_prediction(curve_, reading.t_s), reading);
 	}
-	for (Other *other : { &now_.hold, &now_.free }) {
+	for (CurvelessMode *other : { &now_.hold, &now_.free }) {
 		other->weight *= other->hand.correct(reading);
 	}
 }
@@ -393,7 +396,7 @@ void SwitchingEstimator::prune() {
 	}
 }
 
-/// The mean of all hypotheses.
+/// Weighted mean of all hypotheses at t_s.
 MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	MotionEstimate estimate;
 	const double ahead_s = t_s + latency_s_, since_s = std::max(ahead_s - now_.time_s, 0.0);
@@ -401,7 +404,7 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	double total = now_.hold.weight + now_.free.weight, unseen = 0.0;
 	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;
-		if (gesture.onset_s() > now_.seen_s - parameters::UNSEEN_S) {
+		if (gesture.onset_s() > now_.measured_s - parameters::UNSEEN_S) {
 			unseen += gesture.weight;
 			continue;
 		}
@@ -414,7 +417,7 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 		estimate.remaining += gesture.weight * (1.0 - hand.phase);
 		(hand.phase > parameters::VISIBLE_PHASE ? estimate.gesture : estimate.hold) += gesture.weight;
 	}
-	const auto go_on = [&](const Other &other, const HandProcess &process, double weight) {
+	const auto add_mode = [&](const CurvelessMode &other, const HandProcess &process, double weight) {
 		const double velocity = other.hand.v * std::exp(-process.rate_per_s * since_s);
 		const double value = other.hand.x + process.reach_s(since_s) * other.hand.v;
 		estimate.value += weight * value;
@@ -422,8 +425,8 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 		estimate.acceleration -= weight * process.rate_per_s * velocity;
 		estimate.phase += weight * minimum_jerk_share(value);
 	};
-	go_on(now_.hold, hold_process_, now_.hold.weight + unseen);
-	go_on(now_.free, free_process_, now_.free.weight);
+	add_mode(now_.hold, hold_process_, now_.hold.weight + unseen);
+	add_mode(now_.free, free_process_, now_.free.weight);
 	estimate.hold = (estimate.hold + now_.hold.weight + unseen) / total;
 	estimate.gesture /= total;
 	estimate.remaining /= total;

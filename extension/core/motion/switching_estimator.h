@@ -13,63 +13,62 @@
 
 namespace steadyhand {
 
-/// The motion at an instant; values in amplitudes, time in seconds.
+/// Estimated motion at one instant, in amplitudes and seconds.
 struct MotionEstimate {
 	double value = 0.0;
 	double velocity = 0.0;
 	double acceleration = 0.0;
-	double phase = 0.0;      ///< 0..1, expected
-	double gesture = 0.0;    ///< probability that the hand makes the gesture, or has just made it
-	double remaining = 0.0;  ///< phase that the gesture still has, expected; 0 of a hand that makes none
-	double hold = 0.0;       ///< probability that it holds still, or rests
-	double correction = 0.0; ///< part of the acceleration that hides what a frame changed
+	double phase = 0.0;      ///< mean phase, 0..1
+	double gesture = 0.0;    ///< probability of GESTURE from VISIBLE_PHASE on, its end included
+	double remaining = 0.0;  ///< mean of 1 - phase, with 0 for HOLD and FREE
+	double hold = 0.0;       ///< probability that the hand rests: HOLD, or GESTURE below VISIBLE_PHASE
+	double correction = 0.0; ///< part of the acceleration that only blends the last correction
 };
 
-/// `phase` mode: a switching Kalman filter (Bar-Shalom, Li, Kirubarajan 2001, chapter 11) over what the hand
-/// does, HOLD, FREE or the gesture, and over the tracker, which is sound or lags. HOLD and FREE are one
-/// filter each; the gesture is a Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over
-/// when it began and how long it takes. The output is the mean of all.
+/// `phase` mode: a switching Kalman filter (Bar-Shalom, Li, Kirubarajan 2001, chapter 11). Modes of the hand:
+/// HOLD, FREE, GESTURE. Modes of the tracker: SOUND, LAGGING. HOLD and FREE are one filter each. GESTURE is a
+/// Gaussian sum (Alspach & Sorenson 1972, doi:10.1109/TAC.1972.1100034) over onset and duration. The output
+/// is the weighted mean of all.
 ///
-/// Of a faulty tracker only its rates of faults are known: they are likelier before one that lags. Frames
-/// that TrackerMonitor takes for outliers or repetitions change nothing else.
+/// LAGGING trackers have faults more often than SOUND ones, so faults are evidence of LAGGING. Frames with
+/// outliers and repetitions give only this evidence.
 ///
-/// Allocates when made.
+/// Only the constructor allocates.
 class SwitchingEstimator {
 public:
-	/// amplitude_m: of the task. latency_s: how old what a frame shows
-	/// always is; the estimate is that much ahead of the frames. gain_spread: standard deviation of how far
-	/// hands go, amplitudes.
+	/// amplitude_m: of the task. latency_s: the tracker's; the estimate is this far ahead of the frames.
+	/// gain_spread: standard deviation of the endpoint, amplitudes.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, double gain_spread = parameters::GAIN_SPREAD);
 
-	/// A frame; stamps must not decrease. x: the motion element, amplitudes.
+	/// Adds a frame. Stamps must not decrease. x: the motion element, amplitudes.
 	void push(const Measurement &measurement, double x);
-	/// No frame came until t_s. is_overdue: one should have.
+	/// Predicts to t_s without a frame. is_overdue: the tracker should have sent one (dropout).
 	void wait(double t_s, bool is_overdue);
-	/// Forgets all gestures; the hand holds where it is. shift: added to x from now on.
+	/// Drops all gestures: the hand is in HOLD or FREE at its position. shift: added to this position.
 	void restart(double t_s, double shift = 0.0);
-	/// As made.
+	/// Resets to the state after construction.
 	void reset();
-	/// The same, but for a frame of a hand that is not followed: it tells how fast that is where it is
-	/// followed next.
+	/// reset(), for a frame that is not estimated. If the next push() follows soon, both frames together give
+	/// the initial velocity.
 	void pass_over(double t_s, double x);
 
-	/// At t_s, not before the last frame.
+	/// Estimate at t_s, which must not be before the last frame.
 	[[nodiscard]] MotionEstimate at(double t_s) const;
-	/// The same without what is blended in of the last change.
+	/// at(), without the blend of the last change.
 	[[nodiscard]] MotionEstimate expected(double t_s) const;
 
 private:
 	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
 
-	/// A hand that follows no curve.
-	struct Other {
+	/// HOLD or FREE: a hand that follows no curve.
+	struct CurvelessMode {
 		double weight = 0.0;
-		double lagging = parameters::LAGGING_SHARE; ///< probability that its tracker lags
+		double lagging = parameters::LAGGING_SHARE; ///< probability of LAGGING in this mode
 		HandState hand;
 
-		/// The tracker did something that is `factor` times as likely of a sound one as of one that lags.
-		void judge_tracker(double factor) {
+		/// Applies evidence on the tracker mode. factor: P(event | SOUND) / P(event | LAGGING).
+		void update_tracker_modes(double factor) {
 			const double likelihood = (1.0 - lagging) * factor + lagging;
 			weight *= likelihood;
 			lagging /= likelihood;
@@ -87,30 +86,31 @@ private:
 
 	/// State after the measurements so far.
 	struct Belief {
-		double time_s = NEVER_S;                     ///< that all are predicted to
-		double seen_s = NEVER_S;                     ///< when a measurement last said where the hand is
-		double changed_s = NEVER_S, changed_x = 0.0; ///< and when one last said something new
+		double time_s = NEVER_S;     ///< all filters are predicted to this time
+		double measured_s = NEVER_S; ///< last used measurement
+		double changed_s = NEVER_S;  ///< last used measurement with another value than the one before
+		double changed_x = 0.0;      ///< its value
 		double next_birth_s = 0.0;
-		Other hold, free;
+		CurvelessMode hold, free;
 		std::vector<GestureFilter> gestures;
-		double log_fault = 0.0; ///< evidence of the fault that goes on; 0: none does
-		double faulty_latency_s = 0.0;
+		double log_fault = 0.0;        ///< evidence of the present fault, nats; 0: no fault
+		double faulty_latency_s = 0.0; ///< further latency of LAGGING trackers
 	};
 	Belief now_;
-	bool is_last_used_ = true; ///< the newest usable measurement, or the one that it replaces
+	bool is_last_used_ = true; ///< the newest usable measurement is far enough in time from the one before
 	Belief before_last_;       ///< before the newest usable measurement
-	double passed_s_ = NEVER_S, passed_x_ = 0.0; ///< the last frame that was passed over
+	double passed_s_ = NEVER_S, passed_x_ = 0.0; ///< last frame of pass_over()
 	OutputBlend blend_;
-	double acceleration_step_ = 0.0; ///< of the last change
+	double acceleration_step_ = 0.0; ///< step of the acceleration at the last change
 
-	/// The mean of the hypotheses is evaluated at knots from the last change on, when it is asked for, and
-	/// kept: an output each millisecond is a quintic between two of them.
+	/// The mean of all hypotheses is evaluated lazily at knots after the last change, and cached. Outputs
+	/// between two knots are a quintic.
 	static constexpr double KNOT_S = 0.01;
 	struct Knot {
-		double number = -1.0; ///< after the last change; -1: not evaluated
+		double number = -1.0; ///< counted from the last change; -1: not evaluated
 		MotionEstimate mean;
 	};
-	double mean_s_ = 0.0; ///< of knot 0
+	double mean_s_ = 0.0; ///< time of knot 0
 	mutable std::array<Knot, 2> knots_;
 
 	[[nodiscard]] MotionEstimate mean(double t_s) const;
@@ -121,15 +121,15 @@ private:
 	void predict(double t_s);
 	void step(double t_s);
 	void switch_modes(double dt_s);
-	void judge_tracker(double log_ratio);
+	void update_tracker_modes(double log_ratio);
 	void count_fault(bool is_jump);
-	void give_birth(double t_s);
-	void seed(const ElementReading &reading, double gap_s);
+	void spawn_gestures(double t_s);
+	void spawn_unseen_gestures(const ElementReading &reading, double gap_s);
 	void add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset, const HandState &from);
 	void correct(const ElementReading &reading, std::size_t count);
 	void normalise();
 	void prune();
-	[[nodiscard]] double nearness(TrackerMode tracker) const;
+	[[nodiscard]] double start_likelihood(TrackerMode tracker) const;
 	template <class Change> void change(double t_s, Change apply);
 };
 

@@ -21,7 +21,7 @@ const ReferenceTable &curve() {
 	return table;
 }
 
-/// The filter with one number of its state moved by almost `step`: a correction by a made-up prediction.
+/// The filter with state i moved by almost `step`, by a correction with an artificial prediction.
 GestureFilter moved(GestureFilter filter, int i, double step) {
 	GestureFilter::Prediction prediction;
 	prediction.variance = 0.5;
@@ -30,7 +30,7 @@ GestureFilter moved(GestureFilter filter, int i, double step) {
 	return filter;
 }
 
-/// Begun at ONSET_S, then two readings that show it late and far, so that all of its state is off its prior.
+/// A filter with onset ONSET_S after two readings off its prediction. Its whole state differs from the prior.
 GestureFilter gesture(TrackerMode tracker) {
 	const HandState from{ .x = 0.02, .v = -0.1, .xx = 1e-4, .xv = 2e-5, .vv = 0.04 };
 	GestureFilter filter(tracker,
@@ -45,7 +45,7 @@ GestureFilter gesture(TrackerMode tracker) {
 	for (const double t_s : { ONSET_S + 0.2, ONSET_S + 0.3 }) {
 		const double dt_s = t_s - then_s;
 		filter.predict({ GestureFilter::deviation_rate_per_s(tracker), dt_s }, dt_s, t_s);
-		const GestureFilter::Prediction p = filter.measured(curve(), t_s);
+		const GestureFilter::Prediction p = filter.predict_measurement(curve(), t_s);
 		filter.correct(p, { .t_s = t_s, .x = p.x + 0.05, .variance = 1e-4 });
 		then_s = t_s;
 	}
@@ -63,7 +63,7 @@ GestureFilter::Vector finite_differences(const GestureFilter &filter, double t_s
 	GestureFilter::Vector slope;
 	for (int i = 0; i < GestureFilter::SIZE; ++i) {
 		const GestureFilter less = moved(filter, i, -STEP), more = moved(filter, i, STEP);
-		slope(i) = (more.measured(curve(), t_s).x - less.measured(curve(), t_s).x) /
+		slope(i) = (more.predict_measurement(curve(), t_s).x - less.predict_measurement(curve(), t_s).x) /
 				(more.mean()(i) - less.mean()(i));
 	}
 	return slope;
@@ -88,30 +88,30 @@ Eigen::Matrix2d noise(const DampedTransition &by) {
 
 } // namespace
 
-TEST_CASE("the slope of a sound tracker's prediction is that of finite differences") {
+TEST_CASE("the slope of a SOUND prediction equals finite differences") {
 	const GestureFilter filter = gesture(TrackerMode::SOUND);
 	for (const double phase : { -0.2, 0.1, 0.33, 0.5, 0.77, 0.95, 1.1, 1.3 }) {
 		CAPTURE(phase);
 		const double t_s = ONSET_S + phase * DURATION_S;
-		const GestureFilter::Vector slope = filter.measured(curve(), t_s).slope;
+		const GestureFilter::Vector slope = filter.predict_measurement(curve(), t_s).slope;
 		CHECK((slope - finite_differences(filter, t_s)).norm() < 1e-5);
 	}
 }
 
-TEST_CASE("the slope of a lagging tracker's prediction is that of finite differences") {
+TEST_CASE("the slope of a LAGGING prediction equals finite differences") {
 	const GestureFilter filter = gesture(TrackerMode::LAGGING);
 	for (const double phase : { -0.2, 0.1, 0.33, 0.5, 0.77, 0.95, 1.1, 1.3 }) {
 		CAPTURE(phase);
 		const double t_s = ONSET_S + phase * DURATION_S;
-		const GestureFilter::Vector slope = filter.measured(curve(), t_s).slope;
+		const GestureFilter::Vector slope = filter.predict_measurement(curve(), t_s).slope;
 		CHECK((slope - finite_differences(filter, t_s)).norm() < 1e-5);
 	}
 }
 
-TEST_CASE("the variance of a prediction is its slope's through the covariance") {
+TEST_CASE("the variance of a prediction is slope^T covariance slope") {
 	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
 		const GestureFilter filter = gesture(tracker);
-		const GestureFilter::Prediction p = filter.measured(curve(), ONSET_S + 0.4);
+		const GestureFilter::Prediction p = filter.predict_measurement(curve(), ONSET_S + 0.4);
 		CHECK((p.covariance - filter.covariance() * p.slope).norm() < 1e-15);
 		CHECK(p.variance == doctest::Approx(p.slope.dot(filter.covariance() * p.slope)));
 	}
@@ -132,7 +132,7 @@ TEST_CASE("a gesture filter predicts as dense Kalman matrices do") {
 		added(Index::DEVIATION, Index::DEVIATION_RATE) -= by.noise_xv;
 		added(Index::DEVIATION_RATE, Index::DEVIATION) -= by.noise_xv;
 		added(Index::DEVIATION_RATE, Index::DEVIATION_RATE) -= by.noise_vv;
-		// What is left is the change of pace: one number, along which the phase at T_S stays.
+		// The rest is the random walk of the pace. It has rank 1, and does not change the phase at T_S.
 		const double pace = added(Index::LOG_DURATION, Index::LOG_DURATION);
 		CHECK(pace > 0.0);
 		GestureFilter::Vector along = GestureFilter::Vector::Zero();
@@ -146,20 +146,20 @@ TEST_CASE("a gesture filter predicts as dense Kalman matrices do") {
 	}
 }
 
-TEST_CASE("a gesture filter takes a reading in as dense Kalman matrices do") {
+TEST_CASE("a gesture filter corrects as dense Kalman matrices do") {
 	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
 		for (const double error : { 0.0, 0.01, -0.1, 0.6 }) {
 			CAPTURE(error);
 			const GestureFilter before = gesture(tracker);
 			GestureFilter after = before;
-			const GestureFilter::Prediction p = before.measured(curve(), ONSET_S + 0.4);
+			const GestureFilter::Prediction p = before.predict_measurement(curve(), ONSET_S + 0.4);
 			const ElementReading reading{ .t_s = ONSET_S + 0.4, .x = p.x + error, .variance = 4e-4 };
 			after.correct(p, reading);
 
-			// Either the reading is an outlier, and nothing changes, or it is not: a Kalman step in Joseph's
-			// form. Then the moments of both.
+			// Moments of a mixture: no change if the reading is an outlier, otherwise a Kalman step in
+			// Joseph's form.
 			const double s = p.slope.dot(before.covariance() * p.slope) + reading.variance;
-			const double share = ReadingLikelihood(error, s).share;
+			const double share = ReadingLikelihood(error, s).inlier_probability;
 			const GestureFilter::Vector k = before.covariance() * p.slope / s;
 			const GestureFilter::Matrix keep = GestureFilter::Matrix::Identity() - k * p.slope.transpose();
 			const GestureFilter::Matrix taken =
@@ -177,18 +177,18 @@ TEST_CASE("a gesture filter takes a reading in as dense Kalman matrices do") {
 	}
 }
 
-TEST_CASE("the power of a reading is that of its likelihood in the weight") {
+TEST_CASE("a reading with power 0.5 weighs as the likelihood's square root") {
 	const GestureFilter before = gesture(TrackerMode::SOUND);
-	const GestureFilter::Prediction p = before.measured(curve(), ONSET_S + 0.4);
+	const GestureFilter::Prediction p = before.predict_measurement(curve(), ONSET_S + 0.4);
 	GestureFilter whole = before, half = before;
 	whole.correct(p, { .x = p.x + 0.02, .variance = 1e-4, .power = 1.0 });
 	half.correct(p, { .x = p.x + 0.02, .variance = 1e-4, .power = 0.5 });
 	CHECK(half.weight / before.weight == doctest::Approx(std::sqrt(whole.weight / before.weight)));
 }
 
-TEST_CASE("an outlier mixture's moments are those of numerical integration") {
+TEST_CASE("the moments of the outlier mixture equal numerical integration") {
 	constexpr double PRIOR_VARIANCE = 0.02, NOISE_VARIANCE = 0.005, STEP = 1e-4;
-	// The likelihood's two parts, from its own density: far away only the outliers' is left.
+	// The two parts of the likelihood, from its density: far away only the outliers' part is left.
 	const double outliers = ReadingLikelihood(1e3, 1.0).density;
 	const auto normal = [](double x, double variance) {
 		return std::exp(-0.5 * x * x / variance) / std::sqrt(2.0 * std::numbers::pi * variance);
@@ -208,13 +208,13 @@ TEST_CASE("an outlier mixture's moments are those of numerical integration") {
 		const double variance = PRIOR_VARIANCE + NOISE_VARIANCE, gain = PRIOR_VARIANCE / variance;
 		const ReadingLikelihood likelihood(z, variance);
 		CHECK(likelihood.density == doctest::Approx(weight).epsilon(1e-6));
-		CHECK(std::abs(likelihood.share * z * gain - mean) < 1e-6);
+		CHECK(std::abs(likelihood.inlier_probability * z * gain - mean) < 1e-6);
 		CHECK(PRIOR_VARIANCE - likelihood.reduction(z, variance) * gain * gain ==
 				doctest::Approx(square / weight - mean * mean).epsilon(1e-5));
 	}
 }
 
-TEST_CASE("the transition of damped noise is the integral of its process") {
+TEST_CASE("the transition of damped noise equals the numerical integral") {
 	// x'' = -2 a x' - a^2 x + white noise of density 4 a^3, which makes the variance of x 1.
 	for (const double a : { 4.6, 8.0 }) {
 		for (const double dt_s : { 1e-4, 0.01, 0.3, 2.0 }) {
@@ -239,7 +239,7 @@ TEST_CASE("the transition of damped noise is the integral of its process") {
 	}
 }
 
-TEST_CASE("two transitions of damped noise are one over their whole time") {
+TEST_CASE("two transitions of damped noise equal one over both times") {
 	constexpr double A = 4.6;
 	for (const double first_s : { 0.0, 0.003, 0.2 }) {
 		for (const double second_s : { 0.001, 0.05, 1.0 }) {
@@ -252,7 +252,7 @@ TEST_CASE("two transitions of damped noise are one over their whole time") {
 	}
 }
 
-TEST_CASE("damped noise that goes on keeps variance 1 and rate a^2") {
+TEST_CASE("stationary damped noise keeps variance 1 and rate variance a^2") {
 	constexpr double A = 8.0;
 	const Eigen::Matrix2d stationary = (Eigen::Matrix2d() << 1.0, 0.0, 0.0, A * A).finished();
 	for (const double dt_s : { 0.0, 1e-4, 0.1, 5.0 }) {
@@ -261,13 +261,14 @@ TEST_CASE("damped noise that goes on keeps variance 1 and rate a^2") {
 	}
 }
 
-TEST_CASE("the hand is where a sound tracker shows it, with its derivatives") {
+TEST_CASE("with a SOUND tracker the hand is at the predicted measurement") {
 	constexpr double STEP_S = 1e-5;
 	const GestureFilter filter = gesture(TrackerMode::SOUND);
 	for (const double phase : { 0.15, 0.4, 0.6, 0.9 }) {
 		CAPTURE(phase);
 		const double from_s = ONSET_S + phase * DURATION_S, t_s = from_s + 0.01;
-		CHECK(std::abs(hand(filter, from_s, from_s).value - filter.measured(curve(), from_s).x) < 1e-4);
+		CHECK(std::abs(hand(filter, from_s, from_s).value - filter.predict_measurement(curve(), from_s).x) <
+				1e-4);
 		const GestureFilter::Hand before = hand(filter, from_s, t_s - STEP_S),
 								  now = hand(filter, from_s, t_s), after = hand(filter, from_s, t_s + STEP_S);
 		CHECK(std::abs(now.velocity - (after.value - before.value) / (2.0 * STEP_S)) < 1e-4);
@@ -275,7 +276,7 @@ TEST_CASE("the hand is where a sound tracker shows it, with its derivatives") {
 	}
 }
 
-TEST_CASE("a lagging tracker is behind the hand in motion, not at rest") {
+TEST_CASE("a LAGGING tracker is behind a moving hand, not a resting one") {
 	const GestureFilter filter(TrackerMode::LAGGING,
 			{ .t_s = ONSET_S,
 					.deviation_s = 0.02,
@@ -285,7 +286,7 @@ TEST_CASE("a lagging tracker is behind the hand in motion, not at rest") {
 			{});
 	const auto ahead = [&](double phase) {
 		const double t_s = ONSET_S + phase * DURATION_S;
-		return hand(filter, t_s, t_s).value - filter.measured(curve(), t_s).x;
+		return hand(filter, t_s, t_s).value - filter.predict_measurement(curve(), t_s).x;
 	};
 	CHECK(ahead(-0.1) == 0.0);
 	CHECK(ahead(0.5) > 0.02);

@@ -34,7 +34,7 @@ HandState predicted(double dt_s) {
 
 } // namespace
 
-TEST_CASE("a hand's prediction is the integral of its process") {
+TEST_CASE("the prediction of a hand equals the integral of its process") {
 	// x' = v, v' = -a v + white noise of density 2 a speed^2: its response to an impulse a time s ago is
 	// ((1 - exp(-a s)) / a, exp(-a s)).
 	constexpr double A = PROCESS.rate_per_s;
@@ -58,7 +58,7 @@ TEST_CASE("a hand's prediction is the integral of its process") {
 	}
 }
 
-TEST_CASE("two predictions of a hand are one over their whole time") {
+TEST_CASE("two predictions of a hand equal one over both times") {
 	for (const double first_s : { 0.0, 1e-3, 0.02, 0.4 }) {
 		for (const double second_s : { 1e-3, 0.05, 2.0 }) {
 			HandState hand = predicted(first_s);
@@ -68,7 +68,7 @@ TEST_CASE("two predictions of a hand are one over their whole time") {
 	}
 }
 
-TEST_CASE("a hand left alone comes to rest with the process' velocity variance") {
+TEST_CASE("an unmeasured hand comes to rest with the stationary velocity variance") {
 	const HandState hand = predicted(100.0);
 	CHECK(hand.x == doctest::Approx(HAND.x + HAND.v / PROCESS.rate_per_s));
 	CHECK(std::abs(hand.v) < 1e-12);

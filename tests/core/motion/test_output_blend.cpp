@@ -8,8 +8,7 @@
 
 using namespace steadyhand;
 
-TEST_CASE(
-		"what a blend adds obeys x'' = -2 a x' - a^2 x, from the value and the velocity that it began with") {
+TEST_CASE("a blend solves x'' = -2 a x' - a^2 x from its begin") {
 	constexpr double BEGAN_S = 3.0, STEP_S = 1e-6;
 	for (const double rate_per_s : { 4.0, parameters::FRAME_BLEND_PER_S }) {
 		for (const auto &[value, velocity] :
@@ -46,7 +45,7 @@ TEST_CASE(
 	}
 }
 
-TEST_CASE("a step that fades by itself does so critically damped, at twice the blend's rate") {
+TEST_CASE("share_left() decays critically damped at twice the blend's rate") {
 	OutputBlend blend;
 	blend.start(1.0, 0.3, -2.0, 100.0);
 	for (const double since_s : { 0.0, 0.001, 0.007, 0.05, 2.0 }) {

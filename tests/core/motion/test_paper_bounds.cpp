@@ -1,4 +1,4 @@
-// What `paper` mode puts out of models that are valid and still no hand's.
+// Bounds of `paper` mode's output for random valid models.
 
 #include "gesture/model_file.h"
 #include "motion/paper_synthesiser.h"
@@ -12,7 +12,7 @@
 
 using namespace steadyhand;
 
-TEST_CASE("no valid model makes paper mode put out more than two amplitudes, or no number") {
+TEST_CASE("paper mode stays finite and within two amplitudes for random models") {
 	std::mt19937_64 random(9);
 	std::uniform_real_distribution<double> uniform(0.0, 1.0);
 	int valid = 0, held = 0;

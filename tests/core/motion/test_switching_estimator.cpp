@@ -13,7 +13,7 @@
 
 using namespace steadyhand;
 
-// Positions in amplitudes of 20 cm, a task's usual length.
+// Positions are in amplitudes of 20 cm.
 
 namespace {
 
@@ -23,7 +23,7 @@ struct Reading {
 
 using Path = std::function<double(double t_s)>; ///< of a hand
 
-/// Readings of a tracker whose first frame comes at an odd share of its period; noise: standard deviation.
+/// Readings of a tracker whose first frame comes after 0.37 periods. noise: standard deviation.
 std::vector<Reading> readings(const Path &hand, double rate_hz, double length_s, double noise = 0.0) {
 	std::mt19937_64 random(7);
 	std::normal_distribution<double> normal;
@@ -61,8 +61,8 @@ Path stopped_at(double stop_s) {
 	return [stop_s, moves = drag()](double t_s) { return moves(std::min(t_s, stop_s)); };
 }
 
-/// A drag there and back; a dropout of 0.15 s on the way there, a jump on the way back. At this rate no frame
-/// falls on the instant of a birth, where rounding decides which comes first.
+/// A drag with a dropout of 0.15 s, and its return with a jump. At this rate no frame coincides with a birth,
+/// where rounding would decide the order.
 std::vector<Reading> faulty_readings() {
 	std::vector<Reading> all =
 			readings([there = drag(), back = drag(2.0, 0.6)](double t_s) { return there(t_s) - back(t_s); },
@@ -86,7 +86,7 @@ bool is_finite(const MotionEstimate &estimate) {
 			std::isfinite(estimate.correction);
 }
 
-/// When the value first comes to 0.95 for good.
+/// Time from which on the value stays at 0.95 or more.
 double end_s(const std::vector<MotionEstimate> &out) {
 	std::size_t ms = out.size();
 	while (ms > 0 && out[ms - 1].value >= 0.95) {
@@ -97,7 +97,7 @@ double end_s(const std::vector<MotionEstimate> &out) {
 
 } // namespace
 
-TEST_CASE("readings after an instant change no bit of the motion before it") {
+TEST_CASE("later readings change no bit of earlier motion") {
 	const std::vector<Reading> all = faulty_readings();
 	const std::vector<MotionEstimate> whole = replay(all, 3.5);
 	for (const double cut_s : { 0.7, 0.9, 1.5, 2.21, 3.0 }) {
@@ -109,7 +109,7 @@ TEST_CASE("readings after an instant change no bit of the motion before it") {
 	}
 }
 
-TEST_CASE("looking at the motion changes no bit of it") {
+TEST_CASE("calls of at() change no bit of the motion") {
 	test::MonitoredEstimator watched(test::drag_model()), unwatched(test::drag_model());
 	for (const Reading &reading : faulty_readings()) {
 		for (int i = 0; i < 5; ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("looking at the motion changes no bit of it") {
 	}
 }
 
-TEST_CASE("stamps that are 1e5 s later give the same motion within 1e-6") {
+TEST_CASE("stamps 1e5 s later give the same motion within 1e-6") {
 	const std::vector<Reading> all = faulty_readings();
 	const std::vector<MotionEstimate> now = replay(all, 3.5), later = replay(all, 3.5, 1e5);
 	double largest = 0.0;
@@ -131,13 +131,13 @@ TEST_CASE("stamps that are 1e5 s later give the same motion within 1e-6") {
 	CHECK(largest < 1e-6);
 }
 
-TEST_CASE("a reading steps neither the value nor the velocity") {
+TEST_CASE("value and velocity do not step at a reading") {
 	test::MonitoredEstimator estimator(test::drag_model());
 	for (const Reading &reading : faulty_readings()) {
 		const MotionEstimate before = estimator.at(reading.t_s);
 		estimator.push(reading.t_s, reading.x);
 		const MotionEstimate after = estimator.at(reading.t_s);
-		if (reading.t_s > 0.1) { // the first reading is where the motion begins
+		if (reading.t_s > 0.1) { // the motion steps to the first reading
 			CHECK(std::abs(after.value - before.value) < 1e-9);
 			CHECK(std::abs(after.velocity - before.velocity) < 1e-7);
 		}
@@ -176,7 +176,7 @@ TEST_CASE("the motion is finite at any rate and amplitude") {
 	}
 }
 
-TEST_CASE("the motion is finite where stamps are equal, or an hour apart") {
+TEST_CASE("the motion is finite if stamps are equal or an hour apart") {
 	test::MonitoredEstimator estimator(test::drag_model());
 	for (const Reading &reading : readings(drag(), 60.0, 3.0, 1e-3)) {
 		for (int i = 0; i < 3; ++i) {
@@ -254,7 +254,7 @@ TEST_CASE("a minimum-jerk hand without noise is followed within 1 %") {
 
 TEST_CASE("a noiseless dead stop is held within 2 % after 0.3 s") {
 	for (const double rate_hz : { 30.0, 60.0, 90.0, 120.0 }) {
-		for (const double share : { 0.25, 0.5, 0.75 }) { // of the way
+		for (const double share : { 0.25, 0.5, 0.75 }) { // of the amplitude
 			CAPTURE(rate_hz);
 			CAPTURE(share);
 			const double stop_s = 0.5 + 0.8 * minimum_jerk_share(share);
