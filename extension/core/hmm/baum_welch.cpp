@@ -7,7 +7,7 @@
 namespace steadyhand {
 namespace {
 
-/// Dirichlet(1 + pseudo) log density of the allowed entries, up to a constant.
+/// Log density of the Dirichlet(1 + pseudo) prior at the allowed entries, up to a constant.
 double log_prior(const DiscreteHmm &hmm, const PseudoCounts &pseudo) {
 	double sum = 0.0;
 	for (Eigen::Index i = 0; i < hmm.states(); ++i) {
@@ -18,7 +18,7 @@ double log_prior(const DiscreteHmm &hmm, const PseudoCounts &pseudo) {
 	return pseudo.symbol > 0.0 ? sum + pseudo.symbol * hmm.log_b.sum() : sum;
 }
 
-/// The M-step for one row; a row without any count keeps its values.
+/// M-step for one row. A row without counts keeps its values.
 void normalise_row(Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> log_row, Eigen::RowVectorXd counts,
 		double pseudo, bool all_allowed) {
 	for (Eigen::Index k = 0; k < counts.size(); ++k) {

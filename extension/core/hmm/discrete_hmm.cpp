@@ -24,7 +24,7 @@ Result<DiscreteHmm> validated(DiscreteHmm hmm) {
 			hmm.log_b.cols() < 1) {
 		return Error{ "the sizes of pi (" + std::to_string(n) + "), A (" + std::to_string(hmm.log_a.rows()) +
 			" x " + std::to_string(hmm.log_a.cols()) + ") and B (" + std::to_string(hmm.log_b.rows()) +
-			" x " + std::to_string(hmm.log_b.cols()) + ") do not belong together" };
+			" x " + std::to_string(hmm.log_b.cols()) + ") do not match" };
 	}
 	if (!is_log_distribution(hmm.log_pi.transpose())) {
 		return Error{ "pi: the probabilities do not sum to 1" };

@@ -11,14 +11,14 @@
 
 namespace steadyhand {
 
-/// Index into a codebook, 0..M-1; UNSEEN marks a frame with nothing to observe (a gap): it weighs on no
-/// state.
+/// Index into a codebook, 0..M-1. UNSEEN is a frame without an observation: its emission probability is 1 in
+/// every state.
 using Symbol = std::int32_t;
 inline constexpr Symbol UNSEEN = -1;
 
 using SymbolSequence = std::vector<Symbol>;
 
-/// log probability of what cannot be.
+/// Log of probability 0.
 inline constexpr double NEVER = -std::numeric_limits<double>::infinity();
 
 /// A discrete hidden Markov model of N states and M symbols, lambda = (A, B, pi) of Rabiner, "A tutorial on
@@ -31,7 +31,7 @@ struct DiscreteHmm {
 	[[nodiscard]] Eigen::Index states() const { return log_a.rows(); }
 	[[nodiscard]] Eigen::Index symbols() const { return log_b.cols(); }
 
-	/// log b_j(symbol) of every state; zeros for UNSEEN and for a symbol outside the codebook.
+	/// log b_j(symbol) for every state j; 0 for UNSEEN and for symbols outside the codebook.
 	template <class Vector> void emission(Symbol symbol, Vector &r_log_b) const {
 		if (symbol >= 0 && symbol < symbols()) {
 			r_log_b = log_b.col(symbol);
@@ -41,22 +41,22 @@ struct DiscreteHmm {
 	}
 };
 
-/// Says what is wrong with a model that came from outside: shapes, rows that are no distribution (tolerance
-/// 1e-6), NaN. Returns the model itself where it is sound.
+/// Checks a model from outside. Fails if shapes do not match, if a row does not sum to 1 within 1e-6, or if
+/// an entry is NaN. Returns the model if it is valid.
 Result<DiscreteHmm> validated(DiscreteHmm hmm);
 
-/// Dirichlet pseudo-counts, added to each expected count of an allowed transition and of each symbol (MAP
-/// estimate). They keep every symbol possible in every state, so that one unseen symbol costs a finite
-/// penalty.
+/// Dirichlet pseudo-counts, added to the expected count of each allowed transition and of each symbol (MAP
+/// estimate). They keep every symbol possible in every state, so that a symbol without training data costs a
+/// finite penalty.
 struct PseudoCounts {
 	double transition = 1.0;
 	double symbol = 0.1;
 };
 
-/// The start for Baum-Welch: every sequence cut into `states` segments of equal length, counts taken from
-/// those. Left-right without skips: state i leads to itself and to i + 1, the last one absorbs, pi = (1, 0,
-/// ...). Empty sequences and symbols outside 0..n_symbols-1 are passed over. Needs states >= 1, n_symbols
-/// >= 1, pseudo-counts > 0.
+/// Initial model for Baum-Welch. Cuts each sequence into `states` segments of equal length, and counts in
+/// them. Left-right without skips: state i leads to itself and to i + 1; the last state leads to itself; pi =
+/// (1, 0, ...). Skips empty sequences and symbols outside 0..n_symbols-1. Needs states >= 1, n_symbols >= 1,
+/// pseudo-counts > 0.
 DiscreteHmm left_right_from_equal_segments(
 		std::span<const SymbolSequence> sequences, int states, int n_symbols, const PseudoCounts &pseudo);
 

@@ -8,15 +8,16 @@
 namespace steadyhand {
 namespace {
 
-/// Sequences that are worked on at once: in step with each other they keep the processor's pipes full.
+/// Sequences that are processed side by side, for vector instructions.
 constexpr int AT_ONCE = 8;
-/// Longer ones one by one: the forward variable of all frames is kept.
+/// Longer sequences, in frames, are processed one by one, because the forward variable of all frames is kept
+/// in memory.
 constexpr std::size_t LONG = 10'000;
 
 using SequencePointers = std::span<const SymbolSequence *const>;
 
-/// Forward and backward over up to LANES sequences side by side. The backward variable comes times its
-/// emission, u_t(j) = b_j(o_t) beta_t(j), so that xi_t(i, j) = alpha_t(i) a_ij u_t+1(j) / P(O).
+/// Forward and backward pass over up to LANES sequences side by side. The backward pass computes the backward
+/// variable times its emission, u_t(j) = b_j(o_t) beta_t(j). So xi_t(i, j) = alpha_t(i) a_ij u_t+1(j) / P(O).
 template <int LANES> class SideBySide {
 public:
 	SideBySide(const LinearHmm &hmm, ExpectedCounts &r_counts) :
@@ -38,7 +39,7 @@ public:
 		go_backward();
 	}
 
-	/// What has been added, to the counts.
+	/// Adds the sums of all add() calls to the counts.
 	void finish() {
 		for (std::size_t k = 0; k < arcs_.size(); ++k) {
 			counts_->transitions(arcs_[k].from, arcs_[k].to) += lanes(&transitions_[k * LANES]).sum();
@@ -50,7 +51,7 @@ private:
 	struct Arc {
 		Eigen::Index from, to;
 	};
-	/// Forward exponents, from a frame on.
+	/// Exponents of the forward variable, valid from frame `from` on.
 	struct Epoch {
 		std::size_t from;
 		std::vector<std::int64_t> exponents;
@@ -61,17 +62,17 @@ private:
 	Eigen::Index n_;
 	ScaledRecursion<LANES> forward_, backward_;
 	std::vector<Arc> arcs_;
-	std::size_t length_ = 0; ///< of the longest
+	std::size_t length_ = 0; ///< of the longest sequence, frames
 	std::array<std::size_t, LANES> lengths_{};
 	std::array<ScaledNumber, LANES> likelihoods_;
-	std::vector<Eigen::Index> columns_; ///< of b: frame by frame, LANES each
-	std::vector<double> emissions_;     ///< frame by frame, N x LANES each
-	std::vector<double> alpha_;         ///< mantissas: frame by frame, N x LANES each
+	std::vector<Eigen::Index> columns_; ///< columns of b: frames x LANES
+	std::vector<double> emissions_;     ///< frames x N x LANES
+	std::vector<double> alpha_;         ///< mantissas: frames x N x LANES
 	std::vector<Epoch> epochs_;
-	std::vector<double> factors_;     ///< of each arc in each lane: xi by the mantissas of alpha and u
-	std::vector<double> transitions_; ///< of each arc in each lane
+	std::vector<double> factors_;     ///< arcs x LANES: xi / (mantissa of alpha * mantissa of u)
+	std::vector<double> transitions_; ///< arcs x LANES: expected counts
 	std::vector<double> gamma_;       ///< N x LANES
-	Eigen::MatrixXd symbols_;         ///< as b
+	Eigen::MatrixXd symbols_;         ///< expected counts, of the shape of b
 
 	using Lanes = Eigen::Array<double, LANES, 1>;
 	static Eigen::Map<Lanes> lanes(double *p) { return Eigen::Map<Lanes>(p); }
@@ -83,7 +84,7 @@ private:
 	const double *alpha(std::size_t t) const { return alpha_.data() + t * size(n_); }
 	const double *emissions(std::size_t t) const { return emissions_.data() + t * size(n_); }
 
-	/// Shorter sequences are followed by frames with nothing to observe.
+	/// Pads shorter sequences with UNSEEN frames.
 	void align(SequencePointers sequences) {
 		length_ = 0;
 		lengths_.fill(0);
@@ -166,7 +167,7 @@ private:
 		}
 	}
 
-	/// For the frames from t on, back to where exponents change again.
+	/// Computes factors_ for frame t and the frames before it, until exponents change.
 	void make_factors(std::size_t t) {
 		const std::vector<std::int64_t> &alpha_e = epochs_.back().exponents;
 		const std::int64_t *const u_e = backward_.exponents();
@@ -180,8 +181,8 @@ private:
 						? ScaledNumber(hmm_->a(i, j) / likelihood.mantissa,
 								  alpha_e[place(i, lane)] + u_e[place(j, lane)] - likelihood.exponent)
 						: ScaledNumber();
-				// xi is at most 1, and no mantissa that is not 0 is below LEAST: of a greater factor one of
-				// the two is 0 in all these frames.
+				// xi <= 1, and mantissas other than 0 have at least LEAST bits. So if the factor is greater,
+				// one of the two mantissas is 0 in all these frames.
 				constexpr std::int64_t MOST = -2 * ScaledRecursion<LANES>::LEAST;
 				factors_[k * LANES + l] =
 						factor.exponent <= MOST ? factor.mantissa * power_of_two(factor.exponent) : 0.0;
@@ -189,8 +190,8 @@ private:
 		}
 	}
 
-	/// Transitions from frame t, and what was seen in it: gamma_t(i) is the sum of xi_t(i, j) over j, and in
-	/// the last frame alpha_t(i) / P(O).
+	/// Counts transitions from frame t and the symbols of frame t. gamma_t(i) is the sum of xi_t(i, j) over
+	/// j; in the last frame it is alpha_t(i) / P(O).
 	void count(std::size_t t) {
 		const double *const m = alpha(t), *const u = backward_.mantissas();
 		const Arc *arc = arcs_.data();

@@ -8,21 +8,22 @@
 
 namespace steadyhand {
 
-/// The filler, or threshold, model (Lee and Kim 1999, doi:10.1109/34.799904): the states of all gestures and
-/// of other motion, each leading to itself as before and to all others alike. Any order of the states is as
-/// likely as another, so that a hand which makes no gesture fits it better than the gesture's own HMM.
-/// Probabilities.
+/// The filler, or threshold, model (Lee and Kim 1999, doi:10.1109/34.799904). It has the states of all
+/// gestures and of other motion. Each state keeps its self-transition, and leads to all others with equal
+/// probability. All orders of the states are equally likely, so motion that is no gesture is likelier under
+/// the filler than under a gesture's HMM. Entries are probabilities.
 struct FillerModel {
-	Eigen::VectorXd stay; ///< N: that the state lasts for another symbol
-	Eigen::MatrixXd b;    ///< N x (M + 1): the last column, all 1, is of UNSEEN
+	Eigen::VectorXd stay; ///< N: self-transition
+	Eigen::MatrixXd b;    ///< N x (M + 1): emissions; the last column, all 1, is for UNSEEN
 };
 
-/// The forward variable of a FillerModel for several sequences at once, one a lane. As every state leads to
-/// every other, none falls behind the others by more than one symbol can make it: one scale a lane is exact
-/// at any length. A step costs N operations a lane, as all states but one are led to alike.
+/// Forward variable of a FillerModel for LANES sequences at once. Every state leads to every other, so the
+/// states of a lane differ by at most the factor of one symbol. One scale for each lane is therefore exact at
+/// any length. A step costs O(N) operations for each lane, because the transitions to all other states are
+/// equal.
 template <int LANES> class FillerFilter {
 public:
-	/// Allocates; nothing else does.
+	/// Only the constructor allocates.
 	explicit FillerFilter(const FillerModel &model) :
 			stay_(model.stay),
 			leave_((1.0 - model.stay.array()) / static_cast<double>(model.stay.size() - 1)),
@@ -30,7 +31,7 @@ public:
 		alpha_.setZero();
 	}
 
-	/// All states alike, after a first symbol. b: N emissions of it.
+	/// Starts a lane with equal state probabilities. b: N emissions of the first symbol.
 	void start(int lane, const double *b) {
 		const Eigen::Map<const Eigen::ArrayXd> emission(b, alpha_.rows());
 		alpha_.col(lane) = emission / static_cast<double>(alpha_.rows());
@@ -51,7 +52,7 @@ public:
 
 private:
 	Eigen::ArrayXd stay_, leave_;
-	Eigen::ArrayXXd alpha_; ///< N x LANES, each lane of sum 1
+	Eigen::ArrayXXd alpha_; ///< N x LANES; each lane sums to 1
 	std::array<ScaledNumber, LANES> likelihood_{};
 
 	void normalise(int lane) {

@@ -7,7 +7,7 @@ namespace {
 
 Eigen::MatrixXd probabilities(const Eigen::MatrixXd &logs) {
 	const Eigen::ArrayXXd p = logs.array().exp();
-	// Eigen's vectorised exp(-infinity) is tiny, not 0.
+	// Eigen's vectorised exp(-infinity) is not 0, but a tiny number.
 	return (p >= std::numeric_limits<double>::min()).select(p, 0.0);
 }
 

@@ -7,7 +7,7 @@
 
 namespace steadyhand {
 
-/// 2^exponent; 0 below the smallest normal number, infinity above the largest.
+/// 2^exponent. Returns 0 below the smallest normal number, and infinity above the largest.
 [[nodiscard]] inline double power_of_two(std::int64_t exponent) {
 	constexpr std::int64_t BIAS = 1023;
 	if (exponent < 1 - BIAS) {
@@ -17,16 +17,16 @@ namespace steadyhand {
 	return std::bit_cast<double>(biased << 52);
 }
 
-/// A number >= 0 as small as a probability of millions of symbols: mantissa * 2^exponent.
+/// A number >= 0, mantissa * 2^exponent. Holds probabilities of sequences of millions of symbols.
 struct ScaledNumber {
-	/// Of 0: so that it is nothing beside any other.
+	/// Exponent of 0: smaller than that of any other number.
 	static constexpr std::int64_t NEVER = -(std::int64_t{ 1 } << 60);
 
 	double mantissa = 0.0; ///< 1..2, or 0
 	std::int64_t exponent = NEVER;
 
 	ScaledNumber() = default;
-	/// m * 2^e for a finite m >= 0; less than the smallest normal number is 0.
+	/// m * 2^e for a finite m >= 0. An m below the smallest normal number gives 0.
 	ScaledNumber(double m, std::int64_t e) {
 		constexpr std::uint64_t FRACTION = (std::uint64_t{ 1 } << 52) - 1, ONE = std::uint64_t{ 1023 } << 52;
 		const auto bits = std::bit_cast<std::uint64_t>(m);
@@ -47,7 +47,7 @@ struct ScaledNumber {
 	[[nodiscard]] bool operator<(const ScaledNumber &other) const {
 		return exponent != other.exponent ? exponent < other.exponent : mantissa < other.mantissa;
 	}
-	/// Natural; -infinity of 0.
+	/// Natural logarithm; -infinity for 0.
 	[[nodiscard]] double log() const {
 		return mantissa > 0.0 ? std::log(mantissa) + std::numbers::ln2 * static_cast<double>(exponent)
 							  : -INFINITY;

@@ -7,8 +7,8 @@
 
 namespace steadyhand {
 
-/// By which rule a stream of symbols is turned into states. The default is the paper's, and what the nodes
-/// use; the others are there to be compared with it (bench_quality).
+/// How a stream of symbols is decoded into states. The nodes use the default, which is the paper's.
+/// bench_quality compares the others with it.
 struct StateDecoding {
 	enum class Rule {
 		VITERBI, ///< the state `lag` symbols ago on the best path over the symbols so far
@@ -17,18 +17,18 @@ struct StateDecoding {
 	enum class Precision { DOUBLE, SINGLE };
 
 	Rule rule = Rule::VITERBI;
-	int lag = 0; ///< symbols; of VITERBI
+	int lag = 0; ///< of VITERBI, in symbols
 	Precision precision = Precision::DOUBLE;
 };
 
-/// The decoder that a StateDecoding asks for. After construction nothing is allocated.
+/// The decoder of a StateDecoding. Only the constructor allocates.
 class StateDecoder {
 public:
 	explicit StateDecoder(const DiscreteHmm &hmm, const StateDecoding &decoding = {});
 
 	void reset();
 	void push(Symbol symbol);
-	/// Of the symbol that is lag() before the newest one.
+	/// State of the symbol lag() before the newest one.
 	[[nodiscard]] int state() const;
 	[[nodiscard]] int lag() const { return lag_; }
 

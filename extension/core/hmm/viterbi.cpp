@@ -8,10 +8,10 @@ namespace {
 
 constexpr Eigen::Index WIDTH = 4;
 template <class Scalar> using States = Eigen::Array<Scalar, WIDTH, 1>;
-/// As Eigen allocates, and whole vectors further.
+/// Eigen's allocations are aligned, and so are all multiples of WIDTH from there.
 template <class Scalar> using ConstStates = Eigen::Map<const States<Scalar>, Eigen::Aligned16>;
 
-/// max_i delta(i) + log a_ij for every j, and the i that reached it (the lowest, where several do).
+/// max_i delta(i) + log a_ij for every j, and its argument i. Ties go to the lower i.
 void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eigen::VectorXd &r_best,
 		Eigen::Ref<Eigen::VectorXi> r_from) {
 	for (Eigen::Index j = 0; j < hmm.states(); ++j) {
@@ -21,7 +21,7 @@ void best_predecessors(const DiscreteHmm &hmm, const Eigen::VectorXd &delta, Eig
 	}
 }
 
-/// Of the most probable; the lowest, where several are. Needs states.
+/// Most probable state. Ties go to the lower state. states >= 1.
 template <class Scalar, class Count> int best_state(const Scalar *delta, Count states) {
 	Scalar best = delta[0];
 	int state = 0;
@@ -32,8 +32,8 @@ template <class Scalar, class Count> int best_state(const Scalar *delta, Count s
 	return state;
 }
 
-/// delta_j becomes max_i (delta_i + log a_ij) + log b_j, in OnlineViterbi's layout. Returns the best state.
-/// r_next may be delta where WIDTH states are all there are.
+/// r_next_j = max_i (delta_i + log a_ij) + log b_j, in the layout of OnlineViterbi. Returns the best state.
+/// r_next may be delta if states == WIDTH.
 template <class Scalar, class Count>
 int step(Count states, const Scalar *delta, const Scalar *log_a, const Scalar *log_b, Scalar *r_next) {
 	for (Eigen::Index to = 0; to < states; to += WIDTH) {
@@ -97,7 +97,7 @@ template <class Scalar> OnlineViterbi<Scalar>::OnlineViterbi(const DiscreteHmm &
 
 template <class Scalar> void OnlineViterbi<Scalar>::reset() {
 	started_ = false;
-	taken_out_ = 0.0;
+	subtracted_ = 0.0;
 	delta_ = log_pi_;
 	state_ = best_state(delta_.data(), delta_.size());
 }
@@ -116,19 +116,19 @@ template <class Scalar> void OnlineViterbi<Scalar>::push(Symbol symbol) {
 		state_ = step(delta_.size(), delta_.data(), log_a_.data(), log_b, next_.data());
 		delta_.swap(next_);
 	}
-	take_out_best();
+	subtract_best();
 }
 
-/// The log probability of a long stream would leave float no digits to tell states apart by. double has them:
-/// after 10^7 symbols still to 4e-9 nats.
-template <class Scalar> void OnlineViterbi<Scalar>::take_out_best() {
+/// Subtracts the best delta from all in float: the log probability of a long stream would leave no digits for
+/// the differences between states. double resolves 4e-9 nats after 10^7 symbols.
+template <class Scalar> void OnlineViterbi<Scalar>::subtract_best() {
 	if constexpr (std::is_same_v<Scalar, float>) {
 		const Scalar best = delta_(state_);
 		if (best > static_cast<Scalar>(NEVER)) {
 			for (Eigen::Index i = 0; i < delta_.size(); i += WIDTH) {
 				Eigen::Map<States<Scalar>, Eigen::Aligned16>(delta_.data() + i) -= best;
 			}
-			taken_out_ += static_cast<double>(best);
+			subtracted_ += static_cast<double>(best);
 		}
 	}
 }

@@ -258,8 +258,8 @@ TEST_CASE("validated() names what is wrong") {
 	CHECK(validated(bad).ok());
 	bad = hmm;
 	bad.log_a = test::random_hmm(random, 3, 4).log_b; // rows that sum to 1, one column too many
-	CHECK(validated(bad).error() == "the sizes of pi (3), A (3 x 4) and B (3 x 4) do not belong together");
+	CHECK(validated(bad).error() == "the sizes of pi (3), A (3 x 4) and B (3 x 4) do not match");
 	bad = hmm;
 	bad.log_pi.conservativeResize(2);
-	CHECK(validated(bad).error() == "the sizes of pi (2), A (3 x 3) and B (3 x 4) do not belong together");
+	CHECK(validated(bad).error() == "the sizes of pi (2), A (3 x 3) and B (3 x 4) do not match");
 }
