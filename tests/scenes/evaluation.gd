@@ -146,11 +146,11 @@ func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
 
 
 func test_what_makes_figures_of_something_else_is_told() -> void:
-	var far := "its reference goes to "
+	var far := "its reference reaches "
 	var told: Dictionary[String, String] = {
 		backwards = far,
 		millimetres = far,
-		millimetres_seen = "its measured track goes to ",
+		millimetres_seen = "its measured track reaches ",
 		short = "its measured track ends at ",
 		late = "its measured track begins at ",
 		slow = "its measured track lasts ",

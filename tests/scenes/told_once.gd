@@ -84,7 +84,7 @@ func test_a_track_without_the_joint_is_told_in_one_line() -> void:
 		var name: String = trials.get_trial(index)["trial"]
 		var path := trials.get_measured_path(index)
 		var line := (
-			"trial %s: the hand is never seen to move by index_along_axis: %s" % [name, path]
+			"trial %s: its measured track has no motion of index_along_axis: %s" % [name, path]
 		)
 		check_equal(run.not_said([line]), "", "trial and file are named")
 	check_equal(run.said.count("WARNING"), 0, "and nothing else is said")

@@ -80,11 +80,11 @@ func test_a_feature_that_is_not_there_is_told_before_a_recording_is_read() -> vo
 func test_what_is_odd_is_told_and_left_out() -> void:
 	var trials := Rig.write_trials(_path("odd"), 4)
 	var told: Array[String] = [
-		" is left out: its measured track goes to ",
+		" is left out: its measured track reaches ",
 		": its measured track ends at ",
-		" is left out: the hand is never seen to move by index_along_axis",
+		" is left out: its measured track has no motion of index_along_axis",
 		" is left out: its measured track lasts ",
-		" is left out: its reference goes from 0.51 of the way at start_s to 0.51 at end_s",
+		" is left out: its reference moves from 0.51 amplitudes at start_s to 0.51 at end_s",
 	]
 	for index in 4:
 		_spoil(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])

@@ -13,7 +13,7 @@ std::optional<double> circumradius(
 	if (!(scale > 0.0) || !std::isfinite(scale)) {
 		return std::nullopt;
 	}
-	// In units of about the longest side nothing below can overflow.
+	// Lengths relative to the longest side cannot overflow.
 	qr /= scale;
 	rp /= scale;
 	pq /= scale;

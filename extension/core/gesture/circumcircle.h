@@ -6,22 +6,20 @@
 
 namespace steadyhand {
 
-/// Radius of the circle through three points of a plane: R = a b c / (4 K), the sides over the area. Nothing
-/// where the points say too little of it.
+/// Radius of the circle through three points of a plane: R = a b c / (4 K). a, b, c: sides; K: area. nullopt
+/// if errors of the points are amplified by more than ERROR_GAIN_MAX.
 ///
-/// Where errors e_i of the points point away from the centre, the radius errs by sum w_i e_i, w being the
-/// centre's barycentric coordinates (from |p_i - o| = R by differentiation; sum w_i = 1):
+/// Radial errors e_i of the points change the radius by sum w_i e_i. w: barycentric coordinates of the centre
+/// (from |p_i - o| = R by differentiation; sum w_i = 1):
 ///
 ///     w_a = a^2 (b^2 + c^2 - a^2) / (16 K^2), and so on
 ///
-/// |w| is 1 / sqrt 3 for an equilateral triangle and grows without bound as the points come into one line or
-/// two of them to one place, where no circle or no single one goes through them. Beyond ERROR_GAIN_MAX there
-/// is no value: a frame that does not tell is better left to what is known of the gesture than answered with
-/// a number that is all error. What comes out is finite for every finite input, and scales with it.
+/// |w| is 1 / sqrt 3 for an equilateral triangle. It grows without bound if the points approach a line, or
+/// two of them coincide. The result is finite for every finite input, and scales with it.
 std::optional<double> circumradius(
 		const Eigen::Vector2d &p, const Eigen::Vector2d &q, const Eigen::Vector2d &r);
 
-/// 1 mm at the fingertips is then 1 cm of radius: a third of the whole zoom.
+/// Largest |w|: an error of 1 mm at the fingertips is then 1 cm of radius, a third of a whole zoom.
 inline constexpr double ERROR_GAIN_MAX = 10.0;
 
 } // namespace steadyhand

@@ -11,7 +11,7 @@
 
 namespace steadyhand {
 
-extern const std::string_view OWN_CLASSIFIER; // the text of models/gestures.classifier, by the build
+extern const std::string_view OWN_CLASSIFIER; // text of models/gestures.classifier; the build embeds it
 
 using namespace json_fields;
 
@@ -41,8 +41,8 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 	gesture.is_radius = flag(json, "is_radius");
 	const double length = gesture.is_radius ? 0.0 : 1.0;
 	if (!(std::abs(gesture.axis.norm() - length) < LENGTH_TOLERANCE)) {
-		throw Fault(
-				json["axis"], gesture.is_radius ? "axis: a radius has none" : "axis: its length is not 1");
+		throw Fault(json["axis"],
+				gesture.is_radius ? "axis: must be 0 for a radius" : "axis: its length is not 1");
 	}
 	gesture.reach_m = within(json, "reach_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
 	gesture.reach_deviation = within(json, "reach_deviation", LEAST_LOG_DEVIATION, MOST_LOG_DEVIATION);
@@ -53,7 +53,7 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 	}
 	gesture.hmm = std::move(checked).value();
 	if (gesture.hmm.symbols() != symbols) {
-		throw Fault(json["log_b"], "log_b: as many columns as the codebook has codewords are needed");
+		throw Fault(json["log_b"], "log_b: must have one column for each codeword");
 	}
 	return gesture;
 }
@@ -83,7 +83,7 @@ ClassifierModel classifier_from_json(const Json &json) {
 	}
 	model.other = std::move(checked).value();
 	if (model.other.symbols() != model.codebook.symbols()) {
-		throw Fault(other["log_b"], "log_b: as many columns as the codebook has codewords are needed");
+		throw Fault(other["log_b"], "log_b: must have one column for each codeword");
 	}
 	return model;
 }
@@ -107,7 +107,7 @@ std::string format_classifier(const ClassifierModel &model) {
 						{ "log_a", matrix_to_json(model.other.log_a) },
 						{ "log_b", matrix_to_json(model.other.log_b) } } },
 	};
-	// A row of numbers a line: no text in it holds a bracket.
+	// A line for each row of numbers. No string of the format contains a bracket.
 	std::string lines;
 	for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
 		if (c == '{' || c == '[') {
@@ -119,7 +119,7 @@ std::string format_classifier(const ClassifierModel &model) {
 }
 
 std::shared_ptr<const ClassifierModel> own_classifier() {
-	// Never destroyed: the library may be unloaded before what uses it.
+	// Never destroyed, because users may outlive the static objects of the library.
 	static const auto *const own = [] {
 		Result<ClassifierModel> read = parse_classifier(OWN_CLASSIFIER, "gestures.classifier");
 		return new std::shared_ptr<const ClassifierModel>(

@@ -9,14 +9,14 @@
 
 namespace steadyhand {
 
-/// The file format of a ClassifierModel: JSON text, as of model_file.h.
+/// Writes a ClassifierModel as JSON, with the conventions of model_file.h.
 std::string format_classifier(const ClassifierModel &model);
 
-/// Errors name the source, the line, and what is wrong there, as parse_model()'s.
+/// Errors name the source, the line and the fault, as in parse_model().
 Result<ClassifierModel> parse_classifier(std::string_view text, std::string_view source_name);
 
-/// The classifier of the four gestures that the library brings: models/gestures.classifier as it was built
-/// in. Read when it is first asked for.
+/// Classifier of the add-on's four gestures: models/gestures.classifier, embedded by the build. Parsed at the
+/// first call.
 std::shared_ptr<const ClassifierModel> own_classifier();
 
 } // namespace steadyhand

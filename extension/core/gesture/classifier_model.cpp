@@ -5,7 +5,7 @@
 namespace steadyhand {
 namespace {
 
-constexpr double MOST_STAY = 0.95; ///< a state of the filler lasts 0.2 s at most, in the mean
+constexpr double MOST_STAY = 0.95; ///< a state of the filler lasts at most 0.2 s on average
 
 } // namespace
 
@@ -28,7 +28,7 @@ FillerModel filler_of(const ClassifierModel &model, double evidence) {
 	filler.stay.tail(states - next) = model.other.log_a.diagonal().array().exp();
 	filler.b.bottomRows(states - next).leftCols(symbols) = (evidence * model.other.log_b).array().exp();
 	filler.b.rightCols<1>().setOnes();
-	// A gesture's last state lasts for ever, which would hold the filler there.
+	// The last state of a gesture has a self-transition of 1, which the filler would never leave.
 	filler.stay = filler.stay.cwiseMin(MOST_STAY);
 	return filler;
 }

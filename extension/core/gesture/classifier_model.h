@@ -11,26 +11,25 @@
 
 namespace steadyhand {
 
-/// The HMM of one gesture in one direction. Its first state is the hand at rest before the onset, its last
-/// the hand that has arrived.
+/// HMM of one gesture in one direction. The first state is the rest before the onset, the last state the
+/// dwell after the end.
 struct DirectedHmm {
 	std::string gesture;
-	Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit vector; zero where the gesture has none
+	Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit vector; zero if is_radius
 	bool is_radius = false;                         ///< reach_m is a growth of the radius
-	double reach_m = 0.0;         ///< geometric mean of how far the hand has gone at the end
-	double reach_deviation = 0.0; ///< standard deviation of its natural logarithm
+	double reach_m = 0.0;                           ///< distance of the end from the onset, geometric mean
+	double reach_deviation = 0.0; ///< standard deviation of the natural logarithm of the reach
 	DiscreteHmm hmm;
 };
 
-/// What GestureClassifier compares hands with: HMMs of all gestures over one codebook, and the symbols of
-/// hands that do something else.
+/// Model of GestureClassifier: HMMs of all gestures and of other motion, over one codebook.
 struct ClassifierModel {
 	MotionCodebook codebook;
 	std::vector<DirectedHmm> gestures;
-	DiscreteHmm other; ///< of hands that make no gesture, and of gestures looked at from elsewhere
+	DiscreteHmm other; ///< of other motion, and of gestures relative to wrong onsets
 };
 
-/// The states of all gestures and of other motion. evidence: ClassifierOptions::evidence.
+/// Filler with the states of all gestures and of other motion. evidence: ClassifierOptions::evidence.
 [[nodiscard]] FillerModel filler_of(const ClassifierModel &model, double evidence);
 
 } // namespace steadyhand

@@ -13,20 +13,19 @@
 namespace steadyhand {
 namespace {
 
-/// A gesture is looked at from the rest before it: from as long before its onset.
+/// Sequences of a gesture begin at these times before its onset.
 constexpr int LATEST_REST = 5, EARLIEST_REST = 20, REST_STEP = 5; // symbols
-/// A hand has arrived so long after the end: then one that strikes has turned, and one that goes on is
-/// elsewhere. And how long it is looked at from there.
+/// Time from the end to the last state. A hand that strikes has turned by then, and a hand that continues is
+/// elsewhere. AFTER: length of the sequences from there.
 constexpr double SETTLED_S = 0.12;
 constexpr int AFTER = 15; // symbols
-/// Of other motion: possible onsets, and how long hands are looked at from there.
+/// Other motion: interval of the assumed onsets, and length of the sequences from there.
 constexpr int OTHER_STEP = 20, OTHER_LENGTH = 150; // symbols
-/// The codebook is made of as many of the points.
+/// Most points that the codebook is trained with.
 constexpr std::size_t MOST_POINTS = 8000;
 constexpr int CODEBOOK_ITERATIONS = 10, OTHER_ITERATIONS = 10;
 constexpr PseudoCounts PSEUDO;
-/// That a gesture begins in a later state: as good as never, but no 0, for which ScaledRecursion renews
-/// scales at each symbol.
+/// Initial probability of each later state. Not 0, because ScaledRecursion would renormalise at each symbol.
 constexpr double LATE = 1e-9;
 
 struct Direction {
@@ -97,7 +96,7 @@ std::vector<MotionObservation> points_of(std::span<const MotionSequence> sequenc
 	return some;
 }
 
-/// Left-right without skips, from the states that the sequences are taken to be in.
+/// Left-right without skips, by counting in the marked states.
 DiscreteHmm left_right(const std::vector<MotionSequence> &sequences,
 		const std::vector<SymbolSequence> &symbols, int states, int n_symbols) {
 	Eigen::MatrixXd a = Eigen::MatrixXd::Zero(states, states);
@@ -128,11 +127,11 @@ DiscreteHmm left_right(const std::vector<MotionSequence> &sequences,
 	return hmm;
 }
 
-/// Of as many states, each leading to all; at first each is of a stretch of the codebook, as it is sorted.
+/// Ergodic HMM of other motion by Baum-Welch. Initially each state prefers one part of the sorted codebook.
 DiscreteHmm other_hmm(const std::vector<MotionSequence> &sequences, const Eigen::RowVectorXd &common,
 		const MotionCodebook &codebook, const ClassifierTrainingOptions &options) {
 	const int states = options.other_states, symbols = codebook.symbols();
-	constexpr double STAY = 0.9, OWN = 4.0; // at first
+	constexpr double STAY = 0.9, OWN = 4.0; // initial self-transition; factor of preferred symbols
 	Eigen::MatrixXd a = Eigen::MatrixXd::Constant(states, states, (1.0 - STAY) / std::max(states - 1, 1));
 	a.diagonal().setConstant(states > 1 ? STAY : 1.0);
 	Eigen::MatrixXd b = common.replicate(states, 1);
@@ -176,7 +175,7 @@ Result<ClassifierModel> train_classifier(
 		Direction &direction = direction_of(directions, recording, feature->is_radius);
 		direction.axes += feature->is_radius ? Eigen::Vector3d::Zero() : recording.recording.task.axis;
 		const int onset = instants.index(span.onset_s), end = instants.index(span.end_s + SETTLED_S);
-		const auto at_onset = instants.seen_by(onset), at_end = instants.seen_by(end);
+		const auto at_onset = instants.last_motion(onset), at_end = instants.last_motion(end);
 		if (at_onset && at_end) {
 			const double reach_m = feature->is_radius ? at_end->radius_m - at_onset->radius_m
 													  : (at_end->tip_m - at_onset->tip_m).norm();
@@ -191,7 +190,7 @@ Result<ClassifierModel> train_classifier(
 		return direction.sequences.empty() || direction.log_reaches.empty();
 	});
 	if (directions.empty()) {
-		return Error{ "there is no recording of a gesture to learn from" };
+		return Error{ "there is no usable recording of a gesture" };
 	}
 
 	std::vector<MotionObservation> points = points_of(other, MOST_POINTS / 2);

@@ -10,30 +10,28 @@
 
 namespace steadyhand {
 
-/// A recording of a gesture, or of a hand that does something else (gesture NO_GESTURE).
+/// A recording of a gesture, or of other motion (gesture: NO_GESTURE).
 struct ClassifierRecording {
 	std::string gesture;
-	std::string feature; ///< as in Feature::name; unused of NO_GESTURE
+	std::string feature; ///< a Feature::name; unused for NO_GESTURE
 	TrainingRecording recording;
 };
 
 struct ClassifierTrainingOptions {
-	int states = 12;      ///< of each HMM, its rests included; >= 3
+	int states = 12;      ///< of each gesture's HMM, with the rests before and after it; >= 3
 	int symbols = 128;    ///< of the codebook
-	int other_states = 8; ///< of the HMM of all other motion
-	/// Of each state's symbols, this share is as in all motions: a tracker's jump costs a path so much, not
-	/// all.
+	int other_states = 8; ///< of the HMM of other motion
+	/// Fraction of each state's emissions that has the distribution of all motion. It limits the cost of a
+	/// tracker's jump.
 	double odd_symbols = 0.02;
-	double reach_deviation =
-			0.12; ///< least DirectedHmm::reach_deviation: other hands go further, or less far
+	/// Least DirectedHmm::reach_deviation, because other people reach further or less far.
+	double reach_deviation = 0.12;
 };
 
-/// Trains the HMMs of all gestures together, over one codebook: one HMM for each direction in which a gesture
-/// is recorded (directions within 45 degrees are one). Which frames are before a gesture and after it the
-/// recordings say, so that the states are counted, not estimated: Baum-Welch moves the last state, arrived,
-/// into the motion before it. Other motion has no such marks, and is left to Baum-Welch. Deterministic,
-/// without a random number. Errors: no recording of a gesture that anything is to be learnt from; an unknown
-/// feature.
+/// Trains the HMMs of all gestures over one codebook, one HMM for each recorded direction of a gesture
+/// (directions within 45 degrees are one). The recordings mark onset and end, so states are counted:
+/// Baum-Welch would move the last state into the motion. Other motion has no marks and uses Baum-Welch.
+/// Deterministic, without random numbers. Errors: no usable recording of a gesture; an unknown feature.
 Result<ClassifierModel> train_classifier(
 		std::span<const ClassifierRecording> recordings, const ClassifierTrainingOptions &options = {});
 

@@ -48,7 +48,8 @@ std::optional<double> tips_circumradius(const HandFrame &frame, const Task &task
 	return radius_m ? std::optional(*radius_m - task.start_m.x()) : std::nullopt;
 }
 
-/// Fingers that open keep their shape: the circle grows as their own size does, not as it comes to be flat.
+/// Opening fingers keep the shape of their triangle: radius and size grow alike. If only the triangle gets
+/// flatter, the radius grows and the size does not.
 std::optional<FeaturePlace> tips_place(const HandFrame &frame) {
 	const std::optional<double> radius_m = tips_radius(frame);
 	if (!radius_m) {
@@ -68,8 +69,8 @@ FeaturePlace along_size(const Task & /*task*/) {
 	return FeaturePlace::UnitW();
 }
 
-/// In the xy plane: begins along the task's axis, turns counterclockwise as the user sees it, and is as long
-/// as the task's amplitude.
+/// Circle of a task in the xy plane. It begins along the task's axis, turns counterclockwise as the user sees
+/// it, and its circumference is the task's amplitude.
 struct Circle {
 	double radius_m;
 	Eigen::Vector2d ahead, inward; ///< at the start
@@ -80,8 +81,8 @@ struct Circle {
 			inward(-ahead.y(), ahead.x()), centre_m(task.start_m.head<2>() + radius_m * inward) {}
 };
 
-/// Way of the index tip along the circle; its own radius and z do not matter. Near the centre, where errors
-/// of the tip come out magnified, there is no value.
+/// Angle of the index tip on the circle, times the circle's radius. The tip's own radius and z do not matter.
+/// nullopt near the centre, where errors of the tip are amplified.
 std::optional<double> index_along_circle(const HandFrame &frame, const Task &task) {
 	const Circle circle(task);
 	if (!frame.has_all(INDEX_TIP) || circle.ahead.isZero(0.0)) {
@@ -105,9 +106,9 @@ double circumference(const Task &task) {
 	return task.amplitude_m;
 }
 
-/// A hand that opens may move by several times the radius' growth.
+/// Weight of the hand's translation: an opening hand may move by several times the radius' growth.
 constexpr double WHILE_IT_OPENS = 0.2;
-/// How far fingers open is a matter of the hand, and of how far it was closed.
+/// The growth of the radius depends on the size of the hand, and on how far it was closed.
 constexpr double UNTOLD_GROWTH = 4.5;
 
 constexpr std::array FEATURES{

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double WORST_ACCEPTED = 0.5;
 
-/// Of the amplitude, at most 1: a recording that a feature has nothing to say of counts as no way at all.
+/// |travel - amplitude| / amplitude by a feature, at most 1. It is 1 if the feature has no value.
 double error_of(const Feature &feature, const TrainingRecording &recording) {
 	MotionElement element(feature);
 	bool is_seen = false;
@@ -59,7 +59,7 @@ std::string no_feature_reason(std::span<const TrainingRecording> recordings) {
 	};
 	const auto held = std::ranges::find_if(features(), holds);
 	if (held == features().end()) {
-		return first.name + ": its reference holds no joints that a feature is of";
+		return first.name + ": its reference has the joints of no feature";
 	}
 	return first.name + ": by " + std::string(held->name) + ", " + unusable(*held, first);
 }

@@ -8,13 +8,12 @@
 
 namespace steadyhand {
 
-/// The feature that a set of recordings is about: the one whose way from start to end of the reference tracks
-/// comes nearest to the amplitudes of their tasks, in the mean over the recordings of |way - amplitude| /
-/// amplitude. Null where none comes within half of it.
+/// Chooses the feature of a set of recordings. It has the least mean of |travel - amplitude| / amplitude.
+/// travel: change of the feature from start to end of the reference track. Null if every mean is 0.5 or more.
 const Feature *choose_feature(std::span<const TrainingRecording> recordings);
 
-/// Why choose_feature() found none: what is wrong with the first recording by a feature that it holds
-/// something of. Begins with its name; at least one recording.
+/// Why choose_feature() returned null: the fault of the first recording, by a feature that has values in it.
+/// Begins with the recording's name. Needs at least one recording.
 [[nodiscard]] std::string no_feature_reason(std::span<const TrainingRecording> recordings);
 
 } // namespace steadyhand

@@ -13,44 +13,44 @@
 
 namespace steadyhand {
 
-/// What a state sounds and looks like: the piece of the reference curve that is played out while it lasts
-/// (paper, "The definition of primitive motion elements"), and how long that is.
+/// Piece of the reference curve for one state of the HMM (paper, "The definition of primitive motion
+/// elements"), and the duration of the state.
 struct PrimitiveMotionElement {
 	double phase_begin = 0.0; ///< of the reference curve, 0..1
 	double phase_end = 1.0;
 	Polynomial curve; ///< normalised value over the element's own time, 0..1
-	double deviation =
-			0.0; ///< standard deviation of the recordings about the reference, mean over the element
+	/// Standard deviation of the recordings about the reference curve, mean over the element.
+	double deviation = 0.0;
 	double duration_mean_s = 0.0; ///< of the state in the training recordings (Viterbi alignment)
 	double duration_deviation_s = 0.0;
 };
 
-/// Where a model came from, so that it can be made again.
+/// Origin of a model, so that it can be trained again.
 struct Provenance {
-	std::string trial_set;            ///< as the trainer was told
+	std::string trial_set;            ///< name given to the trainer
 	std::string trained_with;         ///< program and version
-	std::vector<std::string> dropped; ///< recordings under r2_threshold
-	int recordings = 0;               ///< kept ones
+	std::vector<std::string> dropped; ///< unusable recordings, and those below r2_threshold
+	int recordings = 0;               ///< number of kept recordings
 	double r2_threshold = 0.0;        ///< T_h
-	std::vector<double> objective;    ///< Baum-Welch, per iteration (nats)
+	std::vector<double> objective;    ///< Baum-Welch, for each iteration (nats)
 };
 
-/// No gesture takes longer, nor an element of one: stamps are of another unit.
+/// Longest duration of a gesture or an element. If it is longer, stamps have another unit.
 inline constexpr double LONGEST_GESTURE_S = 3600.0;
 
-/// No motion of a gesture goes further, either way, in amplitudes: its end is at 1.
+/// Limit of |value| of a gesture's curve, in amplitudes. The end of a gesture is at 1.
 inline constexpr double FARTHEST_VALUE = 2.0;
 
-/// No element of the reference curve is shorter, in phase: between two of its points there is nothing to fit.
+/// Least length of an element in phase: the distance of two points of the reference curve.
 inline constexpr double SHORTEST_ELEMENT = 0.01;
 
-/// One trained gesture: all that recognition and synthesis need, and nothing of a scene.
+/// One trained gesture: all that recognition and synthesis need, independent of a scene.
 struct GestureModel {
 	std::string gesture;
 	std::string feature;
-	Task typical_task; ///< mean axis and amplitude of the recordings: stands in where a scene gives none
-	/// Unit vectors: directions of the recordings beside typical_task.axis, as of a drag to the left and a
-	/// tap down. Without a task each of them is the gesture's.
+	Task typical_task; ///< mean of the recordings' tasks; used without a task
+	/// Further recorded directions, unit vectors, such as a drag to the left. Without a task the gesture may
+	/// have any of them, or typical_task.axis.
 	std::vector<Eigen::Vector3d> other_axes;
 	double duration_mean_s = 1.0; ///< of the whole movement
 	double duration_deviation_s = 0.0;
@@ -58,12 +58,12 @@ struct GestureModel {
 	Eigen::VectorXd reference_deviation;
 	VectorQuantiser quantiser;
 	DiscreteHmm hmm;
-	std::vector<PrimitiveMotionElement> elements; ///< one per state, in order
+	std::vector<PrimitiveMotionElement> elements; ///< one for each state, in order
 	Provenance provenance;
 };
 
-/// Why no model may be of a gesture of that name, as the rest of a sentence; empty where one may: the name
-/// must be fit for a file, and it must not be NO_GESTURE.
+/// Why a gesture must not have this name, as the rest of a sentence; empty if it may. The name must be valid
+/// as a file name, and must not be NO_GESTURE.
 [[nodiscard]] std::string_view gesture_name_fault(std::string_view gesture);
 
 /// Value and derivatives with respect to phase of the primitive motion elements at a phase (clamped to 0..1).
@@ -74,14 +74,14 @@ struct CurvePoint {
 };
 CurvePoint evaluate(const GestureModel &model, double phase);
 
-/// The same, and on beyond the end of the task: a hand that gets there with some speed comes to rest a little
-/// further on. Value and slope are continuous for every phase; 0 before the start.
+/// evaluate(), continued beyond phase 1: the slope decays exponentially, so the hand comes to rest beyond the
+/// end. Value and slope are continuous from phase 0 on. 0 before the start.
 CurvePoint evaluate_onwards(const GestureModel &model, double phase);
 
-/// Phase in which the speed at the end falls to 1/e.
+/// Phase in which evaluate_onwards() reduces the end slope to 1/e.
 inline constexpr double RUN_OUT = 0.06;
 
-/// The smallest phase at which the reference reaches the value; 0 below its start, 1 beyond its end.
+/// Smallest phase at which the reference curve reaches the value; 0 below its start, 1 beyond its end.
 double phase_of_value(const GestureModel &model, double value);
 
 } // namespace steadyhand

@@ -7,13 +7,13 @@
 namespace steadyhand {
 namespace {
 
-// Where asinh turns from linear to logarithmic: a quarter of a usual gesture.
-constexpr double WAY_UNIT_M = 0.05;
+// asinh is linear below its unit and logarithmic above it. The units are a quarter of a usual gesture.
+constexpr double DISTANCE_UNIT_M = 0.05;
 constexpr double SPEED_UNIT_M_S = 0.15;
-constexpr double STILL_M_S = 0.05; ///< a hand at rest before a camera seems to be as fast
+constexpr double STILL_M_S = 0.05; ///< speed that noise gives a hand at rest
 constexpr double GROWTH_UNIT_M = 0.01;
 constexpr double RATE_UNIT_M_S = 0.04;
-/// Nearer to the onset the direction from there is noise, and any motion leads away.
+/// At a smaller distance from the onset the direction is noise, and all motion counts as away.
 constexpr double NO_DIRECTION_M = 0.005;
 
 } // namespace
@@ -47,22 +47,22 @@ HandMotion HandMotionWindow::motion() const {
 }
 
 MotionObservation MotionObserver::observe(const HandMotion &motion) {
-	const Eigen::Vector3d way_m = motion.tip_m - onset_.tip_m;
+	const Eigen::Vector3d displacement_m = motion.tip_m - onset_.tip_m;
 	const Eigen::Vector3d &velocity_m_s = motion.velocity_m_s;
-	const double distance_m = way_m.norm(), speed_m_s = velocity_m_s.norm();
+	const double distance_m = displacement_m.norm(), speed_m_s = velocity_m_s.norm();
 	double away_m_s = speed_m_s, across_m_s = 0.0;
 	if (distance_m > NO_DIRECTION_M) {
-		away_m_s = velocity_m_s.dot(way_m) / distance_m;
+		away_m_s = velocity_m_s.dot(displacement_m) / distance_m;
 		across_m_s = std::sqrt(std::max(speed_m_s * speed_m_s - away_m_s * away_m_s, 0.0));
 	}
-	// Fingers that are not all seen count as ones that do not open.
+	// Without all three fingertips the hand counts as not opening.
 	const bool is_seen = motion.has_radius && onset_.has_radius;
 	const double growth_m = is_seen ? motion.radius_m - onset_.radius_m : 0.0;
 	const double rate_m_s = is_seen ? motion.radius_rate_m_s : 0.0;
 	peak_m_s_ = std::max(peak_m_s_, speed_m_s);
 	const double usual_m_s = peak_m_s_ + STILL_M_S;
 	MotionObservation point;
-	point << std::asinh(distance_m / WAY_UNIT_M), away_m_s / usual_m_s, across_m_s / usual_m_s,
+	point << std::asinh(distance_m / DISTANCE_UNIT_M), away_m_s / usual_m_s, across_m_s / usual_m_s,
 			std::asinh(peak_m_s_ / SPEED_UNIT_M_S), std::asinh(growth_m / GROWTH_UNIT_M),
 			std::asinh(rate_m_s / RATE_UNIT_M_S);
 	return point;

@@ -8,7 +8,7 @@
 
 namespace steadyhand {
 
-/// What the HMMs of a ClassifierModel observe of a hand, at one instant.
+/// Motion of a hand at one instant, from which the HMMs of a ClassifierModel get their observations.
 struct HandMotion {
 	Eigen::Vector3d tip_m = Eigen::Vector3d::Zero(); ///< of the index finger
 	Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
@@ -17,19 +17,19 @@ struct HandMotion {
 	bool has_radius = false;
 };
 
-/// HandMotion from frames at irregular instants; velocities are least-squares slopes over WINDOW_S.
+/// HandMotion from frames at irregular intervals. Velocities are least-squares slopes over WINDOW_S.
 class HandMotionWindow {
 public:
-	static constexpr double WINDOW_S = 0.06; ///< as ObservationWindow's
+	static constexpr double WINDOW_S = 0.06; ///< equal to ObservationWindow's
 
 	void reset() { *this = HandMotionWindow(); }
-	/// False, and nothing is taken, where the index tip is not tracked.
+	/// Ignores the frame and returns false if the index tip is not tracked.
 	bool push(const HandFrame &frame);
 
 	[[nodiscard]] HandMotion motion() const;
 
 private:
-	/// Enough for 1 kHz sensors; of a faster one some are left out, never the newest.
+	/// Enough for 1 kHz. Of faster sensors some older samples are dropped, never the newest.
 	static constexpr std::size_t CAPACITY = 64;
 	static constexpr double LEAST_INTERVAL_S = WINDOW_S / (CAPACITY - 2);
 
@@ -44,19 +44,19 @@ private:
 	bool has_radius_ = false;
 };
 
-/// A HandMotion relative to the one at a possible onset: how far the tip is from there, its speed away from
-/// there and across that, growth of the radius and its rate. It does not depend on the direction of the
-/// motion, which is judged once for a gesture (GestureDirection), as it is the same in all its frames.
+/// A HandMotion relative to the one at a possible onset: distance of the tip, its speed away from the onset
+/// and across, its peak speed so far, growth of the radius and its rate. The direction of the motion is not
+/// part of it. It is the same in all frames, so it counts once for a gesture (GestureDirection).
 using MotionObservation = MotionCodebook::Point;
 
-/// Observes a hand from a possible onset on.
+/// Makes the MotionObservations since a possible onset.
 class MotionObserver {
 public:
 	MotionObserver() = default;
 	explicit MotionObserver(const HandMotion &onset) : onset_(onset) {}
 
 	[[nodiscard]] const HandMotion &onset() const { return onset_; }
-	/// At each instant, in their order.
+	/// Must be called for each instant in order: it remembers the peak speed.
 	MotionObservation observe(const HandMotion &motion);
 
 private:

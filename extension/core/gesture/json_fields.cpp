@@ -11,7 +11,7 @@
 namespace steadyhand::json_fields {
 namespace {
 
-/// How many values begin before `place` in the document's text.
+/// Number of values that begin before `place` in the document's text.
 std::size_t values_before(const Json &document, const Json *place) {
 	std::vector<const Json *> ahead{ &document };
 	for (std::size_t before = 0; !ahead.empty(); ++before) {
@@ -27,13 +27,13 @@ std::size_t values_before(const Json &document, const Json *place) {
 	return 0;
 }
 
-/// From 1: of the character at that place of the text.
+/// Line of the character at index `place`, from 1.
 std::size_t line_at(std::string_view text, std::size_t place) {
 	const std::string_view passed = text.substr(0, place);
 	return 1 + static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
 }
 
-/// Line on which the value begins that `before` others begin before, in text that is JSON.
+/// Line on which value number `before` begins, from 0, in valid JSON text.
 std::size_t line_of_value(std::string_view text, std::size_t before) {
 	constexpr std::string_view SPACE = " \t\r\n";
 	std::size_t i = text.find_first_not_of(SPACE);
@@ -60,7 +60,7 @@ std::size_t line_of_value(std::string_view text, std::size_t before) {
 	return line_at(text, i);
 }
 
-/// Goes through a text without keeping it, until an object has more than MOST_MEMBERS members.
+/// Scans a text until an object has more than MOST_MEMBERS members, without building a document.
 class MemberCounter : public nlohmann::json_sax<Json> {
 public:
 	[[nodiscard]] bool is_exceeded() const { return is_exceeded_; }
@@ -88,14 +88,14 @@ public:
 	bool binary(Json::binary_t & /*value*/) override { return true; }
 	bool start_array(std::size_t /*elements*/) override { return true; }
 	bool end_array() override { return true; }
-	/// What it is Json::parse() says.
+	/// Json::parse() reports the error later.
 	bool parse_error(std::size_t /*place*/, const std::string & /*token*/,
 			const nlohmann::detail::exception & /*fault*/) override {
 		return false;
 	}
 
 private:
-	std::vector<std::size_t> members_; ///< of the objects that are open
+	std::vector<std::size_t> members_; ///< member counts of the open objects
 	bool is_exceeded_ = false;
 };
 
@@ -120,7 +120,7 @@ Error error_of(const Json::parse_error &fault, std::string_view text, std::strin
 }
 
 Error error_of(const Json::exception &fault, std::string_view text, std::string_view source) {
-	// "[json.exception.out_of_range.406] number overflow parsing '1e999'": where that is it does not say.
+	// "[json.exception.out_of_range.406] number overflow parsing '1e999'" has no position, so search it.
 	const std::string_view what = fault.what();
 	const std::size_t begin = what.find('\''), end = what.rfind('\'');
 	const bool names_number = begin < end && end != std::string_view::npos;

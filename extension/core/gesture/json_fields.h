@@ -15,14 +15,14 @@ namespace steadyhand::json_fields {
 
 using Json = nlohmann::ordered_json;
 
-/// What is wrong with a document, and where: a value of it, or the object in which one is missing. Thrown by
-/// those that read a field, for the one who parses to catch.
+/// A fault of a document, and its place: a value, or the object in which a value is missing. The functions
+/// that read a field throw it; read_text() catches it.
 struct Fault : std::runtime_error {
 	Fault(const Json &value, const std::string &what) : std::runtime_error(what), place(&value) {}
-	const Json *place; ///< of the document that is read
+	const Json *place; ///< within the document
 };
 
-/// Numbers that read back to the same bits; what is not finite as null.
+/// Numbers that read back to the same bits. Numbers that are not finite become null.
 template <class Row> Json row_to_json(const Row &row) {
 	Json out = Json::array();
 	for (Eigen::Index i = 0; i < row.size(); ++i) {
@@ -38,21 +38,21 @@ template <class Matrix> Json matrix_to_json(const Matrix &matrix) {
 	return out;
 }
 
-/// No object of a file has more members: to find one, an ordered_json goes through all of them, so a file of
-/// many would take quadratic time.
+/// Most members of an object. ordered_json searches members linearly, so an object with many would take
+/// quadratic time.
 inline constexpr std::size_t MOST_MEMBERS = 64;
 
-/// Reads `text` into r_document. Throws Json::exception where it is not JSON, and a Fault at r_document where
-/// an object has more than MOST_MEMBERS members.
+/// Parses `text` into r_document. Throws Json::exception if it is not JSON, and a Fault at r_document if an
+/// object has more than MOST_MEMBERS members.
 void parse(std::string_view text, Json &r_document);
 
-// "SOURCE:LINE: what is wrong", of each of the three ways in which reading a text ends.
+// "SOURCE:LINE: fault" for each of the three exceptions.
 [[nodiscard]] Error error_of(const Json::parse_error &fault, std::string_view text, std::string_view source);
 [[nodiscard]] Error error_of(const Json::exception &fault, std::string_view text, std::string_view source);
 [[nodiscard]] Error error_of(
 		const Fault &fault, const Json &document, std::string_view text, std::string_view source);
 
-/// What `read` makes of the document, or the one error, with its line in the file `source`.
+/// Parses the text and returns read(document), or the first error with its line in `source`.
 template <class Value, class Read>
 [[nodiscard]] Result<Value> read_text(std::string_view text, std::string_view source, Read read) {
 	Json document; // outlives the faults, which point into it
@@ -68,20 +68,23 @@ template <class Value, class Read>
 	}
 }
 
-/// Throws a Fault where the members "format" and "version" differ.
+// The functions below throw a Fault if the value is missing or invalid.
+
+/// Requires these values of the members "format" and "version".
 void require_format(const Json &document, const char *format, int version);
 [[nodiscard]] const Json &member(const Json &object, const char *key);
-/// Finite.
+/// A finite number.
 [[nodiscard]] double number(const Json &object, const char *key);
 [[nodiscard]] double within(const Json &object, const char *key, double smallest, double largest);
 [[nodiscard]] std::string text(const Json &object, const char *key);
 [[nodiscard]] bool flag(const Json &object, const char *key);
-/// With one entry at least.
+/// An array with at least one entry.
 [[nodiscard]] const Json &array(const Json &object, const char *key);
-/// Numbers, of 1e9 at most; with null_is_log_zero logarithms, null for that of 0. key: what they are called.
+/// Numbers of at most 1e9. With null_is_log_zero: logarithms, null for -infinity. key: name in error
+/// messages.
 [[nodiscard]] Eigen::VectorXd vector(const Json &values, const char *key, bool null_is_log_zero);
 [[nodiscard]] Eigen::Vector3d point(const Json &object, const char *key);
-/// Rows of equal length, as of vector().
+/// Rows of equal length, each read by vector().
 [[nodiscard]] Eigen::MatrixXd matrix(const Json &object, const char *key, bool null_is_log_zero);
 
 } // namespace steadyhand::json_fields

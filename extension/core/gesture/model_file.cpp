@@ -18,13 +18,13 @@ namespace {
 
 constexpr const char *MODEL_FORMAT = "steadyhand-gesture";
 constexpr int MODEL_VERSION = 1;
-/// Far more than any gesture needs; a file that asks for more is damaged.
+/// Far more than a gesture needs. A file with more is damaged.
 constexpr std::size_t MAX_STATES = 256;
-/// What training can measure, with room; beyond it a frame's arithmetic ends in no numbers.
+/// Limits of what training can produce, with a margin. Beyond them the arithmetic of a frame can give NaN.
 constexpr double SHORTEST_S = 1e-5;
-constexpr double MOST_RELATIVE_DEVIATION = 100.0; // that of n recordings has a root of n at most
+constexpr double MOST_RELATIVE_DEVIATION = 100.0; // n recordings have at most sqrt(n)
 constexpr double MOST_DEVIATION = 10.0;           // of the recordings, amplitudes
-constexpr double AXIS_TOLERANCE = 0.01;           // of its length: trial sets round it
+constexpr double AXIS_TOLERANCE = 0.01;           // of the length: trial sets round axes
 
 Json element_to_json(const PrimitiveMotionElement &element) {
 	return { { "phase_begin", element.phase_begin }, { "phase_end", element.phase_end },
@@ -33,8 +33,8 @@ Json element_to_json(const PrimitiveMotionElement &element) {
 		{ "duration_deviation_s", element.duration_deviation_s } };
 }
 
-/// Whether an element's curve stays by the way, which goes from 0 to 1.
-bool stays_by_the_way(const Polynomial &curve) {
+/// Whether |value| of an element's curve is at most FARTHEST_VALUE.
+bool is_bounded(const Polynomial &curve) {
 	constexpr int POINTS = 101;
 	for (int i = 0; i < POINTS; ++i) {
 		if (!(std::abs(curve.value(i / (POINTS - 1.0))) <= FARTHEST_VALUE)) {
@@ -64,8 +64,8 @@ PrimitiveMotionElement element_from_json(const Json &json) {
 	for (Eigen::Index i = 0; i < coefficients.size(); ++i) {
 		element.curve.coefficients[static_cast<std::size_t>(i)] = coefficients(i);
 	}
-	if (!stays_by_the_way(element.curve)) {
-		throw Fault(json["polynomial"], "polynomial: its curve leaves -2 .. 2, on a way from 0 to 1");
+	if (!is_bounded(element.curve)) {
+		throw Fault(json["polynomial"], "polynomial: its values leave -2 .. 2");
 	}
 	return element;
 }

@@ -8,12 +8,13 @@
 
 namespace steadyhand {
 
-/// The one file format of a gesture model (`*.gesture`): JSON text, probabilities as natural logarithms with
-/// -inf as null, numbers in the shortest form that reads back to the same bits. Described in docs/formats.md.
+/// Writes a gesture model (`*.gesture`) as JSON. Probabilities are natural logarithms, with null for
+/// -infinity. Numbers have the shortest form that reads back to the same bits. docs/formats.md has the
+/// format.
 std::string format_model(const GestureModel &model);
 
-/// Errors name the source, the line, and what is wrong there (malformed text) or the key (missing, wrong
-/// type, sizes that do not belong together, an unknown feature, a version that is too new).
+/// Errors name the source, the line and the fault: malformed text, or a key that is missing, has a wrong type
+/// or size, names an unknown feature, or is a newer version.
 Result<GestureModel> parse_model(std::string_view text, std::string_view source_name);
 
 } // namespace steadyhand

@@ -7,15 +7,15 @@
 
 namespace steadyhand {
 
-/// A feature followed from frame to frame. Where the hand comes back to places that it has been to, the value
-/// nearest to the last one is taken: a whole circle ends at its length and not at 0. Between two frames the
-/// hand must go less than half a round.
+/// A feature, unwrapped from frame to frame. On a closed path it takes the value nearest to the last one, so
+/// a whole circle ends at its length and not at 0. Between two frames the hand must move less than half a
+/// round.
 class MotionElement {
 public:
 	/// feature must outlive this.
 	explicit MotionElement(const Feature &feature) : feature_(&feature) {}
 
-	/// m; nothing where the feature gives nothing.
+	/// Value in m; nullopt if the feature has none.
 	std::optional<double> measure(const HandFrame &frame, const Task &task) {
 		std::optional<double> x_m = feature_->measure(frame, task);
 		if (x_m && is_periodic()) {
@@ -25,9 +25,9 @@ public:
 		return x_m;
 	}
 
-	/// The next value is the one nearest to 0: less by rounds_m() of the last one.
+	/// The next value is the one nearest to 0: whole rounds are dropped.
 	void restart() { last_m_ = 0.0; }
-	/// The whole rounds that are nearest to a way; 0 where the hand does not come back to the same place.
+	/// Length of the whole rounds nearest to way_m; 0 if the path is not closed.
 	[[nodiscard]] double rounds_m(double way_m, const Task &task) const {
 		if (!is_periodic()) {
 			return 0.0;

@@ -19,7 +19,7 @@ struct End {
 	double slope = 0.0;
 };
 
-/// Adds the cubic that moves an element's ends by these (Hermite's basis on [0, 1]).
+/// Adds the cubic that changes value and slope at an element's ends by these (Hermite basis on [0, 1]).
 void move_ends(const End &begin, const End &end, PrimitiveMotionElement &r_element) {
 	const double length = r_element.phase_end - r_element.phase_begin;
 	const double m0 = begin.slope * length, m1 = end.slope * length;
@@ -30,12 +30,13 @@ void move_ends(const End &begin, const End &end, PrimitiveMotionElement &r_eleme
 	c[3] += 2.0 * (begin.value - end.value) + m0 + m1;
 }
 
-/// 0 where the slopes have different signs: between two lines it makes no hump.
+/// The slope with the smaller magnitude; 0 if the signs differ. Lines joined with it have no overshoot.
 double gentler(double a, double b) {
 	return a * b > 0.0 ? std::copysign(std::min(std::abs(a), std::abs(b)), a) : 0.0;
 }
 
-/// The pieces are fitted apart; at a joint each moves half of the way, or to the gentler slope.
+/// Joins pieces that were fitted separately. At a joint, value and slope become the mean of both pieces, or
+/// the slope becomes the gentler one.
 void join(std::vector<PrimitiveMotionElement> &r_elements, bool is_gentle) {
 	const auto at = [](const PrimitiveMotionElement &element, double s) {
 		const Polynomial::Point point = element.curve.evaluate(s);
@@ -55,10 +56,11 @@ void join(std::vector<PrimitiveMotionElement> &r_elements, bool is_gentle) {
 	}
 }
 
-/// A curve may leave the range of its piece by as much as the end of a gesture lies below 1.
+/// A curve may leave the range of its piece by this much: the tolerance of a gesture's end.
 constexpr double NEAR = 1.0 - END_LEVEL;
 
-/// reference: CURVE_POINTS values. The range is that of the points from the last one before the element on.
+/// Whether the curve stays within NEAR of the reference's range in the element, with the neighbouring points.
+/// reference: CURVE_POINTS values.
 bool stays_near(const PrimitiveMotionElement &element, const Eigen::VectorXd &reference) {
 	constexpr double LAST = static_cast<double>(CURVE_POINTS - 1);
 	constexpr int PARTS = 200;
@@ -68,7 +70,7 @@ bool stays_near(const PrimitiveMotionElement &element, const Eigen::VectorXd &re
 	const double lowest = points.minCoeff() - NEAR, highest = points.maxCoeff() + NEAR;
 	for (int i = 0; i <= PARTS; ++i) {
 		const double value = element.curve.value(static_cast<double>(i) / PARTS);
-		const bool is_within = value >= lowest && value <= highest; // no NaN is
+		const bool is_within = value >= lowest && value <= highest; // false for NaN
 		if (!is_within) {
 			return false;
 		}
@@ -76,7 +78,7 @@ bool stays_near(const PrimitiveMotionElement &element, const Eigen::VectorXd &re
 	return true;
 }
 
-/// The reference within the element, by the element's own time.
+/// Polynomial fit of the reference within the element, over the element's own time.
 Polynomial fitted(
 		const PrimitiveMotionElement &element, const Eigen::VectorXd &reference, std::size_t degree) {
 	std::vector<double> s, y;
@@ -105,9 +107,9 @@ Polynomial chord(const PrimitiveMotionElement &element, const Eigen::VectorXd &r
 	return line;
 }
 
-/// The degree with which all curves stay near their pieces. Where not even lines do, they become chords with
-/// gentle joints: so joined, each runs between its ends without a hump (Fritsch, Carlson 1980,
-/// doi:10.1137/0717021).
+/// Fits all elements with the highest degree at which all stay near their pieces, and returns it. If lines do
+/// not, the elements become chords with gentle joints, which are monotone between their ends (Fritsch,
+/// Carlson 1980, doi:10.1137/0717021); the result is 0.
 std::size_t fit_curves(const Eigen::VectorXd &reference, std::size_t degree,
 		std::vector<PrimitiveMotionElement> &r_elements) {
 	const auto all_stay_near = [&] {
@@ -147,7 +149,7 @@ std::size_t cut_into_elements(std::span<const SymbolSequence> sequences, std::sp
 	double aligned = 0.0;
 	for (std::size_t r = 0; r < sequences.size(); ++r) {
 		if (sequences[r].empty()) {
-			continue; // shorter than one period of the symbol clock
+			continue; // the movement is shorter than one period of the symbol clock
 		}
 		const ViterbiPath path = viterbi(r_model.hmm, sequences[r]);
 		aligned += 1.0;
@@ -162,7 +164,7 @@ std::size_t cut_into_elements(std::span<const SymbolSequence> sequences, std::sp
 		}
 	}
 
-	// A state that the best paths skip still needs a piece of the curve: at least two points of it.
+	// A state that no best path visits still needs at least two points of the curve.
 	constexpr double SMALLEST = 2.0 / static_cast<double>(CURVE_POINTS - 1);
 	double total = 0.0;
 	for (double &part : share) {

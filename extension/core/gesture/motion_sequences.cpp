@@ -14,7 +14,7 @@ MotionInstants::MotionInstants(const Track &track) {
 	first_s_ = clock.next_s();
 	bool is_new = false;
 	for (const HandFrame &frame : track.frames) {
-		// An instant before this frame saw only the frames before it.
+		// Instants before this frame use only earlier frames.
 		for (; clock.due(std::nextafter(frame.t_s, -INFINITY)); clock.advance()) {
 			motions_.push_back(is_new ? std::optional(window.motion()) : std::nullopt);
 			is_new = false;
@@ -27,7 +27,7 @@ int MotionInstants::index(double t_s) const {
 	return static_cast<int>(std::lround((t_s - first_s_) / SymbolClock::PERIOD_S));
 }
 
-std::optional<HandMotion> MotionInstants::seen_by(int index) const {
+std::optional<HandMotion> MotionInstants::last_motion(int index) const {
 	constexpr int LONGEST_GAP = 5;
 	for (int i = std::min(index, size() - 1); i >= std::max(index - LONGEST_GAP, 0); --i) {
 		if (motions_[static_cast<std::size_t>(i)]) {

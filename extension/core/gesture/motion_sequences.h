@@ -8,34 +8,33 @@
 
 namespace steadyhand {
 
-/// Observations of a hand since a possible onset, at the symbol clock's instants; nothing where no frame was
-/// new.
+/// Observations of a hand since a possible onset, at the instants of the symbol clock. An instant without a
+/// new frame has no observation.
 struct MotionSequence {
 	std::vector<std::optional<MotionObservation>> points;
-	std::vector<int> states; ///< as many: which state of an HMM each of them is taken to be in
+	std::vector<int> states; ///< state of the HMM for each point
 };
 
-/// Where a gesture lies in a track: instants, counted from the track's first.
+/// Position of a gesture in a track, as indices of instants.
 struct MotionMarks {
-	int begin = 0; ///< what the sequence begins with
-	int onset = 0; ///< before it, the first state
-	int end = 0;   ///< after it, the last state; the others share what is between
-	int last = 0;
+	int begin = 0; ///< begin of the sequence
+	int onset = 0; ///< instants before it are in the first state
+	int end = 0;   ///< instants after it are in the last state; the other states divide the time between
+	int last = 0;  ///< end of the sequence
 };
 
-/// A recorded hand at the symbol clock's instants.
+/// Motion of a recorded hand at the instants of the symbol clock.
 class MotionInstants {
 public:
-	/// track: with a frame at least.
+	/// track: with at least one frame.
 	explicit MotionInstants(const Track &track);
 
 	[[nodiscard]] int size() const { return static_cast<int>(motions_.size()); }
-	/// Of the instant nearest to a time.
+	/// Index of the instant nearest to t_s.
 	[[nodiscard]] int index(double t_s) const;
-	/// The hand as it was seen last, at most 50 ms before an instant.
-	[[nodiscard]] std::optional<HandMotion> seen_by(int index) const;
-	/// From the first instant from marks.begin to marks.onset at which the hand is seen; nothing where there
-	/// is none.
+	/// Newest motion at or before an instant, at most 50 ms old.
+	[[nodiscard]] std::optional<HandMotion> last_motion(int index) const;
+	/// Sequence from the first tracked instant in marks.begin .. marks.onset on; nullopt if there is none.
 	[[nodiscard]] std::optional<MotionSequence> sequence(const MotionMarks &marks, int states) const;
 
 private:

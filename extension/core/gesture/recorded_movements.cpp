@@ -44,8 +44,8 @@ Result<RecordedMovements> recorded_movements(
 	}
 	if (recorded.movements.empty()) {
 		const LeftOut &first = recorded.left_out.front();
-		return Error{ "none of the " + std::to_string(recordings.size()) +
-			" recordings is one to learn from; " + first.recording->name + ": " + first.reason };
+		return Error{ "none of the " + std::to_string(recordings.size()) + " recordings is usable; " +
+			first.recording->name + ": " + first.reason };
 	}
 	return recorded;
 }
@@ -69,7 +69,7 @@ std::vector<std::optional<Observation>> observe(
 		}
 	};
 	for (const HandFrame &frame : recording.measured.frames) {
-		// An instant before this frame saw only the frames before it.
+		// Instants before this frame use only earlier frames.
 		tick_until(std::nextafter(frame.t_s, -INFINITY));
 		if (frame.t_s <= movement.span.onset_s) {
 			element.restart();

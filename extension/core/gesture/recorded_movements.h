@@ -13,7 +13,7 @@
 
 namespace steadyhand {
 
-/// What is left of a recording once its reference has been looked at.
+/// A usable recording, and the span of its movement.
 struct Movement {
 	const TrainingRecording *recording = nullptr;
 	MovementSpan span;
@@ -21,7 +21,7 @@ struct Movement {
 	[[nodiscard]] double duration_s() const { return span.end_s - span.onset_s; }
 };
 
-/// A recording that nothing is learnt from.
+/// An unusable recording.
 struct LeftOut {
 	const TrainingRecording *recording = nullptr;
 	std::string reason;
@@ -29,21 +29,21 @@ struct LeftOut {
 
 struct RecordedMovements {
 	std::vector<Movement> movements;
-	std::vector<Eigen::VectorXd> curves; ///< of each, normalised
+	std::vector<Eigen::VectorXd> curves; ///< normalised_curve() of each movement
 	std::vector<LeftOut> left_out;
 };
 
-/// The motion element along one of its tracks, m, at the stamps in increasing order at which it was seen.
+/// The motion element, m, in a track of the recording. Stamps increase strictly.
 [[nodiscard]] RecordedCurve recorded_motion(
 		const Feature &feature, const TrainingRecording &recording, const Track &track);
 
-/// Of those that are not unusable() (recording_oddity.h). The recordings must outlive what is returned.
-/// Error: there are none.
+/// The movements of all usable recordings (recording_oddity.h). The recordings must outlive the result.
+/// Error: there is none.
 Result<RecordedMovements> recorded_movements(
 		const Feature &feature, std::span<const TrainingRecording> recordings);
 
-/// Normalised observations at the symbol clock's instants over the movement; empty ones where nothing new was
-/// seen.
+/// Normalised observations at the instants of the symbol clock during the movement; nullopt at instants
+/// without a new frame.
 std::vector<std::optional<Observation>> observe(
 		const Feature &feature, const Movement &movement, double duration_mean_s);
 

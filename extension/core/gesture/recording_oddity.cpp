@@ -11,39 +11,41 @@
 namespace steadyhand {
 namespace {
 
-/// How far a hand may go, in units of the task's amplitude.
-constexpr double SHORTEST_WAY = 0.1, LONGEST_WAY = 5.0;
-/// And how far its tracker may err.
-constexpr double FARTHEST_SEEN = 50.0;
-/// Where a gesture may begin, to either side of the start, and how far it may go.
+// Lengths are in amplitudes of the task.
+
+/// Limits of the greatest value of a reference.
+constexpr double LEAST_REACH = 0.1, MOST_REACH = 5.0;
+/// Limit of |value| of a measured track.
+constexpr double FARTHEST_MEASURED = 50.0;
+/// Limits of |value| at start_s, and of the travel from start_s to end_s.
 constexpr double BESIDE_START = 0.5, LEAST_TRAVEL = 0.5, MOST_TRAVEL = 2.0;
-/// Of the reference's frames: by how many times their interval it may be too short for the gesture.
+/// A gesture may exceed its reference by this many frame intervals.
 constexpr double CUT_OFF = 1.5;
-/// A measured track may end so much before the gesture does.
+/// A measured track may end this long before the gesture.
 constexpr double SHORT_S = 0.1;
-/// Nor does it last so many times as long as its reference.
+/// Limit of the measured track's length, in lengths of the reference.
 constexpr double LONGEST_TRACK = 10.0;
 
-/// Of a feature between two instants, in units of the task's amplitude.
-struct Way {
+/// Range of a feature between two times.
+struct ValueRange {
 	double highest = -INFINITY, lowest = INFINITY;
 
-	/// From 0, to either side.
+	/// Greatest |value|.
 	[[nodiscard]] double farthest() const { return std::max(highest, -lowest); }
-	/// No sensor shows a hand that is there at one place to the last bit.
+	/// All values have equal bits. A sensor that tracks a hand has noise.
 	[[nodiscard]] bool is_still() const { return !(highest > lowest); }
 };
 
-Way way_of(const RecordedCurve &curve, double amplitude_m, double from_s, double to_s) {
-	Way way;
+ValueRange range_of(const RecordedCurve &curve, double amplitude_m, double from_s, double to_s) {
+	ValueRange range;
 	for (std::size_t i = 0; i < curve.t_s.size(); ++i) {
 		if (curve.t_s[i] >= from_s && curve.t_s[i] <= to_s) {
 			const double x = curve.x_m[i] / amplitude_m;
-			way.highest = std::max(way.highest, x);
-			way.lowest = std::min(way.lowest, x);
+			range.highest = std::max(range.highest, x);
+			range.lowest = std::min(range.lowest, x);
 		}
 	}
-	return way;
+	return range;
 }
 
 std::string text(const char *format, double value, double other = 0.0) {
@@ -52,7 +54,7 @@ std::string text(const char *format, double value, double other = 0.0) {
 	return { line.data(), std::min(static_cast<std::size_t>(std::max(length, 0)), line.size() - 1) };
 }
 
-/// To hundredths, and no -0.
+/// Rounds to hundredths, without -0.
 double shown(double x) {
 	return std::round(100.0 * x) / 100.0 + 0.0;
 }
@@ -61,24 +63,24 @@ double length_s(const Track &track) {
 	return track.frames.back().t_s - track.frames.front().t_s;
 }
 
-/// reference: its recorded_motion(). A hand may come back before the gesture's end.
+/// reference: recorded_motion() of the reference. The greatest value counts, because a hand may return before
+/// the gesture's end.
 std::string reference_oddity(
 		const Feature &feature, const TrainingRecording &recording, const RecordedCurve &reference) {
 	if (recording.reference.frames.empty()) {
 		return "its reference has no frames";
 	}
-	const Way way = way_of(reference, recording.task.amplitude_m, -INFINITY, recording.end_s);
-	if (!std::isfinite(way.highest)) {
-		return "its reference holds nothing of " + std::string(feature.name);
+	const ValueRange range = range_of(reference, recording.task.amplitude_m, -INFINITY, recording.end_s);
+	if (!std::isfinite(range.highest)) {
+		return "its reference has no values of " + std::string(feature.name);
 	}
-	const bool is_one = way.highest >= SHORTEST_WAY && way.highest <= LONGEST_WAY;
-	return is_one
-			? ""
-			: text("its reference goes to %.3f of the way, not to 1: check metres, start, axis, amplitude",
-					  way.highest);
+	const bool is_one = range.highest >= LEAST_REACH && range.highest <= MOST_REACH;
+	return is_one ? ""
+				  : text("its reference reaches %.3f amplitudes, not 1: check metres, start, axis, amplitude",
+							range.highest);
 }
 
-/// reference: with frames.
+/// The reference must have frames.
 std::string measured_oddity(const Feature &feature, const TrainingRecording &recording) {
 	const std::vector<HandFrame> &seen = recording.measured.frames, &true_frames = recording.reference.frames;
 	if (seen.empty()) {
@@ -92,18 +94,18 @@ std::string measured_oddity(const Feature &feature, const TrainingRecording &rec
 		return text("its measured track begins at %.3f s, after the gesture's end at %.3f s",
 				seen.front().t_s, recording.end_s);
 	}
-	const Way way = way_of(recorded_motion(feature, recording, recording.measured),
+	const ValueRange range = range_of(recorded_motion(feature, recording, recording.measured),
 			recording.task.amplitude_m, true_frames.front().t_s, true_frames.back().t_s);
-	if (way.is_still()) {
-		return "the hand is never seen to move by " + std::string(feature.name);
+	if (range.is_still()) {
+		return "its measured track has no motion of " + std::string(feature.name);
 	}
-	if (way.farthest() > FARTHEST_SEEN) {
-		return text("its measured track goes to %.0f of the way: check metres", way.farthest());
+	if (range.farthest() > FARTHEST_MEASURED) {
+		return text("its measured track reaches %.0f amplitudes: check metres", range.farthest());
 	}
 	return {};
 }
 
-/// A file's reader leaves out what is no number or no place; a caller may not.
+/// Tracks from a file have only finite numbers. Tracks from a caller may have others.
 std::string number_fault(const Track &track, const char *whose) {
 	for (const HandFrame &frame : track.frames) {
 		bool is_sound = std::isfinite(frame.t_s);
@@ -119,7 +121,7 @@ std::string number_fault(const Track &track, const char *whose) {
 	return {};
 }
 
-/// Of what the trial says of its reference.
+/// Faults of amplitude, start_s and end_s.
 std::string span_fault(const TrainingRecording &recording) {
 	if (!(recording.task.amplitude_m >= SMALLEST_AMPLITUDE_M)) {
 		return "its amplitude_m is empty or not above 0";
@@ -134,7 +136,7 @@ std::string span_fault(const TrainingRecording &recording) {
 			recording.end_s <= last_s + cut_s;
 	if (!is_within) {
 		return text("its reference, %.3f .. %.3f s, ", first_s, last_s) +
-				text("does not hold its gesture, start_s %.3f .. end_s %.3f", recording.start_s,
+				text("does not contain its gesture, start_s %.3f .. end_s %.3f", recording.start_s,
 						recording.end_s);
 	}
 	if (recording.end_s - recording.start_s > LONGEST_GESTURE_S) {
@@ -181,11 +183,11 @@ std::string unusable(const Feature &feature, const TrainingRecording &recording)
 	}
 	const double from = value_at(reference, recording.start_s) / recording.task.amplitude_m;
 	const double to = value_at(reference, recording.end_s) / recording.task.amplitude_m;
-	const bool goes_the_way =
+	const bool is_complete =
 			std::abs(from) <= BESIDE_START && to - from >= LEAST_TRAVEL && to - from <= MOST_TRAVEL;
-	return goes_the_way
+	return is_complete
 			? measured_oddity(feature, recording)
-			: text("its reference goes from %.2f of the way at start_s to %.2f at end_s, not from "
+			: text("its reference moves from %.2f amplitudes at start_s to %.2f at end_s, not from "
 				   "0 to 1: check times, start, axis, amplitude",
 					  shown(from), shown(to));
 }

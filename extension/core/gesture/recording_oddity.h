@@ -7,17 +7,18 @@
 
 namespace steadyhand {
 
-/// What makes figures, and models, of something else than a recorded gesture: units that are not metres and
-/// seconds, a track that does not hold the gesture. Begins with "its reference" where that is to be looked
-/// at, else at the measured track; empty where nothing is odd. Only to be told: it may be meant so.
+/// Warning about a recording that is probably not a gesture in metres and seconds, or whose tracks do not
+/// contain it. It begins with "its reference" if the reference is odd; otherwise the measured track is. Empty
+/// if nothing is odd. The recording may still be as intended.
 [[nodiscard]] std::string oddity(const Feature &feature, const TrainingRecording &recording);
 
-/// Why nothing is to be learnt from a recording: an amplitude that is not above 0, a reference that does not
-/// hold the gesture, or does not go from the task's start to its end from start_s to end_s, a gesture of more
-/// than an hour, or what is odd about it otherwise, but for early_end(). Empty where there is no reason.
+/// Why training leaves a recording out; empty if it is usable. Reasons: numbers that are not finite; an
+/// amplitude that is not above 0; a gesture of more than an hour; a reference that does not contain the
+/// gesture, or does not move from the task's start to its end; and oddity() except early_end().
 [[nodiscard]] std::string unusable(const Feature &feature, const TrainingRecording &recording);
 
-/// All that may be odd about one that is not unusable(): its measured track ends before the gesture does.
+/// Warning if the measured track ends before the gesture. It is the only possible oddity() of a usable
+/// recording.
 [[nodiscard]] std::string early_end(const TrainingRecording &recording);
 
 } // namespace steadyhand

@@ -14,7 +14,7 @@ double r_squared(const Eigen::VectorXd &observed, const Eigen::VectorXd &model) 
 	return total > 0.0 ? 1.0 - (observed - model).squaredNorm() / total : 0.0;
 }
 
-/// Mean and standard deviation, point by point, of the curves whose mask is set.
+/// Mean and standard deviation of the kept curves at each point.
 void mean_of_kept(std::span<const Eigen::VectorXd> curves, ReferenceCurve &r_reference) {
 	r_reference.mean = Eigen::VectorXd::Zero(CURVE_POINTS);
 	r_reference.deviation = Eigen::VectorXd::Zero(CURVE_POINTS);

@@ -7,44 +7,43 @@
 
 namespace steadyhand {
 
-/// Points of a normalised curve, evenly spaced over phase 0..1, both ends included.
+/// Number of points of a normalised curve, evenly spaced over phase 0..1, both ends included.
 inline constexpr Eigen::Index CURVE_POINTS = 101;
 
-/// A recording's motion element, still in its own time.
+/// Motion element of a recording over time, not normalised.
 struct RecordedCurve {
 	std::vector<double> t_s; ///< strictly increasing
-	std::vector<double> x_m; ///< as many
+	std::vector<double> x_m; ///< of equal size
 };
 
-/// When the hand moved, within the span that the trial names.
+/// Time of the movement, within start_s .. end_s of the trial.
 struct MovementSpan {
 	double onset_s = 0.0;
 	double end_s = 0.0;
 };
 
-/// m; linear between samples, the first and last one held beyond them. The curve must have some.
+/// Value at t_s, m: linear between samples, constant beyond them. The curve must have samples.
 double value_at(const RecordedCurve &curve, double t_s);
 
-/// Movement onset by the usual 5 % of the peak speed, searched back from the first crossing of half the way
-/// (speed: the central difference over +-20 ms); the end is the trial's own. onset_s < end_s always; where
-/// nothing moves, the trial's span is returned as it is.
+/// Onset at 5 % of the peak speed, searched backwards from the first crossing of half the travel. The speed
+/// is the central difference over +-20 ms. The end is end_s. onset_s < end_s always. Without motion it
+/// returns start_s .. end_s.
 MovementSpan movement_span(const RecordedCurve &curve, double start_s, double end_s);
 
-/// The recording over `span`, resampled to CURVE_POINTS of phase and scaled to run from 0 to 1 (paper,
-/// "normalized in both time and amplitude"). All zeros where it ends where it began.
+/// The curve over `span`, resampled at CURVE_POINTS phases and scaled from 0 to 1 (paper, "normalized in both
+/// time and amplitude"). All zeros if begin and end are equal.
 Eigen::VectorXd normalised_curve(const RecordedCurve &curve, const MovementSpan &span);
 
-/// The reference curve of a gesture and how it came about (paper, "Results: Reference motion elements").
+/// Reference curve of a gesture (paper, "Results: Reference motion elements").
 struct ReferenceCurve {
 	Eigen::VectorXd mean;      ///< CURVE_POINTS: mean of the kept curves
-	Eigen::VectorXd deviation; ///< CURVE_POINTS: their standard deviation, point by point
-	std::vector<double> r2;    ///< per curve: R^2 against the mean of all of them
-	std::vector<bool> kept;    ///< per curve: r2 >= threshold
+	Eigen::VectorXd deviation; ///< CURVE_POINTS: standard deviation of the kept curves
+	std::vector<double> r2;    ///< for each curve: R^2 against the mean of all curves
+	std::vector<bool> kept;    ///< for each curve: r2 >= threshold, or the best r2
 };
 
-/// Mean of all curves; R^2 of each against it; those under the threshold T_h dropped; mean and deviation of
-/// the rest. curves: one normalised curve each, at least one. Where none reaches the threshold, the best one
-/// alone is kept.
+/// Drops curves whose R^2 against the mean of all is below the threshold T_h. The reference is the mean of
+/// the others. If none reaches the threshold, the best curve is kept. curves: at least one, normalised.
 ReferenceCurve reference_curve(std::span<const Eigen::VectorXd> curves, double threshold);
 
 } // namespace steadyhand

@@ -5,17 +5,17 @@
 
 namespace steadyhand {
 
-/// HMM symbols are taken at fixed instants, whole multiples of PERIOD_S on the frames' clock, whatever the
-/// sensor's rate: so that one model's transition probabilities hold for a 30 Hz camera and a 240 Hz tracker
-/// alike ("normalise in time stamp"). 100 Hz, the common rate of hand trackers. An instant without a new
-/// frame since the one before has nothing to observe.
+/// Clock of the HMM symbols: multiples of PERIOD_S on the frames' clock. The period does not depend on the
+/// sensor, so that transition probabilities are equal for a 30 Hz camera and a 240 Hz tracker (paper,
+/// "normalise in time stamp"). 100 Hz is a common rate of hand trackers. An instant without a new frame has
+/// no observation.
 class SymbolClock {
 public:
 	static constexpr double PERIOD_S = 0.01;
 
-	/// Forgets everything; the next instant is the first one at or after t_s.
+	/// Starts over: the next instant is the first one at or after t_s.
 	void start(double t_s) {
-		next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)) - 1; // of a quotient that is rounded
+		next_ = static_cast<std::int64_t>(std::ceil(t_s / PERIOD_S)) - 1; // the quotient may be rounded up
 		while (next_s() < t_s) {
 			++next_;
 		}

@@ -15,9 +15,9 @@ void TaskWatch::expect(const std::vector<Task> &tasks) {
 	moved_m_ = 0.0;
 }
 
-bool TaskWatch::leaves_other_way(Watched &r_task, const Eigen::Vector3d &tip_m) {
-	const Eigen::Vector3d gone_m = tip_m - r_task.task.start_m;
-	const double distance_m = gone_m.norm();
+bool TaskWatch::leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m) {
+	const Eigen::Vector3d displacement_m = tip_m - r_task.task.start_m;
+	const double distance_m = displacement_m.norm();
 	if (distance_m < 0.25 * r_task.task.amplitude_m) {
 		r_task.is_at_start = true;
 	}
@@ -25,16 +25,16 @@ bool TaskWatch::leaves_other_way(Watched &r_task, const Eigen::Vector3d &tip_m) 
 		return false;
 	}
 	r_task.is_at_start = false;
-	const Eigen::Vector3d way = gone_m / distance_m;
-	const bool is_other = way.dot(r_task.task.axis) < SAME_WAY;
-	const bool agrees = r_task.departures == 0 || way.dot(r_task.way_sum.normalized()) > AGREE;
+	const Eigen::Vector3d direction = displacement_m / distance_m;
+	const bool is_other = direction.dot(r_task.task.axis) < SAME_DIRECTION;
+	const bool agrees = r_task.departures == 0 || direction.dot(r_task.direction_sum.normalized()) > AGREE;
 	if (!is_other || !agrees) {
 		r_task.departures = 0;
-		r_task.way_sum.setZero();
+		r_task.direction_sum.setZero();
 	}
 	if (is_other) {
 		++r_task.departures;
-		r_task.way_sum += way;
+		r_task.direction_sum += direction;
 	}
 	return r_task.departures >= DEPARTURES;
 }
@@ -51,9 +51,10 @@ std::optional<TaskDoubt> TaskWatch::look(const HandFrame &frame) {
 	for (std::size_t i = 0; i < tasks_.size(); ++i) {
 		Watched &one = tasks_[i];
 		one.nearest_m = std::min(one.nearest_m, (tip_m - one.task.start_m).norm());
-		if (leaves_other_way(one, tip_m)) {
+		if (leaves_otherwise(one, tip_m)) {
 			is_over_ = true;
-			return TaskDoubt{ TaskDoubt::Kind::OTHER_WAY, i, one.nearest_m, one.way_sum.normalized() };
+			return TaskDoubt{ TaskDoubt::Kind::OTHER_DIRECTION, i, one.nearest_m,
+				one.direction_sum.normalized() };
 		}
 	}
 	if (frame.t_s - *first_s_ < PATIENCE_S || moved_m_ < MOVED_M) {

@@ -9,41 +9,39 @@
 
 namespace steadyhand {
 
-/// Why no gesture starts at the tasks of a scene, though a hand is there and moves.
+/// Why no gesture starts at the tasks of a scene, although a hand moves.
 struct TaskDoubt {
 	enum class Kind : std::uint8_t {
-		FAR,      ///< the hand is never near the start of any task
-		OTHER_WAY ///< the hand leaves a task's start again and again, and each time another way than the
-				  ///< task's
+		FAR,            ///< the hand was never near the start of a task
+		OTHER_DIRECTION ///< the hand leaves a task's start repeatedly, in a direction that is not the task's
 	};
 	Kind kind;
-	std::size_t task;                              ///< the nearest one, or the one that is left
-	double distance_m = 0.0;                       ///< FAR: the least distance to its start
-	Eigen::Vector3d way = Eigen::Vector3d::Zero(); ///< OTHER_WAY: unit vector; the mean of what the hand did
+	std::size_t task;                              ///< FAR: the nearest task; otherwise the task that is left
+	double distance_m = 0.0;                       ///< least distance to its start
+	Eigen::Vector3d way = Eigen::Vector3d::Zero(); ///< OTHER_DIRECTION: mean direction, unit vector
 };
 
-/// Watches the index tip about tasks that are a straight way of it, until a first gesture starts: then the
-/// scene is as it should be.
+/// Watches the index tip near tasks with a straight path, until the first gesture starts.
 class TaskWatch {
 public:
-	/// Begins anew with these.
+	/// Starts over with these tasks.
 	void expect(const std::vector<Task> &tasks);
 	void gesture_started() { is_over_ = true; }
 
-	/// Says something once. Allocates nothing.
+	/// Returns a doubt at most once. Does not allocate.
 	std::optional<TaskDoubt> look(const HandFrame &frame);
 
 private:
-	/// A player looks around for so long, and has moved the hand so far.
+	/// FAR needs this time and this length of the hand's path.
 	static constexpr double PATIENCE_S = 10.0, MOVED_M = 2.0;
-	/// Further away than a hand aims beside a start that it sees.
+	/// FAR needs a greater distance. Hands aim better at a start that they see.
 	static constexpr double NEAR_M = 0.15;
-	/// A way is told after this share of the amplitude, and is the task's within 60 degrees (cosine).
-	static constexpr double LEFT_SHARE = 0.6, SAME_WAY = 0.5;
-	/// So many departures in a row that agree with each other are meant.
+	/// A direction is measured at this share of the amplitude. It is the task's within 60 degrees (cosine).
+	static constexpr double LEFT_SHARE = 0.6, SAME_DIRECTION = 0.5;
+	/// OTHER_DIRECTION needs this many departures in a row, with this cosine between them.
 	static constexpr int DEPARTURES = 3;
 	static constexpr double AGREE = 0.8;
-	/// Of a longer step between frames the hand's path says nothing.
+	/// Longer steps between frames do not count for the hand's path.
 	static constexpr double LONGEST_STEP_M = 0.2;
 
 	struct Watched {
@@ -51,7 +49,7 @@ private:
 		double nearest_m;
 		bool is_at_start = false;
 		int departures = 0;
-		Eigen::Vector3d way_sum = Eigen::Vector3d::Zero();
+		Eigen::Vector3d direction_sum = Eigen::Vector3d::Zero();
 	};
 
 	std::vector<Watched> tasks_;
@@ -60,8 +58,8 @@ private:
 	std::optional<Eigen::Vector3d> last_m_;
 	double moved_m_ = 0.0;
 
-	/// Whether the hand has left the start of `r_task` a last time.
-	static bool leaves_other_way(Watched &r_task, const Eigen::Vector3d &tip_m);
+	/// True at the last of DEPARTURES from the start of `r_task` in another direction.
+	static bool leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m);
 };
 
 } // namespace steadyhand

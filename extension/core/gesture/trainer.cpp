@@ -17,25 +17,25 @@
 namespace steadyhand {
 namespace {
 
-/// Shares of the work that are done after each step, by their usual times.
+/// Progress after each step, by usual durations.
 constexpr double CURVES_READ = 0.1;
 constexpr double OBSERVED = 0.3;
 constexpr double QUANTISED = 0.7;
 constexpr double RE_ESTIMATED = 0.95;
 
-/// Tells how far the work is, until it is told to stop.
+/// Reports the progress to a callback, until the callback returns false.
 class TrainingProgress {
 public:
-	explicit TrainingProgress(const std::function<bool(double done)> &told) : told_(told) {}
+	explicit TrainingProgress(const std::function<bool(double done)> &callback) : callback_(callback) {}
 
-	/// False: stop, now and at every later call.
+	/// False if training must stop, and at every later call.
 	[[nodiscard]] bool go_on(double done) {
-		is_stopped_ = is_stopped_ || (told_ && !told_(done));
+		is_stopped_ = is_stopped_ || (callback_ && !callback_(done));
 		return !is_stopped_;
 	}
 
 private:
-	const std::function<bool(double done)> &told_;
+	const std::function<bool(double done)> &callback_;
 	bool is_stopped_ = false;
 };
 
@@ -69,8 +69,8 @@ std::string unknown_feature(const std::string &name) {
 	return message;
 }
 
-/// Those that the reference is the mean of; the others are named in the model.
-std::vector<Movement> keep_alike(
+/// Returns the movements of the reference curve. The model gets the names of all others.
+std::vector<Movement> drop_outliers(
 		const RecordedMovements &recorded, const ReferenceCurve &reference, GestureModel &r_model) {
 	std::vector<Movement> kept;
 	for (std::size_t i = 0; i < recorded.movements.size(); ++i) {
@@ -87,8 +87,8 @@ std::vector<Movement> keep_alike(
 	return kept;
 }
 
-/// Mean directions of the tasks; those within 45 degrees of a cluster's first are one. In order of
-/// appearance.
+/// Mean directions of the tasks, in order of appearance. Directions within 45 degrees of a cluster's first
+/// one are one cluster.
 std::vector<Eigen::Vector3d> directions_of(const std::vector<Movement> &movements) {
 	struct Cluster {
 		Eigen::Vector3d first;
@@ -113,7 +113,7 @@ std::vector<Eigen::Vector3d> directions_of(const std::vector<Movement> &movement
 	return directions;
 }
 
-/// The mean of their tasks.
+/// Sets typical_task to the mean of the tasks.
 void set_typical_task(const std::vector<Movement> &kept, bool is_radius, GestureModel &r_model) {
 	Task typical = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.0 };
 	for (const Movement &movement : kept) {
@@ -154,7 +154,7 @@ std::vector<NormalisedRecording> report(RecordedMovements recorded, const Refere
 	return rows;
 }
 
-/// Of each movement: empty ones where nothing new was seen.
+/// For each movement: its observations, nullopt at instants without a new frame.
 using Observations = std::vector<std::vector<std::optional<Observation>>>;
 
 Observations observe(const Feature &feature, const std::vector<Movement> &kept, double duration_mean_s) {
@@ -166,7 +166,7 @@ Observations observe(const Feature &feature, const std::vector<Movement> &kept, 
 	return observed;
 }
 
-/// Of fewer symbols where it is told to stop.
+/// Codebook of all observations. It has fewer symbols if training is stopped.
 VectorQuantiser codebook_of(const Observations &observed, int symbols, TrainingProgress &r_progress) {
 	std::vector<Observation> seen;
 	for (const auto &observations : observed) {
@@ -206,7 +206,7 @@ void re_estimate(const std::vector<SymbolSequence> &sequences, const TrainingOpt
 	r_model.provenance.objective = std::move(trained.objective);
 }
 
-/// degree: as cut_into_elements() returns it.
+/// Warning that the degree was lowered. degree: result of cut_into_elements().
 std::string lowered(std::size_t degree, const TrainingOptions &options) {
 	return "polynomials of degree " + std::to_string(options.polynomial_degree) + " in " +
 			std::to_string(options.states) + " states leave the recordings' mean; " +
@@ -245,7 +245,7 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 	model.reference_mean = reference.mean;
 	model.reference_deviation = reference.deviation;
 	model.provenance.r2_threshold = options.r2_threshold;
-	const std::vector<Movement> kept = keep_alike(recorded.value(), reference, model);
+	const std::vector<Movement> kept = drop_outliers(recorded.value(), reference, model);
 	set_typical_task(kept, find_feature(model.feature)->is_radius, model);
 	const std::vector<double> durations_s = durations_of(kept);
 	const MeanAndDeviation duration = mean_and_deviation(durations_s);

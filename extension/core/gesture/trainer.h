@@ -13,23 +13,23 @@
 
 namespace steadyhand {
 
-/// One recorded execution of a gesture, both sensors on one clock.
+/// One recorded execution of a gesture. Both tracks use one clock.
 struct TrainingRecording {
 	std::string name;
 	Task task;
-	double start_s = 0.0; ///< start and end: within the reference
+	double start_s = 0.0; ///< start and end of the gesture, within the reference
 	double end_s = 0.0;
-	Track measured;  ///< what the HMM learns from: the sensor as it will be in use
-	Track reference; ///< what the motion elements are taken from: the stable sensor
+	Track measured;  ///< by the sensor that will be used: the HMM is trained with it
+	Track reference; ///< by a stable sensor: the motion elements are fitted to it
 };
 
-/// What became of a recording: the reference curve is the mean of those kept.
+/// A recording after normalisation. The reference curve is the mean of the kept ones.
 struct NormalisedRecording {
 	std::string name;
-	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, running from 0 to 1; empty: it was left out
-	double r2 = 0.0;       ///< R^2 against the mean of all that were not left out
-	bool kept = true;      ///< r2 >= T_h, or the best there is
-	std::string oddity;    ///< what looks wrong with it, or why it was left out (recording_oddity.h)
+	Eigen::VectorXd curve; ///< CURVE_POINTS over phase 0..1, from 0 to 1; empty if it was left out
+	double r2 = 0.0;       ///< R^2 against the mean of all recordings that were not left out
+	bool kept = true;      ///< r2 >= T_h, or the best r2
+	std::string oddity;    ///< warning, or why it was left out (recording_oddity.h)
 };
 
 struct TrainingOptions {
@@ -40,21 +40,20 @@ struct TrainingOptions {
 	double r2_threshold = 0.9; ///< T_h; the paper found it by trial and error for each gesture
 	std::size_t polynomial_degree = 5;
 	BaumWelchOptions baum_welch;
-	/// Called as the work goes on, done 0..1; false stops it.
+	/// Called during training, done: 0..1. If it returns false, training stops.
 	std::function<bool(double done)> progress;
 };
 
-/// What can be told to be wrong before a recording is read: an unknown feature, options out of range, a
-/// pseudo-count of 0 (a state that saw nothing would have no probabilities). Empty
-/// where nothing is.
+/// Faults that do not depend on recordings: an unknown feature, options out of range, a pseudo-count of 0 (a
+/// state without observations would have no probabilities). Empty if there is none.
 [[nodiscard]] std::string training_error(const std::string &feature, const TrainingOptions &options);
 
-/// Trains one gesture (paper, "Primitive motion elements"): reference curve from the reference tracks,
-/// outliers dropped; codebook, HMM and state durations from the measured tracks of the recordings that stay.
-/// Deterministic, without a random number: equal recordings give an equal model, to the last bit. Errors:
-/// training_error(), no recording that anything is to be learnt from (recording_oddity.h), stopped by
-/// progress. r_recordings, if given: those that something was learnt from, in their order, then those that
-/// were left out. r_warning, if given: what is wrong with the model as a whole, or empty.
+/// Trains one gesture (paper, "Primitive motion elements"). The reference curve comes from the reference
+/// tracks, without outliers. Codebook, HMM and state durations come from the measured tracks of the kept
+/// recordings. Deterministic, without random numbers: equal recordings give a model with equal bits.
+/// Errors: training_error(), no usable recording (recording_oddity.h), stopped by progress. r_recordings, if
+/// given: the usable recordings in their order, then those that were left out. r_warning, if given: a
+/// warning about the whole model, or empty.
 Result<GestureModel> train(const std::string &gesture, const std::string &feature,
 		std::span<const TrainingRecording> recordings, const TrainingOptions &options,
 		std::vector<NormalisedRecording> *r_recordings = nullptr, std::string *r_warning = nullptr);

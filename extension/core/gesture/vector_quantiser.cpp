@@ -8,12 +8,12 @@
 namespace steadyhand {
 namespace {
 
-// clang 14, which builds the fuzzers, asks for what C++20 lets be left out.
+// clang 14, which builds the fuzzers, needs a typename that C++20 makes optional.
 template <int SIZE> using Point = typename Codebook<SIZE>::Point; // NOLINT(readability-redundant-typename)
 template <int SIZE>
 using Codewords = typename Codebook<SIZE>::Codewords; // NOLINT(readability-redundant-typename)
 
-/// Eight codewords at once, as many as fill the registers.
+/// Index of the nearest codeword. Computes eight distances at once, for vector registers.
 template <int SIZE> Symbol nearest(const Codewords<SIZE> &codewords, const Point<SIZE> &point) {
 	constexpr Eigen::Index BLOCK = 8;
 	const Eigen::Index n = codewords.rows();
@@ -40,7 +40,7 @@ template <int SIZE> Symbol nearest(const Codewords<SIZE> &codewords, const Point
 	return static_cast<Symbol>(best);
 }
 
-/// Lloyd iterations until no codeword moves by more than rounding, or as many.
+/// Lloyd iterations, until no codeword moves by more than 1e-9, or most_iterations.
 template <int SIZE>
 void settle(Codewords<SIZE> &r_codewords, std::span<const Point<SIZE>> points, int most_iterations) {
 	for (int iteration = 0; iteration < most_iterations; ++iteration) {
@@ -65,8 +65,8 @@ void settle(Codewords<SIZE> &r_codewords, std::span<const Point<SIZE>> points, i
 	}
 }
 
-/// The cell whose points lie furthest from their codeword, in sum; and half its spread, along which it is
-/// split.
+/// The cell with the greatest sum of squared distances from its codeword, and half its standard deviation for
+/// each axis: the offset of the split.
 template <int SIZE>
 std::pair<Eigen::Index, Eigen::Matrix<double, 1, SIZE>> widest_cell(
 		const Codewords<SIZE> &codewords, std::span<const Point<SIZE>> points) {
@@ -108,7 +108,7 @@ Codebook<SIZE> Codebook<SIZE>::trained(std::span<const Point> observations, int 
 		scale += (o - mean).cwiseAbs2();
 	}
 	scale = (scale / n).cwiseSqrt();
-	// An axis without spread decides nothing; 1 keeps it finite.
+	// An axis without spread has no effect. A scale of 1 keeps it finite.
 	scale = (scale.array() > 0.0).select(scale, Point::Ones());
 
 	std::vector<Point> points;

@@ -8,22 +8,22 @@
 
 namespace steadyhand {
 
-/// A codebook: the symbol of a point of SIZE numbers is the index of the nearest codeword, after each axis is
-/// divided by its scale.
+/// A codebook of points with SIZE numbers. The symbol of a point is the index of the nearest codeword, after
+/// each axis is divided by its scale.
 template <int SIZE> class Codebook {
 public:
 	using Point = Eigen::Matrix<double, SIZE, 1>;
-	using Codewords = Eigen::Matrix<double, Eigen::Dynamic, SIZE>; ///< one a row
+	using Codewords = Eigen::Matrix<double, Eigen::Dynamic, SIZE>; ///< one codeword in each row
 
 	Codebook() = default;
-	/// codebook: M x SIZE, in the points' units; scale: > 0 on each axis.
+	/// codebook: M x SIZE, in the units of the points. scale: > 0 for each axis.
 	Codebook(Codewords codebook, const Point &scale);
 
-	/// Generalised Lloyd algorithm with splitting (Linde, Buzo, Gray 1980, doi:10.1109/TCOM.1980.1094577);
-	/// the scale is the standard deviation of each axis. Deterministic. Codewords are sorted by their first
-	/// number (position), then the second (velocity), so that symbols read as progress. Fewer distinct
-	/// points than `symbols` leave repeated codewords, which is harmless.
-	/// go_on: called with the number of codewords found so far; false ends the search there, with fewer.
+	/// Generalised Lloyd algorithm with splitting (Linde, Buzo, Gray 1980, doi:10.1109/TCOM.1980.1094577).
+	/// The scale is the standard deviation of each axis. Deterministic. Codewords are sorted by their first
+	/// number, then by the second. If there are fewer distinct points than `symbols`, some codewords are
+	/// equal, which is harmless.
+	/// go_on: called with the number of codewords so far; if it returns false, the codebook has only these.
 	/// most_iterations: of the Lloyd algorithm after each split.
 	static Codebook trained(std::span<const Point> observations, int symbols,
 			const std::function<bool(int codewords)> &go_on = {}, int most_iterations = 100);
@@ -39,9 +39,9 @@ private:
 	Codewords scaled_; ///< codebook_ / scale_, for symbol()
 };
 
-/// Of Observations: what the HMM of a GestureModel reads.
+/// Codebook of Observations, for the HMM of a GestureModel.
 using VectorQuantiser = Codebook<2>;
-/// Of MotionObservations: what the HMMs of a ClassifierModel read.
+/// Codebook of MotionObservations, for the HMMs of a ClassifierModel.
 using MotionCodebook = Codebook<6>;
 
 extern template class Codebook<2>;

@@ -234,7 +234,7 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	}
 	const std::string too_long = train("drag", "index_along_axis", of_another_unit, {}).error();
 	CHECK(too_long ==
-			"drag: none of the 12 recordings is one to learn from; " + drags[0].name +
+			"drag: none of the 12 recordings is usable; " + drags[0].name +
 					": its gesture takes 1000000 s, and 3600 are the most; start_s, end_s and t are seconds");
 	options = {};
 	options.progress = [](double) { return false; };
@@ -352,8 +352,8 @@ TEST_CASE("one recording, and recordings of one frame, train or say why not") {
 	CHECK(train("drag", "index_along_axis", one, {}).ok());
 	one[0].measured.frames.resize(1);
 	CHECK(train("drag", "index_along_axis", one, {}).error() ==
-			"drag: none of the 1 recordings is one to learn from; " + one[0].name +
-					": the hand is never seen to move by index_along_axis");
+			"drag: none of the 1 recordings is usable; " + one[0].name +
+					": its measured track has no motion of index_along_axis");
 }
 
 TEST_CASE("a model file reads back to the same bits") {

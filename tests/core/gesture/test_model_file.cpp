@@ -73,7 +73,7 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = -1e300; }) ==
 			"a.gesture:1: polynomial[0]: beyond 1e9");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["polynomial"][0] = 1e5; }) ==
-			"a.gesture:1: polynomial: its curve leaves -2 .. 2, on a way from 0 to 1");
+			"a.gesture:1: polynomial: its values leave -2 .. 2");
 	CHECK(error_of([](Json &r_file) { r_file["elements"][1]["phase_begin"] = 0.0; }) ==
 			"a.gesture:1: elements: each phase_begin must be the phase_end before it, and the first 0");
 	CHECK(error_of([](Json &r_file) { r_file["elements"].back()["phase_end"] = 1e20; }) ==

@@ -61,11 +61,11 @@ TEST_CASE("nothing is odd about recordings of simulated drags") {
 
 TEST_CASE("what makes a recording one of something else is told") {
 	const std::vector<std::pair<std::string, std::function<void(TrainingRecording &)>>> odd = {
-		{ "its reference goes to 1000.000 of the way, not to 1: check metres, start, axis, amplitude",
+		{ "its reference reaches 1000.000 amplitudes, not 1: check metres, start, axis, amplitude",
 				[](TrainingRecording &r) { scale(r.reference, 1000.0); } },
-		{ "its reference goes to 0.001 of the way, not to 1: check metres, start, axis, amplitude",
+		{ "its reference reaches 0.001 amplitudes, not 1: check metres, start, axis, amplitude",
 				[](TrainingRecording &r) { r.task.amplitude_m *= 1000.0; } },
-		{ "its reference holds nothing of index_along_axis",
+		{ "its reference has no values of index_along_axis",
 				[](TrainingRecording &r) {
 					for (HandFrame &frame : r.reference.frames) {
 						frame = { .t_s = frame.t_s };
@@ -73,9 +73,9 @@ TEST_CASE("what makes a recording one of something else is told") {
 				} },
 		{ "its reference has no frames", [](TrainingRecording &r) { r.reference.frames.clear(); } },
 		{ "its measured track has no frames", [](TrainingRecording &r) { r.measured.frames.clear(); } },
-		{ "its measured track goes to 1000 of the way: check metres",
+		{ "its measured track reaches 1000 amplitudes: check metres",
 				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
-		{ "the hand is never seen to move by index_along_axis",
+		{ "its measured track has no motion of index_along_axis",
 				[](TrainingRecording &r) {
 					for (HandFrame &frame : r.measured.frames) {
 						const Eigen::Vector3d tip_m = frame.position(Joint::INDEX);
@@ -83,7 +83,7 @@ TEST_CASE("what makes a recording one of something else is told") {
 						frame.set(Joint::THUMB, tip_m);
 					}
 				} },
-		{ "the hand is never seen to move by index_along_axis",
+		{ "its measured track has no motion of index_along_axis",
 				[](TrainingRecording &r) {
 					for (HandFrame &frame : r.measured.frames) { // a sensor that is stuck
 						frame.set(Joint::INDEX, { 0.1, 0.2, 0.3 });
@@ -124,27 +124,27 @@ TEST_CASE("what spoils a recording leaves it out of the model, by name, as if it
 		{ "its amplitude_m is empty or not above 0",
 				[](TrainingRecording &r) { r.task.amplitude_m = -0.2; } },
 		{ "its reference has no frames", [](TrainingRecording &r) { r.reference.frames.clear(); } },
-		{ "its reference, 0.000 .. 1.946 s, does not hold its gesture, start_s 0.300 .. end_s 2.000",
+		{ "its reference, 0.000 .. 1.946 s, does not contain its gesture, start_s 0.300 .. end_s 2.000",
 				[](TrainingRecording &r) { r.end_s = 2.0; } },
-		{ "its reference, 0.000 .. 1.946 s, does not hold its gesture, start_s 0.300 .. end_s 0.300",
+		{ "its reference, 0.000 .. 1.946 s, does not contain its gesture, start_s 0.300 .. end_s 0.300",
 				[](TrainingRecording &r) { r.end_s = r.start_s; } },
-		{ "its reference goes to 0.000 of the way, not to 1: check metres, start, axis, amplitude",
+		{ "its reference reaches 0.000 amplitudes, not 1: check metres, start, axis, amplitude",
 				[](TrainingRecording &r) { scale(r.reference, 0.0); } },
-		{ "its reference goes from 0.00 of the way at start_s to 0.30 at end_s, not from 0 to 1: check "
+		{ "its reference moves from 0.00 amplitudes at start_s to 0.30 at end_s, not from 0 to 1: check "
 		  "times, "
 		  "start, axis, amplitude",
 				[](TrainingRecording &r) { scale(r.reference, 0.3); } },
-		{ "its reference goes from 0.00 of the way at start_s to 3.00 at end_s, not from 0 to 1: check "
+		{ "its reference moves from 0.00 amplitudes at start_s to 3.00 at end_s, not from 0 to 1: check "
 		  "times, "
 		  "start, axis, amplitude",
 				[](TrainingRecording &r) { scale(r.reference, 3.0); } },
-		{ "its reference goes from -0.75 of the way at start_s to 0.25 at end_s, not from 0 to 1: check "
+		{ "its reference moves from -0.75 amplitudes at start_s to 0.25 at end_s, not from 0 to 1: check "
 		  "times, "
 		  "start, axis, amplitude",
 				[](TrainingRecording &r) { r.task.start_m.x() = 0.15; } },
-		{ "the hand is never seen to move by index_along_axis",
+		{ "its measured track has no motion of index_along_axis",
 				[](TrainingRecording &r) { scale(r.measured, 0.0); } },
-		{ "its measured track goes to 1000 of the way: check metres",
+		{ "its measured track reaches 1000 amplitudes: check metres",
 				[](TrainingRecording &r) { scale(r.measured, 1000.0); } },
 		{ "its measured track has a time or a tracked position that is not a finite number, at 0.100 s",
 				[](TrainingRecording &r) {

@@ -51,7 +51,7 @@ TEST_CASE("a hand that leaves the start another way is reported once") {
 	std::optional<TaskDoubt> last;
 	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { -0.2, 0.0, 0.0 }, 60.0, last) == 1);
 	REQUIRE(last);
-	CHECK(last->kind == TaskDoubt::Kind::OTHER_WAY);
+	CHECK(last->kind == TaskDoubt::Kind::OTHER_DIRECTION);
 	CHECK(last->way.isApprox(-Eigen::Vector3d::UnitX()));
 }
 
