@@ -10,7 +10,7 @@ namespace steadyhand {
 
 namespace {
 
-constexpr std::size_t WARNINGS_MAX = 10; // of jumps, each by itself
+constexpr std::size_t WARNINGS_MAX = 10; // jumps with a warning of their own
 
 bool is_jump(double step_s) {
 	return step_s > LONGEST_STEP_S;
@@ -25,14 +25,14 @@ std::vector<double> steps_s(const std::vector<HandFrame> &frames) {
 	return steps;
 }
 
-/// Of one value at least; of an even count the lower of the middle two.
+/// Median of at least one value; of an even count, the lower of the two in the middle.
 double median(std::vector<double> values) {
 	const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
 	std::nth_element(values.begin(), middle, values.end());
 	return *middle;
 }
 
-/// Six digits of it.
+/// The number with six significant digits.
 std::string rounded(double number) {
 	std::array<char, 32> digits;
 	const auto written = std::to_chars(
@@ -71,7 +71,7 @@ std::vector<std::string> close_clock_jumps(
 				warn(i, std::to_string(jumps - WARNINGS_MAX) + " more clock jumps up to this line");
 			}
 		}
-		// Rounding of the difference must not turn time back.
+		// Rounding must not make a time smaller than the one before.
 		r_frames[i].t_s = std::max(r_frames[i].t_s - removed_s, r_frames[i - 1].t_s);
 	}
 	return warnings;

@@ -9,17 +9,15 @@
 
 namespace steadyhand {
 
-/// A longer step between two rows of a track, s, is a clock that was set anew or a damaged number. Recorders
-/// pause for minutes, and no gesture lasts longer than this.
+/// A longer step between two rows of a track, s, is a jump of the clock or a damaged number. Recorders pause
+/// for minutes at most, and no gesture lasts longer.
 inline constexpr double LONGEST_STEP_S = 3600.0;
 
-/// Closes up each step above LONGEST_STEP_S: the rows behind it follow after the track's median step. So no
-/// row is lost, as it would be if the track were cut, and the time between all other rows stays. Where most
-/// steps are that long, the times are no seconds: they stay as they are.
+/// Replaces each step above LONGEST_STEP_S by the track's median step, and shifts all later rows. Other steps
+/// do not change. If most steps are above LONGEST_STEP_S, the times are not in seconds, and nothing changes.
 ///
-/// Returns the warnings, each "source:line: t: what": one for each of the first ten jumps, one for all
-/// others. Frames have non-decreasing times; the first one is row `first_line` of `source`, and rows follow
-/// line by line.
+/// Returns warnings "source:line: t: what": one for each of the first ten jumps, and one for all others.
+/// Times of frames must not decrease. Frame i is on line first_line + i of `source`.
 [[nodiscard]] std::vector<std::string> close_clock_jumps(
 		std::vector<HandFrame> &r_frames, std::string_view source, std::size_t first_line);
 

@@ -1,4 +1,4 @@
-// How a line of CSV is split into its cells.
+// Splits a line of CSV into cells.
 
 #include "tracking/csv_text.h"
 
@@ -9,23 +9,23 @@ namespace steadyhand {
 
 namespace {
 
-/// Whether only blanks stand before the next comma or the end.
+/// Whether only blanks precede the next comma or the end of the line.
 bool ends_cell(std::string_view after) {
 	const std::size_t next = after.find_first_not_of(" \t");
 	return next == std::string_view::npos || after[next] == ',';
 }
 
-/// Finds where the quoted cells of one line end. Once a search has reached the line's end in vain, later
-/// cells do not search again: the work stays linear however many quotes are open.
+/// Finds the ends of the quoted cells of one line. After a search without a result, later cells do not search
+/// again, so the time is linear for any number of open quotes.
 class QuotedCells {
 public:
 	struct Extent {
-		std::size_t length = 0;          ///< of the quoted cell, its quotes included; 0: there is none
-		bool has_doubled_quotes = false; ///< where it has any within
+		std::size_t length = 0;          ///< of the quoted cell with its quotes; 0 if it is not quoted
+		bool has_doubled_quotes = false; ///< quotes within the cell are doubled
 	};
 
-	/// Of the cell that text, a rest of the line, starts with. A doubled quote does not end it, unless no
-	/// other quote does: no other program writes that.
+	/// Extent of the cell at the begin of text, the rest of the line. A doubled quote ends the cell only if
+	/// no other quote does. Such cells are malformed.
 	Extent at(std::string_view text) {
 		if (!text.starts_with('"')) {
 			return {};
@@ -43,11 +43,11 @@ private:
 		bool &was_searched = was_searched_[may_be_doubled ? 1 : 0];
 		for (std::size_t run = text.find('"', 1); run != std::string_view::npos;) {
 			const std::size_t after = std::min(text.find_first_not_of('"', run), text.size());
-			const bool is_single = (after - run) % 2 == 1; // beside pairs
+			const bool is_single = (after - run) % 2 == 1; // one quote more than pairs
 			if ((is_single || !may_be_doubled) && ends_cell(text.substr(after))) {
 				return after;
 			}
-			// The cell's own quote shortens a run right behind it: only that run is new to an earlier search.
+			// An earlier search has covered all runs but the first, which the cell's opening quote shortens.
 			if (was_searched) {
 				return 0;
 			}
@@ -57,10 +57,10 @@ private:
 		return 0;
 	}
 
-	std::array<bool, 2> was_searched_{}; ///< up to the line's end, in vain; [1]: quotes may be doubled
+	std::array<bool, 2> was_searched_{}; ///< to the line's end without a result; [1]: quotes may be doubled
 };
 
-/// Text with one quote for each doubled one, at the end of r_out.
+/// Text with doubled quotes replaced by single ones. Appends to r_out if there are any.
 std::string_view unescaped(std::string_view text, std::string &r_out) {
 	if (text.find("\"\"") == std::string_view::npos) {
 		return text;
@@ -77,7 +77,7 @@ std::string_view unescaped(std::string_view text, std::string &r_out) {
 void split_cells(std::string_view line, std::vector<std::string_view> &r_cells, std::string &r_unescaped) {
 	r_cells.clear();
 	r_unescaped.clear();
-	r_unescaped.reserve(line.size()); // more is never needed: views into it stay valid
+	r_unescaped.reserve(line.size()); // never reallocated, so that views into it stay valid
 	QuotedCells quoted_cells;
 	for (std::size_t comma = 0; comma != std::string_view::npos; line.remove_prefix(comma + 1)) {
 		line = trim(line);

@@ -27,8 +27,8 @@ bool is_control(char character) {
 	return (value < 0x20 && character != '\t') || value == 0x7F;
 }
 
-/// Length of the well-formed multi-byte sequence that text starts with (Unicode 15, table 3-7), 0 where there
-/// is none.
+/// Length of the well-formed multi-byte sequence at the begin of text (Unicode 15, table 3-7); 0 if there is
+/// none.
 std::size_t utf8_sequence_length(std::string_view text) {
 	const auto byte = [text](std::size_t i) {
 		return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -199,7 +199,7 @@ std::optional<Error> check_header(
 			return error_at(source, line, names[i], "the column comes twice");
 		}
 	}
-	// As spreadsheets write it where numbers have a decimal comma, and as they copy it.
+	// Spreadsheets write ';' in locales with a decimal comma, and copy cells with tabs.
 	for (const auto &[separator, name] : { std::pair(';', "';'"), std::pair('\t', "tabs") }) {
 		if (names.size() == 1 && names.front().find(separator) != std::string_view::npos) {
 			return error_at(source, line,

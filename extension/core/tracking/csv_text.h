@@ -10,18 +10,18 @@
 
 namespace steadyhand {
 
-// The plain CSV of tracks and trial sets: UTF-8 (a byte order mark is skipped), comma, LF or CRLF. Cells may
-// be in quotes (RFC 4180), as other programs write them, but for line breaks in them.
+// CSV of tracks and trial sets: UTF-8 (a byte order mark is skipped), separated by commas, LF or CRLF. Cells
+// may be quoted (RFC 4180), but must not contain line breaks.
 
-/// Walks a text line by line. Views point into the text, which must outlive them.
+/// Iterates over the lines of a text. Views point into the text, which must outlive them.
 class CsvLines {
 public:
 	explicit CsvLines(std::string_view text);
 
-	/// False at the end of the text. A line comes without its line break.
+	/// Gets the next line without its line break. Returns false at the end of the text.
 	bool next(std::string_view &r_line);
 	[[nodiscard]] bool are_over() const { return rest_.empty(); }
-	/// 1 for the first line; the one that next() gave last.
+	/// Number of the last line that next() returned, from 1.
 	[[nodiscard]] std::size_t line_number() const { return line_number_; }
 
 private:
@@ -31,43 +31,41 @@ private:
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
-/// Cells of a line, trimmed of spaces and tabs, without the quotes around them; a doubled quote within these
-/// is one. Always at least one. Views point into the line or into r_unescaped, which must outlive them. The
-/// time grows linearly with the line's length.
+/// Splits a line into at least one cell. Cells are trimmed of spaces and tabs, and unquoted. Views point into
+/// the line or into r_unescaped, which must outlive them. Takes linear time.
 void split_cells(std::string_view line, std::vector<std::string_view> &r_cells, std::string &r_unescaped);
 
-/// Offset of the first byte that no UTF-8 text holds: a control character other than tab, a malformed or
-/// overlong sequence, a surrogate.
+/// Offset of the first byte that is not text: a control character other than tab, a malformed or overlong
+/// UTF-8 sequence, or a surrogate.
 [[nodiscard]] std::optional<std::size_t> find_not_text(std::string_view line);
 
-/// A finite number of the given magnitude at most, decimal point whatever the locale. The error names the
-/// cell's content only; where it stands is the caller's to say.
+/// Parses a finite number of at most this magnitude, with a decimal point in every locale. The error names
+/// the cell's content. The caller adds the position.
 [[nodiscard]] Result<double> parse_number(std::string_view cell, double magnitude_max);
 
-/// The shortest text that reads back as the same double.
+/// Appends the shortest text that reads back as the same double.
 void append_number(std::string &r_out, double number);
 
-/// Text for one metadata line, or one cell: control characters become spaces, so that what is written can
-/// always be read back. A cell that holds a comma, or begins with a quote, is put in quotes, and its own
-/// quotes are doubled.
+/// Appends text of a metadata line or a cell. Control characters become spaces, so that the file can be read
+/// back. A cell with a comma, or with a quote at its begin, is quoted.
 void append_plain_text(std::string &r_out, std::string_view text);
 void append_cell(std::string &r_out, std::string_view text);
 
-/// For error messages: quoted, bytes that do not print as \xNN, cut after 40 characters.
+/// Text for error messages: in single quotes, unprintable bytes as \xNN, at most 40 bytes.
 [[nodiscard]] std::string quoted(std::string_view cell);
 
-/// "source:line: what is wrong".
+/// "source:line: what".
 [[nodiscard]] Error error_at(std::string_view source, std::size_t line, std::string_view what);
-/// "source:line: column: what is wrong". A long column name is cut after 40 bytes.
+/// "source:line: column: what". A long column name is cut after 40 bytes.
 [[nodiscard]] Error error_at(
 		std::string_view source, std::size_t line, std::string_view column, std::string_view what);
 
-/// Why these header cells are no header: another separator, a byte that is not text or a name that comes
-/// twice.
+/// Error of a header: another separator, values instead of names, a byte that is not text, or a duplicate
+/// name.
 [[nodiscard]] std::optional<Error> check_header(
 		std::string_view source, std::size_t line, const std::vector<std::string_view> &names);
 
-/// Why this line is no row of the header's columns: a byte that is not text, too few cells or too many.
+/// Error of a row: a byte that is not text, too few cells or too many.
 [[nodiscard]] std::optional<Error> check_row(std::string_view source, std::size_t line, std::string_view text,
 		const std::vector<std::string_view> &cells, const std::vector<std::string> &names);
 

@@ -6,7 +6,7 @@
 namespace steadyhand {
 namespace {
 
-/// m; of the tracked joint that is farthest from the origin.
+/// Distance of the farthest tracked joint from the origin, m.
 double reach_m(const HandFrame &hand) {
 	double most_m = 0.0;
 	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {

@@ -6,22 +6,23 @@
 
 namespace steadyhand {
 
-/// What a frame held that no hand can do.
+/// An invalid position in a frame.
 enum class FrameFault : std::uint8_t {
 	NOT_FINITE, ///< a joint at NaN, infinity, or beyond FARTHEST_M
-	ZERO        ///< all joints exactly at the origin: how many trackers report a lost hand
+	ZERO        ///< all joints exactly at the origin: many trackers report a lost hand so
 };
 
-/// Takes out of each frame what is no measurement, before anyone else sees it.
+/// Removes invalid joints from each frame, before all other processing.
 class FrameDoor {
 public:
-	/// Removes joints that are not finite. Removes all joints where each is exactly (0, 0, 0) and the hand
-	/// was not within NEAR_ORIGIN_M of the origin in the frame before. Returns a set: bit i for FrameFault i.
+	/// Removes joints with invalid positions. Removes all joints if each is exactly (0, 0, 0), except a
+	/// single point that was within NEAR_ORIGIN_M of the origin in the frame before. Returns a set: bit i for
+	/// FrameFault i.
 	std::uint8_t clean(DeviceFrame &r_frame);
 
 private:
-	/// A single tracked point may pass through the origin of its space: from no further away than a fast hand
-	/// (3 m/s) goes between two frames at 60 Hz.
+	/// A single tracked point may pass through the origin. This is the distance of a fast hand (3 m/s)
+	/// between two frames at 60 Hz.
 	static constexpr double NEAR_ORIGIN_M = 0.05;
 
 	bool was_near_origin_ = true; ///< a stream may begin at the origin

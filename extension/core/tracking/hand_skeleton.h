@@ -12,7 +12,7 @@
 
 namespace steadyhand {
 
-/// The joints of XR_EXT_hand_tracking in its order, which is Godot's XRHandTracker.HandJoint too.
+/// Joints of XR_EXT_hand_tracking, in the order of OpenXR and of Godot's XRHandTracker.HandJoint.
 enum class SkeletonJoint : std::uint8_t {
 	PALM,
 	WRIST,
@@ -44,23 +44,23 @@ enum class SkeletonJoint : std::uint8_t {
 
 inline constexpr std::size_t SKELETON_JOINT_COUNT = 26;
 
-/// Which joint of the skeleton each Joint of a HandFrame is.
+/// Skeleton joint of each Joint.
 inline constexpr std::array<SkeletonJoint, JOINT_COUNT> SKELETON_OF = { SkeletonJoint::THUMB_TIP,
 	SkeletonJoint::INDEX_TIP, SkeletonJoint::MIDDLE_TIP, SkeletonJoint::RING_TIP, SkeletonJoint::PINKY_TIP,
 	SkeletonJoint::PALM, SkeletonJoint::WRIST };
 
-/// All joints of a hand as far as its tracker has them. Positions in metres in Godot's axes. Rotations are
+/// All joints of a hand that the tracker reports. Positions are in metres, in Godot's axes. Rotations are
 /// OpenXR's: +z of a joint points back along the bone, +y out of the back of the hand.
 struct HandSkeleton {
 	std::array<Eigen::Vector3d, SKELETON_JOINT_COUNT> positions_m{};
 	std::array<Eigen::Quaterniond, SKELETON_JOINT_COUNT> rotations{};
 	std::uint32_t positioned = 0; ///< bit i set: positions_m[i] is valid and finite
 	std::uint32_t rotated = 0;    ///< bit i set: rotations[i] is valid
-	std::uint32_t inferred = 0;   ///< bit i set: the tracker's hand model guesses the joint's position
+	std::uint32_t inferred = 0;   ///< bit i set: the tracker's hand model infers the joint's position
 
 	static constexpr std::uint32_t bit(SkeletonJoint joint) { return 1U << static_cast<unsigned>(joint); }
 
-	/// No joint is there any more.
+	/// Removes all joints.
 	void clear() { positioned = rotated = inferred = 0; }
 	[[nodiscard]] bool has(SkeletonJoint joint) const { return (positioned & bit(joint)) != 0; }
 	[[nodiscard]] const Eigen::Vector3d &position(SkeletonJoint joint) const {
@@ -72,7 +72,7 @@ struct HandSkeleton {
 	}
 };
 
-/// The tips, palm and wrist of `skeleton`, stamped `t_s`.
+/// Frame with the tips, palm and wrist of `skeleton` at t_s.
 [[nodiscard]] inline HandFrame hand_frame_of(const HandSkeleton &skeleton, double t_s) {
 	HandFrame frame;
 	frame.t_s = t_s;
@@ -87,13 +87,12 @@ struct HandSkeleton {
 	return frame;
 }
 
-/// One frame as a device delivers it.
+/// One frame from a device. Times are in s, NaN if there is none.
 struct DeviceFrame {
-	HandFrame hand;        ///< stamped on the clock that all of a tracker's listeners share
-	HandSkeleton skeleton; ///< empty where the device has no more than `hand`
-	/// s; not a number where there is none.
+	HandFrame hand;        ///< its stamp is on the tracker's clock, which all listeners share
+	HandSkeleton skeleton; ///< empty if the device has only the joints of `hand`
 	double device_time_s = std::numeric_limits<double>::quiet_NaN(); ///< on the device's own clock
-	double host_time_s = std::numeric_limits<double>::quiet_NaN();   ///< when it arrived, on the host's clock
+	double host_time_s = std::numeric_limits<double>::quiet_NaN();   ///< arrival, on the host's clock
 };
 
 } // namespace steadyhand

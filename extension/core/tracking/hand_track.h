@@ -13,7 +13,8 @@
 
 namespace steadyhand {
 
-/// From the path that this velocity makes within 0..most_s to the place way_m from its start, m.
+/// Vector from the nearest point of a path to the point way_m, m. The path begins at 0, with this velocity
+/// for 0..most_s.
 [[nodiscard]] inline Eigen::Vector3d off_path_m(
 		const Eigen::Vector3d &way_m, const Eigen::Vector3d &velocity_m_s, double most_s) {
 	const double square = velocity_m_s.squaredNorm();
@@ -21,12 +22,11 @@ namespace steadyhand {
 	return way_m - time_s * velocity_m_s;
 }
 
-/// Where a hand can be: position and velocity with their covariance, m and s, under the accelerations and
-/// speeds of real hands.
+/// Kalman filter of a hand's position and velocity, m and s, with the accelerations and speeds of real hands.
 class HandTrack {
 public:
 	HandTrack() = default;
-	/// First seen at position_m.
+	/// Starts at position_m.
 	HandTrack(double t_s, const Eigen::Vector3d &position_m, const Eigen::Vector3d &velocity_m_s,
 			const Eigen::Vector3d &noise_m) :
 			t_s_(t_s) {
@@ -39,7 +39,7 @@ public:
 		}
 	}
 
-	/// stamp_error_s: by which the stamp may be wrong.
+	/// stamp_error_s: standard deviation of the stamp's error.
 	void predict(double t_s, double stamp_error_s) {
 		const double dt_s = t_s - t_s_;
 		t_s_ = t_s;
@@ -64,27 +64,29 @@ public:
 		}
 	}
 
-	/// From where the hand could be to position_m. A hand may hit something and stop at once, a frame may
-	/// show it earlier than its stamp says, and later frames catch up: it is anywhere from its last place to
-	/// where it goes on to within late_s, at its present velocity or that of late.
+	/// Vector from the nearest possible position of the hand to position_m, m. Possible is the path from the
+	/// last position to the predicted one, extended by late_s: a hand may hit something and stop, and frames
+	/// may be older than their stamps. The path has the present velocity or the fastest recent one.
 	[[nodiscard]] Eigen::Vector3d residual_m(const Eigen::Vector3d &position_m, double late_s) const {
 		const Eigen::Vector3d off_m = position_m - from_m_;
 		const double most_s = step_s_ + late_s + behind_s_;
 		const Eigen::Vector3d now_m = off_path_m(off_m, velocity_m_s(), most_s);
-		const Eigen::Vector3d late_m = off_path_m(off_m, late_m_s_, most_s);
-		return late_m.squaredNorm() < now_m.squaredNorm() ? late_m : now_m;
+		const Eigen::Vector3d fastest_m = off_path_m(off_m, fastest_m_s_, most_s);
+		return fastest_m.squaredNorm() < now_m.squaredNorm() ? fastest_m : now_m;
 	}
-	/// Before correct(): what the reading falls behind the hand, later ones may catch up.
+	/// Call it before correct(). Measures how old the reading may be. Later readings may catch up by this
+	/// time.
 	void fall_behind(const Eigen::Vector3d &position_m) {
 		const Eigen::Vector3d velocity = velocity_m_s();
 		behind_s_ += step_s_ - time_along(velocity, position_m - from_m_);
 		behind_s_ = std::clamp(behind_s_, 0.0, parameters::tracker::MOST_BEHIND_S);
-		if (velocity.norm() > late_m_s_.norm() || t_s_ - late_s_ > parameters::tracker::MOST_BEHIND_S) {
-			late_m_s_ = velocity;
-			late_s_ = t_s_;
+		if (velocity.norm() > fastest_m_s_.norm() || t_s_ - fastest_s_ > parameters::tracker::MOST_BEHIND_S) {
+			fastest_m_s_ = velocity;
+			fastest_s_ = t_s_;
 		}
 	}
-	/// Log density, 1/m^3, of a reading at residual_m; spread_m: of an error beside the noise.
+	/// Log density of a reading at residual_m, in log(1/m^3). spread_m: standard deviation of a further
+	/// error.
 	[[nodiscard]] double log_likelihood(
 			const Eigen::Vector3d &residual_m, const Eigen::Vector3d &noise_m, double spread_m = 0.0) const {
 		double distance = 0.0, volume = 1.0;
@@ -107,14 +109,14 @@ public:
 
 private:
 	double t_s_ = 0.0;
-	double step_s_ = 0.0;                                ///< of the last predict()
-	double late_s_ = 0.0;                                ///< when the hand was fastest of late
-	Eigen::Vector3d late_m_s_ = Eigen::Vector3d::Zero(); ///< its velocity then
-	double behind_s_ = 0.0; ///< by which the last frame may have shown the hand before its stamp
+	double step_s_ = 0.0;                                   ///< time step of the last predict()
+	double fastest_s_ = 0.0;                                ///< time of the fastest recent velocity
+	Eigen::Vector3d fastest_m_s_ = Eigen::Vector3d::Zero(); ///< fastest recent velocity
+	double behind_s_ = 0.0; ///< by this the last frame may be older than its stamp
 	std::array<ConstantVelocityState, 3> axes_{};
-	Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero(); ///< before the last predict()
+	Eigen::Vector3d from_m_ = Eigen::Vector3d::Zero(); ///< position before the last predict()
 
-	/// Time that a hand of this velocity needs for its part of off_m; step_s_ at rest.
+	/// Time in which a hand with this velocity covers the component of off_m along it; step_s_ at rest.
 	[[nodiscard]] double time_along(const Eigen::Vector3d &velocity, const Eigen::Vector3d &off_m) const {
 		const double square = velocity.squaredNorm();
 		return square > 0.0 ? off_m.dot(velocity) / square : step_s_;

@@ -7,43 +7,43 @@
 namespace steadyhand {
 
 enum class MeasurementStatus : std::uint8_t {
-	TRACKED,    ///< shows where the hand is: a new reading, or a rest without noise
-	REPEATED,   ///< the last reading again, to the last bit: the tracker has not looked since
-	FROZEN,     ///< repeated for too long for a tracker with this noise
-	OUTLIER,    ///< where the hand cannot be
-	REAPPEARED, ///< the first reading after a dropout or a freeze
+	TRACKED,    ///< a new reading, or a hand at rest and a tracker without noise
+	REPEATED,   ///< the last reading again with equal bits: the tracker has no new data
+	FROZEN,     ///< repeated for longer than a tracker with this noise can repeat
+	OUTLIER,    ///< a position that the hand cannot reach
+	REAPPEARED, ///< the first reading after a dropout, a freeze or a jump
 };
 
-/// One reading of a tracked point, and how far to trust it.
+/// One reading of a tracked point, with its quality.
 struct Measurement {
-	double t_s = 0.0; ///< as the tracker stamped it
+	double t_s = 0.0; ///< stamp of the tracker
 	Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-	double noise_m = 0.0;             ///< standard deviation of white noise per axis, rounding included
-	double outlier_probability = 0.0; ///< that the tracker shows another place than the hand's
+	double noise_m = 0.0; ///< standard deviation of white noise for each axis, with rounding
+	double outlier_probability = 0.0;
 	MeasurementStatus status = MeasurementStatus::TRACKED;
-	/// Arrived in one burst with the last reading that is_usable(), which was therefore stamped too late:
-	/// take that one back and use this one instead.
+	/// Arrived in one burst with the last usable reading, whose stamp is therefore too late. The receiver
+	/// must undo the last one and use this one.
 	bool replaces_last = false;
-	double gap_s = 0.0; ///< time without news that this reading ended; 0: none
-	/// Sum of the jumps that the tracker made and has not undone: it shows the hand by this beside where it
-	/// would without them. 0 again after a dropout in which the hand may have gone anywhere.
+	double gap_s = 0.0; ///< length of the dropout, freeze or jump that ended with this reading; 0: none
+	/// Sum of the tracker's jumps that it has not undone: the offset of its positions. It is 0 again after a
+	/// long dropout, in which the hand may have moved anywhere.
 	Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero();
-	double jump_m = 0.0; ///< of an outlier: distance from where a hand could be
+	double jump_m = 0.0; ///< OUTLIER: distance from the nearest possible position of the hand
 
-	/// A reading that says where the hand is now; its noise and outlier probability say how well.
+	/// Whether the reading is new data.
 	[[nodiscard]] bool has_news() const {
 		return status != MeasurementStatus::REPEATED && status != MeasurementStatus::FROZEN;
 	}
-	/// Has news of the hand, and not of another place.
+	/// Whether the reading is new data and no outlier.
 	[[nodiscard]] bool is_usable() const { return has_news() && status != MeasurementStatus::OUTLIER; }
 };
 
-/// What a tracker did wrong so far.
+/// Numbers of faults of a tracker.
 struct TrackerFaults {
 	std::uint64_t dropouts = 0;
 	std::uint64_t freezes = 0;
-	std::uint64_t jumps = 0;          ///< to another place, and those that return count once
-	std::uint64_t skipped_frames = 0; ///< in intervals too short for a dropout
+	std::uint64_t jumps = 0;          ///< a jump and its return count once
+	std::uint64_t skipped_frames = 0; ///< in gaps too short for a dropout
 };
 
 } // namespace steadyhand

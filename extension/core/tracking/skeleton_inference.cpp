@@ -8,17 +8,18 @@ namespace steadyhand {
 namespace {
 
 constexpr std::size_t FINGERS = 5;
-/// Where each finger begins in the order of SkeletonJoint; the tip is its last joint.
+/// Index of each finger's first joint in SkeletonJoint. The tip is its last joint.
 constexpr std::array<std::size_t, FINGERS + 1> FIRST = { 2, 6, 11, 16, 21, 26 };
-/// An adult's hand (Buryanov & Kotiuk 2010), m: how far the knuckle lies ahead of the wrist and to the side
-/// of the index finger, and from there to the tip.
+/// Fingers of an adult's hand, m (Buryanov & Kotiuk 2010): position of the knuckle ahead of the wrist and
+/// towards the index finger's side, and length from the knuckle to the tip.
 struct Finger {
 	double ahead_m, side_m, length_m;
 };
 constexpr std::array<Finger, FINGERS> ADULT = { { { 0.045, 0.045, 0.070 }, { 0.093, 0.027, 0.095 },
 		{ 0.095, 0.006, 0.105 }, { 0.089, -0.014, 0.098 }, { 0.080, -0.032, 0.078 } } };
 constexpr double ADULT_PALM_M = 0.085; ///< from the wrist to the palm's middle
-/// Of the way from wrist to knuckle; of the way from knuckle to tip, at the joints after it.
+/// Position of the metacarpal joint, as a fraction of wrist to knuckle. SHARES: of the joints after the
+/// knuckle, as fractions of knuckle to tip.
 constexpr double METACARPAL_SHARE = 0.2;
 constexpr std::array<double, 3> SHARES = { 0.45, 0.75, 1.0 };
 constexpr std::array<double, 2> THUMB_SHARES = { 0.55, 1.0 };
@@ -34,7 +35,7 @@ void place(HandSkeleton &r_hand, std::size_t joint, const Eigen::Vector3d &posit
 	}
 }
 
-/// Along the bone from `from` to the joint: OpenXR's z points back.
+/// Rotates the joint along the bone that begins at `from`. OpenXR's +z points back along the bone.
 void rotate(HandSkeleton &r_hand, std::size_t joint, const Eigen::Vector3d &from) {
 	const Eigen::Vector3d back = from - r_hand.positions_m[joint];
 	if ((r_hand.rotated >> joint & 1U) == 0 && back.squaredNorm() > 0.0) {
@@ -43,7 +44,7 @@ void rotate(HandSkeleton &r_hand, std::size_t joint, const Eigen::Vector3d &from
 	}
 }
 
-/// Axes of the hand and its size against an adult's.
+/// Unit vectors of the hand, and its size relative to an adult's.
 struct HandAxes {
 	Eigen::Vector3d wrist_m, ahead, side, dorsal;
 	double scale;
@@ -62,8 +63,8 @@ Eigen::Vector3d mean_tip_m(const HandSkeleton &hand) {
 	return count > 0 ? Eigen::Vector3d(sum / count) : sum;
 }
 
-/// From one fingertip to another towards the index finger's side: of the two that are furthest apart there,
-/// and bent alike. Zero where there are no two.
+/// Vector between two fingertips, towards the index finger's side. Prefers fingers that are far apart and
+/// similarly bent. Zero if there are no two fingertips.
 Eigen::Vector3d across_m(const HandSkeleton &hand, const Eigen::Vector3d &ahead) {
 	constexpr double BENT_ALIKE_M = 0.03;
 	Eigen::Vector3d best = Eigen::Vector3d::Zero();
@@ -100,14 +101,14 @@ std::optional<HandAxes> axes_of(const HandSkeleton &hand) {
 	axes.side = (across - axes.ahead * axes.ahead.dot(across)).normalized();
 	axes.dorsal = axes.ahead.cross(axes.side); // of a right hand
 	const bool is_sound = axes.scale > 0.0 && axes.side.norm() > 0.5;
-	// Fingers bend to the inner side.
+	// Fingers bend towards the palm.
 	if (axes.dorsal.dot(mean_tip_m(hand) - hand.position(SkeletonJoint::PALM)) > 0.0) {
 		axes.dorsal = -axes.dorsal;
 	}
 	return is_sound ? std::optional(axes) : std::nullopt;
 }
 
-/// Half of the angle by which an arc of length 1 turns whose ends are `chord` apart: sin(x) / x = chord.
+/// Half the angle x of an arc with length 1 whose ends are `chord` apart: sin(x) / x = chord.
 double half_turn_of(double chord) {
 	double low = 0.0, high = 3.0;
 	for (int step = 0; step < 40; ++step) {
@@ -117,7 +118,8 @@ double half_turn_of(double chord) {
 	return low;
 }
 
-/// The point at a share of an even bend from `from` to `to`, `length_m` long, that bulges towards `outward`.
+/// Point at fraction `share` of a circular arc of length_m from `from` to `to`, which bulges towards
+/// `outward`.
 Eigen::Vector3d bent(const Eigen::Vector3d &from, const Eigen::Vector3d &to, double length_m,
 		const Eigen::Vector3d &outward, double share) {
 	const Eigen::Vector3d way = to - from;

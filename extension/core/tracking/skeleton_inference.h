@@ -4,12 +4,12 @@
 
 namespace steadyhand {
 
-/// A whole skeleton from what a frame holds, for hand meshes. Joints that `frame` measured stay as they are;
-/// the others are marked as inferred. The wrist and the palm give the hand's direction and size, two
-/// tips that are bent alike its side; knuckles lie where they do in a hand of that size. Each finger bends
-/// evenly from knuckle to tip, away from the back of the hand. Where the side is not known fingers are
-/// straight. A finger whose tip, or a hand whose wrist and palm, is not tracked has no joints. Rotations that
-/// `frame` does not hold point along the bone.
+/// Completes the skeleton of a frame, for hand meshes. Measured joints do not change; added joints are marked
+/// as inferred. Missing rotations point along the bone.
+///
+/// Wrist and palm give direction and size of the hand, two fingertips its side. Knuckles are placed by the
+/// proportions of an adult's hand. Each finger is an arc from knuckle to tip. If the side is unknown, fingers
+/// are straight. A finger without a tracked tip gets no joints; a hand with neither wrist nor palm gets none.
 [[nodiscard]] HandSkeleton infer_skeleton(const DeviceFrame &frame);
 
 } // namespace steadyhand

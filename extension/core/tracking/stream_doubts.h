@@ -7,29 +7,29 @@
 
 namespace steadyhand {
 
-/// What speaks for frames of wrong units, or of a clock that stands: no gesture is ever found in them, and
-/// each frame by itself is sound.
+/// Signs of wrong units, or of a clock that does not run. Each frame alone is valid, but no gesture can be
+/// found.
 enum class StreamDoubt : std::uint8_t {
-	TIME_STANDS, ///< a hand moves, and all frames have one stamp
-	TOO_RARE,    ///< seconds lie between frames, as if they were milliseconds
-	TOO_FAST     ///< no hand moves like that, as if millimetres were metres, or the space moved
+	TIME_STANDS, ///< a hand moves, but all frames have the same stamp
+	TOO_RARE,    ///< seconds between frames: the unit may be milliseconds
+	TOO_FAST     ///< faster than any hand: the unit may be millimetres, or the space itself moves
 };
 
-/// Looks at a stream of frames whose stamps do not decrease.
+/// Checks a stream of frames whose stamps do not decrease.
 class StreamDoubts {
 public:
-	/// What the newest frame makes clear; the same again with each one that goes on so.
+	/// Returns a doubt at the newest frame, and again at each further frame while it lasts.
 	std::optional<StreamDoubt> look(const HandFrame &frame);
 
 private:
-	/// In succession; a tracker's errors are over sooner.
+	/// Number of frames in a row. A tracker's faults are shorter.
 	static constexpr int FRAMES = 30, FAST_FRAMES = 10;
 	static constexpr double FAST_S = 0.3;
 	static constexpr double FASTEST_M_S = 10.0; ///< a punch
 	static constexpr double RAREST_S = 1.0;
 
 	std::optional<HandFrame> last_;
-	int standing_ = 0; ///< steps in succession
+	int equal_stamps_ = 0; ///< steps in a row with equal stamps
 	int rare_ = 0;
 	int fast_ = 0;
 	double fast_for_s_ = 0.0;

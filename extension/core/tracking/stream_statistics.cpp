@@ -7,14 +7,14 @@
 namespace steadyhand {
 namespace {
 
-/// Reorders the values; there is at least one.
+/// Median of at least one value. Reorders the values.
 double median(double *begin, double *end) {
 	double *const middle = begin + (end - begin) / 2;
 	std::nth_element(begin, middle, end);
 	return *middle;
 }
 
-/// Of a frame with a hand.
+/// Joint to monitor. The frame must have a tracked joint.
 Joint watched_joint(const HandFrame &frame) {
 	return frame.has(Joint::INDEX) ? Joint::INDEX : static_cast<Joint>(std::countr_zero(frame.tracked));
 }

@@ -8,14 +8,13 @@
 
 namespace steadyhand {
 
-/// A column that the track format does not know: carried along so that nothing recorded is lost, never
-/// interpreted.
+/// A column that is not part of the track format. It is kept and written again, but not interpreted.
 struct UnknownColumn {
 	std::string name;
-	std::vector<std::string> cells; ///< one per frame
+	std::vector<std::string> cells; ///< one for each frame
 };
 
-/// A recorded hand: frames in non-decreasing time, and what the file said about them.
+/// A recorded hand: frames whose times do not decrease, and metadata of the file.
 struct Track {
 	std::vector<HandFrame> frames;
 	std::uint8_t joints = 0;     ///< bit i set: the file has columns for joint i

@@ -61,7 +61,7 @@ std::pair<std::string, std::string> parse_metadata(std::string_view line) {
 			colon = text.find(':', colon + 1)) {
 		const bool is_separator =
 				colon + 1 == text.size() || text[colon + 1] == ' ' || text[colon + 1] == '\t';
-		if (is_separator && colon > 0) { // an empty key is a plain comment's
+		if (is_separator && colon > 0) { // a line without a key is a comment
 			return { std::string(trim(text.substr(0, colon))), std::string(trim(text.substr(colon + 1))) };
 		}
 	}
@@ -214,7 +214,7 @@ private:
 	Header header_;
 	TrackReading reading_;
 	std::vector<std::string_view> cells_;
-	std::string unescaped_; ///< as split_cells() leaves it
+	std::string unescaped_; ///< buffer of split_cells()
 	double previous_t_s_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -12,45 +12,43 @@
 
 namespace steadyhand {
 
-// Track CSV: `# key: value` lines, a header, one row a frame. Columns in any order: `t` in s, non-decreasing;
-// `thumb_x thumb_y thumb_z`, `index_*` ... in metres; `confidence` 0..1. A joint is tracked in a frame whose
-// three cells are all filled. Columns of other names are carried along.
+// Track CSV: `# key: value` lines, a header, and a row for each frame. Columns in any order: `t` in s, not
+// decreasing; `thumb_x thumb_y thumb_z`, `index_*` ... in metres; `confidence` 0..1. A joint is tracked in a
+// frame if its three cells are filled. Other columns are kept.
 
-/// Which columns a track has beside `t`.
+/// Columns of a track, in addition to `t`.
 struct TrackColumns {
 	std::uint8_t joints = 0; ///< bit i set: joint i
 	bool confidence = false;
 };
 
-/// As much of a track as could be read: the frames before the first bad line, and what is wrong there.
+/// Result of reading a track: the frames before the first invalid line, and the error there.
 struct TrackReading {
 	Track track;
 	std::optional<Error> error;
-	bool is_cut_off = false; ///< that is the last line, and has no line break
-	/// What was read otherwise than it is written, each "source:line: column: what". The first ten clock
-	/// jumps have one each, all others one together.
-	std::vector<std::string> warnings;
+	bool is_cut_off = false;           ///< the invalid line is the last one and has no line break
+	std::vector<std::string> warnings; ///< of close_clock_jumps()
 };
 
-/// For a recording that may be cut off: keeps every frame before the cut. `source_name` stands in the error
-/// message. Clock jumps are closed up, as close_clock_jumps() says.
+/// Reads a recording that may be cut off, and keeps all frames before the cut. source_name: for messages.
+/// Closes clock jumps by close_clock_jumps().
 [[nodiscard]] TrackReading read_track_csv(std::string_view text, std::string_view source_name);
 
-/// The whole track, or the first error as "source:line: column: what". A file without rows is a track of no
-/// frames. Clock jumps are closed up without a word; read_track_csv() warns of them.
+/// Returns the whole track, or the first error as "source:line: column: what". A file without rows gives a
+/// track without frames. Closes clock jumps without a warning, unlike read_track_csv().
 [[nodiscard]] Result<Track> parse_track_csv(std::string_view text, std::string_view source_name);
 
-/// Reads back as the same track, to the last bit of every number.
+/// Writes a track. It reads back with equal bits.
 [[nodiscard]] std::string format_track_csv(const Track &track);
 
-// A live recorder writes the header once and each frame as it comes, so that a crash costs one row at most.
+// A live recorder writes the header once, and each frame when it arrives. A crash loses at most one row.
 
-/// Metadata lines and header, each ended by a line break. A pair with an empty key is a plain comment.
+/// Metadata lines and header, each with a line break. A pair with an empty key becomes a comment.
 [[nodiscard]] std::string track_csv_header(
 		const TrackColumns &columns, const std::vector<std::pair<std::string, std::string>> &metadata = {});
 
-/// One row with its line break. `frame.t_s` must be finite; a joint that is not tracked, not among the
-/// columns or not finite leaves its cells empty.
+/// Appends a row with its line break. frame.t_s must be finite. The cells of a joint are empty if it is not
+/// tracked or not finite.
 void append_track_csv_row(std::string &r_out, const HandFrame &frame, const TrackColumns &columns);
 
 } // namespace steadyhand

@@ -55,8 +55,8 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 	is_frozen_ = false;
 }
 
-/// Frames that waited for each other have the stamp of their arrival. Only the last one shows the hand as it
-/// is then, and which one that is shows when no other follows.
+/// Delayed frames of a burst have the stamp of their arrival, but only the last one is that new. Each frame
+/// of a burst therefore replaces the one before.
 void TrackerMonitor::replace_in_burst(Measurement &r_measurement, bool is_first) {
 	if (!r_measurement.is_usable()) {
 		return;
@@ -79,7 +79,7 @@ void TrackerMonitor::repeat(Measurement &r_measurement) {
 		is_frozen_ = true;
 		return;
 	}
-	// A hand that rests, before a tracker without noise.
+	// A hand at rest, and a tracker without noise.
 	if (jump_ && r_measurement.t_s - jump_->since_s < LONGEST_JUMP_S) {
 		jump_->track.predict(r_measurement.t_s, 0.0);
 		jump_->track.correct(r_measurement.position_m, noise_.deviation_m());
@@ -144,8 +144,8 @@ void TrackerMonitor::time(double t_s) {
 	period_s_ = *middle;
 }
 
-/// Includes the error of the stamp, which shifts a moving hand: where a camera and its reader have two
-/// clocks, a reading is up to one period old.
+/// Standard deviation of a reading for each axis, with the effect of the stamp's error on a moving hand. If
+/// camera and reader have different clocks, a reading is up to one period old.
 Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
 	const Eigen::Vector3d shift_m = hand_.velocity_m_s() * (period_s_ / std::sqrt(12.0));
 	const Eigen::Vector3d noise_m = noise_.deviation_m();
@@ -208,11 +208,11 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double hand = hand_.log_likelihood(off_m, noise_m);
 	const double jumped = r_jump.track.log_likelihood(off_jumped_m, noise_m);
 	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
-	// A hand that made the jump itself goes on at its speed; a tracker that did shows the hand's own.
+	// A hand that made the jump continues with its velocity. After a tracker's jump the hand's own is seen.
 	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * SPEED_M_S &&
 			(r_measurement.position_m - goes_on_m).norm() <
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
-	if (is_motion) { // of which nothing was seen
+	if (is_motion) { // the hand moved here while it was not tracked
 		r_measurement.status = MeasurementStatus::REAPPEARED;
 		r_measurement.gap_s = r_jump.gap_s + t_s - r_jump.since_s;
 		hand_ = HandTrack(t_s, r_measurement.position_m, r_jump.velocity_m_s, noise_m);
@@ -244,7 +244,8 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
 }
 
-/// A hand that was shown standing, as by a tracker that lost it, is shown again where it has gone on to.
+/// Whether the tracker catches up: it showed the hand at rest, and now shows it where its last motion leads.
+/// Trackers that lose a hand do this.
 bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const {
 	if (hand_.velocity_m_s().norm() >= STOOD * fastest_m_s_.norm() || way_m.dot(fastest_m_s_) <= 0.0) {
 		return false;
@@ -252,7 +253,8 @@ bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const 
 	return off_path_m(way_m, fastest_m_s_, t_s - fastest_s_).norm() < STOOD * way_m.norm();
 }
 
-/// To where the hand is if it moved as it was shown to meanwhile, or went on or stood where it was lost.
+/// Whether the tracker has undone the jump. The hand is then where the tracked motion since the jump leads
+/// without it, or on its path from before the jump.
 bool TrackerMonitor::has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const {
 	const double away_s = t_s - jump.since_s, undone_m = UNDONE * jump.way_m.norm();
 	const Eigen::Vector3d moved_m = hand_.position_m() - jump.way_m;

@@ -13,36 +13,35 @@
 
 namespace steadyhand {
 
-/// Judges the tracker of one point by its readings alone, in metres and seconds, because trackers say little
-/// about their own errors. Measures period and noise; finds dropouts, freezes and jumps.
-/// Allocates nothing.
+/// Judges the tracker of one point by its readings, in metres and seconds. Trackers report little about their
+/// own faults. Measures period and noise; finds dropouts, freezes and jumps. Does not allocate.
 class TrackerMonitor {
 public:
-	/// A frame in which the point was tracked; position_m is finite. A stamp before the last one, of a clock
-	/// that was set anew, starts over.
+	/// Adds a frame in which the point is tracked. position_m is finite. A stamp before the last one starts
+	/// over: the clock was set back.
 	Measurement push(double t_s, const Eigen::Vector3d &position_m);
 
-	/// A frame should have come by now: a dropout is under way.
+	/// Whether no frame has come for so long that it is a dropout.
 	[[nodiscard]] bool is_overdue(double t_s) const { return has_frame_ && t_s - frame_s_ > overdue_s(); }
-	/// Between new readings, median; parameters::tracker::UNKNOWN_PERIOD_S before the second one.
+	/// Median interval of new readings; parameters::tracker::UNKNOWN_PERIOD_S before the second one.
 	[[nodiscard]] double period_s() const { return period_s_; }
 	[[nodiscard]] bool is_period_known() const { return !intervals_s_.empty(); }
-	/// Standard deviation of white noise per axis, root mean square of the three.
+	/// Standard deviation of white noise for each axis: root mean square of the three.
 	[[nodiscard]] double noise_m() const;
 	[[nodiscard]] bool is_noise_known() const { return noise_.is_measured(); }
 	[[nodiscard]] const TrackerFaults &faults() const { return faults_; }
 
 private:
-	/// Where the tracker shows the hand since it jumped.
+	/// A jump of the tracked position.
 	struct Jump {
 		double since_s = 0.0;
-		double gap_s = 0.0;                                     ///< time without news before it
-		bool is_catch_up = false;                               ///< the hand made it, unseen
-		Eigen::Vector3d from_m = Eigen::Vector3d::Zero();       ///< where the hand would have been
-		Eigen::Vector3d hand_m_s = Eigen::Vector3d::Zero();     ///< its velocity there
-		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from there
-		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< if a hand had made it
-		HandTrack track;
+		double gap_s = 0.0;                                     ///< Measurement::gap_s before the jump
+		bool is_catch_up = false;                               ///< the hand made the jump, untracked
+		Eigen::Vector3d from_m = Eigen::Vector3d::Zero();       ///< predicted position of the hand
+		Eigen::Vector3d hand_m_s = Eigen::Vector3d::Zero();     ///< predicted velocity of the hand
+		Eigen::Vector3d way_m = Eigen::Vector3d::Zero();        ///< from the predicted position
+		Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero(); ///< velocity of a hand that makes the jump
+		HandTrack track;                                        ///< of the readings since the jump
 		int readings = 1;
 
 		[[nodiscard]] Eigen::Vector3d displacement_m() const {
@@ -52,18 +51,18 @@ private:
 
 	bool has_frame_ = false;
 	double frame_s_ = 0.0; ///< stamp of the newest frame
-	double new_s_ = 0.0;   ///< of the newest reading
+	double new_s_ = 0.0;   ///< stamp of the newest reading that is no repetition
 	Eigen::Vector3d position_m_ = Eigen::Vector3d::Zero();
-	double kept_s_ = 0.0; ///< of the newest reading but for those of a burst
-	double used_s_ = 0.0; ///< of the newest usable reading but for those that replaced it
+	double kept_s_ = 0.0; ///< stamp of the first reading of the newest burst, or of the newest reading
+	double used_s_ = 0.0; ///< the same, of usable readings
 	Ring<double, 8> intervals_s_;
 	double period_s_ = parameters::tracker::UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
 	HandTrack hand_;
-	std::optional<Jump> jump_;
-	std::optional<Jump> accepted_;
+	std::optional<Jump> jump_;     ///< not yet accepted
+	std::optional<Jump> accepted_; ///< the tracker may still undo it
 	Eigen::Vector3d displacement_m_ = Eigen::Vector3d::Zero();
-	/// The hand's velocity when it was fastest, within the last MEMORY_S.
+	/// Fastest velocity of the hand within the last MEMORY_S.
 	Eigen::Vector3d fastest_m_s_ = Eigen::Vector3d::Zero();
 	double fastest_s_ = 0.0;
 	bool is_frozen_ = false;

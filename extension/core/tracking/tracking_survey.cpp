@@ -11,17 +11,18 @@ namespace steadyhand {
 namespace {
 
 constexpr double AWAY_S = 10.0;
-/// Of a candidate: near it, and in its own cell.
+/// Least time at a candidate, s: within POOL_M, and in its own cell.
 constexpr double LEAST_POOLED_S = 2.0;
 constexpr double LEAST_OWN_S = 0.3;
-/// In the variance of a lost time that may be 0: half a fault (Jeffreys' prior of a Poisson rate) of 0.25 s.
+/// Added to the variance of the lost time, which may be 0: half a fault of 0.25 s (Jeffreys' prior of a
+/// Poisson rate).
 constexpr double UNSEEN_S2 = 0.5 * 0.25 * 0.25;
 
-/// So that a search ends after few steps, and at an empty one.
+/// Hash table load of at most one half: searches are short and end at an empty slot.
 constexpr std::size_t SLOTS_PER_CELL = 2;
 
-/// Of the difference in lost share between two places where faults come alike: each second adds as much
-/// variance at either.
+/// Standard deviation of the difference in lost share between two places with equal fault rates: each second
+/// adds the same variance at both.
 double deviation_if_alike(const TrackingSurvey::Place &one, const TrackingSurvey::Place &other) {
 	const double squares_s2 = one.lost_variance * one.seconds * one.seconds +
 			other.lost_variance * other.seconds * other.seconds;
@@ -38,7 +39,7 @@ void TrackingSurvey::push(double t_s, const Eigen::Vector3d &position_m) {
 	const double watched_s = dt_s <= AWAY_S ? std::max(dt_s, 0.0) : 0.0;
 	newest_s_ = t_s;
 	duration_s_ += watched_s;
-	// A fault counts where the hand was last seen.
+	// A fault counts in the cell of the last usable reading.
 	if (last_ != NO_CELL) {
 		Cell &cell = cells_[last_];
 		cell.seconds += watched_s;
@@ -88,10 +89,10 @@ std::size_t TrackingSurvey::cell_at(const Eigen::Vector3d &position_m) {
 	return visited_++;
 }
 
-template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wanted) const {
+template <class Predicate> TrackingSurvey::Place TrackingSurvey::pooled(Predicate is_wanted) const {
 	Cell sum;
 	for (const Cell &cell : visited()) {
-		if (wanted(Eigen::Vector3d(cell.position_sum_m / cell.readings))) {
+		if (is_wanted(Eigen::Vector3d(cell.position_sum_m / cell.readings))) {
 			sum.position_sum_m += cell.position_sum_m;
 			sum.seconds += cell.seconds;
 			sum.noise_sum_m += cell.noise_sum_m;
@@ -105,7 +106,7 @@ template <class Wanted> TrackingSurvey::Place TrackingSurvey::gathered(Wanted wa
 	place.noise_m = sum.noise_sum_m / sum.readings;
 	place.seconds = sum.seconds;
 	place.lost_share = sum.lost_s / place.seconds;
-	// The sum of a Poisson number of times varies by the sum of their squares.
+	// The variance of a sum with a Poisson number of terms is the sum of their squares.
 	place.lost_variance = (sum.squares_s2 + UNSEEN_S2) / (place.seconds * place.seconds);
 	return place;
 }
@@ -117,8 +118,8 @@ std::vector<TrackingSurvey::Place> TrackingSurvey::candidates() const {
 			continue;
 		}
 		const Eigen::Vector3d middle_m = cell.position_sum_m / cell.readings;
-		Place place = gathered(
-				[&](const Eigen::Vector3d &other_m) { return (other_m - middle_m).norm() <= POOL_M; });
+		Place place =
+				pooled([&](const Eigen::Vector3d &other_m) { return (other_m - middle_m).norm() <= POOL_M; });
 		place.position_m = middle_m;
 		if (place.seconds >= LEAST_POOLED_S) {
 			found.push_back(place);
@@ -133,7 +134,7 @@ Result<TrackingSurvey::Proposal> TrackingSurvey::propose() const {
 	}
 	const std::vector<Place> places = candidates();
 	std::optional<Proposal> best;
-	double best_difference = 0.0; // less one deviation: a place that was hardly visited is no find
+	double best_difference = 0.0; // minus one standard deviation, against places with few readings
 	for (const Place &stable : places) {
 		for (const Place &unstable : places) {
 			const double difference = unstable.error() - stable.error();
@@ -150,8 +151,8 @@ Result<TrackingSurvey::Proposal> TrackingSurvey::propose() const {
 	}
 	const Eigen::Vector3d way_m = best->unstable.position_m - best->stable.position_m;
 	const double halfway = way_m.dot(best->stable.position_m) + 0.5 * way_m.squaredNorm();
-	const Place near = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) < halfway; });
-	const Place far = gathered([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) >= halfway; });
+	const Place near = pooled([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) < halfway; });
+	const Place far = pooled([&](const Eigen::Vector3d &place_m) { return way_m.dot(place_m) >= halfway; });
 	if (far.lost_share > 0.0) {
 		best->contrast = (far.error() - near.error()) / deviation_if_alike(near, far);
 	}

@@ -36,10 +36,10 @@ constexpr std::array<std::string_view, COLUMN_COUNT> COLUMN_NAMES = { "trial", "
 	"amplitude_m" };
 
 constexpr double UNIT_LENGTH_TOLERANCE = 0.05; // files print axes to a few decimals
-constexpr double AS_UNIT_LENGTH = 1e-5;        // is taken as it is, to the last bit
+constexpr double AS_UNIT_LENGTH = 1e-5;        // within this an axis is not normalised
 constexpr std::size_t FILE_NAME_MAX = 200;     // leaves room for ".reference.csv" in the usual 255 bytes
 
-/// Which of the seven task cells a row fills.
+/// Which of the seven task cells a row has.
 enum class TaskCells : std::uint8_t { NONE, RADIUS, AXIS };
 
 bool is_filled_by(std::size_t column, TaskCells cells) {
@@ -165,7 +165,7 @@ private:
 		return std::nullopt;
 	}
 
-	/// Known gestures say which cells they fill; of any other the row itself does.
+	/// Known gestures define their cells. For others the filled cells of the row decide.
 	[[nodiscard]] TaskCells task_cells(std::string_view gesture) const {
 		if (gesture == "none") {
 			return TaskCells::NONE;
@@ -220,7 +220,7 @@ private:
 	std::vector<std::string> names_;
 	std::array<std::size_t, COLUMN_COUNT> place_{};
 	std::vector<std::string_view> cells_;
-	std::string unescaped_; ///< as split_cells() leaves it
+	std::string unescaped_; ///< buffer of split_cells()
 	std::set<std::string, std::less<>> seen_;
 	TrialTable table_;
 };
