@@ -1,10 +1,10 @@
-// What each mechanism of `phase` mode is worth: all measures without it, minus those with it. Prints
+// Effect of each mechanism of `phase` mode: all measures without it, minus those with it. Prints
 // docs/ablation.md:
 //
 //     bench_ablation [MODELS [RUNS [TRIALS...]]]
 //
-// MODELS: folder of the models, by default models. RUNS: of each hand of bench_events (8). TRIALS: trial sets
-// of real hands. Compiled with STEADYHAND_VARIABLE_PARAMETERS.
+// MODELS: folder of the models (default: models). RUNS: runs of each hand of bench_events (default: 8).
+// TRIALS: trial sets of real hands. Compiled with STEADYHAND_VARIABLE_PARAMETERS.
 
 #include "ablation/mechanisms.h"
 #include "events/gesturing_hands.h"
@@ -34,10 +34,10 @@ namespace {
 using namespace steadyhand;
 using namespace steadyhand::bench;
 
-/// One number for each trial or run, in equal order with and without a mechanism.
+/// One number for each trial or run. The order is equal with and without a mechanism.
 using Sample = std::vector<double>;
 
-/// Calls f(index) for all, on all processors.
+/// f(0) to f(count - 1), computed on all processors.
 template <class Function> Sample each(std::size_t count, const Function &f) {
 	Sample values(count);
 	std::atomic<std::size_t> next = 0;
@@ -61,18 +61,18 @@ public:
 			runs_(runs), simulated_(std::move(simulated)), real_(std::move(real)) {}
 
 	struct Samples {
-		std::array<Sample, 4> r2_zero; ///< simulated and real, unstable and stable each
-		Sample bounds;                 ///< of bench_matrix, %: outside
-		Sample task, open;             ///< runs of bench_events, %: with a fault
-		Sample starts, alarms; ///< a minute of hands that make no gesture: with a task, and without one
+		std::array<Sample, 4> r2_zero;  ///< unstable: simulated, real; stable: simulated, real
+		Sample bounds;                  ///< checks of bench_matrix outside of their bounds, %
+		Sample with_task, without_task; ///< runs of bench_events with a fault, %
+		Sample starts, alarms;          ///< per minute of idle hands: starts with a task, ends without one
 	};
-	/// Without the motion where that is the same as in `known`.
-	[[nodiscard]] Samples all(const Samples *known = nullptr) const {
-		Samples all = known != nullptr ? *known : motion();
-		all.task = faulty(Context::TASK);
-		all.open = faulty(Context::OPEN);
-		all.starts = needless(Context::TASK, Happening::STARTED);
-		all.alarms = needless(Context::OPEN, Happening::ENDED);
+	/// All measures. If `same_motion` is given, r2_zero and bounds are copied from it.
+	[[nodiscard]] Samples all(const Samples *same_motion = nullptr) const {
+		Samples all = same_motion != nullptr ? *same_motion : motion();
+		all.with_task = percent_faulty(Context::WITH_TASK);
+		all.without_task = percent_faulty(Context::WITHOUT_TASK);
+		all.starts = events_per_minute(Context::WITH_TASK, EventKind::STARTED);
+		all.alarms = events_per_minute(Context::WITHOUT_TASK, EventKind::ENDED);
 		return all;
 	}
 
@@ -129,21 +129,21 @@ private:
 		const HandKind &kind = kinds[i / (runs_ * TRACKERS.size())];
 		return run(models_, kind, TRACKERS[i / runs_ % TRACKERS.size()].kind, context, i % runs_);
 	}
-	[[nodiscard]] Sample faulty(Context context) const {
+	[[nodiscard]] Sample percent_faulty(Context context) const {
 		return each(GESTURING_HANDS.size() * TRACKERS.size() * runs_, [&](std::size_t i) {
 			return run_of(GESTURING_HANDS, context, i).faults.empty() ? 0.0 : 100.0;
 		});
 	}
-	[[nodiscard]] Sample needless(Context context, Happening happening) const {
+	[[nodiscard]] Sample events_per_minute(Context context, EventKind kind) const {
 		return each(IDLE_HANDS.size() * TRACKERS.size() * runs_, [&](std::size_t i) {
 			const Run one = run_of(IDLE_HANDS, context, i);
 			return 60.0 / one.hand.now_s() *
-					static_cast<double>(std::ranges::count(one.said, happening, &Said::happening));
+					static_cast<double>(std::ranges::count(one.events, kind, &GestureEvent::kind));
 		});
 	}
 };
 
-/// A cell: mean change and its standard error; bold beyond two standard errors; empty without a change.
+/// A table cell: mean change and its standard error. Bold beyond two standard errors; empty without a change.
 void print_change(const Sample &with, const Sample &without, int decimals) {
 	if (with.empty() || with == without) {
 		std::printf(" |");
@@ -189,8 +189,8 @@ void print_head(const Measure::Samples &with) {
 	for (const Sample &r2_zero : with.r2_zero) {
 		r2_zero.empty() ? std::printf(" - |") : std::printf(" %.4f |", mean(r2_zero));
 	}
-	std::printf(" %.2f | %.1f | %.1f | %.1f | %.2f |\n", mean(with.bounds), mean(with.task), mean(with.open),
-			mean(with.starts), mean(with.alarms));
+	std::printf(" %.2f | %.1f | %.1f | %.1f | %.2f |\n", mean(with.bounds), mean(with.with_task),
+			mean(with.without_task), mean(with.starts), mean(with.alarms));
 }
 
 } // namespace
@@ -230,8 +230,8 @@ int main(int count, char **arguments) {
 			print_change(with.r2_zero[i], without.r2_zero[i], 4);
 		}
 		print_change(with.bounds, without.bounds, 2);
-		print_change(with.task, without.task, 1);
-		print_change(with.open, without.open, 1);
+		print_change(with.with_task, without.with_task, 1);
+		print_change(with.without_task, without.without_task, 1);
 		print_change(with.starts, without.starts, 1);
 		print_change(with.alarms, without.alarms, 2);
 		std::printf("\n");

@@ -1,6 +1,9 @@
-// How near the motion of `phase` mode, as it ships, comes to the reference, each trial's task given: a line
-// of CSV for each trial. bench_accuracy [MODELS [TRIALS]], by default the folder models, and synthetic people
-// of the tuning population, asked for 1, 0.6, 0.4 and 1.6 times the duration that they would choose.
+// Accuracy of `phase` mode with a task, against the reference: a line of CSV for each trial.
+//
+//     bench_accuracy [MODELS [TRIALS]]
+//
+// MODELS: folder of the models (default: models). TRIALS: a trial set (default: synthetic people of the
+// tuning population at 1, 0.6, 0.4 and 1.6 times their own duration).
 
 #include "models.h"
 #include "recognition/gesture_recogniser.h"

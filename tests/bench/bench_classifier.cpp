@@ -1,12 +1,12 @@
-// Which gestures are found without a task by the HMMs of `paper` mode, and which by the strokes of `phase`
-// mode. Prints docs/recognition.md:
+// Recognition without a task: HMMs of `paper` mode against strokes of `phase` mode. Prints
+// docs/recognition.md:
 //
 //     bench_classifier [MODELS [REAL]]
 //
-// MODELS: folder of the models, by default models. REAL: folder of recordings (drags, lm_digits,
-// leapjs_playback, leap_qtm); without it only synthetic people.
+// MODELS: folder of the models (default: models). REAL: folder of recordings (drags, lm_digits,
+// leapjs_playback, leap_qtm). Without REAL only synthetic people.
 
-#include "events/said.h"
+#include "events/gesture_events.h"
 #include "models.h"
 #include "simulation/classifier_set.h"
 #include "timing.h"
@@ -43,7 +43,7 @@ int gesture_index(std::string_view gesture) {
 	return found == GESTURES.end() ? -1 : static_cast<int>(found - GESTURES.begin());
 }
 
-/// Named by what is made: "none" and how, or gesture and position.
+/// Streams of trials. The kind is "none" and the motion, or gesture and position.
 std::vector<Stream> streams_of(const std::vector<SyntheticTrial> &trials, const std::string &prefix) {
 	std::vector<Stream> streams;
 	for (const auto &[trial, measured, reference] : trials) {
@@ -62,7 +62,7 @@ std::vector<Stream> streams_of(const std::vector<SyntheticTrial> &trials, const 
 	return streams;
 }
 
-/// Hands that make no gesture: all track files of a folder.
+/// All track files of a folder with hands that make no gesture.
 std::vector<Stream> recordings_in(const std::string &folder, const std::string &name) {
 	std::vector<std::string> files;
 	for (const auto &entry : std::filesystem::directory_iterator(folder + "/" + name)) {
@@ -75,7 +75,7 @@ std::vector<Stream> recordings_in(const std::string &folder, const std::string &
 	for (const std::string &file : files) {
 		const Result<Track> track = parse_track_csv(read_text(file), file);
 		if (!track || track.value().frames.empty()) {
-			continue; // a table of something else
+			continue; // not a track
 		}
 		Frames frames = track.value().frames;
 		for (const UnknownColumn &column : track.value().unknown_columns) {
@@ -83,8 +83,7 @@ std::vector<Stream> recordings_in(const std::string &folder, const std::string &
 				frames[i].tracked = column.cells[i] == "0" ? 0 : frames[i].tracked;
 			}
 		}
-		// A digit 1 is a straight stroke down of some 22 cm, from rest to rest: a gesture, but for its
-		// meaning.
+		// A digit 1 is a straight stroke down of about 22 cm, from rest to rest, like a gesture.
 		const bool is_stroke = file.find("digit1_") != std::string::npos;
 		streams.push_back(
 				{ "none: real " + name + (is_stroke ? ", digit 1" : ""), -1, 0.0, 0.0, std::move(frames) });
@@ -92,28 +91,28 @@ std::vector<Stream> recordings_in(const std::string &folder, const std::string &
 	return streams;
 }
 
-/// Of one kind of stream, by one way of recognition.
+/// Results for one kind of stream and one method.
 struct Row {
 	int trials = 0, right = 0, wrong = 0, alarms = 0;
 	double seconds = 0.0;
 	std::vector<double> begins_s{}; ///< after the movement's start
 };
 
-/// The first gesture that ends is the one that counts; each that ends of hands that make none is an alarm.
-void add(Row &r_row, const Stream &stream, const std::vector<Said> &said) {
+/// Adds a stream. The first gesture that ends counts. For hands that make no gesture, each end is an alarm.
+void add(Row &r_row, const Stream &stream, const std::vector<GestureEvent> &events) {
 	++r_row.trials;
 	r_row.seconds += stream.length_s();
-	const auto ended = std::ranges::find(said, Happening::ENDED, &Said::happening);
+	const auto ended = std::ranges::find(events, EventKind::ENDED, &GestureEvent::kind);
 	if (stream.gesture < 0) {
-		r_row.alarms += static_cast<int>(std::ranges::count(said, Happening::ENDED, &Said::happening));
+		r_row.alarms += static_cast<int>(std::ranges::count(events, EventKind::ENDED, &GestureEvent::kind));
 		return;
 	}
-	r_row.right += ended != said.end() && ended->gesture == stream.gesture ? 1 : 0;
-	r_row.wrong += ended != said.end() && ended->gesture != stream.gesture ? 1 : 0;
-	const auto begun = std::ranges::find_if(said, [&](const Said &one) {
-		return one.happening == Happening::STARTED && one.gesture == stream.gesture;
+	r_row.right += ended != events.end() && ended->gesture == stream.gesture ? 1 : 0;
+	r_row.wrong += ended != events.end() && ended->gesture != stream.gesture ? 1 : 0;
+	const auto begun = std::ranges::find_if(events, [&](const GestureEvent &one) {
+		return one.kind == EventKind::STARTED && one.gesture == stream.gesture;
 	});
-	if (begun != said.end()) {
+	if (begun != events.end()) {
 		r_row.begins_s.push_back(begun->t_s - stream.start_s);
 	}
 }

@@ -1,8 +1,13 @@
-// What is said of gestures, and when, by a simulation of hands and trackers of its own: the share of runs in
-// which each gesture is started and ended once and nothing else is said, and how often a gesture is said of
-// hands that make none. bench_events [MODELS [RUNS [MIN_CONFIDENCE]]], by default the folder models, 40 runs
-// of each hand, tracker and context, and 0. bench_events MODELS show HAND TRACKER CONTEXT RUN: what was to be
-// said in one run, and what was, each name or how it begins.
+// Events of gestures for simulated hands and trackers, independent of the core's simulation. Prints the runs
+// without a fault (each gesture starts and ends once, and there is no other event), and false alarms per
+// minute of hands that make no gesture.
+//
+//     bench_events [MODELS [RUNS [MIN_CONFIDENCE]]]
+//     bench_events MODELS show HAND TRACKER CONTEXT RUN
+//
+// MODELS: folder of the models (default: models). RUNS: runs of each hand, tracker and context (default: 40).
+// MIN_CONFIDENCE: default 0. `show` prints the expected and the actual events of one run; HAND, TRACKER and
+// CONTEXT are names or prefixes of names.
 
 #include "events/gesturing_hands.h"
 #include "events/idle_hands.h"
@@ -33,8 +38,8 @@ struct NamedContext {
 	const char *name;
 	Context context;
 };
-constexpr std::array CONTEXTS{ NamedContext{ "task", Context::TASK },
-	NamedContext{ "nothing given", Context::OPEN } };
+constexpr std::array CONTEXTS{ NamedContext{ "with a task", Context::WITH_TASK },
+	NamedContext{ "without a task", Context::WITHOUT_TASK } };
 
 struct Setting {
 	const Models &models;
@@ -42,8 +47,8 @@ struct Setting {
 	double min_confidence;
 };
 
-/// Of runs without a fault.
-double percent_right(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {
+/// Runs without a fault, %.
+double percent_correct(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {
 	std::uint64_t right = 0;
 	for (std::uint64_t seed = 0; seed < setting.runs; ++seed) {
 		const Run one = run(setting.models, kind, tracker, context, seed, setting.min_confidence);
@@ -53,7 +58,7 @@ double percent_right(const Setting &setting, const HandKind &kind, TrackerKind t
 }
 
 struct Rates {
-	double ended = 0.0, begun = 0.0; ///< gestures a minute
+	double ended = 0.0, started = 0.0; ///< gestures per minute
 };
 
 Rates rates(const Setting &setting, const HandKind &kind, TrackerKind tracker, Context context) {
@@ -61,17 +66,18 @@ Rates rates(const Setting &setting, const HandKind &kind, TrackerKind tracker, C
 	double minutes = 0.0;
 	for (std::uint64_t seed = 0; seed < setting.runs; ++seed) {
 		const Run one = run(setting.models, kind, tracker, context, seed, setting.min_confidence);
-		counts.ended += static_cast<double>(std::ranges::count(one.said, Happening::ENDED, &Said::happening));
-		counts.begun +=
-				static_cast<double>(std::ranges::count(one.said, Happening::STARTED, &Said::happening));
+		counts.ended +=
+				static_cast<double>(std::ranges::count(one.events, EventKind::ENDED, &GestureEvent::kind));
+		counts.started +=
+				static_cast<double>(std::ranges::count(one.events, EventKind::STARTED, &GestureEvent::kind));
 		minutes += one.hand.now_s() / 60.0;
 	}
-	return { counts.ended / minutes, counts.begun / minutes };
+	return { counts.ended / minutes, counts.started / minutes };
 }
 
-/// A cell of each tracker, first with the task given, then with nothing.
+/// A row for each hand, with a cell for each tracker, first with a task, then without.
 template <class Measure> void print_table(std::span<const HandKind> hands, int decimals, Measure measure) {
-	std::printf("| hand | 0.1 mm, task | 1 mm, task | bad, task | 0.1 mm, nothing given | 1 mm | bad |\n"
+	std::printf("| hand | with a task: 0.1 mm | 1 mm | bad | without a task: 0.1 mm | 1 mm | bad |\n"
 				"| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n");
 	for (const HandKind &hand : hands) {
 		std::printf("| %s |", hand.name);
@@ -85,7 +91,7 @@ template <class Measure> void print_table(std::span<const HandKind> hands, int d
 	}
 }
 
-/// The first whose name begins so; nothing, and the reason on stderr, where there is none.
+/// The first entry whose name begins so. Without one: nullopt, and an error on stderr.
 template <class Named>
 std::optional<Named> find_named(std::span<const Named> all, const char *what, std::string_view beginning) {
 	for (const Named &one : all) {
@@ -93,28 +99,29 @@ std::optional<Named> find_named(std::span<const Named> all, const char *what, st
 			return one;
 		}
 	}
-	std::fprintf(stderr, "no %s \"%s\"\n", what, std::string(beginning).c_str());
+	std::fprintf(stderr, "bench_events: there is no %s '%s'\n", what, std::string(beginning).c_str());
 	return std::nullopt;
 }
 
-/// Nothing, and the reason on stderr, where it is no whole number of at least so much.
+/// A whole number of at least `least`. Otherwise nullopt, and an error on stderr.
 std::optional<std::uint64_t> parse_count(std::string_view text, std::uint32_t least) {
 	std::uint32_t count = 0;
 	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
 	if (error != std::errc() || end != text.data() + text.size() || count < least) {
-		std::fprintf(stderr, "no whole number of at least %u: \"%s\"\n", least, std::string(text).c_str());
+		std::fprintf(stderr, "bench_events: '%s' must be a whole number of at least %u\n",
+				std::string(text).c_str(), least);
 		return std::nullopt;
 	}
 	return count;
 }
 
-/// Nothing, and the reason on stderr, where it is none.
+/// A number from 0 to 1. Otherwise nullopt, and an error on stderr.
 std::optional<double> parse_probability(std::string_view text) {
 	double probability = -1.0;
 	const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), probability);
 	if (error != std::errc() || end != text.data() + text.size() || !(probability >= 0.0) ||
 			probability > 1.0) {
-		std::fprintf(stderr, "no probability from 0 to 1: \"%s\"\n", std::string(text).c_str());
+		std::fprintf(stderr, "bench_events: MIN_CONFIDENCE must be 0..1, is %s\n", std::string(text).c_str());
 		return std::nullopt;
 	}
 	return probability;
@@ -130,18 +137,18 @@ bool show(const Models &models, const std::array<std::string_view, 4> &names) {
 	if (!kind || !tracker || !context || !seed) {
 		return false;
 	}
-	constexpr std::array HAPPENINGS{ "started", "ended", "aborted" };
+	constexpr std::array EVENT_NAMES{ "started", "ended", "aborted" };
 	const Run one = run(models, *kind, tracker->kind, context->context, *seed);
 	const auto name_of = [&one](int gesture) {
 		return one.hand.gestures()[static_cast<std::size_t>(gesture)].model->gesture.c_str();
 	};
 	for (const Expected &expected : one.hand.expected()) {
-		std::printf("%s %d %s from %.3f to %.3f s\n", expected.leeway.is_optional ? "may be" : "is to be",
+		std::printf("%s %d %s from %.3f to %.3f s\n", expected.leeway.is_optional ? "optional" : "expected",
 				expected.gesture, name_of(expected.gesture), expected.from_s, expected.to_s);
 	}
-	for (const Said &said : one.said) {
-		std::printf("%8.3f s %s %d %s\n", said.t_s, HAPPENINGS[static_cast<std::size_t>(said.happening)],
-				said.gesture, name_of(said.gesture));
+	for (const GestureEvent &event : one.events) {
+		std::printf("%8.3f s %s %d %s\n", event.t_s, EVENT_NAMES[static_cast<std::size_t>(event.kind)],
+				event.gesture, name_of(event.gesture));
 	}
 	for (const std::string &fault : one.faults) {
 		std::printf("fault: %s\n", fault.c_str());
@@ -168,17 +175,17 @@ int main(int count, char **arguments) {
 		return 1;
 	}
 	const Setting setting{ models, *runs, *min_confidence };
-	std::printf("Of %d runs, %%:\n\n", static_cast<int>(*runs));
+	std::printf("Runs without a fault, %% of %d:\n\n", static_cast<int>(*runs));
 	print_table(GESTURING_HANDS, 0, [&](const HandKind &hand, TrackerKind tracker, Context context) {
-		return percent_right(setting, hand, tracker, context);
+		return percent_correct(setting, hand, tracker, context);
 	});
 	std::vector<Rates> idle;
-	std::printf("\nFalse alarms a minute:\n\n");
+	std::printf("\nFalse alarms per minute (gestures that end):\n\n");
 	print_table(IDLE_HANDS, 2, [&](const HandKind &hand, TrackerKind tracker, Context context) {
 		return idle.emplace_back(rates(setting, hand, tracker, context)).ended;
 	});
 	auto cell = idle.begin();
-	std::printf("\nBegun a minute, whatever became of them:\n\n");
-	print_table(IDLE_HANDS, 1, [&](auto...) { return (cell++)->begun; });
+	std::printf("\nStarts per minute (gestures that end or are aborted):\n\n");
+	print_table(IDLE_HANDS, 1, [&](auto...) { return (cell++)->started; });
 	return 0;
 }

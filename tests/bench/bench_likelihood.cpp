@@ -1,6 +1,10 @@
-// Which gesture the HMMs alone would name: of synthetic people of the tuning population, each gesture cut out
-// by its true start and end, the model that gives its symbols the greatest probability, in whichever state it
-// ends and where it must end in its last. bench_likelihood [MODELS], by default the folder models.
+// Recognition by the likelihood of the gesture models' HMMs alone. Gestures of synthetic people (tuning
+// population) are cut at their true start and end. The model with the greatest likelihood counts, with any
+// last state, and with the path in the model's last state.
+//
+//     bench_likelihood [MODELS]
+//
+// MODELS: folder of the models (default: models).
 
 #include "gesture/recorded_movements.h"
 #include "hmm/forward.h"
@@ -23,7 +27,7 @@ const HandFrame &frame_at(const Track &track, double t_s) {
 	return later != track.frames.end() ? *later : track.frames.back();
 }
 
-/// The model's own, from where the hand begins, in the sense in which it goes.
+/// The model's typical task, from the hand's start, in the direction of the hand's motion.
 Task task_here(const GestureModel &model, const SyntheticTrial &trial) {
 	const HandFrame &first = frame_at(trial.reference, trial.trial.start_s),
 					&last = frame_at(trial.reference, trial.trial.end_s);
@@ -52,7 +56,7 @@ SymbolSequence symbols_of(const GestureModel &model, const SyntheticTrial &trial
 	return symbols;
 }
 
-/// log P(O, the last state at the end), nats (Rabiner 1989 eq. (19)-(20)).
+/// log P(O, path ends in the last state), nats (Rabiner 1989 eq. (19)-(20)).
 double log_likelihood_of_whole(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
 	Eigen::VectorXd alpha, log_b(hmm.states());
 	for (const Symbol symbol : symbols) {
@@ -75,7 +79,7 @@ int main(int count, char **arguments) {
 	if (models.empty()) {
 		return 1;
 	}
-	int gestures = 0, rightly = 0, rightly_of_whole = 0;
+	int gestures = 0, correct = 0, correct_whole = 0;
 	for (const SyntheticTrial &trial : tuning_trials(12, 4, { 1.0, 0.6, 0.4, 1.6 })) {
 		const auto known = std::find(GESTURES.begin(), GESTURES.end(), trial.trial.gesture);
 		if (known == GESTURES.end()) {
@@ -91,11 +95,10 @@ int main(int count, char **arguments) {
 			return std::max_element(log.begin(), log.end()) - log.begin() == known - GESTURES.begin();
 		};
 		++gestures;
-		rightly += names(any) ? 1 : 0;
-		rightly_of_whole += names(whole) ? 1 : 0;
+		correct += names(any) ? 1 : 0;
+		correct_whole += names(whole) ? 1 : 0;
 	}
-	std::printf("of %d gestures the greatest likelihood names %d rightly, %d where it must end in the last "
-				"state\n",
-			gestures, rightly, rightly_of_whole);
+	std::printf("%d gestures: %d correct with any last state, %d correct with the path in the last state\n",
+			gestures, correct, correct_whole);
 	return 0;
 }

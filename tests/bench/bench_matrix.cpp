@@ -1,7 +1,11 @@
-// Follows hands whose motion is known in closed form: hands x faults x task lengths x frame rates. Prints
+// Accuracy of the motion core for hands in closed form: hands x faults x task lengths x frame rates. Prints
 // each bound of tests/core/matrix/bounds.h with the number of scenarios outside of it, or a line of CSV for
-// each scenario. bench_matrix [--csv] [MODELS [LATENCY_S]]: the folder of the models (models), and the
-// latency that the estimator is given (0; the simulated tracker has none).
+// each scenario.
+//
+//     bench_matrix [--csv] [MODELS [LATENCY_S]]
+//
+// MODELS: folder of the models (default: models). LATENCY_S: latency for the estimator (default: 0; the
+// simulated tracker has none).
 
 #include "matrix/bounds.h"
 #include "matrix/measures.h"

@@ -1,7 +1,10 @@
-// What accuracy costs: a line of CSV for each effort that `phase` mode can make, and for `paper` mode with
-// the models that ship and with other numbers of states and symbols, other decoders, precisions and rates of
-// outputs, with the time that a frame takes and how near the motion comes to the reference. bench_quality
-// [MODELS [TRIALS]], by default the folder models, and synthetic people of the tuning population.
+// Cost and accuracy of settings: a line of CSV for each effort of `phase` mode, and for `paper` mode with
+// several numbers of states and symbols, decoders, precisions and output rates.
+//
+//     bench_quality [MODELS [TRIALS]]
+//
+// MODELS: folder of the models (default: models). TRIALS: a trial set (default: synthetic people of the
+// tuning population).
 
 #include "metrics/recognition.h"
 #include "metrics/summary.h"
@@ -27,15 +30,15 @@ using namespace steadyhand::bench;
 constexpr int ROUNDS = 21;
 
 struct Accuracy {
-	double r2_stable, r2_unstable; ///< means of R2 at no lag
-	double t_diff_s;               ///< mean of its size
-	double missed, recognised;     ///< shares
+	double r2_stable, r2_unstable; ///< mean zero-lag R2
+	double t_diff_s;               ///< mean |T_diff|
+	double missed, recognised;     ///< fractions of the trials
 	double alarms_per_minute;
 };
 
 class Study {
 public:
-	/// models: by their numbers of states and symbols.
+	/// models: by number of states and symbols.
 	Study(std::map<std::pair<int, int>, Models> models, std::vector<SyntheticTrial> trials) :
 			models_(std::move(models)) {
 		for (SyntheticTrial &trial : trials) {
@@ -45,7 +48,7 @@ public:
 		}
 	}
 
-	/// ns a frame and the outputs until the next, one gesture with its task; the first trials of each
+	/// Time for a frame and its outputs, ns, for one gesture with a task, over the first trials of each
 	/// gesture.
 	[[nodiscard]] double cost_ns(const Setting &setting) const {
 		constexpr std::size_t TRIALS = 2;
@@ -76,14 +79,14 @@ public:
 						.push_back(compared.r2_zero);
 				t_diff.push_back(std::abs(compared.t_diff_s));
 				missed += compared.missed ? 1 : 0;
-				const std::vector<int> found = arrivals(trial, setting);
+				const std::vector<int> found = ended(trial, setting);
 				recognised += !found.empty() && found.back() == static_cast<int>(g) ? 1 : 0;
 				++trials;
 			}
 		}
 		double idle_s = 0.0;
 		for (const SyntheticTrial &trial : nothing_) {
-			alarms += arrivals(trial, setting).size();
+			alarms += ended(trial, setting).size();
 			idle_s += trial.measured.frames.back().t_s - grid_of(trial).t0_s;
 		}
 		const auto count = static_cast<double>(trials);
@@ -100,7 +103,7 @@ private:
 		return models_.at({ setting.states, setting.symbols });
 	}
 
-	/// With its task.
+	/// Comparison with a task.
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
 		GestureRecogniser recogniser({ models_of(setting)[gesture] }, task_of(trial), setting.mode,
@@ -108,20 +111,20 @@ private:
 		return compare_replay(trial, *models_of(setting)[gesture], recogniser, setting.outputs_per_s);
 	}
 
-	/// Gestures that came to their end, all models active and nothing given.
-	[[nodiscard]] std::vector<int> arrivals(const SyntheticTrial &trial, const Setting &setting) const {
+	/// Gestures that ended, with all models active and without a task.
+	[[nodiscard]] std::vector<int> ended(const SyntheticTrial &trial, const Setting &setting) const {
 		GestureRecogniser recogniser(
 				models_of(setting), std::nullopt, setting.mode, setting.effort, 0.0, setting.decoding);
 		std::vector<int> found;
-		bool had_arrived = false;
+		bool had_ended = false;
 		for (const HandFrame &frame : trial.measured.frames) {
 			recogniser.push(frame);
 			const GestureSession *const session = recogniser.session();
-			const bool has_arrived = session != nullptr && session->stage() == GestureSession::Stage::ENDED;
-			if (has_arrived && !had_arrived) {
+			const bool has_ended = session != nullptr && session->stage() == GestureSession::Stage::ENDED;
+			if (has_ended && !had_ended) {
 				found.push_back(recogniser.gesture());
 			}
-			had_arrived = has_arrived;
+			had_ended = has_ended;
 		}
 		return found;
 	}
@@ -138,10 +141,10 @@ int main(int count, char **arguments) {
 	if (trials.empty()) {
 		return 1;
 	}
-	const std::vector<SyntheticTrial> taught = training_trials();
+	const std::vector<SyntheticTrial> training = training_trials();
 	std::map<std::pair<int, int>, Models> by_size;
 	for (const auto &[states, symbols] : MODEL_SIZES) {
-		by_size[{ states, symbols }] = train_models(models, taught, states, symbols);
+		by_size[{ states, symbols }] = train_models(models, training, states, symbols);
 		if (by_size[{ states, symbols }].empty()) {
 			return 1;
 		}

@@ -1,6 +1,10 @@
-// What recognition, synthesis and training cost, beside a plain scaled forward pass (4 states, 16 symbols) on
-// the same machine in the same run: bench_recognition [MODELS], by default the folder models. Rounds of all
-// rows alternate and the least counts: whatever else the machine does only adds.
+// Time for recognition, synthesis and training, compared with a plain scaled forward pass (4 states, 16
+// symbols) in the same run. The rounds of all rows alternate, and the least time counts, because other load
+// only adds time.
+//
+//     bench_recognition [MODELS]
+//
+// MODELS: folder of the models (default: models).
 
 #include "hmm/baum_welch.h"
 #include "hmm/fixed_lag_viterbi.h"
@@ -35,11 +39,11 @@ constexpr int ITERATIONS = 3;
 
 struct Row {
 	std::string name;
-	std::function<double()> measure; ///< one round, ns of one unit
+	std::function<double()> measure; ///< one round; ns for one unit
 	double target_ns = 0.0;          ///< 0: none
 };
 
-/// Each state of the generating model prefers four symbols of its own.
+/// Sequence of a left-right model. Each state prefers four symbols of its own.
 SymbolSequence random_sequence(std::mt19937_64 &r_random, int length) {
 	std::uniform_int_distribution<int> any(0, SYMBOLS - 1), own(0, SYMBOLS / STATES - 1);
 	std::bernoulli_distribution is_own(0.8);
@@ -51,7 +55,7 @@ SymbolSequence random_sequence(std::mt19937_64 &r_random, int length) {
 	return sequence;
 }
 
-/// The textbook's recursion in probabilities, scaled at each symbol (Rabiner 1989, section V.A).
+/// Forward recursion with probabilities, scaled at each symbol (Rabiner 1989, section V.A).
 class ScaledForward {
 public:
 	explicit ScaledForward(const DiscreteHmm &hmm) :
@@ -70,7 +74,7 @@ private:
 	Eigen::Matrix<double, STATES, 1> pi_, alpha_ = pi_;
 };
 
-/// Over gestures one after the other, each from its start, until there are as many symbols.
+/// Time for a symbol, over STREAM symbols of gestures in turns. The filter is reset before each gesture.
 template <class Filter> double ns_a_symbol(Filter filter, const std::vector<SymbolSequence> &gestures) {
 	std::size_t symbols = 0;
 	const double ns = ns_of([&] {
@@ -98,8 +102,8 @@ double ns_an_iteration(const std::vector<std::vector<SymbolSequence>> &gestures)
 	return ns / ITERATIONS;
 }
 
-/// The trials, each from its start to its end; outputs: of each millisecond as many, -1: nor instants.
-/// Returns ns a frame.
+/// Time for a frame, ns, over all trials. outputs: number of outputs for each millisecond; -1: without calls
+/// of advance().
 double ns_a_frame(const std::vector<SyntheticTrial> &trials,
 		const std::function<GestureRecogniser(const Task &)> &recogniser_of, int outputs) {
 	double ns = 0.0;
@@ -123,7 +127,7 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials,
 	return ns / static_cast<double>(frames);
 }
 
-/// All models at the trial's place, or at none.
+/// Time for a frame, with all models at the trial's task, or without a task.
 double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
 		MotionMode mode, int outputs = 0, Quality quality = Quality::ACCURATE) {
 	return ns_a_frame(
@@ -135,7 +139,7 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &model
 			outputs);
 }
 
-/// A tap at one of 30 keys in five rows, the middle one or so.
+/// Time for a frame of a tap at one of 30 keys in five rows.
 double ns_a_frame_of_keys(const SyntheticTrial &tap, const Models &models, double apart_m) {
 	return ns_a_frame(
 			{ tap },
@@ -154,7 +158,7 @@ double ns_a_frame_of_keys(const SyntheticTrial &tap, const Models &models, doubl
 			-1);
 }
 
-/// Difference of a run with outputs and one without, by the milliseconds that the trials last.
+/// Time for one output: difference of runs with and without outputs, divided by the number of outputs.
 double ns_an_output(const std::vector<SyntheticTrial> &trials, const Models &models, MotionMode mode) {
 	constexpr int OUTPUTS = 4;
 	double frames_a_ms = 0.0, seconds = 0.0;
@@ -168,7 +172,7 @@ double ns_an_output(const std::vector<SyntheticTrial> &trials, const Models &mod
 	return (with - without) * frames_a_ms / OUTPUTS;
 }
 
-/// One of each gesture, by one subject, where tracking is unstable.
+/// One trial of each gesture, by one subject, at the unstable position.
 std::vector<SyntheticTrial> make_trials() {
 	std::vector<SyntheticTrial> trials;
 	for (const std::string gesture : GESTURES) {

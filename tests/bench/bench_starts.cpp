@@ -1,6 +1,9 @@
-// What each start condition prevents and costs: false alarms a minute of hands that make no gesture, and the
-// share of gestures that are still recognised, all models active and no task. bench_starts [MODELS
-// [FOLDER...]], by default the folder models. Each FOLDER holds track CSV of hands that make no gesture.
+// Effect of start conditions: false alarms per minute of hands that make no gesture, and detection rate of
+// gestures, with and without a task.
+//
+//     bench_starts [MODELS [FOLDER...]]
+//
+// MODELS: folder of the models (default: models). FOLDER: has track CSV of hands that make no gesture.
 
 #include "recognition/gesture_news.h"
 #include "trials.h"
@@ -28,15 +31,15 @@ struct NamedStart {
 constexpr std::array STARTS{ NamedStart{ "none", StartKind::NONE }, NamedStart{ "dwell", StartKind::DWELL },
 	NamedStart{ "pinch", StartKind::PINCH }, NamedStart{ "pointing pose", StartKind::POINTING_POSE } };
 
-/// Between looks at the recogniser; a gesture is shown for longer.
+/// Interval of the checks for events. Gestures last longer.
 constexpr double LOOK_S = 0.004;
 
 struct Counts {
 	double minutes = 0.0;
 	int begun = 0, ended = 0;
-	double met_minutes = 0.0; ///< the start condition was
-	bool has_joints = false;  ///< in any frame
-	/// Index of each gesture that ended.
+	double met_minutes = 0.0; ///< time in which the start condition was met
+	bool has_joints = false;  ///< a frame has the joints of the condition
+	/// Indices of the gestures that ended.
 	std::vector<int> gestures = {};
 };
 
@@ -61,9 +64,9 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 		recogniser.advance(t_s);
 		counts.met_minutes += recogniser.start_condition().is_met() ? LOOK_S / 60.0 : 0.0;
 		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews happened = news(before, shown);
-		counts.begun += happened.started ? 1 : 0;
-		if (happened.ended) {
+		const GestureNews changes = news(before, shown);
+		counts.begun += changes.started ? 1 : 0;
+		if (changes.ended) {
 			++counts.ended;
 			counts.gestures.push_back(shown.gesture);
 		}
@@ -74,7 +77,7 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 
 using Tracks = std::vector<std::vector<HandFrame>>;
 
-/// None, and the reason on stderr, where one cannot be read.
+/// Tracks of all files. If one cannot be read: none, and an error on stderr.
 Tracks read_tracks(const std::string &folder) {
 	std::vector<std::string> paths;
 	for (const auto &entry : std::filesystem::directory_iterator(folder)) {
@@ -129,7 +132,7 @@ void print_false_alarms(const Models &models, const std::string &name, const Tra
 	}
 }
 
-/// The thumb tip touches the index tip.
+/// The frames with the thumb tip at the index tip.
 std::vector<HandFrame> pinched(std::vector<HandFrame> frames) {
 	for (HandFrame &frame : frames) {
 		if (frame.has(Joint::INDEX) && frame.has(Joint::THUMB)) {
@@ -168,7 +171,7 @@ int main(int count, char **arguments) {
 	if (models.empty()) {
 		return 1;
 	}
-	std::printf("| hands | start condition | false alarms a minute | begun a minute | met |\n"
+	std::printf("| hands | start condition | false alarms per minute | starts per minute | condition met |\n"
 				"| --- | --- | ---: | ---: | ---: |\n");
 	for (std::size_t i = 1; i < options.size(); ++i) {
 		const Tracks tracks = read_tracks(options[i]);
@@ -183,8 +186,9 @@ int main(int count, char **arguments) {
 	}
 	print_false_alarms(models, "synthetic, none", others);
 
-	std::printf("\nRecognised, %%, stable / unstable position. Pinch: with the thumb on the index.\n\n"
-				"| gesture | none | dwell | pinch | pointing pose |\n| --- | ---: | ---: | ---: | ---: |\n");
+	std::printf(
+			"\nDetection rate, %%, stable / unstable position. Pinch: the thumb tip is at the index tip.\n\n"
+			"| gesture | none | dwell | pinch | pointing pose |\n| --- | ---: | ---: | ---: | ---: |\n");
 	for (std::size_t gesture = 0; gesture < GESTURES.size(); ++gesture) {
 		for (const bool has_task : { false, true }) {
 			print_recognised(models, gesture, has_task);

@@ -1,6 +1,6 @@
-// What a sample of the vibration costs, amplitude from the motion and all, beside std::sin and memset on the
-// same machine in the same run. Rounds alternate and the median counts, so that a busy machine slows all
-// alike. A frame of two channels counts as one sample.
+// Time for a sample of the vibration, with its amplitude from the motion, compared with std::sin and memset
+// in the same run. Rounds alternate and the median counts, so that other load affects all rows alike. A frame
+// of two channels counts as one sample.
 
 #include "haptics/vibration.h"
 #include "timing.h"
@@ -38,7 +38,7 @@ template <class Fill> double ns_per_sample(Fill fill) {
 	return ns / (static_cast<double>(BLOCK) * BLOCKS);
 }
 
-/// A hand that swings through its way for as long as a round lasts.
+/// A hand that swings between 0.1 and 0.9 of its amplitude.
 MotionSnapshot swinging(double from_s, std::uint32_t arrivals) {
 	MotionSnapshot snapshot;
 	snapshot.time_s = from_s;
@@ -56,8 +56,8 @@ MotionSnapshot swinging(double from_s, std::uint32_t arrivals) {
 	return snapshot;
 }
 
-/// With a new snapshot a block, and with `at_arrivals` an arrival every 40 ms; live as the audio thread makes
-/// it: two channels, a clock that is drawn to what the game says, 12 ms of latency made up for.
+/// Time with a new snapshot for each block. at_arrivals: an arrival every 40 ms. is_live: as on the audio
+/// thread, with two channels, a clock that follows the game's, and 12 ms of latency compensation.
 double ns_of_effect(const Effect &effect, bool at_arrivals, bool is_live = false) {
 	Vibration vibration(RATE_HZ, is_live ? 2 : 1);
 	EffectSet effects;
@@ -80,7 +80,7 @@ double ns_of_effect(const Effect &effect, bool at_arrivals, bool is_live = false
 	});
 }
 
-/// The waveform alone, its amplitude a given cubic.
+/// Time for the waveform alone, with a cubic amplitude.
 double ns_of_spring_waveform() {
 	Carrier carrier;
 	carrier.set_step(phase_step(180.0, RATE_HZ));
@@ -146,7 +146,7 @@ int main() {
 	}
 	const double sine_ns = median(rows[rows.size() - 2].ns), memset_ns = median(rows.back().ns);
 	std::printf(
-			"ns a sample at 48 kHz, blocks of %zu with a snapshot of the motion each, median of %d rounds\n",
+			"ns per sample at 48 kHz, a snapshot of the motion for each block of %zu, median of %d rounds\n",
 			BLOCK, ROUNDS);
 	for (const Row &row : rows) {
 		const double ns = median(row.ns);

@@ -21,7 +21,7 @@ inline std::string read_text(const std::string &path) {
 	return { std::istreambuf_iterator<char>(file), {} };
 }
 
-/// Of GESTURES, from their files in the folder; none, and the reason on stderr, where one cannot be read.
+/// Models of GESTURES from their files in the folder. If one cannot be read: none, and an error on stderr.
 inline Models read_models(const std::string &folder) {
 	Models models;
 	for (const std::string gesture : GESTURES) {

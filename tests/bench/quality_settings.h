@@ -14,16 +14,16 @@ namespace steadyhand::bench {
 
 inline constexpr double OUTPUTS_PER_S = 1000.0;
 inline constexpr double FEW_OUTPUTS_PER_S = 250.0;
-/// States and symbols beside those of the models that ship.
+/// Numbers of states and symbols, in addition to those of the shipped models.
 inline constexpr std::array<std::pair<int, int>, 8> MODEL_SIZES{ { { 2, 16 }, { 3, 16 }, { 6, 16 }, { 8, 16 },
 		{ 4, 8 }, { 4, 32 }, { 4, 64 }, { 8, 64 } } };
 
 struct Setting {
-	std::string name; ///< of the preset, if it is one
+	std::string name; ///< of the preset; empty if it is none
 	MotionMode mode;
 	EstimatorEffort effort;
 	double outputs_per_s = OUTPUTS_PER_S;
-	int states = 4, symbols = 16; ///< of the models; those that ship have so many
+	int states = 4, symbols = 16; ///< of the models; default: those of the shipped models
 	StateDecoding decoding = {};  ///< of `paper` mode
 };
 
@@ -31,7 +31,8 @@ inline bool is_same(const EstimatorEffort &a, const EstimatorEffort &b) {
 	return a.hypotheses == b.hypotheses && a.durations == b.durations;
 }
 
-/// `paper` mode as it ships, first; with other models; with every decoder, precision and rate of outputs.
+/// Settings of `paper` mode: first the shipped one; then other models; then all decoders, precisions and
+/// output rates.
 inline std::vector<Setting> paper_settings() {
 	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
 	for (const auto &[states, symbols] : MODEL_SIZES) {

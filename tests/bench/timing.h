@@ -6,13 +6,12 @@
 
 namespace steadyhand::bench {
 
-/// Makes the compiler believe that the value is read.
+/// Prevents the compiler from optimising the value away.
 template <class Value> void keep(const Value &value) {
 	asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// What calling f once takes of this thread's processor time: what others take of the machine meanwhile
-/// does not count.
+/// Processor time of this thread for one call of f, ns. Time of other threads does not count.
 template <class Function> double ns_of(Function f) {
 	const auto now_ns = [] {
 		timespec now{};

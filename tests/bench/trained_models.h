@@ -14,7 +14,7 @@ inline Task task_of(const SyntheticTrial &trial) {
 	return { trial.trial.start_m, trial.trial.axis, trial.trial.amplitude_m };
 }
 
-/// What the models that ship are trained on (demo_project/tools/own_models.gd).
+/// Training set of the shipped models (demo_project/tools/own_models.gd).
 inline std::vector<SyntheticTrial> training_trials() {
 	SyntheticSetOptions options;
 	options.population = Population::TRAIN;
@@ -28,8 +28,8 @@ inline std::vector<SyntheticTrial> training_trials() {
 	return trials;
 }
 
-/// The models that ship, trained again with as many states and symbols. None, and the reason on stderr, where
-/// training fails.
+/// The shipped models, trained with these numbers of states and symbols. If training fails: none, and an
+/// error on stderr.
 inline Models train_models(
 		const Models &shipped, const std::vector<SyntheticTrial> &trials, int states, int symbols) {
 	Models models;

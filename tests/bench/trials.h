@@ -21,7 +21,7 @@
 
 namespace steadyhand::bench {
 
-/// Synthetic people of the tuning population, each at each of the paces.
+/// Trials of synthetic people of the tuning population, each at each pace.
 inline std::vector<SyntheticTrial> tuning_trials(
 		std::uint32_t subjects, std::uint32_t repetitions, const std::vector<double> &paces) {
 	SyntheticSetOptions options;
@@ -36,7 +36,7 @@ inline std::vector<SyntheticTrial> tuning_trials(
 	return trials;
 }
 
-/// Of a folder; none, and the reason on stderr, where it cannot be read.
+/// Trials of a folder. If one cannot be read: none, and an error on stderr.
 inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	std::vector<SyntheticTrial> trials;
 	const std::string path = folder + "/trials.csv";
@@ -65,12 +65,12 @@ inline std::vector<SyntheticTrial> read_trials(const std::string &folder) {
 	return trials;
 }
 
-/// From the whole second before a trial's first frame: its clock may have run for days.
+/// Grid that begins at the whole second before a trial's first frame.
 inline UniformGrid grid_of(const SyntheticTrial &trial, double rate_hz = UniformGrid{}.rate_hz) {
 	return { .t0_s = std::floor(trial.measured.frames.front().t_s), .rate_hz = rate_hz };
 }
 
-/// In amplitudes, on grid_of(trial).
+/// Reference of a trial, in amplitudes, on grid_of(trial).
 inline std::vector<double> reference_curve(
 		const SyntheticTrial &trial, const GestureModel &model, std::size_t length) {
 	MotionElement element(*find_feature(model.feature));
@@ -86,12 +86,12 @@ inline std::vector<double> reference_curve(
 	return curve;
 }
 
-/// A hand that is lost is judged on, as the reference goes on.
+/// End of the longer track: a dropout at the end of the measured track counts.
 inline double end_s(const SyntheticTrial &trial) {
 	return std::max(trial.measured.frames.back().t_s, trial.reference.frames.back().t_s);
 }
 
-/// Calls output(seconds) at each instant of the outputs until the end, frames up to it pushed before.
+/// Pushes all frames, and calls output(seconds) at each output time, after the frames before it.
 template <class Output>
 void replay(
 		const SyntheticTrial &trial, GestureRecogniser &r_recogniser, double outputs_per_s, Output output) {
@@ -110,7 +110,7 @@ void replay(
 	put_out_until(end_s(trial));
 }
 
-/// The synthesised motion, held from output to output, against the reference.
+/// Compares the synthesised motion, held between outputs, with the reference.
 inline CurveComparison compare_replay(const SyntheticTrial &trial, const GestureModel &model,
 		GestureRecogniser &r_recogniser, double outputs_per_s) {
 	std::vector<double> t_s, x;

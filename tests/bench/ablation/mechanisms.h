@@ -7,11 +7,11 @@
 
 namespace steadyhand::bench {
 
-/// A mechanism, and values of parameters with which it does nothing.
+/// A mechanism, and values of parameters that switch it off.
 struct Mechanism {
 	const char *name;
 	std::vector<std::pair<double *, double>> off;
-	/// Of recognition only: with a task the motion does not depend on it.
+	/// The mechanism affects recognition only: the motion with a task does not depend on it.
 	bool is_of_events = false;
 };
 

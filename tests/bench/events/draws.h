@@ -8,7 +8,7 @@
 
 namespace steadyhand::bench {
 
-/// The same numbers for the same seed.
+/// Random numbers. Equal seeds give equal numbers.
 class Draws {
 public:
 	explicit Draws(std::uint64_t seed) : random_(7919 * seed + 13) {}
@@ -23,9 +23,9 @@ public:
 		const double z = normal(), y = normal(), x = normal();
 		return { x, y, z };
 	}
-	/// Of any direction, each as likely.
+	/// Uniform on the sphere.
 	Eigen::Vector3d unit_vector() { return normals().normalized(); }
-	/// Of those that are good.
+	/// Uniform on the part of the sphere where is_good is true.
 	template <class Predicate> Eigen::Vector3d unit_vector_where(Predicate is_good) {
 		Eigen::Vector3d drawn = unit_vector();
 		while (!is_good(drawn)) {

@@ -13,22 +13,22 @@
 
 namespace steadyhand::bench {
 
-/// Place of a point of the hand, then radius of the circle through thumb, index and middle fingertip, m.
+/// Position of a HandPoint, and radius of the circle through thumb, index and middle fingertip, m.
 using HandPose = Eigen::Vector4d;
 
-/// Which one a pose tells the place of.
+/// The point whose position a pose has.
 enum class HandPoint { INDEX_TIP, CIRCLE_CENTRE };
 
 inline double radians(double degrees) {
 	return degrees * std::numbers::pi / 180.0;
 }
 
-/// 0..1 over 0..1 (Flash and Hogan 1985). Not the core's, so that no error of that is the hand's as well.
+/// Minimum-jerk curve from 0 to 1 over 0..1 (Flash and Hogan 1985). Independent of the core's function.
 inline double minimum_jerk(double time) {
 	return time * time * time * (10.0 - 15.0 * time + 6.0 * time * time);
 }
 
-/// What a hand does: strokes of minimum jerk from pose to pose, and rests between them.
+/// Plan of a hand's motion: minimum-jerk strokes between poses, and rests.
 class HandPlan {
 public:
 	explicit HandPlan(const HandPose &start, HandPoint point = HandPoint::INDEX_TIP) :
@@ -41,12 +41,12 @@ public:
 		end_s_ += duration_s;
 	}
 	void hide(double from_s, double to_s) { hidden_s_.emplace_back(from_s, to_s); }
-	/// Is added to every pose.
+	/// Adds sway(t_s) to every pose.
 	void sway(std::function<HandPose(double t_s)> sway) { sway_ = std::move(sway); }
-	/// Moves all that is seen.
+	/// Sets the motion of the tracker's frame.
 	void move_frame(std::function<Eigen::Vector3d(double t_s)> frame) { frame_m_ = std::move(frame); }
 
-	/// Where the plan has got to.
+	/// End of the plan so far.
 	[[nodiscard]] double end_s() const { return end_s_; }
 	[[nodiscard]] const HandPose &pose() const { return pose_; }
 

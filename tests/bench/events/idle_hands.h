@@ -14,12 +14,12 @@
 
 namespace steadyhand::bench {
 
-// What is no gesture.
+// Hands that make no gesture.
 
 inline constexpr double TURN = 2.0 * std::numbers::pi;
 inline constexpr double IDLE_S = 18.0;
 
-/// Grows from 0 at from_s to 1.
+/// Linear from 0 at from_s to 1 at from_s + duration_s.
 inline double fade_in(double t_s, double from_s, double duration_s) {
 	return std::clamp((t_s - from_s) / duration_s, 0.0, 1.0);
 }
@@ -90,8 +90,7 @@ inline void type_keys(Performance &hand, Draws &draws) {
 	}
 }
 
-/// The tracker's frame moves, as where cameras are worn: off for three seconds, to and fro at each step
-/// then too.
+/// The tracker's frame moves, as with worn cameras: three seconds in one direction, and with each step.
 inline void walk(Performance &hand, Draws &draws) {
 	const double steps_per_s = draws.between(0.8, 1.1), speed_m_s = draws.between(0.3, 1.2);
 	const double z = draws.normal(), x = draws.normal();
@@ -109,13 +108,13 @@ inline void walk(Performance &hand, Draws &draws) {
 }
 
 inline constexpr std::array IDLE_HANDS{
-	HandKind{ "rests, and sways by some mm", ALL, sway_a_little },
+	HandKind{ "rests and sways by some mm", ALL, sway_a_little },
 	HandKind{ "waves", ALL, wave_hand },
 	HandKind{ "draws circles", ALL, draw_circles },
-	HandKind{ "reaches elsewhere and back", ALL, reach_elsewhere },
+	HandKind{ "reaches in other directions and returns", ALL, reach_elsewhere },
 	HandKind{ "scratches the face", ALL, scratch_face },
 	HandKind{ "types", ALL, type_keys },
-	HandKind{ "walks, the tracker with it", ALL, walk },
+	HandKind{ "walks with a worn tracker", ALL, walk },
 };
 
 } // namespace steadyhand::bench

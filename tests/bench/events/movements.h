@@ -13,10 +13,10 @@
 
 namespace steadyhand::bench {
 
-/// What is told to the recogniser: where a gesture is made and how far it goes, or nothing.
-enum class Context { TASK, OPEN };
+/// Whether the recogniser gets the start and amplitude of each gesture.
+enum class Context { WITH_TASK, WITHOUT_TASK };
 
-/// From its start to its end.
+/// A movement from the start of a gesture to its end.
 struct PlannedMovement {
 	std::size_t gesture; ///< index into GESTURES
 	HandPose direction;  ///< of length 1
@@ -26,7 +26,7 @@ struct PlannedMovement {
 	[[nodiscard]] bool grows_circle() const { return direction(3) > 0.0; }
 };
 
-/// Those of a hand of middling reach and pace.
+/// Movements of average amplitude and duration.
 inline const std::array<PlannedMovement, 6> MOVEMENTS{ {
 		{ 0, { 1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
 		{ 0, { -1.0, 0.0, 0.0, 0.0 }, 0.2, 0.8 },
@@ -36,7 +36,7 @@ inline const std::array<PlannedMovement, 6> MOVEMENTS{ {
 		{ 3, { 0.0, 0.0, 0.0, 1.0 }, 0.03, 0.6 },
 } };
 
-/// Some of MOVEMENTS, one after the other.
+/// A consecutive range of MOVEMENTS.
 struct MovementRange {
 	std::size_t first, count;
 
@@ -45,15 +45,16 @@ struct MovementRange {
 };
 inline constexpr MovementRange ALL{ 0, 6 }, BUT_ZOOMS{ 0, 5 }, DRAGS{ 0, 4 }, TAPS{ 4, 1 }, ZOOMS{ 5, 1 };
 
-/// Where nothing is given, a size is known by the gesture alone, and varies less.
+/// A random variation of a movement. Without a task the amplitude varies less, because it is unknown.
 inline PlannedMovement draw_movement(std::size_t index, Context context, Draws &draws) {
 	PlannedMovement movement = MOVEMENTS[index];
-	movement.amplitude_m *= context == Context::OPEN ? draws.between(0.9, 1.3) : draws.between(0.7, 1.5);
+	movement.amplitude_m *=
+			context == Context::WITHOUT_TASK ? draws.between(0.9, 1.3) : draws.between(0.7, 1.5);
 	movement.duration_s *= draws.between(0.75, 1.5);
 	return movement;
 }
 
-/// To any side.
+/// The movement with its direction tilted by an angle, to a random side.
 inline PlannedMovement tilted(PlannedMovement movement, double degrees, Draws &draws) {
 	const Eigen::Vector3d axis = movement.axis(), aside = axis.unitOrthogonal(), upright = axis.cross(aside);
 	const double side = draws.between(0.0, 2.0 * std::numbers::pi);
@@ -63,7 +64,7 @@ inline PlannedMovement tilted(PlannedMovement movement, double degrees, Draws &d
 	return movement;
 }
 
-/// Along nothing that may be a gesture: neither the axes of space nor these.
+/// A random direction away from all directions of gestures: the axes of space and the two given ones.
 inline Eigen::Vector3d draw_aside(const Eigen::Vector3d &axis, const Eigen::Vector3d &other, Draws &draws) {
 	return draws.unit_vector_where([&, most = std::cos(radians(42.0))](const Eigen::Vector3d &drawn) {
 		return drawn.cwiseAbs().maxCoeff() <= most && std::abs(drawn.dot(axis)) <= most &&

@@ -17,28 +17,28 @@
 
 namespace steadyhand::bench {
 
-/// How freely what a hand did may be told.
+/// Tolerance for the events of a gesture.
 struct Leeway {
-	bool is_optional = false; ///< it may be said, or not
-	double late_s = 1.0;      ///< how long after its end at most
+	bool is_optional = false; ///< the gesture may be recognised or not
+	double late_s = 1.0;      ///< most time from the true end to the event
 };
 
-/// A gesture that has to be started and ended once.
+/// A gesture that must start and end once.
 struct Expected {
 	int gesture; ///< index into Performance::gestures()
 	double from_s, to_s;
 	Leeway leeway;
 };
 
-/// A hand as it is told what to do, and what it is to be understood by. A part is of the way from the start
-/// of the movement that it makes to its end, 0..1.
+/// Plan of a hand, and the events that are expected. `part`: position in the present movement, 0 at its start
+/// and 1 at its end.
 class Performance {
 public:
-	/// The hand rests at the start first.
+	/// Begins with a rest at the start.
 	Performance(const Models &models, Context context, std::size_t movement, std::uint64_t seed) :
 			models_(models), context_(context), draws_(31 * seed + 7),
 			movement_(draw_movement(movement, context, draws_)) {
-		if (is_open()) {
+		if (!has_task()) {
 			for (const auto &model : models_) {
 				gestures_.push_back({ model, std::nullopt });
 			}
@@ -46,7 +46,7 @@ public:
 		begin(movement_);
 	}
 
-	/// Anew, somewhere else.
+	/// Starts over at a random place.
 	Performance &begin(const PlannedMovement &movement) {
 		const bool is_zoom = movement.grows_circle();
 		const double radius_m = is_zoom ? draws_.between(0.014, 0.02) : 0.03;
@@ -56,20 +56,20 @@ public:
 		begin_at(start, is_zoom ? HandPoint::CIRCLE_CENTRE : HandPoint::INDEX_TIP);
 		return aim(movement, start).rest(draws_.between(1.0, 1.6));
 	}
-	/// Anew, and nothing is asked for yet.
+	/// Starts over at a pose, without expected gestures.
 	Performance &begin_at(const HandPose &pose, HandPoint point = HandPoint::INDEX_TIP) {
 		plan_ = HandPlan(pose, point);
 		expected_.clear();
-		if (!is_open()) {
+		if (has_task()) {
 			gestures_.clear();
 		}
 		return *this;
 	}
-	/// What the parts are of from here on. Where tasks are given, this one is.
+	/// Sets the present movement. With tasks, its task becomes active.
 	Performance &aim(const PlannedMovement &movement, const HandPose &start) {
 		movement_ = movement;
 		start_ = start;
-		gesture_ = is_open() ? static_cast<int>(movement.gesture) : ask_for_task();
+		gesture_ = has_task() ? expect_task() : static_cast<int>(movement.gesture);
 		return *this;
 	}
 
@@ -85,41 +85,42 @@ public:
 	Performance &go_to(double part, double duration_s) {
 		return go(start_ + part * movement_.amplitude_m * movement_.direction, duration_s);
 	}
-	/// As fast as the movement is, but not much faster where it is short.
+	/// Duration in proportion to the movement's own, with a constant part for short distances.
 	Performance &go_to(double part) {
 		const double here = (plan_.pose() - start_).dot(movement_.direction) / movement_.amplitude_m;
 		return go_to(part, movement_.duration_s * (0.3 + 0.6 * std::abs(part - here)));
 	}
-	/// What the hand does from here until it arrives is a gesture.
-	Performance &set_out() {
-		set_out_s_ = now_s();
+	/// The motion from here to end_gesture() is a gesture.
+	Performance &begin_gesture() {
+		begin_s_ = now_s();
 		return *this;
 	}
-	Performance &arrive(const Leeway &leeway = {}) {
-		expected_.push_back({ gesture_, set_out_s_, now_s(), leeway });
+	Performance &end_gesture(const Leeway &leeway = {}) {
+		expected_.push_back({ gesture_, begin_s_, now_s(), leeway });
 		return *this;
 	}
 	Performance &make_gesture(double duration_s, const Leeway &leeway = {}) {
-		return set_out().go_to(1.0, duration_s).arrive(leeway);
+		return begin_gesture().go_to(1.0, duration_s).end_gesture(leeway);
 	}
-	/// Returns before long, rests, and makes a plain gesture, which must come as any first one does.
-	Performance &end_plainly(double rest_s = 0.5, bool return_may_be_one = false) {
-		rest(rest_s).set_out();
+	/// Returns to the start, rests, and makes a plain gesture, which must be recognised as usual.
+	Performance &add_plain_gesture(double rest_s = 0.5, bool return_is_optional_gesture = false) {
+		rest(rest_s).begin_gesture();
 		if (plan_.pose() != start_) {
 			go_to(0.0, 1.2 * movement_.duration_s);
-			if (return_may_be_one && is_open() && !models_[movement_.gesture]->other_axes.empty()) {
-				arrive({ .is_optional = true });
+			if (return_is_optional_gesture && !has_task() &&
+					!models_[movement_.gesture]->other_axes.empty()) {
+				end_gesture({ .is_optional = true });
 			}
 		}
 		rest(2.2).make_gesture(movement_.duration_s).rest(0.4);
 		return go_to(0.0, 1.1 * movement_.duration_s).rest(1.3);
 	}
 
-	[[nodiscard]] bool is_open() const { return context_ == Context::OPEN; }
+	[[nodiscard]] bool has_task() const { return context_ == Context::WITH_TASK; }
 	[[nodiscard]] double now_s() const { return plan_.end_s(); }
 	[[nodiscard]] const PlannedMovement &movement() const { return movement_; }
 	[[nodiscard]] const HandPose &start() const { return start_; }
-	/// As long as its gesture's model takes it to be where nothing is given.
+	/// The movement with the model's typical amplitude.
 	[[nodiscard]] PlannedMovement typical(PlannedMovement movement) const {
 		movement.amplitude_m = models_[movement.gesture]->typical_task.amplitude_m;
 		return movement;
@@ -130,7 +131,7 @@ public:
 	[[nodiscard]] Draws &draws() { return draws_; }
 	[[nodiscard]] HandPlan &plan() { return plan_; }
 	[[nodiscard]] const HandPlan &plan() const { return plan_; }
-	/// What the recogniser is asked for.
+	/// Gestures of the recogniser.
 	[[nodiscard]] const std::vector<ExpectedGesture> &gestures() const { return gestures_; }
 	[[nodiscard]] const std::vector<Expected> &expected() const { return expected_; }
 
@@ -142,12 +143,12 @@ private:
 	HandPose start_ = HandPose::Zero();
 	HandPlan plan_{ start_ };
 	int gesture_ = 0;
-	double set_out_s_ = 0.0;
+	double begin_s_ = 0.0;
 	std::vector<ExpectedGesture> gestures_;
 	std::vector<Expected> expected_;
 
-	/// Once, however often it is aimed at.
-	int ask_for_task() {
+	/// Adds the task of the present movement, unless it is there. Returns its index.
+	int expect_task() {
 		Task task;
 		task.amplitude_m = movement_.amplitude_m;
 		if (movement_.grows_circle()) {
@@ -169,7 +170,7 @@ private:
 
 struct HandKind {
 	const char *name;
-	MovementRange movements; ///< of which the seed takes one
+	MovementRange movements; ///< the seed selects one
 	void (*perform)(Performance &hand, Draws &draws);
 };
 

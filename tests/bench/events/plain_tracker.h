@@ -17,12 +17,12 @@ namespace steadyhand::bench {
 
 struct TrackerTraits {
 	double rate_hz = 90.0;
-	double phase = 0.0;        ///< of the first frame, in periods
-	double noise_m = 0.0;      ///< white, of each coordinate
-	double lag_s = 0.0;        ///< that its stamps do not tell of
-	double error_m = 0.0;      ///< deviation of a slow error, of each coordinate
-	double error_time_s = 0.7; ///< in which that is forgotten, to 1/e
-	double faults_per_s = 0.0; ///< gaps, freezes and jumps, of each as many
+	double phase = 0.0;        ///< time of the first frame, in periods
+	double noise_m = 0.0;      ///< standard deviation of white noise for each coordinate
+	double lag_s = 0.0;        ///< latency that the stamps do not include
+	double error_m = 0.0;      ///< standard deviation of drift for each coordinate
+	double error_time_s = 0.7; ///< time constant of the drift
+	double faults_per_s = 0.0; ///< rate of each: dropouts, freezes and jumps
 };
 
 enum class TrackerKind { GOOD, NOISY, BAD };
@@ -44,15 +44,14 @@ inline TrackerTraits tracker_traits(TrackerKind kind, std::uint64_t seed) {
 	return traits;
 }
 
-/// Shows a hand with white noise, a lag and an error that changes slowly, and misses, freezes or displaces it
-/// now and then.
+/// A simulated tracker with white noise, latency, drift, dropouts, freezes and jumps.
 class PlainTracker {
 public:
 	PlainTracker(const TrackerTraits &traits, std::uint64_t seed) :
 			traits_(traits), draws_(seed ^ 0x5eed), drift_m_(traits.error_m * draws_.normals()),
 			error_m_(drift_m_) {}
 
-	/// A tracker watches one hand.
+	/// Frames of a hand. Call it once.
 	[[nodiscard]] std::vector<HandFrame> watch(const HandPlan &hand) {
 		std::vector<HandFrame> frames;
 		for (int i = 0;; ++i) {
@@ -73,7 +72,7 @@ public:
 	}
 
 private:
-	static constexpr double RADIUS_SHARE = 0.12; ///< of the error: fingers err together
+	static constexpr double RADIUS_SHARE = 0.12; ///< drift of the radius, as a fraction of the position's
 	static constexpr double SMOOTHING_S = 0.06;
 	static constexpr double LEAST_RADIUS_M = 0.006;
 
@@ -81,7 +80,7 @@ private:
 	Draws draws_;
 	Eigen::Vector3d drift_m_;
 	double radius_drift_m_ = 0.0;
-	Eigen::Vector3d error_m_; ///< the drift, smoothed
+	Eigen::Vector3d error_m_; ///< smoothed drift
 	double radius_error_m_ = 0.0;
 	double gap_to_s_ = -1.0, freeze_to_s_ = -1.0, jump_to_s_ = -1.0;
 	Eigen::Vector3d jump_m_ = Eigen::Vector3d::Zero();

@@ -13,7 +13,7 @@
 
 namespace steadyhand::bench {
 
-// Hands that make gesture after gesture.
+// Hands that repeat gestures.
 
 inline Performance &make_strokes(Performance &hand, std::size_t count, double out_s, double end_rest_s,
 		double back_s, double start_rest_s, const Leeway &leeway = {}) {
@@ -48,9 +48,9 @@ inline void drag_without_rest(Performance &hand, Draws &draws) {
 inline void drag_there_and_back(Performance &hand, Draws &draws) {
 	const double out_s = draws.between(0.5, 1.0), back_s = draws.between(0.5, 1.0);
 	for (int i = 0; i < 4; ++i) {
-		hand.make_gesture(out_s).rest(1.6).set_out().go_to(0.0, back_s);
-		if (hand.is_open()) {
-			hand.arrive();
+		hand.make_gesture(out_s).rest(1.6).begin_gesture().go_to(0.0, back_s);
+		if (!hand.has_task()) {
+			hand.end_gesture();
 		}
 		hand.rest(1.6);
 	}
@@ -76,8 +76,8 @@ inline void make_five_different(Performance &hand, Draws &draws) {
 	home(3) = 0.016;
 	hand.begin_at(home).rest(1.3);
 	for (int i = 0; i < 5; ++i) {
-		const PlannedMovement drawn = draw_movement(ALL.draw(draws), Context::OPEN, draws);
-		const PlannedMovement movement = hand.is_open() ? drawn : hand.typical(drawn);
+		const PlannedMovement drawn = draw_movement(ALL.draw(draws), Context::WITHOUT_TASK, draws);
+		const PlannedMovement movement = hand.has_task() ? hand.typical(drawn) : drawn;
 		hand.aim(movement, home).make_gesture(movement.duration_s).rest(draws.between(0.3, 0.6));
 		hand.go_to(0.0, 1.1 * movement.duration_s).rest(1.5);
 	}

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "gesture_events.h"
 #include "performance.h"
-#include "said.h"
 
 #include <cstddef>
 #include <set>
@@ -10,14 +10,14 @@
 
 namespace steadyhand::bench {
 
-/// What was said against what was to be said. Before a tracker that lags, what is early or late, or aborted
-/// on its way, is no fault.
+/// Compares events with the expected gestures. With a lagging tracker, early ends, late ends and aborts are
+/// no faults.
 class Verdict {
 public:
-	Verdict(const std::vector<Expected> &expected, const std::vector<Said> &said, bool lags) :
-			expected_(expected), was_said_(expected.size(), false), lags_(lags) {
-		for (const Said &one : said) {
-			if (one.happening == Happening::ENDED) {
+	Verdict(const std::vector<Expected> &expected, const std::vector<GestureEvent> &events, bool lags) :
+			expected_(expected), was_found_(expected.size(), false), lags_(lags) {
+		for (const GestureEvent &one : events) {
+			if (one.kind == EventKind::ENDED) {
 				judge_end(one);
 			}
 		}
@@ -25,10 +25,10 @@ public:
 			if (expected_[i].leeway.is_optional) {
 				continue;
 			}
-			if (!was_said_[i]) {
+			if (!was_found_[i]) {
 				faults_.insert("missed");
 			} else if (!lags_) {
-				judge_way(expected_[i], said);
+				judge_aborts(expected_[i], events);
 			}
 		}
 	}
@@ -40,36 +40,36 @@ private:
 	static constexpr double MOST_LAG_S = 0.2;
 
 	const std::vector<Expected> &expected_;
-	std::vector<bool> was_said_;
+	std::vector<bool> was_found_;
 	bool lags_;
 	std::set<std::string> faults_;
 
-	/// Not before a quarter of its way.
+	/// Whether an end at t_s belongs to the gesture: not before a quarter of its duration.
 	[[nodiscard]] bool is_in_time(const Expected &expected, double t_s) const {
 		return t_s >= expected.from_s + 0.25 * (expected.to_s - expected.from_s) &&
 				t_s <= expected.to_s + expected.leeway.late_s + (lags_ ? MOST_LAG_S : 0.0);
 	}
 
-	void judge_end(const Said &end) {
-		bool is_another = false, is_said_again = false;
+	void judge_end(const GestureEvent &end) {
+		bool is_another = false, is_duplicate = false;
 		for (std::size_t i = 0; i < expected_.size(); ++i) {
 			if (!is_in_time(expected_[i], end.t_s)) {
 				continue;
 			}
 			if (expected_[i].gesture != end.gesture) {
 				is_another = true;
-			} else if (was_said_[i]) {
-				is_said_again = true;
+			} else if (was_found_[i]) {
+				is_duplicate = true;
 			} else {
-				was_said_[i] = true;
+				was_found_[i] = true;
 				judge_time(expected_[i], end.t_s);
 				return;
 			}
 		}
-		faults_.insert(is_said_again ? "twice" : is_another ? "wrong" : "extra");
+		faults_.insert(is_duplicate ? "twice" : is_another ? "wrong" : "extra");
 	}
 
-	/// In 0.58 of its duration a stroke goes two thirds of its way.
+	/// An end is early before 58 % of the duration, at two thirds of the amplitude.
 	void judge_time(const Expected &expected, double t_s) {
 		if (!lags_ && t_s < expected.to_s - 0.42 * (expected.to_s - expected.from_s) - 0.05) {
 			faults_.insert("early");
@@ -80,11 +80,11 @@ private:
 		}
 	}
 
-	void judge_way(const Expected &expected, const std::vector<Said> &said) {
-		for (const Said &one : said) {
-			if (one.happening == Happening::ABORTED && one.gesture == expected.gesture &&
+	void judge_aborts(const Expected &expected, const std::vector<GestureEvent> &events) {
+		for (const GestureEvent &one : events) {
+			if (one.kind == EventKind::ABORTED && one.gesture == expected.gesture &&
 					one.t_s > expected.from_s && one.t_s < expected.to_s) {
-				faults_.insert("aborted on its way");
+				faults_.insert("aborted during the gesture");
 			}
 		}
 	}

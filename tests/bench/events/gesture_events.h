@@ -10,21 +10,23 @@
 
 namespace steadyhand::bench {
 
-enum class Happening { STARTED, ENDED, ABORTED };
+enum class EventKind { STARTED, ENDED, ABORTED };
 
-struct Said {
-	Happening happening;
+/// An event of the recogniser.
+struct GestureEvent {
+	EventKind kind;
 	int gesture; ///< index into Performance::gestures()
 	double t_s;
 };
 
-/// Looked at each millisecond, as GestureHMM does. min_confidence: GestureRecogniser::set_min_confidence.
-inline std::vector<Said> follow(const std::vector<ExpectedGesture> &gestures,
+/// Events of the recogniser for these frames, checked each millisecond, as in GestureHMM. min_confidence:
+/// GestureRecogniser::set_min_confidence.
+inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gestures,
 		const std::vector<HandFrame> &frames, double length_s, double min_confidence,
 		MotionMode mode = MotionMode::PHASE) {
 	GestureRecogniser recogniser(gestures, mode, estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
 	recogniser.set_min_confidence(min_confidence);
-	std::vector<Said> said;
+	std::vector<GestureEvent> events;
 	GestureShown shown;
 	std::size_t next = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
@@ -34,18 +36,18 @@ inline std::vector<Said> follow(const std::vector<ExpectedGesture> &gestures,
 		}
 		recogniser.advance(t_s);
 		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews happened = news(before, shown);
-		if (happened.aborted) {
-			said.push_back({ Happening::ABORTED, before.gesture, t_s });
+		const GestureNews changes = news(before, shown);
+		if (changes.aborted) {
+			events.push_back({ EventKind::ABORTED, before.gesture, t_s });
 		}
-		if (happened.started) {
-			said.push_back({ Happening::STARTED, shown.gesture, t_s });
+		if (changes.started) {
+			events.push_back({ EventKind::STARTED, shown.gesture, t_s });
 		}
-		if (happened.ended) {
-			said.push_back({ Happening::ENDED, shown.gesture, t_s });
+		if (changes.ended) {
+			events.push_back({ EventKind::ENDED, shown.gesture, t_s });
 		}
 	}
-	return said;
+	return events;
 }
 
 } // namespace steadyhand::bench
