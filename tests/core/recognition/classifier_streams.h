@@ -16,14 +16,14 @@ inline GestureClassifier four_gestures() {
 	return { own_classifier(), FOUR_GESTURES };
 }
 
-/// An index tip that rests, goes to another place with minimum jerk, and rests there.
+/// An index tip that rests, makes a minimum-jerk movement, and rests.
 struct Reach {
 	Eigen::Vector3d from_m = Eigen::Vector3d(-0.1, 0.1, -0.3);
-	Eigen::Vector3d way_m = Eigen::Vector3d(0.2, 0.0, 0.0);
-	double start_s = 1.0; ///< from the first frame on
+	Eigen::Vector3d displacement_m = Eigen::Vector3d(0.2, 0.0, 0.0);
+	double start_s = 1.0; ///< onset after the first frame
 	double duration_s = 0.9, length_s = 3.0, rate_hz = 97.0;
-	/// Of the first frame. With the rate it keeps frames off the instants of the symbol clock and the ends of
-	/// windows, on either side of which rounding would put them.
+	/// Time of the first frame. With this time and rate no frame coincides with an instant of the symbol
+	/// clock or the end of a window, where rounding would decide the order.
 	double clock_s = 0.003;
 };
 
@@ -33,8 +33,8 @@ inline std::vector<HandFrame> frames_of(const Reach &reach) {
 		const double t_s = i / reach.rate_hz;
 		HandFrame frame;
 		frame.t_s = reach.clock_s + t_s;
-		const double way = minimum_jerk((t_s - reach.start_s) / reach.duration_s).value;
-		frame.set(Joint::INDEX, reach.from_m + way * reach.way_m);
+		const double path = minimum_jerk((t_s - reach.start_s) / reach.duration_s).value;
+		frame.set(Joint::INDEX, reach.from_m + path * reach.displacement_m);
 		frames.push_back(frame);
 	}
 	return frames;

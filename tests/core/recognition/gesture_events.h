@@ -43,10 +43,11 @@ inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 	return all;
 }
 
-/// Released at 50 /s from 0.2 m, critically damped, a value comes to 0.2 * 50 / e m a second.
+/// Peak change in a millisecond of a value that decays critically damped at 50 /s from 0.2 m: 0.2 * 50 / e
+/// m/s.
 inline constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 
-/// When the drag has gone this share of its amplitude, to the millisecond.
+/// Time at which the drag reaches this fraction of its amplitude, to the millisecond.
 inline double reaches_s(const Drag &drag, double share) {
 	double t_s = drag.onset_s;
 	while (drag.x_m(t_s) < share * drag.amplitude_m) {
@@ -55,12 +56,12 @@ inline double reaches_s(const Drag &drag, double share) {
 	return t_s;
 }
 
-/// Of the gesture that is shown.
+/// Stage of the shown gesture.
 inline GestureSession::Stage stage(const GestureRecogniser &recogniser) {
 	return recogniser.session() != nullptr ? recogniser.session()->stage() : GestureSession::Stage::IDLE;
 }
 
-/// Counts how often a recogniser comes into a stage.
+/// Counts how often a recogniser enters a stage.
 class StageEntries {
 public:
 	explicit StageEntries(GestureSession::Stage counted) : counted_(counted) {}
@@ -77,17 +78,17 @@ private:
 };
 
 struct Events {
-	std::vector<std::string> said; ///< "started sideways" and so on
-	double largest_step = 0.0;     ///< of the synthesised value between instants 1 ms apart, m
-	double last_confidence = 0.0;  ///< when the last gesture ended
-	double last_value_m = 0.0;     ///< synthesised
-	double first_shown_s = 1e9;    ///< when a gesture was first under way
-	double last_ended_s = 0.0;     ///< when the last gesture ended
+	std::vector<std::string> names; ///< such as "started sideways"
+	double largest_step = 0.0;      ///< largest change of the synthesised value in 1 ms, m
+	double last_confidence = 0.0;   ///< at the last end
+	double last_value_m = 0.0;      ///< synthesised value at the end of the run
+	double first_shown_s = 1e9;     ///< time at which a gesture first was active
+	double last_ended_s = 0.0;      ///< time of the last end
 };
 
-using Way = std::function<Eigen::Vector3d(double t_s)>;
+using TestPath = std::function<Eigen::Vector3d(double t_s)>;
 
-/// White noise in each direction.
+/// White noise on each axis.
 class Tremor {
 public:
 	Tremor(double deviation_m, unsigned seed) : deviation_m_(deviation_m), random_(seed) {}
@@ -102,9 +103,9 @@ private:
 	std::normal_distribution<double> noise_;
 };
 
-/// As a tracker shows it that holds its last pose between the two times; 0 before the first one. What is held
-/// is not asked for.
-inline Way held(const Way &seen, double from_s, double to_s) {
+/// The path with a freeze from from_s to to_s. Without an earlier pose it is at 0. During the freeze `seen`
+/// is not called.
+inline TestPath held(const TestPath &seen, double from_s, double to_s) {
 	return [=, shown_m = Eigen::Vector3d(Eigen::Vector3d::Zero())](double t_s) mutable {
 		if (t_s < from_s || t_s >= to_s) {
 			shown_m = seen(t_s);
@@ -113,22 +114,22 @@ inline Way held(const Way &seen, double from_s, double to_s) {
 	};
 }
 
-/// As a tracker shows it that is off by off_m between the two times.
-inline Way jumped(const Way &seen, double from_s, double to_s, const Eigen::Vector3d &off_m) {
+/// The path with a jump by off_m from from_s to to_s.
+inline TestPath jumped(const TestPath &seen, double from_s, double to_s, const Eigen::Vector3d &off_m) {
 	return [=](double t_s) {
 		const bool is_off = t_s >= from_s && t_s < to_s;
 		return Eigen::Vector3d(seen(t_s) + (is_off ? 1.0 : 0.0) * off_m);
 	};
 }
 
-/// To multiples of grid_m; 0: as it is.
+/// The position rounded to multiples of grid_m; 0: not rounded.
 inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
 	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;
 }
 
-/// The hand's way as a tracker sees it; nothing between lost_from_s and lost_to_s.
-inline Events watch(GestureRecogniser &recogniser, const Way &way, double length_s, double lost_from_s = 1e9,
-		double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
+/// Events of the recogniser for a hand and a tracker with a dropout from lost_from_s to lost_to_s.
+inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double length_s,
+		double lost_from_s = 1e9, double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
 	Events events;
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> noise;
@@ -148,28 +149,28 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 			frame.t_s = frame_s;
 			const double z_m = noise(random), y_m = noise(random), x_m = noise(random);
 			const Eigen::Vector3d trembling(x_m, y_m, z_m);
-			frame.set(Joint::INDEX, way(frame_s) + noise_m * trembling);
+			frame.set(Joint::INDEX, path(frame_s) + noise_m * trembling);
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
 		const GestureShown now = shown_by(recogniser);
 		const std::string left =
 				std::exchange(name, now.gesture < 0 ? "" : recogniser.session()->model().gesture);
-		// A way may call expect(), which changes indices.
+		// A path may call expect(), which changes indices.
 		const GestureSession *before = std::exchange(session, recogniser.session());
 		shown.gesture = before == session ? now.gesture : shown.gesture;
-		const GestureNews happened = news(std::exchange(shown, now), now);
-		if (happened.aborted) {
-			events.said.push_back("aborted " + left);
+		const GestureNews changes = news(std::exchange(shown, now), now);
+		if (changes.aborted) {
+			events.names.push_back("aborted " + left);
 		}
 		if (shown.gesture >= 0) {
 			events.first_shown_s = std::min(events.first_shown_s, t_s);
 		}
-		if (happened.started) {
-			events.said.push_back("started " + name);
+		if (changes.started) {
+			events.names.push_back("started " + name);
 		}
-		if (happened.ended) {
-			events.said.push_back("ended " + name);
+		if (changes.ended) {
+			events.names.push_back("ended " + name);
 			events.last_confidence = recogniser.confidence();
 			events.last_ended_s = t_s;
 		}
@@ -181,52 +182,54 @@ inline Events watch(GestureRecogniser &recogniser, const Way &way, double length
 	return events;
 }
 
-inline Events in_the_open(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+inline Events watch_without_task(
+		const TestPath &path, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
 	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
-	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+	return watch(recogniser, path, length_s, lost_from_s, lost_to_s);
 }
 
-inline Events in_a_task(const Way &way, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
+inline Events watch_with_task(
+		const TestPath &path, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
-	return watch(recogniser, way, length_s, lost_from_s, lost_to_s);
+	return watch(recogniser, path, length_s, lost_from_s, lost_to_s);
 }
 
-inline Way along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
+inline TestPath along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
 	return [=](double t_s) { return Eigen::Vector3d(x_m(strokes, t_s) * axis); };
 }
 
 inline std::vector<std::string> times(int n, const std::string &gesture) {
-	std::vector<std::string> said;
+	std::vector<std::string> names;
 	for (int i = 0; i < n; ++i) {
-		said.push_back("started " + gesture);
-		said.push_back("ended " + gesture);
+		names.push_back("started " + gesture);
+		names.push_back("ended " + gesture);
 	}
-	return said;
+	return names;
 }
 
 inline std::vector<std::string> started_and_aborted(const std::string &gesture) {
 	return { "started " + gesture, "aborted " + gesture };
 }
 
-inline std::ptrdiff_t count(const Events &events, std::string_view said) {
+inline std::ptrdiff_t count(const Events &events, std::string_view names) {
 	return std::ranges::count_if(
-			events.said, [said](const std::string &one) { return one.starts_with(said); });
+			events.names, [names](const std::string &one) { return one.starts_with(names); });
 }
 
 inline std::ptrdiff_t ends(const Events &events) {
 	return count(events, "ended");
 }
 
-inline bool none_ends(const Events &events) {
+inline bool has_no_end(const Events &events) {
 	return ends(events) == 0;
 }
 
 } // namespace steadyhand::test
 
 template <> struct doctest::StringMaker<std::vector<std::string>> {
-	static String convert(const std::vector<std::string> &said) {
+	static String convert(const std::vector<std::string> &names) {
 		std::string all;
-		for (const std::string &one : said) {
+		for (const std::string &one : names) {
 			all += (all.empty() ? "" : ", ") + one;
 		}
 		return { ("{ " + all + " }").c_str() };

@@ -1,4 +1,4 @@
-// A whole circle around a task's place, by the feature index_along_circle.
+// A whole circle with a task, by the feature index_along_circle.
 
 #include "gesture/trainer.h"
 #include "gesture_events.h"
@@ -21,7 +21,7 @@ constexpr std::array MODES{ MotionMode::PHASE, MotionMode::PAPER };
 
 const Task TASK{ { 0.0, RADIUS_M, 0.0 }, { -1.0, 0.0, 0.0 }, ROUND_M };
 
-/// From the circle's top, counterclockwise.
+/// Point at an arc length from the circle's top, counterclockwise.
 Eigen::Vector3d on_circle(double arc_m) {
 	const double angle_rad = arc_m / RADIUS_M;
 	return { -RADIUS_M * std::sin(angle_rad), RADIUS_M * std::cos(angle_rad), 0.0 };
@@ -52,9 +52,9 @@ const std::shared_ptr<const GestureModel> &circle() {
 	return model;
 }
 
-std::vector<std::string> said(const Way &hand, const std::optional<Task> &task = TASK) {
+std::vector<std::string> event_names(const TestPath &hand, const std::optional<Task> &task = TASK) {
 	GestureRecogniser recogniser({ circle() }, task, MotionMode::PHASE);
-	return watch(recogniser, hand, 2.5).said;
+	return watch(recogniser, hand, 2.5).names;
 }
 
 } // namespace
@@ -98,7 +98,7 @@ TEST_CASE("three rounds with a rest between them are three circles") {
 }
 
 TEST_CASE("a circle without a task starts nothing") {
-	CHECK(said([](double t_s) { return on_circle(ROUND.x_m(t_s)); }, std::nullopt).empty());
+	CHECK(event_names([](double t_s) { return on_circle(ROUND.x_m(t_s)); }, std::nullopt).empty());
 }
 
 TEST_CASE("a circle of twice or half the radius, off its plane, ends") {
@@ -112,29 +112,29 @@ TEST_CASE("a circle of twice or half the radius, off its plane, ends") {
 			const Eigen::Vector3d on_m = on_circle(ROUND.x_m(t_s));
 			return Eigen::Vector3d(width * on_m.x(), height * on_m.y(), nearer_m);
 		};
-		CHECK(said(hand) == times(1, "circle"));
+		CHECK(event_names(hand) == times(1, "circle"));
 	}
 }
 
 TEST_CASE("a hand that moves beside a circle's task starts nothing") {
-	// Upwards on its right side, and to the left above it, is counterclockwise.
+	// Motion up on the right side, and to the left above the circle, is counterclockwise.
 	for (const auto &[from_m, axis] : { std::pair{ Eigen::Vector3d(0.22, -0.1, 0.0), Y },
 				 std::pair{ Eigen::Vector3d(0.1, 0.22, 0.0), Eigen::Vector3d(-X) },
 				 std::pair{ Eigen::Vector3d(0.02, RADIUS_M, 0.2), Eigen::Vector3d(-X) } }) {
 		CAPTURE(from_m.transpose());
-		const Way there_and_back = along(axis, { { 0.6, 0.8, 0.2 }, { 1.6, 0.8, -0.2 } });
-		CHECK(said([&](double t_s) { return Eigen::Vector3d(from_m + there_and_back(t_s)); }).empty());
+		const TestPath there_and_back = along(axis, { { 0.6, 0.8, 0.2 }, { 1.6, 0.8, -0.2 } });
+		CHECK(event_names([&](double t_s) { return Eigen::Vector3d(from_m + there_and_back(t_s)); }).empty());
 	}
 }
 
-TEST_CASE("a hand that leaves a circle half-way aborts it") {
+TEST_CASE("a hand that leaves the circle at 40 % aborts the gesture") {
 	GestureRecogniser recogniser({ ExpectedGesture{ circle(), TASK } });
 	const Drag part{ .onset_s = 0.5, .duration_s = 0.7, .amplitude_m = 0.4 * ROUND_M },
 			leaves{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = 0.4 };
 	const auto hand = [&](double t_s) {
 		return Eigen::Vector3d(on_circle(part.x_m(t_s)) - leaves.x_m(t_s) * X);
 	};
-	CHECK(watch(recogniser, hand, 2.5).said ==
+	CHECK(watch(recogniser, hand, 2.5).names ==
 			std::vector<std::string>{ "started circle", "aborted circle" });
 	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).progress) < 1e-9);
 }

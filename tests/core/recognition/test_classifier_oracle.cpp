@@ -14,9 +14,9 @@ using namespace steadyhand::test;
 namespace {
 
 constexpr double EVIDENCE = 0.5, ONSET_PRIOR = 0.01;
-constexpr int ONSET_STEP = 5; // symbols, as GestureClassifier's
+constexpr int ONSET_STEP = 5; // symbols; equal to GestureClassifier's
 
-/// Two gestures of three states over the codebook of the real one, and two states of other motion.
+/// Two gestures of three states and two states of other motion, over the codebook of the add-on.
 std::shared_ptr<const ClassifierModel> small_model() {
 	std::mt19937_64 random(5);
 	ClassifierModel model;
@@ -35,7 +35,7 @@ std::shared_ptr<const ClassifierModel> small_model() {
 	return std::make_shared<const ClassifierModel>(model);
 }
 
-/// The filler, written as an HMM.
+/// The filler as an HMM.
 DiscreteHmm filler_hmm(const ClassifierModel &model) {
 	const FillerModel filler = filler_of(model, EVIDENCE);
 	const Eigen::Index n = filler.stay.size();
@@ -45,7 +45,8 @@ DiscreteHmm filler_hmm(const ClassifierModel &model) {
 		filler.b.leftCols(filler.b.cols() - 1).array().log() };
 }
 
-/// log P(symbols, last state), by all paths where there are few of them, else by the recursion in logarithms.
+/// log P(symbols), and P(last state | symbols). Enumerates all paths of short sequences; otherwise uses the
+/// recursion in logarithms.
 struct Likelihood {
 	double log_all = 0.0, last_share = 0.0;
 };
@@ -67,7 +68,7 @@ Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) 
 	return { static_cast<double>(all), static_cast<double>(std::exp(alpha(hmm.states() - 1) - all)) };
 }
 
-/// The hand as it is seen at each instant of the symbol clock.
+/// Motion of the hand at each frame.
 std::vector<HandMotion> motions_of(const std::vector<HandFrame> &frames) {
 	std::vector<HandMotion> motions;
 	HandMotionWindow window;
@@ -78,18 +79,19 @@ std::vector<HandMotion> motions_of(const std::vector<HandFrame> &frames) {
 	return motions;
 }
 
-/// Of a density exp(-(off / width)^6) over the plane, against 1 / (4 pi).
-double direction_ratio(const Eigen::Vector3d &way_m, const Eigen::Vector3d &axis) {
-	if (way_m.isZero(0.0)) {
+/// Ratio of a direction density, exp(-(off / width)^6) over the plane, to 1 / (4 pi).
+double direction_ratio(const Eigen::Vector3d &displacement_m, const Eigen::Vector3d &axis) {
+	if (displacement_m.isZero(0.0)) {
 		return 1.0;
 	}
-	const double width = std::hypot(0.42, 0.005 / way_m.norm());
-	const double off = (way_m.normalized() - axis).norm();
+	const double width = std::hypot(0.42, 0.005 / displacement_m.norm());
+	const double off = (displacement_m.normalized() - axis).norm();
 	const double at_axis = std::max(12.0 / (width * width * std::tgamma(1.0 / 3.0)), 1.0);
 	return at_axis * std::exp(-std::pow(off / width, 6.0));
 }
 
-/// Sum over all segmentations: the filler up to an onset, and a gesture from there to the newest instant.
+/// Posterior by the sum over all segmentations: filler up to an onset, then a gesture up to the newest
+/// instant.
 double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
 		std::size_t newest) {
 	const DiscreteHmm filler = filler_hmm(model);
@@ -101,17 +103,18 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 			symbols.push_back(model.codebook.symbol(observer.observe(motions[i])));
 		}
 		const double log_filler = likelihood_of(filler, symbols).log_all;
-		const Eigen::Vector3d way_m = motions[newest].tip_m - motions[onset].tip_m;
+		const Eigen::Vector3d displacement_m = motions[newest].tip_m - motions[onset].tip_m;
 		for (std::size_t g = 0; g < weights.size(); ++g) {
 			const DirectedHmm &own = model.gestures[g];
 			DiscreteHmm hmm = own.hmm;
 			hmm.log_b *= EVIDENCE;
 			const Likelihood likelihood = likelihood_of(hmm, symbols);
-			const double off = std::log(std::max(way_m.norm(), 1e-6) / own.reach_m) / own.reach_deviation;
+			const double off =
+					std::log(std::max(displacement_m.norm(), 1e-6) / own.reach_m) / own.reach_deviation;
 			const double reach = 4.605 * std::exp(-0.5 * off * off) /
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
 			weights[g] += ONSET_PRIOR * std::exp(likelihood.log_all - log_filler) *
-					(1.0 + likelihood.last_share * (reach - 1.0)) * direction_ratio(way_m, own.axis);
+					(1.0 + likelihood.last_share * (reach - 1.0)) * direction_ratio(displacement_m, own.axis);
 		}
 	}
 	return weights[gesture] / (1.0 + weights[0] + weights[1]);
@@ -124,7 +127,7 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 	options.onset_prior = ONSET_PRIOR;
 	options.rest_m = 1e9; // any instant may be an onset
 	GestureClassifier classifier(model, { "horizontal_drag", "vertical_drag" }, options);
-	// Short enough for no onset to be dropped. Frames between the instants: the clock sees each once.
+	// So short that no onset is dropped. Each frame is between two instants, so the clock uses each once.
 	const Reach reach{
 		.start_s = 0.05, .duration_s = 0.5, .length_s = 0.7, .rate_hz = 100.0, .clock_s = 0.995
 	};
@@ -132,7 +135,7 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 	const std::vector<HandMotion> motions = motions_of(frames);
 	for (std::size_t i = 0; i < frames.size(); ++i) {
 		classifier.push(frames[i]);
-		// An instant is taken once a frame after it has come.
+		// An instant is processed at the next frame.
 		if (i == 0 || (i % 7 != 0 && i > 12)) {
 			continue;
 		}

@@ -1,4 +1,4 @@
-// expect(): gestures and tasks that come and go while the hand moves.
+// expect() while the hand moves: gestures and tasks are added and removed.
 
 #include "gesture_events.h"
 #include "near.h"
@@ -27,8 +27,8 @@ struct Change {
 
 struct Run {
 	std::vector<double> values_m;
-	std::vector<std::string> said;
-	std::vector<int> now; ///< what the last expect() returned
+	std::vector<std::string> names;
+	std::vector<int> now; ///< result of the last expect()
 };
 
 Run run(const Expected &first, const std::vector<Change> &changes, double length_s = 2.5,
@@ -36,20 +36,20 @@ Run run(const Expected &first, const std::vector<Change> &changes, double length
 	GestureRecogniser recogniser(first);
 	Run run;
 	std::size_t changed = 0;
-	const Way way = [&](double t_s) {
+	const TestPath path = [&](double t_s) {
 		run.values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
 		if (changed < changes.size() && t_s > changes[changed].t_s) {
 			run.now = recogniser.expect(changes[changed++].expected);
 		}
 		return Eigen::Vector3d(x_m(strokes, t_s) * X);
 	};
-	run.said = watch(recogniser, way, length_s).said;
+	run.names = watch(recogniser, path, length_s).names;
 	return run;
 }
 
 } // namespace
 
-TEST_CASE("another gesture that comes or goes changes no bit of the motion") {
+TEST_CASE("adding or removing another gesture changes no bit of the motion") {
 	for (const std::optional<Task> &here : CONTEXTS) {
 		const ExpectedGesture own = drag_at(here);
 		const ExpectedGesture other = here ? drag_at(THERE) : ExpectedGesture{ models()[2], std::nullopt };
@@ -62,15 +62,15 @@ TEST_CASE("another gesture that comes or goes changes no bit of the motion") {
 			const Run changed = run(first, { { HALF_WAY_S, then } });
 			CHECK(changed.values_m == alone);
 			CHECK(changed.now == now);
-			CHECK(changed.said == times(1, "sideways"));
+			CHECK(changed.names == times(1, "sideways"));
 		}
 	}
 }
 
-TEST_CASE("an active gesture that is expected no longer aborts") {
+TEST_CASE("an active gesture that expect() removes aborts") {
 	const Run gone = run({ drag_at(HERE) }, { { HALF_WAY_S, { drag_at(THERE) } } });
 	CHECK(gone.now == std::vector{ -1 });
-	CHECK(gone.said == std::vector<std::string>{ "started sideways", "aborted sideways" });
+	CHECK(gone.names == std::vector<std::string>{ "started sideways", "aborted sideways" });
 	const Run none = run({ drag_at(HERE) }, { { HALF_WAY_S, {} } });
 	CHECK(none.now == std::vector{ -1 });
 	CHECK(none.values_m.back() == 0.0);
@@ -83,31 +83,31 @@ TEST_CASE("a task expected before the onset is followed as if expected always") 
 	CHECK(later.values_m.back() == near(always.values_m.back()).epsilon(0.01));
 }
 
-TEST_CASE("a movement that has ended makes no gesture expected after it") {
+TEST_CASE("gestures expected after a movement's end do not end by it") {
 	const ExpectedGesture drag = drag_at(HERE), free_drag = drag_at(std::nullopt);
 	const std::vector<std::string> once = times(1, "sideways");
 	for (const double after_s : { 0.0, 0.5 }) {
 		CAPTURE(after_s);
-		const double changed_s = 0.6 + 1.0 + after_s; // the hand is at the end, and stays there
-		CHECK_MESSAGE(run({ drag }, { { changed_s, { free_drag } } }).said == once, "its task is gone");
-		CHECK_MESSAGE(run({ free_drag }, { { changed_s, { drag } } }).said == once, "its task has come");
-		CHECK_MESSAGE(run({ drag }, { { changed_s, { drag_at(THERE) } } }).said == once, "it is elsewhere");
+		const double changed_s = 0.6 + 1.0 + after_s; // the hand rests at the end
+		CHECK_MESSAGE(run({ drag }, { { changed_s, { free_drag } } }).names == once, "task removed");
+		CHECK_MESSAGE(run({ free_drag }, { { changed_s, { drag } } }).names == once, "task added");
+		CHECK_MESSAGE(run({ drag }, { { changed_s, { drag_at(THERE) } } }).names == once, "another task");
 	}
 	const Run off_and_on = run({ drag }, { { 1.7, {} }, { 2.0, { drag } } }, 6.0,
 			{ DRAG, { 2.5, 0.6, -0.2 }, { 4.0, 1.0, 0.2 } });
-	CHECK_MESSAGE(off_and_on.said == times(2, "sideways"), "the next movement counts again");
+	CHECK_MESSAGE(off_and_on.names == times(2, "sideways"), "the next movement counts again");
 }
 
-TEST_CASE("an active movement ends none of the gestures expected during it") {
+TEST_CASE("gestures expected during a movement do not end by it") {
 	const Task near_by{ 0.01 * X, X, 0.2 }, beside{ 0.01 * Y, X, 0.2 },
 			longer{ Eigen::Vector3d::Zero(), X, 0.25 };
 	for (const std::optional<Task> &here : CONTEXTS) {
 		const ExpectedGesture own = drag_at(here);
 		for (const std::optional<Task> &other :
 				std::vector<std::optional<Task>>{ here, near_by, beside, longer }) {
-			for (const double changed_s : { 0.9, 1.3 }) { // from a fifth of the amplitude on
+			for (const double changed_s : { 0.9, 1.3 }) { // beyond a fifth of the amplitude
 				CAPTURE(changed_s);
-				CHECK(run({ own }, { { changed_s, { own, drag_at(other) } } }).said == times(1, "sideways"));
+				CHECK(run({ own }, { { changed_s, { own, drag_at(other) } } }).names == times(1, "sideways"));
 			}
 		}
 	}
@@ -117,5 +117,5 @@ TEST_CASE("a gesture expected during another one counts with the next movement")
 	const ExpectedGesture here = drag_at(HERE), ahead = drag_at(AHEAD);
 	CHECK(run({ here }, { { HALF_WAY_S, { here, ahead } }, { 2.0, { ahead } } }, 6.0,
 				  { DRAG, { 2.5, 0.6, -0.1 }, { 4.0, 1.0, 0.2 } })
-					.said == times(2, "sideways"));
+					.names == times(2, "sideways"));
 }

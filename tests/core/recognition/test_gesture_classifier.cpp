@@ -11,7 +11,7 @@ namespace {
 
 using News = GestureSpotter::News;
 
-/// A gesture that begins and ends once, and nothing else.
+/// Checks that a gesture begins and ends once, and that there is no other event.
 void check_one(const std::vector<Spotted> &spotted, const std::string &gesture) {
 	REQUIRE(spotted.size() == 2);
 	CHECK(spotted[0].news == News::BEGUN);
@@ -20,7 +20,7 @@ void check_one(const std::vector<Spotted> &spotted, const std::string &gesture) 
 	CHECK(spotted[1].gesture == gesture);
 }
 
-TEST_CASE("a drag sideways begins on its way and ends where the hand has stopped") {
+TEST_CASE("a horizontal drag begins during the movement and ends within 0.2 s") {
 	const Reach reach;
 	const std::vector<Spotted> spotted = spot(frames_of(reach));
 	check_one(spotted, "horizontal_drag");
@@ -29,35 +29,36 @@ TEST_CASE("a drag sideways begins on its way and ends where the hand has stopped
 	CHECK(std::abs(spotted[1].t_s - (reach.start_s + reach.duration_s)) < 0.2);
 	const GestureCandidate &candidate = spotted[1].candidate;
 	CHECK((candidate.start_m - reach.from_m).norm() < 0.005);
-	CHECK(candidate.axis.dot(reach.way_m.normalized()) > 0.999);
+	CHECK(candidate.axis.dot(reach.displacement_m.normalized()) > 0.999);
 	CHECK(candidate.onset_s < reach.start_s + 0.15);
 }
 
-TEST_CASE("each direction of the models is told from the others") {
+TEST_CASE("drags in four directions are recognised as their gestures") {
 	struct Expected {
-		Eigen::Vector3d way_m;
+		Eigen::Vector3d displacement_m;
 		double duration_s;
 		std::string gesture;
 	};
-	for (const auto &[way_m, duration_s, gesture] : { Expected{ { 0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
-				 Expected{ { -0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
-				 Expected{ { 0.0, 0.2, 0.0 }, 0.9, "vertical_drag" },
-				 Expected{ { 0.0, -0.2, 0.0 }, 1.2, "vertical_drag" } }) {
-		check_one(spot(frames_of({ .way_m = way_m, .duration_s = duration_s })), gesture);
+	for (const auto &[displacement_m, duration_s, gesture] :
+			{ Expected{ { 0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
+					Expected{ { -0.2, 0.0, 0.0 }, 0.9, "horizontal_drag" },
+					Expected{ { 0.0, 0.2, 0.0 }, 0.9, "vertical_drag" },
+					Expected{ { 0.0, -0.2, 0.0 }, 1.2, "vertical_drag" } }) {
+		check_one(spot(frames_of({ .displacement_m = displacement_m, .duration_s = duration_s })), gesture);
 	}
 }
 
-TEST_CASE("a hand that goes between two axes makes no gesture") {
-	CHECK(spot(frames_of({ .way_m = { 0.14, 0.14, 0.0 } })).empty());
-	CHECK(spot(frames_of({ .way_m = { 0.0, 0.0, 0.2 } })).empty()); // towards the user
+TEST_CASE("a movement between two axes is no gesture") {
+	CHECK(spot(frames_of({ .displacement_m = { 0.14, 0.14, 0.0 } })).empty());
+	CHECK(spot(frames_of({ .displacement_m = { 0.0, 0.0, 0.2 } })).empty()); // towards the user
 }
 
-TEST_CASE("a hand that goes a third of the way and stops ends no gesture") {
-	CHECK(std::ranges::count(spot(frames_of({ .way_m = { 0.07, 0.0, 0.0 } })), News::ENDED, &Spotted::news) ==
-			0);
+TEST_CASE("a movement of a third of the amplitude ends no gesture") {
+	CHECK(std::ranges::count(spot(frames_of({ .displacement_m = { 0.07, 0.0, 0.0 } })), News::ENDED,
+				  &Spotted::news) == 0);
 }
 
-TEST_CASE("a gesture elsewhere and at another hour gives the same answers") {
+TEST_CASE("position and time of a gesture do not change the result") {
 	const std::vector<Spotted> here = spot(frames_of({}));
 	const double hours_s = 3.0 * 3600.0; // whole periods of the symbol clock
 	const Reach elsewhere{ .from_m = { 1.15, -0.7, 1.95 }, .clock_s = hours_s + 0.003 };
@@ -71,7 +72,7 @@ TEST_CASE("a gesture elsewhere and at another hour gives the same answers") {
 	}
 }
 
-TEST_CASE("sensors of 30 to 240 Hz find the same drag within 0.1 s of each other") {
+TEST_CASE("sensors of 30 to 240 Hz end a drag within 0.1 s") {
 	const std::vector<Spotted> usual_rate = spot(frames_of({}));
 	for (const double rate_hz : { 30.0, 60.0, 90.0, 240.0 }) {
 		const std::vector<Spotted> spotted = spot(frames_of({ .rate_hz = rate_hz }));
@@ -87,7 +88,7 @@ bool is_same(const GestureCandidate &one, const GestureCandidate &other) {
 			one.end_probability == other.end_probability;
 }
 
-TEST_CASE("what is found depends on earlier frames alone, to the last bit") {
+TEST_CASE("later frames change no bit of a candidate") {
 	std::vector<HandFrame> frames = frames_of({}), others = frames;
 	const std::size_t cut = 160;
 	for (std::size_t i = cut; i < others.size(); ++i) {
@@ -103,9 +104,9 @@ TEST_CASE("what is found depends on earlier frames alone, to the last bit") {
 	}
 }
 
-TEST_CASE("a classifier that was reset is as a new one, to the last bit") {
+TEST_CASE("a reset classifier gives the same bits as a new one") {
 	GestureClassifier used = four_gestures();
-	for (const HandFrame &frame : frames_of({ .way_m = { 0.0, 0.2, 0.0 } })) {
+	for (const HandFrame &frame : frames_of({ .displacement_m = { 0.0, 0.2, 0.0 } })) {
 		used.push(frame);
 	}
 	used.reset();
@@ -119,7 +120,7 @@ TEST_CASE("a classifier that was reset is as a new one, to the last bit") {
 	}
 }
 
-TEST_CASE("ten minutes of rest before a drag change nothing" * doctest::test_suite("figures")) {
+TEST_CASE("ten minutes of rest before a drag do not change it" * doctest::test_suite("figures")) {
 	const std::vector<Spotted> early = spot(frames_of({}));
 	const std::vector<Spotted> spotted = spot(frames_of({ .start_s = 601.0, .length_s = 603.0 }));
 	check_one(spotted, "horizontal_drag");
@@ -143,15 +144,16 @@ TEST_CASE("posteriors of gestures and filler add up to 1 at every instant") {
 	}
 }
 
-TEST_CASE("clocks that stand still, go back or leap an hour do no harm") {
+TEST_CASE("a gesture is found after equal, earlier and much later stamps") {
 	GestureSpotter spotter(four_gestures());
 	spot(spotter, frames_of({}));
-	spot(spotter, frames_of({})); // all of it passed over
+	spot(spotter, frames_of({})); // all of these are ignored
 	check_one(spot(spotter, frames_of({ .clock_s = 3600.0 })), "horizontal_drag");
 }
 
-TEST_CASE("a hand that goes back at once makes no second gesture") {
-	const Reach there, back{ there.from_m + there.way_m, -there.way_m, 0.2, 0.9, 3.0, 97.0, 2.503 };
+TEST_CASE("an immediate return is no second gesture") {
+	const Reach there,
+			back{ there.from_m + there.displacement_m, -there.displacement_m, 0.2, 0.9, 3.0, 97.0, 2.503 };
 	GestureSpotter spotter(four_gestures());
 	std::vector<HandFrame> frames = frames_of({ .length_s = 2.5 });
 	std::ranges::copy(frames_of(back), std::back_inserter(frames));
@@ -159,7 +161,7 @@ TEST_CASE("a hand that goes back at once makes no second gesture") {
 	check_one(spot(spotter, frames_of({ .clock_s = 10.0 })), "horizontal_drag");
 }
 
-TEST_CASE("other gestures that are expected midway change nothing for the one under way") {
+TEST_CASE("expect() during a gesture does not change its end") {
 	const std::vector<HandFrame> frames = frames_of({});
 	const std::vector<Spotted> plain = spot(frames);
 	GestureSpotter spotter(GestureClassifier(own_classifier(), { "tap", "horizontal_drag" }));
@@ -176,7 +178,7 @@ TEST_CASE("other gestures that are expected midway change nothing for the one un
 	CHECK(spot(spotter, frames_of({ .clock_s = 5.0 })).empty());
 }
 
-TEST_CASE("frames without an index tip, and hands a mile away, find nothing and fail at nothing") {
+TEST_CASE("missing index tips and coordinates of 1e9 m keep posteriors finite") {
 	GestureClassifier classifier = four_gestures();
 	for (int i = 0; i < 300; ++i) {
 		HandFrame frame;

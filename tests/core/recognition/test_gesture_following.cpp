@@ -1,4 +1,4 @@
-// The motion that is put out of drags with a task, in either mode.
+// Output motion of drags with a task, in both modes.
 
 #include "gesture_events.h"
 #include "near.h"
@@ -34,7 +34,7 @@ Row row_of(const GestureRecogniser &hmm) {
 	return row;
 }
 
-/// A row each `step_ms` up to end_s.
+/// A row every step_ms up to end_s.
 std::vector<Row> play(MotionMode mode, const Track &track, double end_s, int step_ms = 1,
 		const std::optional<Task> &task = Task{}) {
 	GestureRecogniser hmm = recogniser(mode, task);
@@ -51,7 +51,7 @@ std::vector<Row> play(MotionMode mode, const Track &track, double end_s, int ste
 	return rows;
 }
 
-/// With noise of 3 mm and a dropout.
+/// A drag with noise of 3 mm and a dropout.
 Track shaky_drag() {
 	Track track = drag_track({ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 }, 97.0, 2.5);
 	std::mt19937_64 random(3);
@@ -63,7 +63,7 @@ Track shaky_drag() {
 	return track;
 }
 
-/// Four frames come at once, a fifth of a millisecond apart.
+/// The track in bursts of four frames, 0.2 ms apart.
 Track in_bursts(const Track &track) {
 	constexpr std::size_t AT_ONCE = 4;
 	Track bursts = track;
@@ -75,8 +75,8 @@ Track in_bursts(const Track &track) {
 	return bursts;
 }
 
-/// The largest change of the synthesised velocity within a step, m/s, as somebody pulls back and forth
-/// quickly; r_off_m: the most by which the value goes on in other ways than the velocity says.
+/// Largest change of the synthesised velocity within a step, m/s, for fast drags and returns. r_off_m:
+/// largest difference between the change of the value and the integral of the velocity.
 double largest_velocity_step(MotionMode mode, double step_s, double &r_off_m) {
 	GestureRecogniser hmm = recogniser(mode);
 	const std::vector<Drag> strokes{ { 0.5, 0.35, 0.2 }, { 1.0, 0.35, -0.2 }, { 2.0, 1.6, 0.2 } };
@@ -113,14 +113,14 @@ TEST_CASE("a clean drag is followed within 4 mm in phase mode") {
 			largest = std::max(largest, std::abs(rows[ms][0] - drag.x_m(static_cast<double>(ms) / 1000.0)));
 			largest_step = ms > 0 ? std::max(largest_step, std::abs(rows[ms][0] - rows[ms - 1][0])) : 0.0;
 		}
-		// `paper` is fast where the start is spotted, at 3 % of the amplitude.
+		// `paper` mode is fast when it detects the start, at 3 % of the amplitude.
 		CHECK(largest < (mode == MotionMode::PAPER ? 0.02 : 0.004));
 		CHECK(largest_step < (mode == MotionMode::PAPER ? 0.001 : 0.0006));
 		CHECK(rows.back()[0] == near(0.2).epsilon(0.01));
 	}
 }
 
-TEST_CASE("the output depends on earlier frames only, to the last bit") {
+TEST_CASE("later frames change no bit of the output") {
 	const Track whole = shaky_drag();
 	std::mt19937_64 random(4);
 	for (const MotionMode mode : MODES) {
@@ -137,7 +137,7 @@ TEST_CASE("the output depends on earlier frames only, to the last bit") {
 	}
 }
 
-TEST_CASE("the motion does not depend on how often it is asked for") {
+TEST_CASE("the rate of advance() does not change the motion") {
 	const Track shaky = shaky_drag(), lost_half_way = drag_track({}, 97.0, 1.0),
 				lost_near_end = drag_track({}, 97.0, 1.26);
 	for (const MotionMode mode : MODES) {
@@ -153,7 +153,7 @@ TEST_CASE("the motion does not depend on how often it is asked for") {
 	}
 }
 
-TEST_CASE("a frame that comes twice, or late, changes nothing") {
+TEST_CASE("a repeated or late frame changes no output") {
 	for (const std::optional<Task> &task : { std::optional(Task{}), std::optional<Task>() }) {
 		GestureRecogniser once = recogniser(MotionMode::PHASE, task),
 						  twice = recogniser(MotionMode::PHASE, task);
@@ -182,7 +182,7 @@ TEST_CASE("the synthesised velocity and acceleration are the value's derivatives
 		std::size_t next = 0;
 		int compared = 0;
 		for (int tick = 0; tick < 200; ++tick) {
-			// Between two symbols, and two frames, the derivative can be taken.
+			// The derivative exists between two symbols and two frames.
 			const double t_s = 0.0041 + 0.01 * tick;
 			while (next < track.frames.size() && track.frames[next].t_s <= t_s) {
 				hmm.push(track.frames[next++]);
@@ -206,7 +206,7 @@ TEST_CASE("the synthesised velocity and acceleration are the value's derivatives
 	}
 }
 
-TEST_CASE("phase mode reads no HMM, and only the whole movement's duration") {
+TEST_CASE("phase mode does not depend on the HMM or the states' durations") {
 	const Track track = shaky_drag();
 	const auto rows_of = [&](const GestureModel &model) {
 		GestureRecogniser hmm({ std::make_shared<const GestureModel>(model) }, Task{}, MotionMode::PHASE);
@@ -231,7 +231,7 @@ TEST_CASE("phase mode reads no HMM, and only the whole movement's duration") {
 	CHECK(rows_of(other) != own);
 }
 
-TEST_CASE("neither the motion nor its velocity steps") {
+TEST_CASE("value and velocity of the motion do not step") {
 	for (const MotionMode mode : MODES) {
 		CAPTURE(static_cast<int>(mode));
 		double off_m = 0.0, finely_off_m = 0.0;
@@ -241,7 +241,7 @@ TEST_CASE("neither the motion nor its velocity steps") {
 	}
 }
 
-TEST_CASE("a hand that rests, or twitches by 15 mm, makes no gesture") {
+TEST_CASE("a hand that rests or twitches by 15 mm makes no gesture") {
 	for (const MotionMode mode : MODES) {
 		CHECK(std::abs(play(mode, drag_track({ .onset_s = 1e9 }, 110.0, 5.0), 5.0).back()[0]) < 0.001);
 		GestureRecogniser hmm = recogniser(mode);

@@ -19,25 +19,25 @@ constexpr GestureNews STARTS{ .started = true, .state_changed = true },
 
 } // namespace
 
-TEST_CASE("a gesture starts, changes state, ends or aborts between two instants") {
+TEST_CASE("news() reports starts, state changes, ends and aborts") {
 	CHECK(news(NOTHING, NOTHING) == GestureNews());
 	CHECK(news(DRAG_MOVES, DRAG_MOVES) == GestureNews());
 	CHECK(news(NOTHING, DRAG_MOVES) == STARTS);
 	CHECK(news(DRAG_MOVES, DRAG_NEAR_END) == STATE_CHANGES);
 	CHECK(news(DRAG_NEAR_END, DRAG_ENDS) == ENDS);
 	CHECK(news(DRAG_MOVES, NOTHING) == ABORTS);
-	CHECK_MESSAGE(news(DRAG_ENDS, NOTHING) == STATE_CHANGES, "a gesture that has ended is not aborted");
+	CHECK_MESSAGE(news(DRAG_ENDS, NOTHING) == STATE_CHANGES, "an ended gesture does not abort");
 }
 
 TEST_CASE("a gesture that replaces an active one aborts that one") {
 	CHECK(news(DRAG_MOVES, TAP_MOVES) == IS_REPLACED);
-	CHECK_MESSAGE(news(DRAG_ENDS, TAP_MOVES) == STARTS, "after one that has ended");
-	CHECK_MESSAGE(news(DRAG_ENDS, SECOND_DRAG) == STARTS, "after one of the same model");
-	CHECK_MESSAGE(news(DRAG_NEAR_END, SECOND_DRAG) == IS_REPLACED, "aborted and started within an instant");
-	CHECK_MESSAGE(news(DRAG_ENDS, SHORT_DRAG) == STARTS_AND_ENDS, "started and ended within an instant");
+	CHECK_MESSAGE(news(DRAG_ENDS, TAP_MOVES) == STARTS, "after an ended gesture");
+	CHECK_MESSAGE(news(DRAG_ENDS, SECOND_DRAG) == STARTS, "after an ended gesture of the same model");
+	CHECK_MESSAGE(news(DRAG_NEAR_END, SECOND_DRAG) == IS_REPLACED, "aborts and starts at one instant");
+	CHECK_MESSAGE(news(DRAG_ENDS, SHORT_DRAG) == STARTS_AND_ENDS, "starts and ends at one instant");
 }
 
-TEST_CASE("a recogniser shows nothing, a drag's movement, and its end") {
+TEST_CASE("shown_by() gives idle, active and ended of a drag") {
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
 	CHECK(shown_by(recogniser) == NOTHING);
 	bool moved = false;

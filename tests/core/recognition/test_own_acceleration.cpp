@@ -1,4 +1,4 @@
-// The acceleration of the hand, without the corrections that new frames bring.
+// The own acceleration: acceleration of the hand, without corrections at new frames.
 
 #include "gesture_events.h"
 #include "haptics/effect.h"
@@ -13,7 +13,7 @@ using namespace steadyhand;
 
 namespace {
 
-/// Of the drag in closed form, m/s^2.
+/// Acceleration of the drag in closed form, m/s^2.
 double acceleration_m_s2(const test::Drag &drag, double t_s) {
 	const double s = (t_s - drag.onset_s) / drag.duration_s;
 	const double scale = drag.amplitude_m / (drag.duration_s * drag.duration_s);
@@ -27,7 +27,7 @@ double own_m_s2(const GestureRecogniser &recogniser) {
 
 } // namespace
 
-TEST_CASE("in noise of 0.5 mm the own acceleration is the hand's") {
+TEST_CASE("the own acceleration follows the hand at noise of 0.5 mm") {
 	test::Tremor tremor(0.0005, 5);
 	double truth_square = 0.0, off_square = 0.0;
 	for (const double duration_s : { 0.6, 0.9, 1.2 }) {
@@ -53,7 +53,7 @@ TEST_CASE("in noise of 0.5 mm the own acceleration is the hand's") {
 	CHECK(std::sqrt(off_square / truth_square) < 0.7);
 }
 
-TEST_CASE("an effect is driven by the own acceleration, linear between knots") {
+TEST_CASE("an effect uses the own acceleration, linear between knots") {
 	const test::Movement movement{ 0.35 };
 	MotionSnapshot snapshot = movement.snapshot(0.05);
 	for (std::size_t i = 0; i < snapshot.count; ++i) {

@@ -1,4 +1,4 @@
-// `paper` mode with a task: when its motion aborts, where it ends. What the decoder of states changes.
+// `paper` mode with a task: aborts, ends, and the effect of the state decoder.
 
 #include "gesture_events.h"
 #include "near.h"
@@ -23,9 +23,9 @@ constexpr std::array DECODINGS{
 	StateDecoding{ StateDecoding::Rule::VITERBI, 0, StateDecoding::Precision::SINGLE },
 };
 
-Events on_paper(const Way &way, double length_s) {
+Events watch_paper_mode(const TestPath &path, double length_s) {
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
-	return watch(recogniser, way, length_s);
+	return watch(recogniser, path, length_s);
 }
 
 Drag drag_to(double far, double duration_s = 0.8) {
@@ -34,62 +34,62 @@ Drag drag_to(double far, double duration_s = 0.8) {
 
 } // namespace
 
-TEST_CASE("paper mode aborts a halt at the start within 1.2 s") {
-	const Drag sets_out = drag_to(0.05, 0.12);
-	CHECK(on_paper(along(X, { sets_out }), ONSET_S + 0.6).said ==
+TEST_CASE("paper mode aborts a stop near the start within 1.2 s") {
+	const Drag begins = drag_to(0.05, 0.12);
+	CHECK(watch_paper_mode(along(X, { begins }), ONSET_S + 0.6).names ==
 			std::vector<std::string>{ "started sideways" });
-	CHECK(on_paper(along(X, { sets_out }), ONSET_S + 1.2).said == started_and_aborted("sideways"));
-	const Drag goes_on{ .onset_s = ONSET_S + 0.5, .duration_s = 0.8, .amplitude_m = 0.95 * TASK_M };
-	CHECK(on_paper(along(X, { sets_out, goes_on }), 3.0).said == times(1, "sideways"));
+	CHECK(watch_paper_mode(along(X, { begins }), ONSET_S + 1.2).names == started_and_aborted("sideways"));
+	const Drag continues{ .onset_s = ONSET_S + 0.5, .duration_s = 0.8, .amplitude_m = 0.95 * TASK_M };
+	CHECK(watch_paper_mode(along(X, { begins, continues }), 3.0).names == times(1, "sideways"));
 }
 
 TEST_CASE("paper mode aborts when the hand returns from half-way or before") {
 	for (const double far : { 0.1, 0.5 }) {
 		CAPTURE(far);
 		const Drag back{ .onset_s = ONSET_S + 0.6, .duration_s = 0.5, .amplitude_m = -far * TASK_M };
-		const Events events = on_paper(along(X, { drag_to(far, 0.5), back }), 6.0);
+		const Events events = watch_paper_mode(along(X, { drag_to(far, 0.5), back }), 6.0);
 		CHECK(std::abs(events.last_value_m) < 1e-9);
-		CHECK(events.said == started_and_aborted("sideways"));
+		CHECK(events.names == started_and_aborted("sideways"));
 	}
 }
 
 TEST_CASE("paper mode ends at the task's amplitude wherever the hand stops") {
 	for (const double far : { 0.6, 1.5 }) {
 		CAPTURE(far);
-		const Events events = on_paper(along(X, { drag_to(far) }), 4.0);
-		CHECK(events.said == times(1, "sideways"));
+		const Events events = watch_paper_mode(along(X, { drag_to(far) }), 4.0);
+		CHECK(events.names == times(1, "sideways"));
 		CHECK(events.last_value_m == near(TASK_M).epsilon(1e-9));
 	}
 }
 
 TEST_CASE("paper mode waits at the end of the first state") {
-	// Three tenths of the way, slowly, are its first state.
+	// A slow movement to 0.3 of the amplitude stays in the first state.
 	const double first_end = drag_model().elements.front().phase_end;
-	const Events waits = on_paper(along(X, { drag_to(0.3) }), 4.0);
-	CHECK(waits.said == std::vector<std::string>{ "started sideways" });
+	const Events waits = watch_paper_mode(along(X, { drag_to(0.3) }), 4.0);
+	CHECK(waits.names == std::vector<std::string>{ "started sideways" });
 	CHECK(waits.last_value_m == near(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
 }
 
 TEST_CASE("paper mode with a task accepts oblique and winding movement") {
-	CHECK(on_paper(along((X + Y).normalized(), { drag_to(2.0) }), 3.0).said == times(1, "sideways"));
-	const Way winding = [](double t_s) {
+	CHECK(watch_paper_mode(along((X + Y).normalized(), { drag_to(2.0) }), 3.0).names == times(1, "sideways"));
+	const TestPath winding = [](double t_s) {
 		return Eigen::Vector3d(drag_to(1.0).x_m(t_s), 0.1 * std::sin(8.0 * t_s), 0.1 * std::cos(8.0 * t_s));
 	};
-	CHECK(on_paper(winding, 3.0).said == times(1, "sideways"));
+	CHECK(watch_paper_mode(winding, 3.0).names == times(1, "sideways"));
 }
 
 TEST_CASE("paper mode holds its end until the hand returns") {
 	constexpr double TURNS_S = 2.0, BACK_S = 2.3;
 	const auto shown_m = [](double left, double later_s) {
 		const Drag back{ TURNS_S, BACK_S - TURNS_S, (left - 1.0) * TASK_M };
-		return on_paper(along(X, { drag_to(1.0), back }), BACK_S + later_s).last_value_m;
+		return watch_paper_mode(along(X, { drag_to(1.0), back }), BACK_S + later_s).last_value_m;
 	};
 	CHECK(shown_m(0.16, 1.0) == near(TASK_M).epsilon(1e-9));
 	CHECK(shown_m(0.14, -0.04) == near(TASK_M).epsilon(1e-9));
 	CHECK(shown_m(0.14, 0.1) < 0.05 * TASK_M);
 }
 
-TEST_CASE("a state that is decoded late ends when it would have ended") {
+TEST_CASE("the element of a late decoded state ends in time") {
 	const GestureModel &model = drag_model();
 	constexpr double SLOWER = 1.2, LATE_S = 0.05;
 	const PrimitiveMotionElement &first = model.elements[0], &second = model.elements[1];
@@ -122,7 +122,7 @@ TEST_CASE("a gesture that begins late starts at its phase") {
 		CHECK(synthesiser.phase(through_s + 1e-9) == near(first.phase_end).epsilon(1e-12));
 		CHECK(synthesiser.phase(through_s + 1.0) == first.phase_end);
 	}
-	// A state that is known when it should be through is played at once, forwards.
+	// A state decoded after its expected end is played within 1 ms, forwards.
 	PaperSynthesiser late(model);
 	late.begin(0.0, 0.0);
 	const double known_s = first.duration_mean_s + 3.0 * second.duration_mean_s;
@@ -132,18 +132,18 @@ TEST_CASE("a gesture that begins late starts at its phase") {
 	CHECK(late.phase(known_s + 1.1e-3) == near(second.phase_end));
 }
 
-TEST_CASE("without a task the decoder does not change the gesture's stages") {
+TEST_CASE("without a task the decoder does not change the stages") {
 	const Track track = drag_track({ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 }, 97.0, 2.5);
 	const auto stages = [&](const StateDecoding &decoding) {
 		GestureRecogniser recogniser(
 				{ shared_drag_model() }, std::nullopt, MotionMode::PAPER, {}, 0.0, decoding);
-		std::vector<int> told;
+		std::vector<int> seen_stages;
 		for (const HandFrame &frame : track.frames) {
 			recogniser.push(frame);
 			const GestureSession *const session = recogniser.session();
-			told.push_back(session != nullptr ? static_cast<int>(session->stage()) : -1);
+			seen_stages.push_back(session != nullptr ? static_cast<int>(session->stage()) : -1);
 		}
-		return told;
+		return seen_stages;
 	};
 	const std::vector<int> as_shipped = stages({});
 	REQUIRE(as_shipped.back() == static_cast<int>(GestureSession::Stage::ENDED));
@@ -152,7 +152,7 @@ TEST_CASE("without a task the decoder does not change the gesture's stages") {
 	}
 }
 
-TEST_CASE("paper mode ends with every decoder; lagged ones are never earlier") {
+TEST_CASE("paper mode ends with every decoder; lagged decoders are never earlier") {
 	const Drag drag{ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 };
 	const Track track = drag_track(drag, 97.0, 3.0);
 	const auto first_seen_s = [&](const StateDecoding &decoding) {

@@ -1,4 +1,4 @@
-// `paper` mode without a task: GestureRecogniser with the HMMs that the library brings.
+// `paper` mode without a task: GestureRecogniser with the add-on's HMMs.
 
 #include "allocations.h"
 #include "classifier_streams.h"
@@ -10,7 +10,7 @@ using namespace steadyhand::test;
 
 namespace {
 
-/// Named as the gestures of the HMMs, of which they have only the motion.
+/// Models with the names of the HMMs' gestures.
 std::vector<std::shared_ptr<const GestureModel>> four_models() {
 	return { model("horizontal_drag", X, true), model("vertical_drag", Y, true), model("tap", -Z, false),
 		zoom_model(0.03, 0.04) };
@@ -20,9 +20,9 @@ GestureRecogniser paper(const std::vector<std::shared_ptr<const GestureModel>> &
 	return { expected, std::nullopt, MotionMode::PAPER };
 }
 
-const Way SIDEWAYS = along(X, { DRAG });
+const TestPath SIDEWAYS = along(X, { DRAG });
 
-TEST_CASE("paper mode without a task ends synthetic people's gestures") {
+TEST_CASE("paper mode without a task ends 90 % of synthetic gestures") {
 	SyntheticSetOptions set;
 	set.population = Population::TUNE;
 	set.subjects = 3;
@@ -55,10 +55,10 @@ TEST_CASE("paper mode without a task ends synthetic people's gestures") {
 	CHECK(found_down >= made_down * 3 / 4);
 }
 
-TEST_CASE("a spotted drag starts on its way and ends within 0.2 s") {
+TEST_CASE("a spotted drag starts during the movement and ends within 0.2 s") {
 	GestureRecogniser recogniser = paper(four_models());
 	const Events events = watch(recogniser, SIDEWAYS, 3.0);
-	CHECK(events.said == times(1, "horizontal_drag"));
+	CHECK(events.names == times(1, "horizontal_drag"));
 	CHECK(events.first_shown_s > DRAG.onset_s);
 	CHECK(events.first_shown_s < DRAG.onset_s + DRAG.duration_s);
 	CHECK(std::abs(events.last_ended_s - (DRAG.onset_s + DRAG.duration_s)) < 0.2);
@@ -67,27 +67,27 @@ TEST_CASE("a spotted drag starts on its way and ends within 0.2 s") {
 
 TEST_CASE("only expected gestures are spotted") {
 	GestureRecogniser recogniser = paper({ four_models()[1], four_models()[2] });
-	CHECK(watch(recogniser, SIDEWAYS, 3.0).said.empty());
+	CHECK(watch(recogniser, SIDEWAYS, 3.0).names.empty());
 }
 
 TEST_CASE("a gesture that the HMMs do not include is recognised by strokes") {
 	GestureRecogniser recogniser = paper({ model("sideways", X, true), four_models()[1] });
-	CHECK(watch(recogniser, SIDEWAYS, 3.0).said == times(1, "sideways"));
+	CHECK(watch(recogniser, SIDEWAYS, 3.0).names == times(1, "sideways"));
 }
 
-TEST_CASE("a spotted gesture aborts when expect() removes it, else goes on") {
+TEST_CASE("a spotted gesture aborts only if expect() removes it") {
 	const auto all = four_models();
 	for (const bool stays : { true, false }) {
 		GestureRecogniser recogniser = paper({ all[1], all[0] });
 		bool has_changed = false;
-		const Way way = [&](double t_s) {
+		const TestPath path = [&](double t_s) {
 			if (t_s > DRAG.onset_s + 0.75 * DRAG.duration_s && !std::exchange(has_changed, true)) {
 				REQUIRE(recogniser.gesture() == 1);
 				recogniser.expect({ { all[2], {} }, { stays ? all[0] : all[1], {} } });
 			}
 			return SIDEWAYS(t_s);
 		};
-		const std::ptrdiff_t ended = count(watch(recogniser, way, 3.0), "ended horizontal_drag");
+		const std::ptrdiff_t ended = count(watch(recogniser, path, 3.0), "ended horizontal_drag");
 		CHECK(ended == (stays ? 1 : 0));
 	}
 }
@@ -96,27 +96,27 @@ TEST_CASE("a start condition is judged at a spotted gesture's onset") {
 	for (const StartKind kind : { StartKind::DWELL, StartKind::PINCH }) {
 		GestureRecogniser recogniser = paper(four_models());
 		recogniser.set_start_condition({ .kind = kind });
-		// The hand rests for 0.6 s, and has no thumb.
-		const auto &said = watch(recogniser, SIDEWAYS, 3.0).said;
-		CHECK(said == (kind == StartKind::DWELL ? times(1, "horizontal_drag") : times(0, "")));
+		// The hand rests for 0.6 s. The frames have no thumb.
+		const auto &names = watch(recogniser, SIDEWAYS, 3.0).names;
+		CHECK(names == (kind == StartKind::DWELL ? times(1, "horizontal_drag") : times(0, "")));
 	}
 }
 
 TEST_CASE("a dropout of a second aborts a spotted gesture") {
 	GestureRecogniser recogniser = paper(four_models());
 	const Events events = watch(recogniser, SIDEWAYS, 4.0, DRAG.onset_s + 0.7 * DRAG.duration_s, 1e9);
-	CHECK(events.said == std::vector<std::string>{ "started horizontal_drag", "aborted horizontal_drag" });
+	CHECK(events.names == std::vector<std::string>{ "started horizontal_drag", "aborted horizontal_drag" });
 }
 
-TEST_CASE("spotted motion depends on earlier frames alone, to the last bit") {
-	const auto play = [](const Way &way) {
+TEST_CASE("later frames change no bit of spotted motion") {
+	const auto play = [](const TestPath &path) {
 		GestureRecogniser recogniser = paper(four_models());
 		std::vector<double> values_m;
 		watch(
 				recogniser,
 				[&](double t_s) {
 					values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
-					return way(t_s);
+					return path(t_s);
 				},
 				2.5);
 		return values_m;

@@ -9,7 +9,8 @@ using namespace steadyhand;
 
 namespace {
 
-/// Mean over a minute at 100 Hz, of a first-order autoregression of deviation 1 with that time constant.
+/// Mean deviation over a minute at 100 Hz, for a first-order autoregression with standard deviation 1.
+/// lasts_s: time constant.
 double mean_wander(double lasts_s) {
 	constexpr double DT_S = 0.01;
 	std::mt19937_64 random(7);
@@ -27,7 +28,7 @@ double mean_wander(double lasts_s) {
 	return sum / n;
 }
 
-/// Deviation of second differences 0.1 s apart of that autoregression, against white noise's.
+/// Standard deviation of this autoregression's second differences over 0.1 s, relative to white noise.
 double bends(double lasts_s) {
 	const double r = std::exp(-0.1 / lasts_s);
 	return std::sqrt((6.0 - 8.0 * r + 2.0 * r * r) / 6.0);
@@ -35,25 +36,25 @@ double bends(double lasts_s) {
 
 } // namespace
 
-TEST_CASE("rest wander is the deviation of the noise over 0.1 s") {
+TEST_CASE("rest wander is the standard deviation of noise over 0.1 s") {
 	for (const double lasts_s : { 1e-6, 0.1, 1.0 }) {
 		CAPTURE(lasts_s);
 		CHECK(std::abs(mean_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
 	}
 }
 
-TEST_CASE("drift, arrival and onset are no rest wander") {
+TEST_CASE("drift, arrival and onset do not add to rest wander") {
 	RestWander wander;
 	for (int i = 0; i < 100; ++i) {
 		const double t_s = 0.01 * i;
 		const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
-		const double sets_out = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
-		wander.push(t_s, 0.1 * t_s + came + sets_out);
+		const double begins = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
+		wander.push(t_s, 0.1 * t_s + came + begins);
 	}
 	CHECK(wander.deviation(1.0) < 1e-9);
 }
 
-TEST_CASE("a rest below 0.4 s, or with dropouts, gives the default") {
+TEST_CASE("a rest below 0.4 s or with dropouts gives the default") {
 	RestWander shortly, rarely;
 	for (int i = 0; i < 36; ++i) {
 		shortly.push(0.01 * i, 0.0);

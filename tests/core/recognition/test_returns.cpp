@@ -1,4 +1,4 @@
-// The motion of `phase` mode when a hand returns from its endpoint, or stays there.
+// Motion of `phase` mode when a hand returns from its endpoint or stays there.
 
 #include "minimum_jerk_drag.h"
 #include "monitored_estimator.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double PERIOD_S = 0.0125;
 
-/// There and back again, six times; rests of half a second.
+/// Six drags and returns with rests of half a second.
 struct Round {
 	static constexpr int DRAGS = 6;
 	static constexpr double THERE_S = 0.8, BACK_S = 0.7, REST_S = 0.5;
@@ -34,7 +34,7 @@ struct Round {
 
 } // namespace
 
-TEST_CASE("drags with dropouts and freezes all end, nearer than the data") {
+TEST_CASE("drags with dropouts and freezes end, with less error than the data") {
 	constexpr double LATE_S = 0.04;
 	const Task task;
 	double missing = 0.0, missing_shown = 0.0; // sums of squares
@@ -77,12 +77,12 @@ TEST_CASE("drags with dropouts and freezes all end, nearer than the data") {
 	CHECK(missing < missing_shown);
 }
 
-TEST_CASE("after an unseen return the value is right within 0.1 s") {
+TEST_CASE("after a return in a dropout the value is right within 0.1 s") {
 	const test::Drag there{ .onset_s = 0.5, .duration_s = 0.5, .amplitude_m = 1.0 };
 	const test::Drag back{ .onset_s = 1.3, .duration_s = 0.5, .amplitude_m = 1.0 };
 	constexpr double LOST_S = 1.25, FOUND_S = 1.65, KNOWN_S = 0.1;
 	for (const bool freezes : { false, true }) {
-		for (const double faults : { 0.0, 0.3 }) { // seconds in which the tracker had been lost before
+		for (const double faults : { 0.0, 0.3 }) { // length of an earlier dropout, s
 			CAPTURE(freezes);
 			CAPTURE(faults);
 			test::MonitoredEstimator estimator(*test::shared_drag_model());
@@ -103,7 +103,7 @@ TEST_CASE("after an unseen return the value is right within 0.1 s") {
 	}
 }
 
-TEST_CASE("a hand back at rest stays there with a tracker that rounds") {
+TEST_CASE("after a return a hand at rest stays at 0 despite rounding") {
 	constexpr double RESTS_S = 4.0;
 	for (const double rate_hz : { 60.0, 90.0 }) {
 		for (const double rounded_to : { 0.0, 0.005 }) { // amplitudes
@@ -125,7 +125,7 @@ TEST_CASE("a hand back at rest stays there with a tracker that rounds") {
 	}
 }
 
-TEST_CASE("after a dwell a return is followed at any quality") {
+TEST_CASE("a return after a dwell is followed at any quality") {
 	for (const Quality quality : { Quality::FAST, Quality::BALANCED, Quality::ACCURATE }) {
 		for (const double rest_s : { 0.7, 1.4 }) {
 			for (const double back_s : { 0.25, 0.4 }) {

@@ -12,7 +12,7 @@
 
 using namespace steadyhand;
 
-// `phase` mode before sensors with other rates, noise, rounding and clocks; values in amplitudes.
+// `phase` mode with sensors of several rates, noise levels, resolutions and clocks. Values are in amplitudes.
 
 namespace {
 
@@ -20,9 +20,9 @@ struct Sensor {
 	const char *name;
 	double rate_hz = 113.0;
 	double white = 2e-4;
-	double resolution = 0.0; ///< it rounds to multiples of this
-	int reads = 1;           ///< how often each of its frames is read
-	double outliers = 0.0;   ///< share of its frames
+	double resolution = 0.0; ///< rounding step; 0: none
+	int reads = 1;           ///< number of readings of each frame
+	double outliers = 0.0;   ///< fraction of the frames
 	double tick_s = 0.0;     ///< resolution of its clock
 };
 
@@ -30,7 +30,7 @@ struct Figures {
 	double shown = 0.0, estimated = 0.0; ///< zero-lag R2
 };
 
-/// Mean over drags of 0.7 to 1.2 s.
+/// Means over drags of 0.7 to 1.2 s.
 Figures figures(const Sensor &sensor) {
 	const GestureModel &model = test::drag_model();
 	constexpr int DRAGS = 20;
@@ -73,7 +73,7 @@ Figures figures(const Sensor &sensor) {
 
 } // namespace
 
-TEST_CASE("phase mode is as near to the hand as any sensor" * doctest::test_suite("figures")) {
+TEST_CASE("phase mode is as accurate as the data of any sensor" * doctest::test_suite("figures")) {
 	for (const Sensor &sensor : {
 				 Sensor{ .name = "white noise of 2 mm in 20 cm", .white = 0.01 },
 				 Sensor{ .name = "white noise of 10 mm", .white = 0.05 },
@@ -92,7 +92,7 @@ TEST_CASE("phase mode is as near to the hand as any sensor" * doctest::test_suit
 	}
 }
 
-TEST_CASE("with a task gestures end at their endpoint at any rate" * doctest::test_suite("figures")) {
+TEST_CASE("with a task gestures end within 60 ms at any rate" * doctest::test_suite("figures")) {
 	const auto &model = test::shared_drag_model();
 	for (const double rate_hz : { 30.0, 120.0, 10000.0 }) {
 		for (const double duration_s : { 0.5, 1.5 }) {

@@ -1,4 +1,4 @@
-// Several tasks at a time: which one is shown; the others change nothing.
+// Several tasks at a time: which one is shown. The others must not change it.
 
 #include "gesture_events.h"
 
@@ -21,26 +21,26 @@ ExpectedGesture drag_at(const Eigen::Vector3d &start_m, const Eigen::Vector3d &a
 }
 
 struct Run {
-	std::vector<double> values_m; ///< synthesised, at each frame, before the frame is pushed
+	std::vector<double> values_m; ///< synthesised value before each frame
 	std::vector<std::size_t> shown;
 	Events events;
 };
 
-Run run(const std::vector<ExpectedGesture> &gestures, const Way &way, double length_s,
+Run run(const std::vector<ExpectedGesture> &gestures, const TestPath &path, double length_s,
 		double noise_m = 1e-4) {
 	GestureRecogniser recogniser(gestures);
 	Run run;
-	const Way noted = [&](double t_s) {
+	const TestPath noted = [&](double t_s) {
 		run.values_m.push_back(recogniser.motion(MotionSource::SYNTHESISED).value_m);
 		run.shown.push_back(recogniser.shown());
-		return way(t_s);
+		return path(t_s);
 	};
 	run.events = watch(recogniser, noted, length_s, 1e9, 1e9, 110.0, noise_m);
 	return run;
 }
 
-/// Rests 0.5 m off for 3 s, comes to the origin within half a second, and drags pause_s later.
-Way comes_from(const Eigen::Vector3d &direction, double pause_s) {
+/// A hand that rests at 0.5 m for 3 s, moves to the origin in 0.5 s, and drags after pause_s.
+TestPath comes_from(const Eigen::Vector3d &direction, double pause_s) {
 	const Drag approach{ .onset_s = 3.0, .duration_s = 0.5, .amplitude_m = 0.5 },
 			drag{ .onset_s = 3.5 + pause_s, .duration_s = 0.8, .amplitude_m = 0.2 };
 	return [=](double t_s) {
@@ -50,8 +50,8 @@ Way comes_from(const Eigen::Vector3d &direction, double pause_s) {
 
 } // namespace
 
-TEST_CASE("tasks elsewhere change nothing, to the last bit, in any order") {
-	const Way drag = along(X, { DRAG });
+TEST_CASE("distant tasks change no bit of the motion, in any order") {
+	const TestPath drag = along(X, { DRAG });
 	const Run alone = run({ drag_at(HERE.start_m, X) }, drag, 2.5);
 	for (const std::size_t place : { 0, 4, 10 }) {
 		std::vector<ExpectedGesture> gestures;
@@ -63,36 +63,36 @@ TEST_CASE("tasks elsewhere change nothing, to the last bit, in any order") {
 		const Run among = run(gestures, drag, 2.5);
 		CHECK(std::ranges::equal(alone.values_m, among.values_m));
 		CHECK(among.shown.back() == place);
-		CHECK(among.events.said == times(1, "sideways"));
+		CHECK(among.events.names == times(1, "sideways"));
 	}
 }
 
 TEST_CASE("an idle hand is shown at its nearest task") {
-	const Way way = comes_from(-X, 0.5);
-	const Run alone = run({ drag_at(HERE.start_m, X) }, way, 6.0);
-	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(HERE.start_m, X) }, way, 6.0);
-	CHECK(two.events.said == times(1, "sideways"));
+	const TestPath path = comes_from(-X, 0.5);
+	const Run alone = run({ drag_at(HERE.start_m, X) }, path, 6.0);
+	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(HERE.start_m, X) }, path, 6.0);
+	CHECK(two.events.names == times(1, "sideways"));
 	for (std::size_t i = 1; i < two.values_m.size(); ++i) {
 		const bool is_here = two.shown[i] == 1;
-		// Else it is aside. A hand at 2 m/s goes on by 2 cm until the next frame.
+		// At the other task the value is 0. A hand at 2 m/s moves 2 cm between two frames.
 		CHECK(std::abs(two.values_m[i] - (is_here ? alone.values_m[i] : 0.0)) < 6e-3);
 	}
-	CHECK(two.shown[330] == 0); // of 110 a second, as the hand sets out
+	CHECK(two.shown[330] == 0); // at 3.0 s, when the hand begins to move
 	CHECK(two.shown[385] == 1);
 }
 
-TEST_CASE("a hand from another task is followed like one from here") {
+TEST_CASE("a hand that comes from another task is followed as usual") {
 	for (const double noise_m : { 1e-4, 2e-3 }) {
 		for (const Eigen::Vector3d &direction : { Y, Z }) {
 			for (const double pause_s : { 0.1, 0.3 }) {
 				CAPTURE(noise_m);
 				CAPTURE(direction.transpose());
 				CAPTURE(pause_s);
-				const Way way = comes_from(direction, pause_s);
-				const Run alone = run({ drag_at(HERE.start_m, X) }, way, 6.0, noise_m);
-				const Run coming = run(
-						{ drag_at(0.5 * direction, direction), drag_at(HERE.start_m, X) }, way, 6.0, noise_m);
-				CHECK(coming.events.said == alone.events.said);
+				const TestPath path = comes_from(direction, pause_s);
+				const Run alone = run({ drag_at(HERE.start_m, X) }, path, 6.0, noise_m);
+				const Run coming = run({ drag_at(0.5 * direction, direction), drag_at(HERE.start_m, X) },
+						path, 6.0, noise_m);
+				CHECK(coming.events.names == alone.events.names);
 				for (auto i = static_cast<std::size_t>(110.0 * (3.5 + pause_s)); i < alone.values_m.size();
 						++i) {
 					CHECK(std::abs(coming.values_m[i] - alone.values_m[i]) < 5e-3);
@@ -102,18 +102,18 @@ TEST_CASE("a hand from another task is followed like one from here") {
 	}
 }
 
-TEST_CASE("a gesture from the endpoint of another, without a return, is shown") {
-	// 15 cm down from the end of the first, and on from there: both are drags to the right.
+TEST_CASE("a gesture that begins near the last endpoint is shown") {
+	// Both are drags to the right. The second begins 15 cm below the end of the first.
 	const Drag first{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 },
 			down{ .onset_s = 1.9, .duration_s = 0.4, .amplitude_m = 0.15 },
 			second{ .onset_s = 2.7, .duration_s = 0.8, .amplitude_m = 0.2 };
-	const Way way = [&](double t_s) {
+	const TestPath path = [&](double t_s) {
 		return Eigen::Vector3d((first.x_m(t_s) + second.x_m(t_s)) * X - down.x_m(t_s) * Y);
 	};
 	const ExpectedGesture there = drag_at(0.2 * X - 0.15 * Y, X);
-	const Run alone = run({ there }, way, 4.5);
-	const Run both = run({ drag_at(HERE.start_m, X), there }, way, 4.5);
-	CHECK(both.events.said == times(2, "sideways"));
+	const Run alone = run({ there }, path, 4.5);
+	const Run both = run({ drag_at(HERE.start_m, X), there }, path, 4.5);
+	CHECK(both.events.names == times(2, "sideways"));
 	for (std::size_t i = 0; i < both.values_m.size(); ++i) {
 		if (both.shown[i] == 1) {
 			CHECK(std::abs(both.values_m[i] - alone.values_m[i]) < 2e-3);
@@ -122,13 +122,13 @@ TEST_CASE("a gesture from the endpoint of another, without a return, is shown") 
 	CHECK(both.shown.back() == 1);
 }
 
-TEST_CASE("of two tasks at one place either begins without a step") {
+TEST_CASE("with two tasks at one place the gesture begins without a step") {
 	const Run other = run({ drag_at(HERE.start_m, Y), drag_at(HERE.start_m, X) }, along(X, { DRAG }), 2.5);
-	CHECK(other.events.said == times(1, "sideways"));
+	CHECK(other.events.names == times(1, "sideways"));
 	CHECK(other.events.largest_step < FASTEST_M_MS);
 }
 
-TEST_CASE("a gesture at its task is not one without a task") {
+TEST_CASE("a gesture at a task beats the same gesture without a task") {
 	for (const double amplitude_m : { 0.2, 0.15 }) {
 		for (const double angle_rad : { 0.0, 0.2 }) {
 			CAPTURE(amplitude_m);
@@ -166,14 +166,14 @@ TEST_CASE("an idle zoom is shown where no other task is near") {
 	}
 }
 
-TEST_CASE("a hand as near to either task does not change between them") {
+TEST_CASE("a hand midway between two tasks does not switch between them") {
 	const std::vector<ExpectedGesture> two{ drag_at(0.1 * Y, X), drag_at(-0.1 * Y, X) };
 	const Run between = run(
 			two, [](double t_s) { return Eigen::Vector3d(0.008 * std::sin(9.0 * t_s) * Y); }, 3.0);
 	CHECK(std::ranges::count(between.shown, between.shown.back()) >= std::ssize(between.shown) - 1);
 }
 
-TEST_CASE("when expect() removes the shown task, the nearest is shown at once") {
+TEST_CASE("if expect() removes the shown task, the nearest is shown") {
 	const ExpectedGesture here = drag_at(HERE.start_m, X), beside = drag_at(0.1 * Y, X),
 						  away = drag_at(2.0 * Y, X);
 	GestureRecogniser recogniser({ here, beside, away });
@@ -183,11 +183,11 @@ TEST_CASE("when expect() removes the shown task, the nearest is shown at once") 
 	CHECK(recogniser.shown() == 1);
 }
 
-TEST_CASE("expect() of other tasks at an end keeps a resting hand still") {
+TEST_CASE("expect() of other tasks at an end keeps the velocity low") {
 	GestureRecogniser recogniser({ drag_at(HERE.start_m, X) });
 	bool is_changed = false;
 	double fastest_m_s = 0.0;
-	const Way way = [&](double t_s) {
+	const TestPath path = [&](double t_s) {
 		if (is_changed) {
 			const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
 			fastest_m_s = std::max(fastest_m_s, std::abs(motion.velocity_m_s));
@@ -197,8 +197,8 @@ TEST_CASE("expect() of other tasks at an end keeps a resting hand still") {
 		}
 		return Eigen::Vector3d(DRAG.x_m(t_s) * X);
 	};
-	watch(recogniser, way, 3.0);
+	watch(recogniser, path, 3.0);
 	CHECK(recogniser.shown() == 1);
 	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m - 0.24) < 2e-3);
-	CHECK(fastest_m_s < 0.2); // as for any hand that comes into view off the start
+	CHECK(fastest_m_s < 0.2); // as at the begin of a track away from the start
 }

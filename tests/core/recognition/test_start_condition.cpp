@@ -1,4 +1,4 @@
-// When a StartCondition lets a gesture begin.
+// When a StartCondition allows a gesture to begin.
 
 #include "recognition/start_condition.h"
 #include "simulation/hand_pose.h"
@@ -14,7 +14,8 @@ namespace {
 
 constexpr double FRAME_S = 0.01;
 
-/// Palm at the origin, fingers along -z, so far from it; the thumb tip gap_m beside the index tip.
+/// A hand with the palm at the origin and fingers along -z. index_m, others_m: distances of the tips from the
+/// palm. gap_m: from the thumb tip to the index tip.
 HandFrame hand(double index_m, double others_m, double gap_m) {
 	HandFrame frame;
 	frame.set(Joint::PALM, Eigen::Vector3d::Zero());
@@ -34,7 +35,7 @@ HandFrame pinch(double gap_m = 0.01) {
 	return hand(0.085, 0.10, gap_m);
 }
 
-/// Frames of one hand after the other.
+/// Pushes frames into a StartCondition.
 class Stream {
 public:
 	explicit Stream(const StartSettings &settings) : condition(settings) {}
@@ -79,7 +80,7 @@ TEST_CASE("a dwell is met after its time") {
 	}
 }
 
-TEST_CASE("a hand that moves steadily does not dwell; one that trembles does") {
+TEST_CASE("a steadily moving hand does not dwell; a trembling one does") {
 	Stream moving({ .kind = StartKind::DWELL }), trembling({ .kind = StartKind::DWELL });
 	std::mt19937_64 random(3);
 	std::normal_distribution<double> tremor_m(0.0, 1e-3);
@@ -94,7 +95,7 @@ TEST_CASE("a hand that moves steadily does not dwell; one that trembles does") {
 	CHECK(trembling.condition.is_met());
 }
 
-TEST_CASE("a dwell allows an onset at once, not a second later") {
+TEST_CASE("a dwell allows an onset 0.1 s later, not 1 s later") {
 	Stream stream({ .kind = StartKind::DWELL });
 	stream.show(open_hand(), 1.0);
 	const double left_s = stream.now_s;
@@ -109,7 +110,7 @@ TEST_CASE("a dwell allows an onset at once, not a second later") {
 	CHECK(!stream.condition.may_begin(0.0));
 }
 
-TEST_CASE("fingers with tremor at the pinch distance pinch and open once") {
+TEST_CASE("fingers with tremor pinch and open once (hysteresis)") {
 	Stream stream({ .kind = StartKind::PINCH });
 	std::mt19937_64 random(3);
 	std::normal_distribution<double> tremor_m(0.0, 5e-4);
@@ -125,7 +126,7 @@ TEST_CASE("fingers with tremor at the pinch distance pinch and open once") {
 	CHECK(!was_met);
 }
 
-TEST_CASE("an opened pinch is released and begins nothing") {
+TEST_CASE("an opened pinch is released and allows no onset") {
 	Stream stream = pinching();
 	CHECK(stream.condition.may_begin(stream.now_s));
 	CHECK(!stream.condition.is_released());
@@ -158,7 +159,7 @@ TEST_CASE("a dropout of 0.5 s ends a pinch without releasing it") {
 	CHECK(stream.show(pinch(), 0.5).condition.is_met());
 }
 
-TEST_CASE("frames that stop coming end a pinch") {
+TEST_CASE("two seconds without frames end a pinch") {
 	Stream stream = pinching();
 	stream.now_s += 2.0;
 	CHECK(!stream.condition.may_begin(stream.now_s));
@@ -166,7 +167,7 @@ TEST_CASE("frames that stop coming end a pinch") {
 	CHECK(!stream.condition.is_met());
 }
 
-TEST_CASE("a pinch of low confidence counts only if all confidence is low") {
+TEST_CASE("a low-confidence pinch counts only if all frames have low confidence") {
 	HandFrame doubted = pinch();
 	doubted.confidence = 0.0;
 	Stream reports({ .kind = StartKind::PINCH }), never({ .kind = StartKind::PINCH });
@@ -176,7 +177,7 @@ TEST_CASE("a pinch of low confidence counts only if all confidence is low") {
 	CHECK(never.show(open, 1.0).show(doubted, 1.0).condition.is_met());
 }
 
-TEST_CASE("the pointing pose is met at any hand size, by pointing only") {
+TEST_CASE("only a pointing hand, of any size, meets the pointing pose") {
 	const StartSettings pointing{ .kind = StartKind::POINTING_POSE };
 	for (const double scale : { 0.75, 1.2 }) {
 		CAPTURE(scale);
@@ -190,7 +191,7 @@ TEST_CASE("the pointing pose is met at any hand size, by pointing only") {
 	CHECK(!Stream(pointing).show(two_fingers, 1.0).condition.is_met());
 }
 
-TEST_CASE("a condition says whether a frame has the joints it needs") {
+TEST_CASE("has_joints() says whether a frame has the required joints") {
 	HandFrame tip;
 	tip.set(Joint::INDEX, Eigen::Vector3d::Zero());
 	for (const StartKind kind : { StartKind::DWELL, StartKind::PINCH, StartKind::POINTING_POSE }) {

@@ -1,4 +1,4 @@
-// Events of gestures that start under a start condition only.
+// Events of gestures with a start condition.
 
 #include "gesture_events.h"
 
@@ -9,43 +9,44 @@ using namespace steadyhand::test;
 
 namespace {
 
-using Said = std::vector<std::string>;
-const Said STARTS_AND_ENDS{ "started", "ended" };
+using EventNames = std::vector<std::string>;
+const EventNames STARTS_AND_ENDS{ "started", "ended" };
 
-/// Events of a drag of 0.2 m from 1 to 2 s. gap_m: from the thumb to the index finger, by the time.
-template <class Gap> Said said(const StartSettings &settings, const std::optional<Task> &task, Gap gap_m) {
+/// Events of a drag of 0.2 m from 1 to 2 s. gap_m(t_s): distance between thumb and index tip.
+template <class Gap>
+EventNames event_names(const StartSettings &settings, const std::optional<Task> &task, Gap gap_m) {
 	GestureRecogniser recogniser({ models()[0] }, task, MotionMode::PHASE);
 	recogniser.set_start_condition(settings);
 	Tremor tremor(1e-4, 7);
-	Said said;
+	EventNames names;
 	GestureShown shown;
-	const Way way = along(X, { { .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 } });
+	const TestPath path = along(X, { { .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 } });
 	for (int ms = 0; ms < 3500; ++ms) {
 		const double t_s = ms / 1000.0;
 		if (ms % 9 == 0) {
 			HandFrame frame;
 			frame.t_s = t_s;
-			frame.set(Joint::INDEX, way(t_s) + tremor());
+			frame.set(Joint::INDEX, path(t_s) + tremor());
 			frame.set(Joint::THUMB, frame.position(Joint::INDEX) - gap_m(t_s) * Y);
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
 		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews happened = news(before, shown);
-		for (const auto &[is_said, what] : { std::pair{ happened.aborted, "aborted" },
-					 { happened.started, "started" }, { happened.ended, "ended" } }) {
-			if (is_said) {
-				said.emplace_back(what);
+		const GestureNews changes = news(before, shown);
+		for (const auto &[has_happened, what] : { std::pair{ changes.aborted, "aborted" },
+					 { changes.started, "started" }, { changes.ended, "ended" } }) {
+			if (has_happened) {
+				names.emplace_back(what);
 			}
 		}
 	}
-	return said;
+	return names;
 }
 
-/// With a task and without one.
-template <class Gap> void check_events(const StartSettings &settings, Gap gap_m, const Said &expected) {
-	CHECK(said(settings, Task{}, gap_m) == expected);
-	CHECK(said(settings, std::nullopt, gap_m) == expected);
+/// Checks the events with a task and without one.
+template <class Gap> void check_events(const StartSettings &settings, Gap gap_m, const EventNames &expected) {
+	CHECK(event_names(settings, Task{}, gap_m) == expected);
+	CHECK(event_names(settings, std::nullopt, gap_m) == expected);
 }
 
 constexpr double OPEN_M = 0.08, CLOSED_M = 0.01, HALF_WAY_S = 1.5;
@@ -56,13 +57,13 @@ constexpr auto CLOSES = [](double t_s) { return t_s < HALF_WAY_S ? OPEN_M : CLOS
 
 } // namespace
 
-TEST_CASE("a drag starts and ends with a pinch, not without") {
+TEST_CASE("under a pinch condition a drag starts only with a pinch") {
 	check_events({ StartKind::PINCH }, CLOSED, STARTS_AND_ENDS);
 	check_events({ StartKind::PINCH }, OPEN, {});
 	check_events({ StartKind::NONE }, OPEN, STARTS_AND_ENDS);
 }
 
-TEST_CASE("a pinch that opens half-way aborts; one that closes starts nothing") {
+TEST_CASE("opening a pinch half-way aborts; closing it half-way starts nothing") {
 	check_events({ StartKind::PINCH }, OPENS, { "started", "aborted" });
 	check_events({ StartKind::PINCH }, CLOSES, {});
 }

@@ -1,4 +1,4 @@
-// Without a task: fingers that open are a zoom. Fingers that come into one line are none, though the circle
+// Without a task, opening fingers are a zoom. Fingers that move into one line are none, although the circle
 // through their tips grows as much.
 
 #include "gesture/circumcircle.h"
@@ -21,7 +21,7 @@ namespace {
 constexpr double CLOSED_M = 0.03, GROWTH_M = 0.03; ///< radius
 using Tips = std::array<Eigen::Vector2d, 3>;
 
-/// Thumb against two fingers, opened to this radius.
+/// Thumb and two fingers, opened to this radius.
 Tips opened(double radius_m) {
 	Tips tips;
 	constexpr std::array ANGLES_RAD{ 3.6, 1.5, 0.4 };
@@ -31,7 +31,7 @@ Tips opened(double radius_m) {
 	return tips;
 }
 
-/// Thumb and middle finger stay; the index finger sinks to the line between them as far as makes this radius.
+/// Thumb and middle finger rest. The index finger moves towards the line between them, to this radius.
 Tips flattened(double radius_m) {
 	const double half_m = CLOSED_M;
 	const double height_m = radius_m - std::sqrt(radius_m * radius_m - half_m * half_m);
@@ -57,12 +57,12 @@ struct Opening {
 	Tips (*shape)(double radius_m) = opened;
 	double growth_m = GROWTH_M;
 	Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();
-	double lost_s = 0.0; ///< from 1.35 s on
+	double lost_s = 0.0; ///< length of a dropout at 1.35 s
 };
 
 struct Outcome {
 	int ended = 0;
-	double off_m = 0.0; ///< the motion's radius from the hand's, root mean square from 0.2 s after its end on
+	double off_m = 0.0; ///< root mean square error of the growth, from 0.2 s after the end on
 };
 
 /// The fingers open from 1 to 1.9 s, then rest.
@@ -100,14 +100,14 @@ TEST_CASE("fingers that open are a zoom, also on a moving hand") {
 	}
 }
 
-TEST_CASE("fingers that come into one line end no zoom") {
+TEST_CASE("fingers that move into one line end no zoom") {
 	// Their circle grows as much as a zoom's.
 	const auto radius = [](const Tips &tips) { return *circumradius(tips[0], tips[1], tips[2]); };
 	CHECK(radius(flattened(0.06)) == near(radius(opened(0.06))));
 	CHECK(watch({ .shape = flattened }).ended == 0);
 }
 
-TEST_CASE("a larger or smaller zoom is shown as such, despite a dropout") {
+TEST_CASE("larger and smaller zooms have their own growth despite a dropout") {
 	for (const double length : { 0.75, 1.4 }) {
 		for (const double lost_s : { 0.0, 0.2 }) {
 			INFO("length ", length, ", lost ", lost_s);
@@ -118,7 +118,7 @@ TEST_CASE("a larger or smaller zoom is shown as such, despite a dropout") {
 	}
 }
 
-TEST_CASE("fingers that fidget end at most 0.2 zooms a minute" * doctest::test_suite("figures")) {
+TEST_CASE("fidgeting fingers end at most 0.2 zooms per minute" * doctest::test_suite("figures")) {
 	const Subject subject = draw_subject(Population::TUNE, 1);
 	StageEntries ended(GestureSession::Stage::ENDED);
 	for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -134,7 +134,7 @@ TEST_CASE("fingers that fidget end at most 0.2 zooms a minute" * doctest::test_s
 	CHECK(ended.count() <= 2); // in ten minutes
 }
 
-TEST_CASE("with a task 1 mm noise at rest hardly starts a zoom") {
+TEST_CASE("with a task noise of 1 mm hardly starts a zoom") {
 	StageEntries started(GestureSession::Stage::ACTIVE);
 	for (unsigned seed = 0; seed < 20; ++seed) {
 		Tremor tremor(1e-3, seed);

@@ -1,4 +1,4 @@
-// Without a task: the index finger's movement in a zoom is no drag of its own.
+// Without a task, the index finger's movement in a zoom is no drag.
 
 #include "gesture_events.h"
 #include "signal/minimum_jerk.h"
@@ -15,9 +15,9 @@ using namespace steadyhand::test;
 namespace {
 
 constexpr double CLOSED_M = 0.016, GROWTH_M = 0.03;
-constexpr double OPENS_S = 1.2; ///< the first time
+constexpr double OPENS_S = 1.2; ///< onset of the first zoom
 
-/// Thumb against two fingers, of which the index goes straight up.
+/// Thumb and two fingers. The index finger moves straight up.
 HandFrame fingers(double t_s, double radius_m, Tremor &r_tremor) {
 	constexpr std::array JOINTS{ Joint::THUMB, Joint::INDEX, Joint::MIDDLE };
 	constexpr std::array ANGLES_RAD{ 3.6, 0.5 * std::numbers::pi, 0.4 };
@@ -31,9 +31,9 @@ HandFrame fingers(double t_s, double radius_m, Tremor &r_tremor) {
 }
 
 struct Shown {
-	int ended = 0;       ///< zooms
-	int drags = 0;       ///< ended
-	int drag_frames = 0; ///< with an active or ended drag
+	int ended = 0;       ///< zooms that ended
+	int drags = 0;       ///< drags that ended
+	int drag_frames = 0; ///< frames with an active or ended drag
 };
 
 /// frame: f(t_s).
@@ -57,7 +57,7 @@ template <class Function> Shown shown(Function frame, double rate_hz, double len
 
 } // namespace
 
-TEST_CASE("a hand that drags after a zoom makes a drag") {
+TEST_CASE("a drag after a zoom is shown as a drag") {
 	Tremor tremor(2e-4, 4);
 	const test::Drag drag{ .onset_s = 2.6, .duration_s = 0.6, .amplitude_m = 0.2 };
 	const auto frame = [&](double t_s) {
