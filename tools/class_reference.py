@@ -1,4 +1,4 @@
-"""The class reference of extension/doc_classes as a C++ source, so that the editor's help shows it."""
+"""Writes the class reference of extension/doc_classes as a C++ source, for the editor's help."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""Where a gesture ends, for tools that look at curves."""
+"""The level at which a gesture ends, for tools that evaluate curves."""
 
-# Of the amplitude; END_LEVEL of extension/core/gesture/task.h, which the lint suite compares it with.
+# A fraction of the amplitude. The lint suite checks that it equals END_LEVEL of extension/core/gesture/task.h.
 END_LEVEL = 0.95

@@ -1,4 +1,4 @@
-"""Where the extension's godot_cpp headers and code come from: an installed godot-cpp or the repo's own bindings."""
+"""Adds godot_cpp headers and code to the build: an installed godot-cpp, or the repo's own bindings."""
 
 import hashlib
 import os
@@ -6,12 +6,12 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What a compiler inlines of another version may raise warnings that are none of the nodes'.
+# Inlined code of another godot-cpp version may raise warnings.
 OF_OTHERS = ["-Wno-error"]
 
 
 def add_installed(env, prefix: Path) -> None:
-    """An installed godot-cpp, or a checkout of it that has been built."""
+    """Adds an installed godot-cpp, or a built checkout of it."""
     library = f"libgodot-cpp.{env['platform']}.{env['target']}.{env['arch']}.a"
     found = [folder / library for folder in (prefix / "lib", prefix / "bin") if (folder / library).exists()]
     if not found:
@@ -23,7 +23,7 @@ def add_installed(env, prefix: Path) -> None:
 
 
 def add_from_pkg_config(env) -> bool:
-    """A godot-cpp that pkg-config finds; False if there is none."""
+    """Adds the godot-cpp that pkg-config finds. Returns False if there is none."""
     query = ["pkg-config", "--silence-errors", "--cflags", "--libs", "godot-cpp"]
     try:
         answer = subprocess.run(query, capture_output=True, text=True)
@@ -37,7 +37,7 @@ def add_from_pkg_config(env) -> bool:
 
 
 def add_own(env, root: Path) -> list[str]:
-    """The repo's own bindings, generated for the Godot of this machine; returns their sources."""
+    """Generates the repo's own bindings for the Godot of this machine, and returns their sources."""
     godot = find_godot(root)
     version = subprocess.run([godot, "--headless", "--version"], capture_output=True, text=True).stdout
     generator = root / "extension/bindings/generate.py"
@@ -60,7 +60,7 @@ def add_own(env, root: Path) -> list[str]:
 
 
 def find_godot(root: Path) -> str:
-    """The Godot to build for; fetched into the cache if the machine has none."""
+    """The Godot executable to build for. It is downloaded into the cache if the machine has none."""
     finder = [str(root / "tools/setup_godot.sh")]
     answer = subprocess.run(finder, stdout=subprocess.PIPE, text=True)
     if answer.returncode != 0:
@@ -69,7 +69,7 @@ def find_godot(root: Path) -> str:
 
 
 def dump_api(godot: str, folder: Path) -> None:
-    """Has the engine write gdextension_interface.h and extension_api.json, which it does into its working folder."""
+    """Lets the engine write gdextension_interface.h and extension_api.json. It writes into its working folder."""
     os.makedirs(folder, exist_ok=True)
     query = [godot, "--headless", "--dump-gdextension-interface", "--dump-extension-api"]
     answer = subprocess.run(query, cwd=folder, capture_output=True, text=True)

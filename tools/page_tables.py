@@ -1,4 +1,4 @@
-"""Generated tables between marks of a page that is otherwise written by hand."""
+"""Fills generated tables into a page, between marks. The rest of the page is written by hand."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -16,13 +16,13 @@ def fill(path: Path, tables: dict[str, str]) -> None:
         begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
         before, found, rest = text.partition(begin)
         if not found or end not in rest:
-            raise SystemExit(f"{path}: no place for the table '{name}'")
+            raise SystemExit(f"{path}: the marks of table '{name}' are missing: <!-- {name} --> and {end}")
         text = before + begin + "\n" + table + "\n" + end + rest.partition(end)[2]
     with whole(path) as part:
         part.write_text(text)
 
 
 def table(head: list[str], rows: Iterable[list[str]]) -> str:
-    """The first column is text, the others are numbers."""
+    """A Markdown table. The first column is text, the others are numbers."""
     lines = [head, ["---", *["---:"] * (len(head) - 1)], *rows]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines)

@@ -1,7 +1,7 @@
-"""The systems that `scons platform=PLATFORM arch=ARCH` builds for: compilers, flags and the library's name.
+"""Compilers, flags and library names for `scons platform=PLATFORM arch=ARCH`.
 
-Linux and Windows are built on Debian by its cross-compilers. Android needs an NDK in $ANDROID_NDK_ROOT; macOS needs a
-Mac, or osxcross in $OSXCROSS_ROOT. No test runs for those two.
+Linux and Windows use Debian's cross-compilers. Android needs an NDK in $ANDROID_NDK_ROOT. macOS needs a Mac, or
+osxcross in $OSXCROSS_ROOT. There are no tests for Android and macOS.
 """
 
 import os
@@ -12,10 +12,10 @@ from pathlib import Path
 PLATFORMS = ["linux", "windows", "macos", "android"]
 ARCHITECTURES = ["x86_64", "arm64"]
 SUFFIXES = {"linux": "so", "windows": "dll", "macos": "dylib", "android": "so"}
-ANDROID_API_LEVEL = 24  # the oldest that Godot 4.4 runs on
-MACOS_VERSION = "13.3"  # the first whose C++ library has std::to_chars for floating point
+ANDROID_API_LEVEL = 24  # the oldest level for Godot 4.4
+MACOS_VERSION = "13.3"  # the first version with std::to_chars for floating point
 INCLUDES = ["/usr/include", "/opt/homebrew/include", "/usr/local/include"]  # the second and third are Homebrew's
-HEADERS = {  # our name: where it is below one of INCLUDES
+HEADERS = {  # name of the link: path below one of INCLUDES
     "Eigen": "eigen3/Eigen",
     "nlohmann": "nlohmann",
     "doctest": "doctest",
@@ -24,19 +24,19 @@ HEADERS = {  # our name: where it is below one of INCLUDES
 
 
 def of_this_machine() -> tuple[str, str]:
-    """Platform and architecture."""
+    """Platform and architecture of this machine."""
     systems = {"Linux": "linux", "Windows": "windows", "Darwin": "macos"}
     machines = {"aarch64": "arm64", "arm64": "arm64"}
     return systems.get(host.system(), "linux"), machines.get(host.machine(), "x86_64")
 
 
 def library(platform: str, target: str, arch: str) -> str:
-    """The extension's file in the add-on's folder bin."""
+    """File name of the extension in the add-on's folder bin."""
     return f"libsteadyhand.{platform}.{target}.{arch}.{SUFFIXES[platform]}"
 
 
 def set_up(env, root: Path) -> None:
-    """Makes `env` compile for env["platform"] and env["arch"], which are not this machine's Linux."""
+    """Sets up `env` for env["platform"] and env["arch"], if they are not this machine's Linux."""
     platform, arch = env["platform"], env["arch"]
     compiler = {"linux": linux, "windows": windows, "macos": macos, "android": android}[platform]
     compiler(env, arch)
@@ -46,7 +46,7 @@ def set_up(env, root: Path) -> None:
 
 
 def own_headers(folder: Path) -> Path:
-    """A folder of links to the header-only libraries, which lie beside this machine's C library in /usr/include."""
+    """A folder of links to the header-only libraries. /usr/include itself also has this machine's C library."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, place in HEADERS.items():
         link = folder / name
@@ -67,7 +67,7 @@ def windows(env, arch: str) -> None:
         sys.exit("Windows is built for x86_64 only: Debian has no MinGW compiler for arm64")
     prefix = "x86_64-w64-mingw32-"
     env.Replace(CC=f"{prefix}gcc-posix", CXX=f"{prefix}g++-posix", AR=f"{prefix}ar")
-    # No DLL of the compiler's has to lie beside the add-on's; no build time in the file.
+    # The add-on needs no DLL of the compiler, and its file contains no build time.
     env.Append(LINKFLAGS=["-static", "-Wl,--no-insert-timestamp"])
 
 

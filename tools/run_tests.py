@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Runs the test suites named, or all but EXTRA, and closes with `N passed, N failed`, which the exit status tells too.
+"""Runs the named test suites, or all except EXTRA. Prints `N passed, N failed`. The exit status is 1 after a failure.
 
-The suites of BESIDE run one after the other, beside the rest, which run one after the other too. Those of LAST come
-after them, in whichever half ends first.
+Two lanes run in parallel: the suites of BESIDE in one, the others in the other. The suites of LAST follow in the lane
+that is free first.
 """
 
 import itertools
@@ -50,7 +50,7 @@ SUITES = {
     "openxr": openxr,
     "platforms": platforms,
 }
-EXTRA = ["openxr", "dist", "platforms"]  # fetches 265 MB; builds for release; cross-compiles for some 10 minutes
+EXTRA = ["openxr", "dist", "platforms"]  # downloads 265 MB; builds for release; cross-compiles for about 10 minutes
 BESIDE = ["fuzz", "study_export", "lint", "command"]
 LAST = ["lsl", "predictors", "docs", "engine_api"]
 
@@ -71,7 +71,7 @@ def main(names: list[str]) -> int:
 
 
 def run_all(names: list[str]) -> Iterator[tuple[str, Outcome, float]]:
-    """Each outcome as it comes, with its suite and the time, s, since the one before it in the same lane."""
+    """Yields each outcome when it is there, with its suite and the time in s since the last one of its lane."""
     beside, last = ([name for name in some if name in names] for some in (BESIDE, LAST))
     lanes = [[name for name in names if name not in beside + last], beside]
     left = deque([*last, *(None for _ in lanes)])
@@ -85,7 +85,7 @@ def run_all(names: list[str]) -> Iterator[tuple[str, Outcome, float]]:
                     now = time.monotonic()
                     come.put((name, outcome, now - before))
                     before = now
-            except Exception:  # a fault of the suite's own: the others go on
+            except Exception:  # an error in the suite itself; the other suites continue
                 come.put((name, Outcome.of(f"{name} ends", False, traceback.format_exc()), 0.0))
         come.put(None)
 

@@ -1,4 +1,4 @@
-"""Files that are there whole or not at all."""
+"""Atomic writing of files."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -7,9 +7,9 @@ from pathlib import Path
 
 @contextmanager
 def whole(path: Path) -> Iterator[Path]:
-    """Gives the path to write to; what is there by then takes the place of `path` in one step.
+    """Yields a path to write to. The written file then replaces `path` in one step.
 
-    Where it cannot be written, what was at `path` before stays, and the OSError goes on.
+    If writing fails, the file at `path` does not change, and the OSError propagates.
     """
     part = path.with_name(path.name + ".part")
     try:
