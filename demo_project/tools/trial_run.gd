@@ -110,7 +110,7 @@ func run(
 		_compare()
 		note = MotionMetrics.recording_oddity(measured_path, reference_path, own[0].feature, _trial)
 	elif not unseen.is_empty():
-		note = "the hand is never seen to move by %s" % unseen
+		note = "its measured track has no motion of %s" % unseen
 	if not note.is_empty():
 		note += ": %s" % (reference_path if note.begins_with("its reference") else measured_path)
 

@@ -139,7 +139,7 @@ func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
 		options += ["--models", _path("circles"), "--context", context]
 		var run := ToolRun.new("evaluate", options)
 		check_equal(run.exit_code, 0, "exit code")
-		var note := "trial %s: the hand is never seen"
+		var note := "trial %s: its measured track has no motion"
 		check_equal(run.not_said([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
 		var seen := note % trials.get_trial(0)["trial"]
 		check(not run.said.contains(seen), "not of a hand that is seen: %s" % context)
