@@ -29,6 +29,9 @@ using namespace steadyhand::bench;
 
 using Frames = std::vector<HandFrame>;
 
+/// After the last frame. The recogniser decides what a hand did that is lost for 0.3 s.
+constexpr double AFTER_S = 0.5;
+
 struct Stream {
 	std::string kind;
 	int gesture = -1; ///< -1: none
@@ -123,7 +126,8 @@ Rows rows_of(
 		const std::vector<Stream> &streams, const std::vector<ExpectedGesture> &gestures, MotionMode mode) {
 	Rows rows;
 	for (const Stream &stream : streams) {
-		add(rows[stream.kind], stream, follow(gestures, stream.frames, stream.frames.back().t_s, 0.0, mode));
+		add(rows[stream.kind], stream,
+				follow(gestures, stream.frames, stream.frames.back().t_s + AFTER_S, 0.0, mode));
 	}
 	return rows;
 }
@@ -175,7 +179,8 @@ False alarms: gestures that end a minute, of hands that make none.
 )";
 
 const char *const NOTES = R"(
-- Strokes find more real gestures and begin earlier, so they decide in `phase` mode. Only the HMMs know taps down.
+- Strokes find more real gestures and begin earlier, so they decide in `phase` mode. HMMs find more taps down.
+- A tap down is a fast stroke down that comes back. Slow ones are drags to the strokes, by their pace.
 - A digit 1 is a straight stroke down from rest to rest. Only a start condition tells it from a gesture.
 )";
 

@@ -395,7 +395,7 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 
 func test_a_true_motion_is_the_reference_of_what_the_tracker_sees() -> void:
 	var seen := SyntheticSource.new()
-	seen.gesture = &"tap"
+	seen.gesture = &"vertical_drag"
 	seen.position = SyntheticSource.POSITION_UNSTABLE
 	seen.subject = 3
 	var truth := seen.duplicate() as SyntheticSource

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace steadyhand {
 namespace {
@@ -77,6 +78,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	expect_absence();
 	judge_starts();
+	abort_parts();
 	decide_ends();
 	choose_leader();
 }
@@ -110,6 +112,7 @@ void GestureRecogniser::advance_sessions(double t_s) {
 			sessions_[i]->on_dropout(time_s_, watched(i).strokes);
 		}
 		judge_starts();
+		abort_parts();
 		decide_ends();
 		choose_leader();
 		expect_absence();
@@ -123,18 +126,35 @@ void GestureRecogniser::step_sessions(double t_s) {
 	}
 }
 
-double GestureRecogniser::log_odds(std::size_t session) const {
+double GestureRecogniser::part_penalty(std::size_t session) const {
 	const std::uint8_t joints = watched(session).feature->joints;
-	double whole = 0.0; // how far a gesture has grown of which this one's motion would be a part
+	double whole = 0.0; // how far the other gesture goes, or comes back, in amplitudes
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		const GestureSession &other = *sessions_[i];
-		const std::uint8_t others = watched(i).feature->joints;
-		const bool is_part = others != joints && (others & joints) == joints;
-		if (is_part && other.stage() == GestureSession::Stage::ACTIVE) {
-			whole = std::max(whole, std::min(other.measured_m() / other.task().amplitude_m, 1.0));
+		const Feature &feature = *watched(i).feature;
+		const std::span<const Stroke> strokes = watched(i).strokes.strokes();
+		const bool has_more = feature.joints != joints && (feature.joints & joints) == joints;
+		if (!has_more || strokes.empty() || feature.direction == nullptr) {
+			continue;
+		}
+		const Stroke &stroke = strokes.front();
+		if (other.stage() != GestureSession::Stage::IDLE || other.stage_began_s() > stroke.onset_s) {
+			const double length_m = std::abs((stroke.to - stroke.from).dot(feature.direction(other.task())));
+			whole = std::max(whole, std::min(length_m / other.task().amplitude_m, 1.0));
 		}
 	}
-	return sessions_[session]->log_odds() - PART * whole;
+	return PART * whole;
+}
+
+double GestureRecogniser::compared(std::size_t session, double log_odds) const {
+	bool has_rival = false;
+	for (std::size_t i = 0; i < sessions_.size() && sessions_[session]->strike_log_odds() < 0.0; ++i) {
+		const GestureSession &other = *sessions_[i];
+		const bool is_other = !gestures_[i].task && other.stage() == GestureSession::Stage::ACTIVE &&
+				other.strike_log_odds() == 0.0;
+		has_rival = has_rival || (is_other && other.best_log_odds() > sessions_[session]->log_odds());
+	}
+	return log_odds - part_penalty(session) + (has_rival ? sessions_[session]->strike_log_odds() : 0.0);
 }
 
 double GestureRecogniser::posterior(std::size_t session) const {
@@ -173,6 +193,16 @@ void GestureRecogniser::judge_starts() {
 	}
 }
 
+void GestureRecogniser::abort_parts() {
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		const double penalty = gestures_[i].task ? 0.0 : part_penalty(i);
+		const bool is_active = sessions_[i]->stage() == GestureSession::Stage::ACTIVE;
+		if (is_active && penalty > 0.0 && sessions_[i]->best_log_odds() < penalty) {
+			sessions_[i]->abort(time_s_);
+		}
+	}
+}
+
 bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
 	const std::optional<Task> &way = gestures_[one].task, &beside = gestures_[other].task;
 	const auto ends_at_a_place = [this](std::size_t i) {
@@ -188,9 +218,37 @@ bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) con
 	return (apart_m - along_m * way->axis).norm() > std::abs(along_m);
 }
 
+bool GestureRecogniser::may_become_other(std::size_t best) const {
+	if (sessions_[best]->is_end_usual()) {
+		return false;
+	}
+	for (std::size_t i = 0; i < sessions_.size(); ++i) {
+		const GestureSession &other = *sessions_[i];
+		const bool is_rival =
+				i != best && !gestures_[i].task && other.stage() == GestureSession::Stage::ACTIVE;
+		const bool goes_on = !other.may_end() || other.is_end_predicted();
+		if (is_rival && goes_on && compared(i, other.best_log_odds()) > log_odds(best)) {
+			return true;
+		}
+	}
+	return false;
+}
+
 void GestureRecogniser::decide_ends() {
-	const int best = likeliest([&](std::size_t i) { return sessions_[i]->may_end(); });
-	if (best < 0) {
+	const auto likeliest_if = [this](bool comes_back) {
+		int best = -1;
+		double best_odds = -INFINITY;
+		for (std::size_t i = 0; i < sessions_.size(); ++i) {
+			const double odds = compared(i, sessions_[i]->log_odds_if(comes_back));
+			if (sessions_[i]->may_end() && odds > best_odds) {
+				best = static_cast<int>(i);
+				best_odds = odds;
+			}
+		}
+		return best;
+	};
+	const int best = likeliest_if(true);
+	if (best < 0 || best != likeliest_if(false) || may_become_other(static_cast<std::size_t>(best))) {
 		return;
 	}
 	const int task = likeliest([&](std::size_t i) { return sessions_[i]->is_near_end(); });

@@ -128,17 +128,28 @@ private:
 	void step_sessions(double t_s);
 	void expect_absence();
 	[[nodiscard]] double posterior(std::size_t session) const;
-	/// GestureSession::log_odds, less if this motion is a part of another gesture.
-	[[nodiscard]] double log_odds(std::size_t session) const;
+	/// GestureSession::log_odds, as gestures are compared by it.
+	[[nodiscard]] double log_odds(std::size_t session) const {
+		return compared(session, sessions_[session]->log_odds());
+	}
+	/// Log odds of a gesture, less if its motion is a part of another gesture, or a strike too slow beside
+	/// another gesture.
+	[[nodiscard]] double compared(std::size_t session, double log_odds) const;
+	/// Nats against a gesture whose motion is a part of another gesture.
+	[[nodiscard]] double part_penalty(std::size_t session) const;
 	/// Allowed to start, and likely enough to be shown, and to end.
 	[[nodiscard]] bool may_show(std::size_t session) const;
 	/// Asks the start condition once of each gesture that starts, and aborts those whose pinch opens.
 	void judge_starts();
+	/// Aborts gestures without a task whose motion is clearly a part of another gesture, or of its return.
+	void abort_parts();
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	/// Of tasks with a straight path: the end of `other` is further off the path of `one` than along it.
 	[[nodiscard]] bool ends_to_the_side(std::size_t one, std::size_t other) const;
+	/// The end of this session is unusual, and another gesture, whose stroke goes on, may become likelier.
+	[[nodiscard]] bool may_become_other(std::size_t best) const;
 	void decide_ends();
 	void settle();
 	void choose_leader();

@@ -72,6 +72,17 @@ public:
 	[[nodiscard]] double log_odds() const { return log_odds_; }
 	/// The gesture has come to its end, likelier than not: to be answered by end_gesture() or abort().
 	[[nodiscard]] virtual bool may_end() const { return false; }
+	/// may_end(), before the hand has slowed down.
+	[[nodiscard]] virtual bool is_end_predicted() const { return false; }
+	/// may_end(), and after its end the hand has done what is usual: it came back or stayed.
+	[[nodiscard]] virtual bool is_end_usual() const { return true; }
+	/// What log_odds() lacks if another gesture has the same path: evidence that a strike is too slow, nats,
+	/// <= 0.
+	[[nodiscard]] virtual double strike_log_odds() const { return 0.0; }
+	/// The most that log_odds() can become while the stroke goes on.
+	[[nodiscard]] virtual double best_log_odds() const { return log_odds_; }
+	/// log_odds() if the hand comes back at once after its end, or stays.
+	[[nodiscard]] virtual double log_odds_if(bool /*comes_back*/) const { return log_odds_; }
 	virtual void end_gesture(double /*t_s*/) {}
 	/// Active, and near the task's end.
 	[[nodiscard]] virtual bool is_near_end() const { return false; }

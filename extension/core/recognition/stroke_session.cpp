@@ -11,16 +11,6 @@ using namespace parameters;
 using namespace parameters::strokes;
 using namespace parameters::sessions;
 
-/// The model's speed at this phase / its peak, and a margin for people who slow down less.
-double end_speed_share(const GestureModel &model, double end_phase) {
-	constexpr int POINTS = 50;
-	double peak = 0.0;
-	for (int i = 0; i <= POINTS; ++i) {
-		peak = std::max(peak, evaluate(model, static_cast<double>(i) / POINTS).slope);
-	}
-	return peak > 0.0 ? SLOWED_LESS + std::max(evaluate(model, end_phase).slope, 0.0) / peak : SLOWED_LESS;
-}
-
 /// Where the movement of a stroke of the finder starts. A stroke's onset is some hundredths of the amplitude
 /// late: the start is the hindmost place of the time before it. way: unit vector.
 FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) {
@@ -51,8 +41,8 @@ FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const F
 } // namespace
 
 StrokeSession::StrokeSession(const GestureModel &model, const Synthesis &synthesis) :
-		GestureSession(model, model.typical_task, synthesis, false),
-		end_speed_share_(end_speed_share(model, END_PHASE)), directions_{ FeaturePlace::Zero() } {
+		GestureSession(model, model.typical_task, synthesis, false), usual_(usual_stroke(model)),
+		end_speed_share_(SLOWED_LESS + speed_share(model, END_PHASE)), directions_{ FeaturePlace::Zero() } {
 	if (feature().direction == nullptr) {
 		return; // its strokes have no direction
 	}
@@ -64,7 +54,6 @@ StrokeSession::StrokeSession(const GestureModel &model, const Synthesis &synthes
 
 std::optional<double> StrokeSession::measure(
 		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
-	may_end_ = false;
 	if (!has_place) {
 		return std::nullopt;
 	}
@@ -77,7 +66,7 @@ std::optional<double> StrokeSession::measure(
 			look_for_start(frame.t_s, strokes);
 			break;
 		case Stage::ACTIVE:
-			look_for_end(frame.t_s, strokes);
+			watch_end(frame.t_s, strokes);
 			break;
 		case Stage::ENDED:
 			look_for_return(frame.t_s, strokes);
@@ -98,9 +87,7 @@ StrokeEvidence StrokeSession::evidence_of(
 		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
 	Stroke watched = stroke;
 	watched.unrest_m = strokes.unrest_m(stroke);
-	const auto of = [&](const Stroke &one) {
-		return stroke_evidence(one, way, task().amplitude_m, model().duration_mean_s);
-	};
+	const auto of = [&](const Stroke &one) { return stroke_evidence(one, way, usual_); };
 	StrokeEvidence evidence = of(watched);
 	const StrokeEvidence shown = of(watched.as_shown());
 	if (shown.sum() > evidence.sum()) {
@@ -146,7 +133,8 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const double trembling = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
-		const double least = stroke.onset_s < hopeless_s_ ? UNDER_WAY : shortest;
+		const bool is_slow = strike_evidence(stroke, usual_) < SLOW_STRIKE;
+		const double least = stroke.onset_s < hopeless_s_ || is_slow ? UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
 			continue;
 		}
@@ -194,7 +182,7 @@ void StrokeSession::abort(double t_s) {
 }
 
 void StrokeSession::dismiss(double t_s) {
-	may_end_ = false;
+	end_.reset();
 	set_log_odds(LOG_PRIOR_OPEN);
 	rest(t_s);
 }

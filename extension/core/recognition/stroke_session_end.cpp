@@ -31,14 +31,21 @@ void StrokeSession::on_dropout(double t_s, const StrokeFinder &strokes) {
 	if (stage() == Stage::ACTIVE && t_s >= strokes.news_s() + ABSENCES_S.front()) {
 		look_for_end(t_s, strokes, true);
 	}
-	if (stage() != Stage::IDLE && !may_end_ && is_gone) {
+	if (end_) {
+		end_->is_predicted = false;
+		end_->is_lost = true;
+	}
+	if (stage() != Stage::IDLE && is_gone) {
 		abort(t_s);
 	}
 }
 
 /// is_missed: in a dropout that has lasted for ABSENCES_S.
 void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool is_missed) {
+	end_.reset();
 	double size = IMPOSSIBLE, under_way = IMPOSSIBLE;
+	Stroke last;
+	best_odds_ = IMPOSSIBLE;
 	bool is_hopeless = false;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
@@ -51,20 +58,32 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			likely_s_ = t_s;
 			furthest_ = std::max(furthest_, amplitudes(stroke));
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
+			strike_odds_ = path > under_way ? strike_evidence(stroke, usual_) : strike_odds_;
 			under_way = std::max(under_way, path);
+			best_odds_ = std::max(best_odds_, best + return_evidence(usual_, usual_.is_strike));
 			set_log_odds(under_way);
 		} else if (best < HOPELESS && (furthest_ < BARELY_BEGUN || amplitudes(stroke) > UNDER_WAY)) {
 			is_hopeless = true;
 		}
-		const double ended = LOG_PRIOR_OPEN + evidence.sum();
+		const double ended =
+				LOG_PRIOR_OPEN + evidence.sum() + (is_missed ? strike_evidence(stroke, usual_) : 0.0);
 		const bool is_end = is_missed ? amplitudes(stroke) > NEAR_END : strokes.ended();
 		if (is_end || (ended > END_LOG_ODDS && is_arriving(t_s, stroke))) {
+			last = ended > size ? stroke : last;
 			size = std::max(size, ended);
 		}
 	}
 	if (size > 0.0) {
 		set_log_odds(size);
-		may_end_ = true;
+		strike_odds_ = strike_evidence(last, usual_);
+		end_ = End{ .is_predicted = !is_missed && !strokes.ended(),
+			.t_s = t_s,
+			.log_odds = size,
+			.length_m = (last.to - last.from).norm(),
+			.duration_s = t_s - last.onset_s,
+			.value_m = gone_m_,
+			.comes_back = std::nullopt,
+			.is_lost = is_missed };
 		ended_s_ = t_s;
 		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > PAUSE_S) {
@@ -73,6 +92,34 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		hopeless_s_ = t_s;
 		dismiss(t_s);
 	}
+}
+
+/// Finds the end, and then whether the hand comes back, until the recogniser has decided.
+void StrokeSession::watch_end(double t_s, const StrokeFinder &strokes) {
+	if (!end_ || end_->is_predicted) {
+		look_for_end(t_s, strokes);
+		return;
+	}
+	const bool goes_on = gone_m_ > end_->value_m + SHORTEST * task().amplitude_m;
+	if (goes_on) {
+		look_for_end(t_s, strokes);
+		return;
+	}
+	const double back = (furthest_m_ - gone_m_) / end_->length_m, since_s = t_s - end_->t_s;
+	const double watch_s =
+			std::min((back < TURNED ? TURNED_WITHIN : COMES_BACK_WITHIN) * end_->duration_s, COMES_BACK_S);
+	const bool comes_back = back > COMES_BACK;
+	if (!end_->comes_back && !end_->is_lost && (comes_back || since_s >= watch_s)) {
+		end_->comes_back = comes_back;
+		set_log_odds(log_odds_if(comes_back));
+	}
+}
+
+double StrokeSession::log_odds_if(bool comes_back) const {
+	if (!end_ || end_->is_lost) {
+		return log_odds();
+	}
+	return end_->log_odds + return_evidence(usual_, end_->comes_back.value_or(comes_back));
 }
 
 /// The end is predicted as with a task. As the hand's own amplitude is unknown, it must have slowed down too.
@@ -116,7 +163,7 @@ bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) c
 }
 
 void StrokeSession::end_gesture(double t_s) {
-	may_end_ = false;
+	end_.reset();
 	arrive(t_s);
 }
 

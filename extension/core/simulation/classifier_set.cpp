@@ -42,15 +42,12 @@ void add_white_noise(Track &r_track, double deviation_m, Random &r_random) {
 Result<std::vector<SyntheticTrial>> make_turned_trials(const SyntheticSetOptions &options) {
 	std::vector<SyntheticTrial> trials;
 	Random random(TURN_SEED);
-	bool is_down = false;
 	for (SyntheticTrialRequest request : plan_synthetic_set(options)) {
 		Result<SyntheticTrial> made = make_synthetic_trial(request);
 		if (made && made.value().trial.has_axis()) {
 			const Trial &straight = made.value().trial;
-			is_down = straight.gesture == "tap" && !is_down;
-			request.subject.pace = is_down ? std::min(request.subject.pace, 1.0) : request.subject.pace;
-			const Eigen::Vector3d axis = is_down ? -Eigen::Vector3d::UnitY() : straight.axis;
-			request.place = GestureTask{ straight.start_m, turned(axis, MOST_TURN_DEG, random),
+			request.subject.pace = possible_pace(straight.gesture, straight.axis, request.subject.pace);
+			request.place = GestureTask{ straight.start_m, turned(straight.axis, MOST_TURN_DEG, random),
 				straight.amplitude_m };
 			made = make_synthetic_trial(request);
 		}

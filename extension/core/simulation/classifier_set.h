@@ -7,9 +7,8 @@
 
 namespace steadyhand {
 
-/// The trials of a set as people make them where no task is seen: each along an axis of its own, up to 20
-/// degrees off the gesture's. Every other tap goes down; of those none is slower than the person likes, as
-/// that is a drag. Error: as make_synthetic_trial().
+/// The trials of a set without a task: the axis of each is turned by up to 20 degrees. Error: as
+/// make_synthetic_trial().
 [[nodiscard]] Result<std::vector<SyntheticTrial>> make_turned_trials(const SyntheticSetOptions &options);
 
 /// Recordings for train_classifier(), of trials of the simulated gestures and of none.

@@ -61,11 +61,13 @@ constexpr double CIRCLE_RADIUS_M = 0.06;
 // Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom goes to three times the starting
 // radius. Through the surface by 1..4 cm: in mid-air nothing stops a tap. The circle begins at its top.
 constexpr std::array<SimulatedGesture, 5> GESTURES = { {
-		{ "horizontal_drag", 1.0, 0.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
-		{ "vertical_drag", 0.0, 1.0, 0.0, true, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0, carry_hand },
-		{ "tap", 0.0, 0.0, -1.0, false, 0.15, 0.0, 0.35, 0.15, 0.01, 0.04, carry_hand },
-		{ "zoom", 0.0, 0.0, 0.0, false, 0.03, 0.015, 0.88, 0.12, 0.0, 0.0, open_fingers },
-		{ "circle", -1.0, 0.0, 0.0, false, 2.0 * std::numbers::pi *CIRCLE_RADIUS_M, CIRCLE_RADIUS_M, 1.4,
+		{ "horizontal_drag", { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 }, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0,
+				carry_hand },
+		{ "vertical_drag", { 0.0, 1.0, 0.0 }, { 0.0, -1.0, 0.0 }, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0,
+				carry_hand },
+		{ "tap", { 0.0, 0.0, -1.0 }, { 0.0, -1.0, 0.0 }, 0.15, 0.0, 0.35, 0.15, 0.01, 0.04, carry_hand },
+		{ "zoom", {}, {}, 0.03, 0.015, 0.88, 0.12, 0.0, 0.0, open_fingers },
+		{ "circle", { -1.0, 0.0, 0.0 }, {}, 2.0 * std::numbers::pi *CIRCLE_RADIUS_M, CIRCLE_RADIUS_M, 1.4,
 				0.25, 0.0, 0.0, circle_hand, true },
 } };
 
@@ -140,6 +142,12 @@ const SimulatedGesture *find_simulated_gesture(std::string_view name) {
 	return found == GESTURES.end() ? nullptr : found;
 }
 
+double possible_pace(std::string_view gesture, const Eigen::Vector3d &axis, double pace) {
+	const SimulatedGesture *const found = find_simulated_gesture(gesture);
+	const bool is_strike = found != nullptr && found->through_max_m > 0.0;
+	return is_strike && axis.y() < -std::numbers::sqrt2 / 2.0 ? std::min(pace, 1.0) : pace;
+}
+
 Eigen::Vector3d hand_place_m(HandPosition position) {
 	// A head-mounted camera tracks best from 10 to 25 cm; beyond, and lower, it looks along the finger.
 	return position == HandPosition::STABLE ? Eigen::Vector3d(0.0, -0.08, -0.20)
@@ -148,10 +156,9 @@ Eigen::Vector3d hand_place_m(HandPosition position) {
 
 GestureTask draw_task(const SimulatedGesture &gesture, HandPosition position, Random &r_random) {
 	GestureTask task;
-	task.axis = { gesture.axis_x, gesture.axis_y, gesture.axis_z };
-	if (gesture.both_ways && r_random.chance(0.5)) {
-		task.axis = -task.axis;
-	}
+	const bool has_other = gesture.other_axis != std::array<double, 3>{};
+	const bool is_other = has_other && r_random.chance(0.5);
+	task.axis = Eigen::Vector3d((is_other ? gesture.other_axis : gesture.axis).data());
 	task.amplitude_m = gesture.amplitude_m;
 	task.radius_m = gesture.radius_m;
 	// The middle of the whole way is at the hand's place.

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -36,8 +37,8 @@ using PlaceHand = HandFrame (*)(const HandPath &path, double progress);
 /// The simulation's knowledge of one gesture. A new one is a new row.
 struct SimulatedGesture {
 	std::string_view name;
-	double axis_x, axis_y, axis_z; ///< all 0 where the task has no axis
-	bool both_ways;                ///< half of the tasks run against the axis
+	/// Unit vectors of the tasks, half of them each. All 0: the task has no axis, or one only.
+	std::array<double, 3> axis, other_axis;
 	double amplitude_m;
 	double radius_m;
 	double duration_mean_s; ///< onset to end over all people and trials
@@ -56,6 +57,10 @@ struct SimulatedGesture {
 /// A task of that gesture where the sensor sees the hand well or badly. The sensor is at the origin and looks
 /// along -z.
 [[nodiscard]] GestureTask draw_task(const SimulatedGesture &gesture, HandPosition position, Random &r_random);
+
+/// The pace (Subject::pace) at which a gesture is made along `axis` if this one is asked for. A slow strike
+/// down is a drag, so that people strike down at their own pace at least.
+[[nodiscard]] double possible_pace(std::string_view gesture, const Eigen::Vector3d &axis, double pace);
 
 /// Shortest and longest gesture that is made.
 inline constexpr double GESTURE_MIN_S = 0.15;

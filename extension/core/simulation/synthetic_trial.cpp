@@ -84,12 +84,15 @@ Result<SyntheticTrial> make_synthetic_trial(const SyntheticTrialRequest &request
 			return unknown_name("gesture", request.gesture, simulated_gestures(), " none");
 		}
 		task = draw_task(*gesture, request.position, random);
-		if (request.place) {
+		Subject subject = request.subject;
+		if (!request.place) {
+			subject.pace = possible_pace(request.gesture, task.axis, subject.pace);
+		} else {
 			task.amplitude_m = request.place->amplitude_m;
 			task.radius_m = task.axis.isZero(0.0) ? request.place->radius_m : task.radius_m;
 		}
-		motion = after_earlier_rounds(make_gesture_motion(*gesture, task, request.position, request.subject,
-											  request.duration_s, random),
+		motion = after_earlier_rounds(
+				make_gesture_motion(*gesture, task, request.position, subject, request.duration_s, random),
 				request.earlier_rounds);
 		const GestureTask &seen = request.place ? *request.place : task;
 		made.trial.start_m = task.axis.isZero(0.0) ? Eigen::Vector3d(task.radius_m, 0.0, 0.0) : seen.start_m;

@@ -15,6 +15,7 @@ using namespace parameters::strokes;
 
 constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
 constexpr double IMPOSSIBLE = -1e3;
+constexpr double LEAST_SHARE = 0.01; ///< of a duration: a stroke of no length has no pace
 
 /// Of the density of a normal whose deviation differs below and above its mode, 0.
 double log_two_piece_normal(double x, double below, double above) {
@@ -132,8 +133,8 @@ bool leads_somewhere(double length_m) {
 
 } // namespace
 
-StrokeEvidence stroke_evidence(
-		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s) {
+StrokeEvidence stroke_evidence(const Stroke &stroke, const FeaturePlace &way, const UsualStroke &usual) {
+	const double amplitude_m = usual.amplitude_m;
 	const FeaturePlace chord = stroke.to - stroke.from;
 	const double length_m = chord.norm(), time_s = stroke.now_s - stroke.onset_s;
 	if (!leads_somewhere(length_m) || !(time_s > 0.0)) {
@@ -146,10 +147,26 @@ StrokeEvidence stroke_evidence(
 	evidence.detour = detour_evidence(detour(stroke, length_m), usual_detour(stroke, length_m)) -
 			(stroke.is_joined ? SEVERAL_STROKES : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
-	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / duration_s));
+	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / usual.duration_s));
 	evidence.outlook =
 			direction_in_the_open(best_off(off, length_m, amplitude_m)) - direction + size_evidence(0.0, 0.0);
 	return evidence;
+}
+
+double strike_evidence(const Stroke &stroke, const UsualStroke &usual) {
+	if (!usual.is_strike) {
+		return 0.0;
+	}
+	// Of a stroke that goes on, the duration of a minimum jerk that has come as far in the same time.
+	const double share = minimum_jerk_share((stroke.to - stroke.from).norm() / usual.amplitude_m);
+	const double duration_s = (stroke.now_s - stroke.onset_s) / std::max(share, LEAST_SHARE);
+	const double slower = std::max(std::log(duration_s / usual.duration_s), 0.0) / SLOWER_STRIKE;
+	return -slower * slower * slower * slower;
+}
+
+double return_evidence(const UsualStroke &usual, bool comes_back) {
+	const double returns = usual.is_strike ? STRIKE_RETURNS : STAY_RETURNS;
+	return std::log(2.0 * (comes_back ? returns : 1.0 - returns));
 }
 
 double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m) {

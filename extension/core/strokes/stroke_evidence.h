@@ -2,6 +2,7 @@
 
 #include "gesture/gesture_model.h"
 #include "strokes/stroke_finder.h"
+#include "strokes/usual_stroke.h"
 
 namespace steadyhand {
 
@@ -23,7 +24,14 @@ struct StrokeEvidence {
 
 /// way: unit vector of the motion element's growth.
 [[nodiscard]] StrokeEvidence stroke_evidence(
-		const Stroke &stroke, const FeaturePlace &way, double amplitude_m, double duration_s);
+		const Stroke &stroke, const FeaturePlace &way, const UsualStroke &usual);
+
+/// Evidence of the pace of a stroke that has ended or goes on, nats, <= 0: a strike is never slow. 0 for
+/// other gestures: they have any pace. Only gestures along one path are compared by it.
+[[nodiscard]] double strike_evidence(const Stroke &stroke, const UsualStroke &usual);
+
+/// Evidence of what the hand does after its stroke, nats: it comes back at once, or it stays.
+[[nodiscard]] double return_evidence(const UsualStroke &usual, bool comes_back);
 
 /// By how much the outlook of a stroke is less that slows down long before the gesture's length, nats, <= 0:
 /// a minimum jerk whose speed has fallen as far would go little further. speed_m_s: the hand's by now.

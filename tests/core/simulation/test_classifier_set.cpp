@@ -19,7 +19,7 @@ SyntheticSetOptions few(Population population, std::uint32_t subjects, std::uint
 	return options;
 }
 
-TEST_CASE("turned trials run up to 20 degrees off the gesture's axes, every other tap down") {
+TEST_CASE("axes of turned trials are within 20 degrees of the gesture's, taps both ways") {
 	int down = 0, forward = 0;
 	const auto trials = make_turned_trials(few(Population::TUNE, 3, 2)).value();
 	for (const SyntheticTrial &made : trials) {
@@ -30,8 +30,8 @@ TEST_CASE("turned trials run up to 20 degrees off the gesture's axes, every othe
 			forward += is_tap && made.trial.axis.z() < -0.9 ? 1 : 0;
 		}
 	}
-	CHECK(down == 6);
-	CHECK(forward == 6);
+	CHECK(down + forward == 12);
+	CHECK(std::min(down, forward) >= 3);
 }
 
 TEST_CASE("equal recordings train an equal classifier, one HMM for each direction" *

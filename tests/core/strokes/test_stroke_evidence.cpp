@@ -26,7 +26,7 @@ Stroke straight(double length_m) {
 }
 
 StrokeEvidence evidence(const Stroke &stroke) {
-	return stroke_evidence(stroke, FeaturePlace::UnitX(), 0.2, 1.0);
+	return stroke_evidence(stroke, FeaturePlace::UnitX(), { .amplitude_m = 0.2, .duration_s = 1.0 });
 }
 
 /// Density of a hand that makes no gesture.

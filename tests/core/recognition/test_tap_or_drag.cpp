@@ -1,0 +1,111 @@
+// A tap down and a vertical drag have the same path. Pace tells them apart, and what the hand does at its
+// end.
+
+#include "gesture_events.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace steadyhand;
+using namespace steadyhand::test;
+
+namespace {
+
+using Models = std::vector<std::shared_ptr<const GestureModel>>;
+
+/// The hand passes a surface 0.15 m away, at 0.88 of its movement, and comes back.
+constexpr double LENGTH_M = 0.17, CONTACT_M = 0.15, CONTACT_PHASE = 0.7447;
+
+std::shared_ptr<const GestureModel> tap_model() {
+	std::vector<TrainingRecording> recordings = drag_recordings();
+	for (TrainingRecording &recording : recordings) {
+		recording.end_s = 0.5 + CONTACT_PHASE * (recording.end_s - 0.5);
+		recording.task.amplitude_m = 0.2 * CONTACT_M / LENGTH_M;
+	}
+	GestureModel trained = train("tap", "index_along_axis", recordings, {}).value();
+	trained.typical_task.axis = -Z;
+	trained.other_axes = { -Y };
+	trained.typical_task.amplitude_m = CONTACT_M;
+	trained.duration_mean_s = 0.27;
+	return std::make_shared<const GestureModel>(std::move(trained));
+}
+
+const Models &taps_and_drags() {
+	static const Models both{ model("upright", Y, true), tap_model() };
+	return both;
+}
+
+TestPath tap(double duration_s) {
+	return along(-Y,
+			{ { 0.6, duration_s, LENGTH_M },
+					{ 0.6 + 1.02 * duration_s, 1.15 * duration_s, -0.8 * LENGTH_M } });
+}
+
+TestPath drag(double duration_s) {
+	return along(-Y, { { 0.6, duration_s, 0.2 } });
+}
+
+Events events_of(const Models &models, const TestPath &path) {
+	GestureRecogniser recogniser(models, std::nullopt, MotionMode::PHASE);
+	return watch(recogniser, path, 3.0);
+}
+
+} // namespace
+
+TEST_CASE("a fast stroke down that comes back is a tap") {
+	for (const double duration_s : { 0.2, 0.3, 0.4, 0.5 }) {
+		CAPTURE(duration_s);
+		const Events events = events_of(taps_and_drags(), tap(duration_s));
+		REQUIRE(!events.names.empty());
+		CHECK(events.names.back() == "ended tap");
+		CHECK(ends(events) == 1);
+	}
+}
+
+TEST_CASE("a stroke down that stays is a drag at any pace") {
+	for (const double duration_s : { 0.35, 0.5, 0.7, 1.0, 2.0 }) {
+		CAPTURE(duration_s);
+		const Events events = events_of(taps_and_drags(), drag(duration_s));
+		REQUIRE(!events.names.empty());
+		CHECK(events.names.back() == "ended upright");
+		CHECK(ends(events) == 1);
+	}
+}
+
+TEST_CASE("a slow stroke down that comes back is a drag") {
+	const Events events = events_of(taps_and_drags(), tap(1.2));
+	CHECK(events.names == times(1, "upright"));
+}
+
+TEST_CASE("a drag down of 1 s shows no tap beside the model of a tap") {
+	for (const double duration_s : { 1.0, 2.0 }) {
+		CAPTURE(duration_s);
+		CHECK(events_of(taps_and_drags(), drag(duration_s)).names == times(1, "upright"));
+	}
+}
+
+TEST_CASE("a drag down of 0.8 s ends no later beside the model of a tap") {
+	for (const double duration_s : { 0.8, 1.0, 2.0 }) {
+		CAPTURE(duration_s);
+		const Events events = events_of(taps_and_drags(), drag(duration_s));
+		const Events alone = events_of({ taps_and_drags().front() }, drag(duration_s));
+		CHECK(events.last_ended_s - alone.last_ended_s < 0.02);
+	}
+}
+
+TEST_CASE("a tap down ends at its contact without the model of a drag") {
+	for (const double duration_s : { 0.25, 0.35, 0.5 }) {
+		CAPTURE(duration_s);
+		const Events events = events_of({ taps_and_drags().back() }, tap(duration_s));
+		CHECK(events.names == times(1, "tap"));
+		CHECK(std::abs(events.last_ended_s - (0.6 + CONTACT_PHASE * duration_s)) < 0.05);
+	}
+}
+
+TEST_CASE("a tap that is lost at its end has no second event") {
+	GestureRecogniser recogniser(taps_and_drags(), std::nullopt, MotionMode::PHASE);
+	const Events events = watch(recogniser, tap(0.3), 3.0, 0.85, 1.4);
+	CHECK(ends(events) <= 1);
+	CHECK(count(events, "started") <= 2);
+}
