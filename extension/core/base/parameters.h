@@ -142,17 +142,13 @@ STEADYHAND_PARAMETER NO_REST_SHARE = 0.001, REST_UNSEEN = 1.5;
 STEADYHAND_PARAMETER LOG_SHORTER = 0.15, LOG_LONGER = 0.5;
 /// Standard deviation of the log of duration / mean duration, and the share of gestures at any pace.
 STEADYHAND_PARAMETER LOG_DURATION = 0.55, ANY_PACE_SHARE = 0.25;
-/// Probability that the hand comes back at once, after a strike and after another gesture.
-STEADYHAND_PARAMETER STRIKE_RETURNS = 0.95, STAY_RETURNS = 0.05;
-/// The hand stays if it has not come back by the first fraction of the stroke's length within the first
-/// fraction of its duration, or by the second one within the second one.
+/// Probability that a hand comes back at once after a strike, and that it stays after another gesture.
+STEADYHAND_PARAMETER USUAL_ENDING = 0.95;
+/// A hand stays that has not come back by TURNED (fractions of the stroke's length) within TURNED_WITHIN (of
+/// its duration), or by COMES_BACK within COMES_BACK_WITHIN.
 STEADYHAND_PARAMETER TURNED = 0.03, TURNED_WITHIN = 0.5, COMES_BACK = 0.12, COMES_BACK_WITHIN = 0.8;
-/// It is not watched for longer.
-STEADYHAND_PARAMETER COMES_BACK_S = 0.35;
 /// Log of the duration of a strike over its mean, beyond which it is a drag.
 STEADYHAND_PARAMETER SLOWER_STRIKE = 0.53;
-/// Nats by which a strike that has just begun is slow: it starts later, because most such strokes are drags.
-STEADYHAND_PARAMETER SLOW_STRIKE = -0.1;
 /// Ranges of the null model: log of 0.05 to 2 amplitudes, and of 0.1 to 5 s.
 STEADYHAND_PARAMETER LOG_LENGTHS = 3.7, LOG_DURATIONS = 3.9;
 /// Nats against a gesture of several strokes.

@@ -133,7 +133,7 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	const double trembling = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
 	const double shortest = std::clamp(trembling, SHORTEST, UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
-		const bool is_slow = strike_evidence(stroke, usual_) < SLOW_STRIKE;
+		const bool is_slow = strike_evidence(stroke, usual_) < 0.0;
 		const double least = stroke.onset_s < hopeless_s_ || is_slow ? UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
 			continue;

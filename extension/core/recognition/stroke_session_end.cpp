@@ -105,11 +105,10 @@ void StrokeSession::watch_end(double t_s, const StrokeFinder &strokes) {
 		look_for_end(t_s, strokes);
 		return;
 	}
-	const double back = (furthest_m_ - gone_m_) / end_->length_m, since_s = t_s - end_->t_s;
-	const double watch_s =
-			std::min((back < TURNED ? TURNED_WITHIN : COMES_BACK_WITHIN) * end_->duration_s, COMES_BACK_S);
+	const double back = (furthest_m_ - gone_m_) / end_->length_m;
+	const double watch_s = (back < TURNED ? TURNED_WITHIN : COMES_BACK_WITHIN) * end_->duration_s;
 	const bool comes_back = back > COMES_BACK;
-	if (!end_->comes_back && !end_->is_lost && (comes_back || since_s >= watch_s)) {
+	if (!end_->comes_back && !end_->is_lost && (comes_back || t_s - end_->t_s >= watch_s)) {
 		end_->comes_back = comes_back;
 		set_log_odds(log_odds_if(comes_back));
 	}

@@ -165,8 +165,7 @@ double strike_evidence(const Stroke &stroke, const UsualStroke &usual) {
 }
 
 double return_evidence(const UsualStroke &usual, bool comes_back) {
-	const double returns = usual.is_strike ? STRIKE_RETURNS : STAY_RETURNS;
-	return std::log(2.0 * (comes_back ? returns : 1.0 - returns));
+	return std::log(2.0 * (comes_back == usual.is_strike ? USUAL_ENDING : 1.0 - USUAL_ENDING));
 }
 
 double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m) {
