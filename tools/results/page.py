@@ -45,7 +45,7 @@ GOALS = """## Goals
 
 - *Best predictor*: the best of One Euro, Kalman, ridge, minimum jerk and ProMP ([table](#other-predictors)).
 - The goals at stable positions are for real hands. A simulated sensor has a constant latency, which no motion shows.
-- These taps go forward. [Recognition](recognition.md) has taps down.
+- Half of the synthetic taps go down, the others forward. [Recognition](recognition.md) has both apart.
 - Single faults, short tasks and sudden stops have goals of their own: `tests/core/matrix/bounds.h`.
 
 {table}
