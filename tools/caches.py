@@ -13,8 +13,16 @@ def folder() -> Path:
     return Path(os.environ.get("STEADYHAND_CACHE") or Path(user) / "steadyhand")
 
 
-def forget_unused(objects: Path) -> None:
-    """Removes objects unused for KEPT_S. `objects` is a CacheDir of SCons, which touches the files it uses."""
+def prepare(objects: Path) -> bool:
+    """Makes this cache of SCons, and deletes what no clone has used for long. False if it cannot be written.
+
+    SCons sets the time of a file that it uses.
+    """
+    try:
+        objects.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return False
     for kept in objects.glob("*/*"):
         if time.time() - kept.stat().st_mtime > KEPT_S:
             kept.unlink(missing_ok=True)
+    return os.access(objects, os.W_OK)
