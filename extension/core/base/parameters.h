@@ -231,8 +231,8 @@ STEADYHAND_PARAMETER BEFORE_ONSET_S = 0.15, MEAN_S = 0.05;
 
 /// Posterior of a start, an abort and an end, and probability of the last state at an end.
 STEADYHAND_PARAMETER BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99, LAST_STATE = 0.5;
-/// Cosine between a gesture and its return, 45 degrees.
-STEADYHAND_PARAMETER OPPOSITE = -0.7;
+/// Cosine between a gesture and its return, and between two gestures of one path: 45 degrees.
+STEADYHAND_PARAMETER OPPOSITE = -0.7, SAME_DIRECTION = 0.7;
 
 // Several gestures.
 

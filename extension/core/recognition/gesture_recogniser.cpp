@@ -147,14 +147,12 @@ double GestureRecogniser::part_penalty(std::size_t session) const {
 }
 
 double GestureRecogniser::compared(std::size_t session, double log_odds) const {
+	const GestureSession &one = *sessions_[session];
 	bool has_rival = false;
-	for (std::size_t i = 0; i < sessions_.size() && sessions_[session]->strike_log_odds() < 0.0; ++i) {
-		const GestureSession &other = *sessions_[i];
-		const bool is_other = !gestures_[i].task && other.stage() == GestureSession::Stage::ACTIVE &&
-				other.strike_log_odds() == 0.0;
-		has_rival = has_rival || (is_other && other.best_log_odds() > sessions_[session]->log_odds());
+	for (std::size_t i = 0; i < sessions_.size() && one.strike_log_odds() < 0.0; ++i) {
+		has_rival = has_rival || (i != session && sessions_[i]->shares_path(one));
 	}
-	return log_odds - part_penalty(session) + (has_rival ? sessions_[session]->strike_log_odds() : 0.0);
+	return log_odds - part_penalty(session) + (has_rival ? one.strike_log_odds() : 0.0);
 }
 
 double GestureRecogniser::posterior(std::size_t session) const {
@@ -195,12 +193,26 @@ void GestureRecogniser::judge_starts() {
 
 void GestureRecogniser::abort_parts() {
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
-		const double penalty = gestures_[i].task ? 0.0 : part_penalty(i);
-		const bool is_active = sessions_[i]->stage() == GestureSession::Stage::ACTIVE;
-		if (is_active && penalty > 0.0 && sessions_[i]->best_log_odds() < penalty) {
+		if (gestures_[i].task || sessions_[i]->stage() == GestureSession::Stage::ENDED) {
+			continue;
+		}
+		const double penalty = part_penalty(i);
+		const bool is_part = penalty > 0.0 && sessions_[i]->best_log_odds() < penalty;
+		if ((is_part && sessions_[i]->stage() == GestureSession::Stage::ACTIVE) || returns_from_other(i)) {
 			sessions_[i]->abort(time_s_);
 		}
 	}
+}
+
+bool GestureRecogniser::returns_from_other(std::size_t session) const {
+	const std::span<const Stroke> strokes = watched(session).strokes.strokes();
+	for (std::size_t i = 0; i < sessions_.size() && !strokes.empty(); ++i) {
+		const bool is_other = i != session && watched_by_[i] == watched_by_[session];
+		if (is_other && sessions_[i]->is_return(strokes.front())) {
+			return true;
+		}
+	}
+	return false;
 }
 
 bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
@@ -222,12 +234,14 @@ bool GestureRecogniser::may_become_other(std::size_t best) const {
 	if (sessions_[best]->is_end_usual()) {
 		return false;
 	}
+	const double own = std::max(compared(best, sessions_[best]->log_odds_if(true)),
+			compared(best, sessions_[best]->log_odds_if(false)));
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		const GestureSession &other = *sessions_[i];
 		const bool is_rival =
 				i != best && !gestures_[i].task && other.stage() == GestureSession::Stage::ACTIVE;
 		const bool goes_on = !other.may_end() || other.is_end_predicted();
-		if (is_rival && goes_on && compared(i, other.best_log_odds()) > log_odds(best)) {
+		if (is_rival && goes_on && compared(i, other.best_log_odds()) > own) {
 			return true;
 		}
 	}
@@ -251,11 +265,12 @@ void GestureRecogniser::decide_ends() {
 	if (best < 0 || best != likeliest_if(false) || may_become_other(static_cast<std::size_t>(best))) {
 		return;
 	}
+	sessions_[static_cast<std::size_t>(best)]->count_end();
 	const int task = likeliest([&](std::size_t i) { return sessions_[i]->is_near_end(); });
 	const double odds = log_odds(static_cast<std::size_t>(best));
 	// What is done at a task will say itself when it ends.
 	const bool is_of_task = task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds;
-	if (is_of_task || !may_show(static_cast<std::size_t>(best))) {
+	if (is_of_task || odds <= 0.0 || !may_show(static_cast<std::size_t>(best))) {
 		for (const std::unique_ptr<GestureSession> &session : sessions_) {
 			if (session->may_end()) {
 				session->abort(time_s_);

@@ -143,6 +143,8 @@ private:
 	void judge_starts();
 	/// Aborts gestures without a task whose motion is clearly a part of another gesture, or of its return.
 	void abort_parts();
+	/// The hand comes back from the end of another gesture of the same feature.
+	[[nodiscard]] bool returns_from_other(std::size_t session) const;
 	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
 	/// f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;

@@ -68,7 +68,8 @@ public:
 	/// Of a new session: so that no two of a recogniser's count alike.
 	void count_on_from(std::uint32_t begun) { gestures_started_ = begun; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
-	/// log of the posterior odds of the gesture against none so far, nats; gestures compete by it.
+	/// log of the posterior odds of the gesture against none so far, nats; gestures compete by it. Without
+	/// length and duration of the movement until count_end().
 	[[nodiscard]] double log_odds() const { return log_odds_; }
 	/// The gesture has come to its end, likelier than not: to be answered by end_gesture() or abort().
 	[[nodiscard]] virtual bool may_end() const { return false; }
@@ -76,13 +77,21 @@ public:
 	[[nodiscard]] virtual bool is_end_predicted() const { return false; }
 	/// may_end(), and after its end the hand has done what is usual: it came back or stayed.
 	[[nodiscard]] virtual bool is_end_usual() const { return true; }
-	/// What log_odds() lacks if another gesture has the same path: evidence that a strike is too slow, nats,
-	/// <= 0.
+	/// What log_odds() lacks if another gesture shares_path(): evidence that a strike is too slow, nats, <=
+	/// 0.
 	[[nodiscard]] virtual double strike_log_odds() const { return 0.0; }
+	/// No strike, and without a task along the path of the other one.
+	[[nodiscard]] virtual bool shares_path(const GestureSession & /*other*/) const { return false; }
+	/// Direction of the movement without a task; 0 with one.
+	[[nodiscard]] virtual FeaturePlace axis() const { return FeaturePlace::Zero(); }
 	/// The most that log_odds() can become while the stroke goes on.
 	[[nodiscard]] virtual double best_log_odds() const { return log_odds_; }
 	/// log_odds() if the hand comes back at once after its end, or stays.
 	[[nodiscard]] virtual double log_odds_if(bool /*comes_back*/) const { return log_odds_; }
+	/// From now on log_odds() includes length and duration of the movement, and what the hand did after it.
+	virtual void count_end() {}
+	/// The gesture has ended, and the hand comes back from there by this stroke of its feature.
+	[[nodiscard]] virtual bool is_return(const Stroke & /*stroke*/) const { return false; }
 	virtual void end_gesture(double /*t_s*/) {}
 	/// Active, and near the task's end.
 	[[nodiscard]] virtual bool is_near_end() const { return false; }

@@ -20,8 +20,12 @@ public:
 	[[nodiscard]] bool is_end_predicted() const override { return end_ && end_->is_predicted; }
 	[[nodiscard]] bool is_end_usual() const override { return end_ && end_->comes_back == usual_.is_strike; }
 	[[nodiscard]] double strike_log_odds() const override { return strike_odds_; }
+	[[nodiscard]] bool shares_path(const GestureSession &other) const override;
+	[[nodiscard]] FeaturePlace axis() const override { return axis_; }
 	[[nodiscard]] double best_log_odds() const override { return best_odds_; }
 	[[nodiscard]] double log_odds_if(bool comes_back) const override;
+	void count_end() override { set_log_odds(log_odds_if(usual_.is_strike)); }
+	[[nodiscard]] bool is_return(const Stroke &stroke) const override;
 	void end_gesture(double t_s) override;
 	void ignore_before(double t_s) override { not_before_s_ = t_s; }
 	void abort(double t_s) override;

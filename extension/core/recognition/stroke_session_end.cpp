@@ -74,7 +74,6 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		}
 	}
 	if (size > 0.0) {
-		set_log_odds(size);
 		strike_odds_ = strike_evidence(last, usual_);
 		end_ = End{ .is_predicted = !is_missed && !strokes.ended(),
 			.t_s = t_s,
@@ -110,13 +109,15 @@ void StrokeSession::watch_end(double t_s, const StrokeFinder &strokes) {
 	const bool comes_back = back > COMES_BACK;
 	if (!end_->comes_back && !end_->is_lost && (comes_back || t_s - end_->t_s >= watch_s)) {
 		end_->comes_back = comes_back;
-		set_log_odds(log_odds_if(comes_back));
 	}
 }
 
 double StrokeSession::log_odds_if(bool comes_back) const {
-	if (!end_ || end_->is_lost) {
+	if (!end_) {
 		return log_odds();
+	}
+	if (end_->is_lost) {
+		return end_->log_odds;
 	}
 	return end_->log_odds + return_evidence(usual_, end_->comes_back.value_or(comes_back));
 }
@@ -159,6 +160,18 @@ bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) c
 	}
 	const StrokeEvidence evidence = evidence_of(stroke, strokes, way_of(stroke));
 	return evidence.rest > 0.0 && best_odds(evidence) > 0.0;
+}
+
+bool StrokeSession::shares_path(const GestureSession &other) const {
+	return !usual_.is_strike && std::ranges::any_of(directions_, [&other](const FeaturePlace &direction) {
+		return direction.dot(other.axis()) > SAME_DIRECTION;
+	});
+}
+
+bool StrokeSession::is_return(const Stroke &stroke) const {
+	const FeaturePlace chord = stroke.to - stroke.from;
+	return stage() == Stage::ENDED && stroke.onset_s > started_s() &&
+			chord.dot(way_) < OPPOSITE * chord.norm();
 }
 
 void StrokeSession::end_gesture(double t_s) {

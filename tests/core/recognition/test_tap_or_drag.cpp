@@ -109,3 +109,13 @@ TEST_CASE("a tap that is lost at its end has no second event") {
 	CHECK(ends(events) <= 1);
 	CHECK(count(events, "started") <= 2);
 }
+
+TEST_CASE("a fast return from a drag up is no tap") {
+	const TestPath path = along(Y, { { 0.6, 0.8, 0.2 }, { 1.8, 0.35, -0.2 } });
+	CHECK(events_of(taps_and_drags(), path).names == times(1, "upright"));
+}
+
+TEST_CASE("a drag down that stops half-way ends no gesture") {
+	const TestPath path = along(-Y, { { 0.6, 0.8, 0.1 }, { 2.6, 0.5, -0.1 } });
+	CHECK(has_no_end(events_of(taps_and_drags(), path)));
+}
