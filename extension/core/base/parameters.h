@@ -43,7 +43,7 @@ STEADYHAND_PARAMETER START_SPREAD = 0.07;
 /// Share of the minimum-jerk curve (Flash & Hogan 1985) in a movement; the rest is the model's curve.
 STEADYHAND_PARAMETER SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
 /// Standard deviation of the relative error of the endpoint, with a task and without.
-STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, OPEN_GAIN_SPREAD = 0.12;
+STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, NO_TASK_GAIN_SPREAD = 0.12;
 /// Deviation of a hand from the curve: critically damped noise, standard deviation and rate.
 STEADYHAND_PARAMETER DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// HOLD: standard deviation of the velocity, 1/s, and its rate. Tremor, sway, and the tracker's slow error.
@@ -120,7 +120,7 @@ STEADYHAND_PARAMETER SMALLEST_STROKE = 0.06;
 // anywhere.
 
 /// Log prior odds of the gesture against none, without a task and with one.
-STEADYHAND_PARAMETER LOG_PRIOR_OPEN = -5.0, LOG_PRIOR_TASK = 1.0;
+STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
 /// Width of the directions of a gesture without a task, radians, and the turn that a stroke may still make.
 STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
 /// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
@@ -135,7 +135,7 @@ STEADYHAND_PARAMETER LARGE_DETOUR_SHARE = 0.1, LARGE_DETOUR = 3.0;
 /// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may come to nothing.
 STEADYHAND_PARAMETER OTHER_DETOUR = 1.7;
 /// Motion before the onset: of a hand at rest, that of the tracker's error, m, and of any hand, 1/s.
-STEADYHAND_PARAMETER UNREST = 0.07, UNREST_M = 0.002, OTHER_UNREST_PER_S = 1.5;
+STEADYHAND_PARAMETER REST_MOTION = 0.07, REST_MOTION_M = 0.002, OTHER_MOTION_PER_S = 1.5;
 /// Share of gestures without a rest before them; nats against a gesture whose rest was not tracked.
 STEADYHAND_PARAMETER NO_REST_SHARE = 0.001, REST_UNSEEN = 1.5;
 /// Standard deviations of the log of length / amplitude, below and above 0: people often reach too far.

@@ -32,12 +32,12 @@ struct Feature {
 	double (*period_m)(const Task &task) = nullptr;
 	/// Distance of the hand from the task's path, m, in a frame for which measure has a value. Null if the
 	/// path is straight.
-	double (*off_way_m)(const HandFrame &frame, const Task &task) = nullptr;
+	double (*path_distance_m)(const HandFrame &frame, const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, not a position
 	/// Factor of the standard deviation of the endpoint without a task.
-	double open_gain_spread = 1.0;
+	double no_task_gain_factor = 1.0;
 	/// Weights of the coordinates of FeaturePlace in strokes.
-	std::array<double, 4> place_shares{ 1.0, 1.0, 1.0, 1.0 };
+	std::array<double, 4> coordinate_weights{ 1.0, 1.0, 1.0, 1.0 };
 };
 
 /// All features. A new one is a row of the table in feature.cpp.

@@ -138,7 +138,7 @@ void GestureRecogniser::watch_features() {
 			watched_.push_back(std::move(*old));
 			watched_.back().strokes.set_smallest(smallest_m);
 		} else {
-			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->place_shares.data());
+			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->coordinate_weights.data());
 			watched_.push_back(
 					{ feature, StrokeFinder(shares, smallest_m), {}, FeaturePlace::Zero(), {}, {} });
 		}

@@ -83,8 +83,8 @@ void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 
 /// The first one of those to whose start the hand is nearest.
 std::size_t GestureRecogniser::nearest() const {
-	const auto nearest = std::ranges::min_element(
-			sessions_, {}, [](const std::unique_ptr<GestureSession> &one) { return one->off_start_m(); });
+	const auto nearest = std::ranges::min_element(sessions_, {},
+			[](const std::unique_ptr<GestureSession> &one) { return one->start_distance_m(); });
 	return static_cast<std::size_t>(nearest - sessions_.begin());
 }
 
@@ -94,7 +94,7 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	if (sessions_.empty()) {
 		return std::nullopt;
 	}
-	const bool was_seen = sessions_[shown_]->off_start_m() < INFINITY;
+	const bool was_seen = sessions_[shown_]->start_distance_m() < INFINITY;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (const std::optional<FeaturePlace> &place = watched(i).place) {
 			sessions_[i]->locate(*place);
@@ -102,7 +102,7 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	}
 	std::optional<Motion> before;
 	const std::size_t other = leader_ < 0 ? nearest() : shown_;
-	if (sessions_[other]->off_start_m() < NEARER * sessions_[shown_]->off_start_m()) {
+	if (sessions_[other]->start_distance_m() < NEARER * sessions_[shown_]->start_distance_m()) {
 		before = was_seen ? std::optional(motion(MotionSource::SYNTHESISED, t_s)) : std::nullopt;
 		shown_ = other;
 		blend_ = {};

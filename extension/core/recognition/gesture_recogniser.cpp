@@ -97,7 +97,7 @@ void GestureRecogniser::expect_absence() {
 	next_absence_s_ = INFINITY;
 	for (const WatchedFeature &watched : watched_) {
 		for (const double absence_s : GestureSession::ABSENCES_S) {
-			const double due_s = watched.strokes.news_s() + absence_s;
+			const double due_s = watched.strokes.last_measurement_s() + absence_s;
 			const bool is_to_come = due_s >= time_s_ && due_s > last_absence_s_; // of a frame then, after it
 			next_absence_s_ = is_to_come ? std::min(next_absence_s_, due_s) : next_absence_s_;
 		}

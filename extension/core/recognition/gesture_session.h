@@ -101,7 +101,7 @@ public:
 	virtual void locate(const FeaturePlace & /*place_m*/) {}
 	/// From the start of the task to where the hand was last located, m; infinite before, and after a
 	/// dropout. A gesture that may start anywhere starts a hand's breadth away.
-	[[nodiscard]] virtual double off_start_m() const { return INFINITY; }
+	[[nodiscard]] virtual double start_distance_m() const { return INFINITY; }
 	/// With a task: from this fraction of the amplitude on the gesture counts where the hand stops.
 	virtual void set_completion(double /*share*/) {}
 	/// Its motion is shown: from t_s on it follows the hand, however far that is from the task.

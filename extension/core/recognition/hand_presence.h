@@ -9,10 +9,10 @@ namespace steadyhand {
 /// When a hand was seen, and when about the way of its task.
 class HandPresence {
 public:
-	void push(double t_s, bool is_about_way) {
+	void push(double t_s, bool is_on_path) {
 		found_s_ = is_recent(t_s) ? found_s_ : t_s;
 		last_s_ = t_s;
-		about_way_s_ = is_about_way ? t_s : about_way_s_;
+		on_path_s_ = is_on_path ? t_s : on_path_s_;
 	}
 
 	/// Of the newest frame that held what the feature needs; before one, never.
@@ -23,12 +23,12 @@ public:
 		return t_s - found_s_ <= parameters::sessions::RECENT_S;
 	}
 	/// For how long it has been seen elsewhere than about the way.
-	[[nodiscard]] double off_way_s() const { return last_s_ - about_way_s_; }
+	[[nodiscard]] double off_path_s() const { return last_s_ - on_path_s_; }
 
 private:
 	double last_s_ = INFINITY;
 	double found_s_ = -INFINITY;
-	double about_way_s_ = -INFINITY;
+	double on_path_s_ = -INFINITY;
 };
 
 } // namespace steadyhand

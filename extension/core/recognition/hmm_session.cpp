@@ -115,7 +115,7 @@ void HmmSession::abort(double t_s) {
 }
 
 void HmmSession::on_dropout(double t_s, const StrokeFinder &strokes) {
-	if (t_s >= strokes.news_s() + ABSENCES_S.back()) {
+	if (t_s >= strokes.last_measurement_s() + ABSENCES_S.back()) {
 		abort(t_s);
 	}
 }

@@ -86,10 +86,10 @@ FeaturePlace StrokeSession::way_of(const Stroke &stroke) const {
 StrokeEvidence StrokeSession::evidence_of(
 		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
 	Stroke watched = stroke;
-	watched.unrest_m = strokes.unrest_m(stroke);
+	watched.motion_before_m = strokes.motion_before_m(stroke);
 	const auto of = [&](const Stroke &one) { return stroke_evidence(one, way, usual_); };
 	StrokeEvidence evidence = of(watched);
-	const StrokeEvidence shown = of(watched.as_shown());
+	const StrokeEvidence shown = of(watched.as_measured());
 	if (shown.sum() > evidence.sum()) {
 		evidence = shown;
 	}
@@ -117,7 +117,7 @@ double StrokeSession::amplitudes(const Stroke &stroke) const {
 
 /// An upper bound of the log odds that the stroke can reach; cheap.
 double StrokeSession::most_odds(const Stroke &stroke) const {
-	return LOG_PRIOR_OPEN + most_evidence(stroke, way_of(stroke), task().amplitude_m);
+	return LOG_PRIOR_NO_TASK + max_evidence(stroke, way_of(stroke), task().amplitude_m);
 }
 
 /// One of the strokes cannot become the gesture.
@@ -143,14 +143,15 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 		}
 		const FeaturePlace way = way_of(stroke);
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
-		const double yet = evidence.outlook + shortfall(stroke, strokes.speed_m_s(), task().amplitude_m);
-		if (LOG_PRIOR_OPEN + evidence.so_far() + yet > 0.0) {
-			set_log_odds(LOG_PRIOR_OPEN + evidence.so_far());
+		const double yet =
+				evidence.max_remaining + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
+		if (LOG_PRIOR_NO_TASK + evidence.without_size() + yet > 0.0) {
+			set_log_odds(LOG_PRIOR_NO_TASK + evidence.without_size());
 			from_ = stroke.from;
 			way_ = axis_ = way;
 			aim(stroke.to);
 			// Not of a hand that waved when it came into view.
-			may_come_again_ = evidence.rest >= 0.0 || stroke.watched_s >= REST_S;
+			may_come_again_ = evidence.rest >= 0.0 || stroke.tracked_before_s >= REST_S;
 			start_ = start_of(stroke, strokes, way_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may have ended already
@@ -183,7 +184,7 @@ void StrokeSession::abort(double t_s) {
 
 void StrokeSession::dismiss(double t_s) {
 	end_.reset();
-	set_log_odds(LOG_PRIOR_OPEN);
+	set_log_odds(LOG_PRIOR_NO_TASK);
 	rest(t_s);
 }
 

@@ -16,7 +16,7 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 
 /// log odds if the rest of the stroke fits as well as it can.
 double best_odds(const StrokeEvidence &evidence) {
-	return LOG_PRIOR_OPEN + evidence.so_far() + evidence.outlook;
+	return LOG_PRIOR_NO_TASK + evidence.without_size() + evidence.max_remaining;
 }
 
 /// When the hand will stop if it slows down now.
@@ -27,8 +27,8 @@ double will_stop_s(double t_s, const Stroke &stroke) {
 } // namespace
 
 void StrokeSession::on_dropout(double t_s, const StrokeFinder &strokes) {
-	const bool is_gone = t_s >= strokes.news_s() + ABSENCES_S.back();
-	if (stage() == Stage::ACTIVE && t_s >= strokes.news_s() + ABSENCES_S.front()) {
+	const bool is_gone = t_s >= strokes.last_measurement_s() + ABSENCES_S.back();
+	if (stage() == Stage::ACTIVE && t_s >= strokes.last_measurement_s() + ABSENCES_S.front()) {
 		look_for_end(t_s, strokes, true);
 	}
 	if (end_) {
@@ -52,7 +52,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			continue;
 		}
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, axis_);
-		const double path = LOG_PRIOR_OPEN + evidence.so_far(), best = best_odds(evidence);
+		const double path = LOG_PRIOR_NO_TASK + evidence.without_size(), best = best_odds(evidence);
 		aim(stroke.to);
 		if (best > 0.0) {
 			likely_s_ = t_s;
@@ -66,7 +66,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 			is_hopeless = true;
 		}
 		const double ended =
-				LOG_PRIOR_OPEN + evidence.sum() + (is_missed ? strike_evidence(stroke, usual_) : 0.0);
+				LOG_PRIOR_NO_TASK + evidence.sum() + (is_missed ? strike_evidence(stroke, usual_) : 0.0);
 		const bool is_end = is_missed ? amplitudes(stroke) > NEAR_END : strokes.ended();
 		if (is_end || (ended > END_LOG_ODDS && is_arriving(t_s, stroke))) {
 			last = ended > size ? stroke : last;

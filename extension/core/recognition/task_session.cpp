@@ -27,12 +27,12 @@ std::optional<double> TaskSession::measure(
 		return std::nullopt;
 	}
 	if (!is_straight()) {
-		off_way_m_ = feature().off_way_m(frame, task());
+		path_distance_m_ = feature().path_distance_m(frame, task());
 	}
 	const double about = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
-	hand_.push(frame.t_s, off_way_m_ < about * task().amplitude_m);
+	hand_.push(frame.t_s, path_distance_m_ < about * task().amplitude_m);
 	update_nearness(frame.t_s);
-	strokes_.look(strokes);
+	strokes_.update(strokes);
 	const double x = *x_m / task().amplitude_m;
 	if (stage() == Stage::IDLE && std::abs(x) < RETURNED) {
 		wander_.push(frame.t_s, x);
@@ -62,11 +62,11 @@ bool TaskSession::is_near() const {
 }
 
 bool TaskSession::has_gone_elsewhere() const {
-	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_way_s() > LONG_DROPOUT_S
-						 : hand_.off_way_s() > DETECTION_S;
+	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_path_s() > LONG_DROPOUT_S
+						 : hand_.off_path_s() > DETECTION_S;
 }
 
-double TaskSession::off_start_m() const {
+double TaskSession::start_distance_m() const {
 	const bool is_anywhere = !is_straight() || feature().is_radius;
 	return is_anywhere ? std::max(away_m(), ANYWHERE_M) : away_m();
 }
@@ -84,7 +84,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 			if (is_rejected_ ? has_returned(t_s) : has_been_elsewhere(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && (is_straight() || hand_.off_way_s() <= 0.0) && has_started(t_s)) {
+			} else if (!is_rejected_ && (is_straight() || hand_.off_path_s() <= 0.0) && has_started(t_s)) {
 				strokes_.begin();
 				judge(strokes);
 				at_end_since_s_ = likely_s_ = t_s;
@@ -121,7 +121,7 @@ bool TaskSession::has_started(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return value() > START_VALUE && observation().y() > START_SPEED;
 	}
-	if (!strokes_.has_set_out()) {
+	if (!strokes_.has_onset()) {
 		return false;
 	}
 	const MotionEstimate now = estimate(t_s);
@@ -130,7 +130,7 @@ bool TaskSession::has_started(double t_s) const {
 		return false;
 	}
 	const double onset = std::clamp(START_DRIFTS * wander_.deviation(t_s), START_VALUE, RETURNED);
-	return now.value > (now.gesture > START_PROBABILITY && strokes_.heads_along() ? onset : HALFWAY);
+	return now.value > (now.gesture > START_PROBABILITY && strokes_.is_along_axis() ? onset : HALFWAY);
 }
 
 /// The estimator took a movement elsewhere for a whole gesture, and the hand is back.
@@ -161,7 +161,8 @@ bool TaskSession::has_aborted(double t_s) {
 /// The estimate may end the gesture: not long into a dropout unless the end was near, and not while the hand
 /// is tracked in the first half.
 bool TaskSession::is_known(double t_s, const StrokeFinder &strokes) const {
-	const double unseen_s = t_s - (feature().place != nullptr ? strokes.news_s() : hand_.last_s());
+	const double unseen_s =
+			t_s - (feature().place != nullptr ? strokes.last_measurement_s() : hand_.last_s());
 	const bool may_be_there = value() > HALFWAY || unseen_s > MISSING_S;
 	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
@@ -193,7 +194,7 @@ bool TaskSession::has_stopped(double t_s) const {
 void TaskSession::try_end(double t_s) {
 	const bool is_paper = mode() == MotionMode::PAPER;
 	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
-	if (counts && (is_paper || hand_.off_way_s() <= 0.0)) {
+	if (counts && (is_paper || hand_.off_path_s() <= 0.0)) {
 		arrive(t_s);
 	} else if (!counts && t_s - at_end_since_s_ > DETECTION_S) {
 		is_rejected_ = true;
@@ -219,14 +220,14 @@ bool TaskSession::is_near_end() const {
 
 /// A dropout, not a freeze: a tracker that repeats itself may show a hand at rest.
 void TaskSession::lose(double t_s) {
-	set_log_odds(LOG_PRIOR_OPEN);
-	off_start_m_ = off_way_m_ = INFINITY;
+	set_log_odds(LOG_PRIOR_NO_TASK);
+	start_distance_m_ = path_distance_m_ = INFINITY;
 	reset_hand(t_s);
 }
 
 void TaskSession::abort(double t_s) {
 	if (stage() != Stage::IDLE) {
-		set_log_odds(LOG_PRIOR_OPEN);
+		set_log_odds(LOG_PRIOR_NO_TASK);
 		is_rejected_ = true; // until the hand has returned
 		go_idle(t_s);
 	}

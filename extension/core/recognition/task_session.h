@@ -19,10 +19,10 @@ public:
 	void set_completion(double share) override { completion_ = share; }
 	void follow_hand(double t_s) override { followed_s_ = t_s; }
 	void locate(const FeaturePlace &place_m) override {
-		off_start_m_ = strokes_.off_start_m(place_m);
-		off_way_m_ = strokes_.off_way_m(place_m);
+		start_distance_m_ = strokes_.start_distance_m(place_m);
+		path_distance_m_ = strokes_.path_distance_m(place_m);
 	}
-	[[nodiscard]] double off_start_m() const override;
+	[[nodiscard]] double start_distance_m() const override;
 	void ignore_before(double t_s) override { strokes_.ignore_before(t_s); }
 	void abort(double t_s) override;
 	[[nodiscard]] bool is_near_end() const override;
@@ -33,8 +33,8 @@ private:
 	TaskStrokes strokes_;
 	RestWander wander_; ///< of the motion element at rest
 	HandPresence hand_;
-	double off_start_m_ = INFINITY; ///< of a straight task
-	double off_way_m_ = INFINITY;
+	double start_distance_m_ = INFINITY; ///< of a straight task
+	double path_distance_m_ = INFINITY;
 	double followed_s_ = -INFINITY; ///< when the hand was last near, or the motion shown
 	bool is_rejected_ = false;      ///< the movement was no gesture: nothing starts before the return
 	double likely_s_ = 0.0;         ///< when P(gesture) was last above the threshold of a start
@@ -48,9 +48,9 @@ private:
 	void update_stage(double t_s, const StrokeFinder &strokes) override;
 	void judge(const StrokeFinder &strokes);
 	void update_nearness(double t_s);
-	[[nodiscard]] bool is_straight() const { return feature().off_way_m == nullptr; }
+	[[nodiscard]] bool is_straight() const { return feature().path_distance_m == nullptr; }
 	/// From where the gesture may start: on a circle, anywhere.
-	[[nodiscard]] double away_m() const { return is_straight() ? off_start_m_ : off_way_m_; }
+	[[nodiscard]] double away_m() const { return is_straight() ? start_distance_m_ : path_distance_m_; }
 	[[nodiscard]] bool is_near() const;
 	[[nodiscard]] bool has_gone_elsewhere() const;
 	[[nodiscard]] bool has_been_elsewhere(double t_s) const;

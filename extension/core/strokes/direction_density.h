@@ -5,9 +5,10 @@
 
 namespace steadyhand {
 
-/// log of the density over the sphere of directions near an axis, against the even one: almost constant
-/// within `width` of the axis, then falling off, exp(-(off / width)^6). off: distance of the two unit
-/// vectors, 0..2, in which areas of the sphere are those of the plane. 0 for a width of the whole sphere.
+/// Log of the density of directions near an axis, relative to the uniform density on the sphere. The density
+/// is almost constant within `width` of the axis and falls off as exp(-(off / width)^6). off: distance of the
+/// two unit vectors, 0..2; a circle of this radius on the sphere has the area pi off^2. About 0 for widths
+/// far beyond 2.
 [[nodiscard]] inline double log_direction_ratio(double off, double width) {
 	constexpr double GAMMA_THIRD = 2.6789385347077476; // gamma(1/3)
 	const double cube = off * off * off / (width * width * width);

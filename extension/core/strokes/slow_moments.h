@@ -5,8 +5,8 @@
 
 namespace steadyhand {
 
-/// For each speed, the last time that the hand was slower than ever since: speeds rise from the bottom up.
-/// Moment has a speed_m_s. Those that are hardly faster than the one below are left out.
+/// Moments after which the hand was never slower again, in the order of time and of speed. Moment has a
+/// member speed_m_s. A moment whose speed is less than SPEED_RATIO times the one before is left out.
 template <class Moment> class SlowMoments {
 public:
 	void clear() { count_ = 0; }
@@ -19,7 +19,7 @@ public:
 			moments_[count_++] = now;
 		}
 	}
-	/// nullptr where there was none.
+	/// The last moment below this speed; nullptr if there is none.
 	[[nodiscard]] const Moment *last_slower_than(double speed_m_s) const {
 		for (std::size_t i = count_; i > 0; --i) {
 			if (moments_[i - 1].speed_m_s < speed_m_s) {

@@ -4,12 +4,12 @@
 
 namespace steadyhand {
 
-Stroke Stroke::as_shown() const {
+Stroke Stroke::as_measured() const {
 	Stroke shown = *this;
-	shown.from = shown_from;
-	shown.to = shown_to;
-	shown.middle += 0.5 * (shown_from - from + shown_to - to);
-	shown.way_m += ((shown_to - shown_from) - (to - from)).norm();
+	shown.from = measured_from;
+	shown.to = measured_to;
+	shown.middle += 0.5 * (measured_from - from + measured_to - to);
+	shown.path_m += ((measured_to - measured_from) - (to - from)).norm();
 	return shown;
 }
 
@@ -18,13 +18,13 @@ Stroke joined(const Stroke &first, const Stroke &second) {
 	both.now_s = second.now_s;
 	both.moved_s = second.moved_s;
 	both.to = second.to;
-	both.shown_to = second.shown_to;
-	if (first.way_m + second.way_m > 0.0) {
-		both.middle =
-				(first.way_m * first.middle + second.way_m * second.middle) / (first.way_m + second.way_m);
+	both.measured_to = second.measured_to;
+	if (first.path_m + second.path_m > 0.0) {
+		both.middle = (first.path_m * first.middle + second.path_m * second.middle) /
+				(first.path_m + second.path_m);
 	}
 	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
-	both.way_m = first.way_m + (second.from - first.to).norm() + second.way_m;
+	both.path_m = first.path_m + (second.from - first.to).norm() + second.path_m;
 	both.is_joined = true;
 	return both;
 }

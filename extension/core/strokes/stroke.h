@@ -4,34 +4,33 @@
 
 namespace steadyhand {
 
-/// What a hand did from where it was last as good as still to where it is.
+/// A stroke: movement of the hand from its last slow moment on. Positions are scaled as StrokeFinder's.
 struct Stroke {
 	double onset_s = 0.0;
 	double now_s = 0.0;
-	double moved_s = 0.0; ///< when the hand was last on its way: earlier than now while it rests
+	double moved_s = 0.0; ///< when the hand last moved: earlier than now_s while it rests
 	FeaturePlace from = FeaturePlace::Zero();
 	FeaturePlace to = FeaturePlace::Zero();
-	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over its way
-	/// `from` and `to` as the tracker shows them; the other places are without its displacement.
-	FeaturePlace shown_from = FeaturePlace::Zero();
-	FeaturePlace shown_to = FeaturePlace::Zero();
+	FeaturePlace middle = FeaturePlace::Zero(); ///< mean over the length of the path
+	/// `from` and `to` as measured. The other positions are corrected for the tracker's displacement.
+	FeaturePlace measured_from = FeaturePlace::Zero();
+	FeaturePlace measured_to = FeaturePlace::Zero();
 	double peak_m_s = 0.0;
-	double way_m = 0.0; ///< length of the way from `from` to `to`, >= their distance
-	/// How far from `from` the hand was before the onset, at most; before slow strokes there is more to it:
-	/// StrokeFinder::unrest_m.
-	double unrest_m = 0.0;
-	/// For how long before the onset: no more than parameters::strokes::REST_S, less where it was not
-	/// tracked.
-	double watched_s = 0.0;
-	bool is_joined = false; ///< of several, between which the hand hesitated
-	/// It set out from rest. Otherwise the hand came into view on its way, at `from`.
+	double path_m = 0.0; ///< length of the path from `from` to `to`, >= their distance
+	/// Greatest distance of the hand from `from` in the REST_S before the onset. Slow strokes need a longer
+	/// time: StrokeFinder::motion_before_m.
+	double motion_before_m = 0.0;
+	/// Time before the onset in which the hand was tracked, at most parameters::strokes::REST_S.
+	double tracked_before_s = 0.0;
+	bool is_joined = false; ///< consists of several strokes, between which the hand hesitated
+	/// False if the hand came into view while it moved, at `from`.
 	bool is_from_rest = true;
 
-	/// The same if the hand made all jumps of the tracker.
-	[[nodiscard]] Stroke as_shown() const;
+	/// The stroke without correction for the tracker's displacement.
+	[[nodiscard]] Stroke as_measured() const;
 };
 
-/// Both as one, as far as a task's evidence asks: what the hand did between them adds its way only.
+/// Two strokes as one, with all that task_evidence() needs. The distance between them is added to path_m.
 [[nodiscard]] Stroke joined(const Stroke &first, const Stroke &second);
 
 } // namespace steadyhand

@@ -6,48 +6,48 @@
 
 namespace steadyhand {
 
-/// How much a stroke of the hand speaks for a gesture and against the null model, in nats:
-/// log P(stroke | gesture) - log P(stroke | none). The null model is a hand that goes anywhere: each
-/// direction as likely as any other, lengths and durations log-uniform, any bow and detour, from one stroke
-/// into the next. A gesture goes about along its axis, straight, about as far and as long as it was trained,
-/// and begins at rest. stroke_evidence.cpp has the densities.
+/// Log likelihood ratio of a stroke, gesture against null model, in nats: log P(stroke | gesture) -
+/// log P(stroke | none). The null model is a hand that goes anywhere. Its directions are uniform on the
+/// sphere, its lengths and durations log-uniform. It has any bow and detour, and no rest between strokes. A
+/// gesture is straight, along its axis, starts at rest, and is about as long as the trained one.
+/// stroke_evidence.cpp has the densities.
 struct StrokeEvidence {
-	double path = 0.0;    ///< of direction and straightness: known while the stroke is under way
-	double detour = 0.0;  ///< of turns on its way: known as well
-	double rest = 0.0;    ///< of the rest before it: known from its onset on
-	double size = 0.0;    ///< of length and duration: once it has ended
-	double outlook = 0.0; ///< the most that the rest of the way, and size, could yet add
+	double path = 0.0;          ///< of direction and straightness; valid during the stroke
+	double detour = 0.0;        ///< of the length of the path; valid during the stroke
+	double rest = 0.0;          ///< of the rest before the onset; valid from the onset on
+	double size = 0.0;          ///< of length and duration; valid after the end
+	double max_remaining = 0.0; ///< upper bound of what the rest of the stroke can add, with size
 
-	[[nodiscard]] double so_far() const { return path + detour + rest; }
-	[[nodiscard]] double sum() const { return so_far() + size; }
+	[[nodiscard]] double without_size() const { return path + detour + rest; }
+	[[nodiscard]] double sum() const { return without_size() + size; }
 };
 
-/// way: unit vector of the motion element's growth.
+/// direction: unit vector in which the motion element grows.
 [[nodiscard]] StrokeEvidence stroke_evidence(
-		const Stroke &stroke, const FeaturePlace &way, const UsualStroke &usual);
+		const Stroke &stroke, const FeaturePlace &direction, const UsualStroke &usual);
 
-/// Evidence of the pace of a stroke that has ended or goes on, nats, <= 0: a strike is never slow. 0 for
-/// other gestures: they have any pace. Only gestures along one path are compared by it.
+/// Evidence of the pace of a stroke, during it or after its end, nats, <= 0. A strike is never slow. 0 for
+/// other gestures, which have any pace. It only compares gestures along one path.
 [[nodiscard]] double strike_evidence(const Stroke &stroke, const UsualStroke &usual);
 
-/// Evidence of what the hand does after its stroke, nats: it comes back at once, or it stays.
+/// Evidence of the motion after the stroke, nats: the hand comes back at once, or it stays.
 [[nodiscard]] double return_evidence(const UsualStroke &usual, bool comes_back);
 
-/// By how much the outlook of a stroke is less that slows down long before the gesture's length, nats, <= 0:
-/// a minimum jerk whose speed has fallen as far would go little further. speed_m_s: the hand's by now.
-[[nodiscard]] double shortfall(const Stroke &stroke, double speed_m_s, double amplitude_m);
+/// Correction of StrokeEvidence::max_remaining for a stroke that slows down long before the gesture's length,
+/// nats, <= 0. A minimum-jerk movement of the same fraction of its peak speed is almost at its end.
+/// speed_m_s: present speed of the hand.
+[[nodiscard]] double slowing_evidence(const Stroke &stroke, double speed_m_s, double amplitude_m);
 
-/// What so_far() and the rest of the way, or size, come to at most, nats: quickly told of strokes that go
-/// elsewhere.
-[[nodiscard]] double most_evidence(const Stroke &stroke, const FeaturePlace &way, double amplitude_m);
+/// Upper bound, nats, of sum() and of without_size() + max_remaining. It costs less than they do.
+[[nodiscard]] double max_evidence(const Stroke &stroke, const FeaturePlace &direction, double amplitude_m);
 
-/// The same for a task that says where the stroke should begin, and from there exactly which way it should
-/// go, to the task's end, instead of how long it should be: of direction, straightness and start, nats.
+/// Log likelihood ratio of a stroke with a task, nats: of direction to the task's end, straightness and
+/// start. Length, duration and rest have no influence. start: of the task.
 [[nodiscard]] double task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m);
 
-/// What that comes to at most, of a stroke that has begun there.
-[[nodiscard]] double most_task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &way, double amplitude_m);
+/// Upper bound, nats, of task_evidence() for a stroke with this start.
+[[nodiscard]] double max_task_evidence(
+		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m);
 
 } // namespace steadyhand

@@ -11,7 +11,7 @@ namespace {
 using namespace parameters;
 using namespace parameters::strokes;
 
-constexpr double PIECE_S = WayKnots::APART_S; ///< of the way
+constexpr double PIECE_S = PathKnots::APART_S; ///< least duration of a straight piece of the path
 
 } // namespace
 
@@ -23,11 +23,11 @@ void StrokeFinder::restart(const Sample &first) {
 	slow_moments_.clear();
 	piece_ = newest_;
 	knots_.restart(first.t_s, first.place_m);
-	gap_s_ = INFINITY;
+	dropout_s_ = INFINITY;
 	found_s_ = first.t_s;
 	speed_m_s_ = 0.0;
 	onset_.reset();
-	begin_anew(newest_);
+	start_new_stroke(newest_);
 	entry_ = newest_;
 	earlier_count_ = 0;
 }
@@ -39,26 +39,26 @@ Stroke StrokeFinder::between(const Sample &onset, const Sample &now, double peak
 		.from = onset.place_m,
 		.to = now.place_m,
 		.middle = now.place_m,
-		.shown_from = onset.shown_m,
-		.shown_to = now.shown_m,
+		.measured_from = onset.measured_m,
+		.measured_to = now.measured_m,
 		.peak_m_s = peak_m_s,
-		.way_m = std::max(now.way_m - onset.way_m, (now.place_m - onset.place_m).norm()),
-		.unrest_m = onset.unrest_m,
-		.watched_s = onset.watched_s,
+		.path_m = std::max(now.path_m - onset.path_m, (now.place_m - onset.place_m).norm()),
+		.motion_before_m = onset.motion_before_m,
+		.tracked_before_s = onset.tracked_before_s,
 		.is_from_rest = onset.is_rest };
-	// A way falls again where the hand trembles, and may come to nothing since the onset.
-	const double gone_m = now.way_m - onset.way_m, length_m = (now.place_m - onset.place_m).norm();
-	if (gone_m < 0.5 * length_m) {
+	// path_m decreases again when the hand trembles, and its difference may be about 0.
+	const double path_m = now.path_m - onset.path_m, length_m = (now.place_m - onset.place_m).norm();
+	if (path_m < 0.5 * length_m) {
 		stroke.middle = 0.5 * (onset.place_m + now.place_m);
-	} else if (gone_m > 0.0) {
-		stroke.middle = (now.sum - onset.sum) / gone_m;
+	} else if (path_m > 0.0) {
+		stroke.middle = (now.sum - onset.sum) / path_m;
 	}
 	return stroke;
 }
 
 void StrokeFinder::push(
 		const Measurement &measurement, const FeaturePlace &place_m, const FeaturePlace &displacement_m) {
-	const double since_s = measurement.t_s - news_s();
+	const double since_s = measurement.t_s - last_measurement_s();
 	if (!measurement.is_usable() || since_s < LEAST_FRAME_S) {
 		return;
 	}
@@ -66,24 +66,24 @@ void StrokeFinder::push(
 	displacement_m_ = displacement_m;
 	noise_m_ = measurement.noise_m;
 	if (ended_) {
-		begin_anew(end_);
+		start_new_stroke(end_);
 	}
 	const Sample now{ .t_s = measurement.t_s,
 		.place_m = scale_.cwiseProduct(place_m - displacement_m),
-		.shown_m = scale_.cwiseProduct(place_m) };
+		.measured_m = scale_.cwiseProduct(place_m) };
 	if (since_s > LONG_DROPOUT_S) {
 		recent_.clear();
 		restart(smoothed(now));
 		return;
 	}
 	if (since_s > LOST_S) {
-		gap_s_ = since_s;
+		dropout_s_ = since_s;
 		found_s_ = measurement.t_s;
 	}
 	follow(smoothed(now));
 }
 
-/// The mean over as many of the newest samples as the noise asks for, at their mean time.
+/// Mean of the newest samples, at their mean time. The window grows with the noise.
 StrokeFinder::Sample StrokeFinder::smoothed(const Sample &now) {
 	const double period_s = recent_.empty() ? 0.0 : now.t_s - recent_.newest().t_s;
 	const double ratio = smallest_m_ > 0.0 ? noise_m_ / (STILL * smallest_m_) : 0.0;
@@ -96,24 +96,24 @@ StrokeFinder::Sample StrokeFinder::smoothed(const Sample &now) {
 	for (std::size_t i = 0; i < recent_.size(); ++i) {
 		mean.t_s += recent_[i].t_s - now.t_s;
 		mean.place_m += recent_[i].place_m - now.place_m;
-		mean.shown_m += recent_[i].shown_m - now.shown_m;
+		mean.measured_m += recent_[i].measured_m - now.measured_m;
 	}
 	const double n = static_cast<double>(recent_.size());
 	return { .t_s = now.t_s + mean.t_s / n,
 		.place_m = now.place_m + mean.place_m / n,
-		.shown_m = now.shown_m + mean.shown_m / n };
+		.measured_m = now.measured_m + mean.measured_m / n };
 }
 
 void StrokeFinder::follow(Sample now) {
 	const double dt_s = now.t_s - newest_.t_s;
-	if (dt_s > PIECE_S && turned_unseen(now.place_m)) {
-		begin_anew(newest_);
+	if (dt_s > PIECE_S && reverses(now.place_m)) {
+		start_new_stroke(newest_);
 	}
-	// A slope is that of half a window ago.
+	// A slope is the speed at the middle of its window.
 	now.speed_s = now.t_s - 0.5 * std::max(WINDOW_S, dt_s);
-	measure_way(now);
-	now.sum = newest_.sum + 0.5 * (now.way_m - newest_.way_m) * (newest_.place_m + now.place_m);
-	// Where the hand turned unseen, it was last tracked nearest to where.
+	update_path(now);
+	now.sum = newest_.sum + 0.5 * (now.path_m - newest_.path_m) * (newest_.place_m + now.place_m);
+	// If the hand turned in a dropout, the last sample before it is nearest to the turn.
 	end_ = dt_s > PIECE_S ? newest_ : now;
 	newest_ = now;
 	places_.push(now.t_s, now.place_m, WINDOW_S);
@@ -131,12 +131,12 @@ void StrokeFinder::follow(Sample now) {
 	if (stroke_count_ > 0) {
 		ended_ = is_slow || velocity_m_s.dot(now.place_m - strokes_[0].from) < 0.0;
 	} else if (is_slow) {
-		begin_anew(now);
+		start_new_stroke(now);
 	}
 }
 
-/// Since the last frame, going back to place_m: it may have passed the onset by now.
-bool StrokeFinder::turned_unseen(const FeaturePlace &place_m) const {
+/// The hand moves from the last sample to place_m against the direction of the present stroke.
+bool StrokeFinder::reverses(const FeaturePlace &place_m) const {
 	if (!onset_) {
 		return false;
 	}
@@ -163,9 +163,9 @@ void StrokeFinder::list_strokes(const Sample &now) {
 	}
 }
 
-void StrokeFinder::measure_way(Sample &r_sample) {
+void StrokeFinder::update_path(Sample &r_sample) {
 	const double piece_m = (r_sample.place_m - piece_.place_m).norm();
-	r_sample.way_m = piece_.way_m + piece_m;
+	r_sample.path_m = piece_.path_m + piece_m;
 	if (r_sample.t_s - piece_.t_s >= PIECE_S && piece_m >= smallest_m_) {
 		piece_ = r_sample;
 	}
@@ -175,25 +175,25 @@ void StrokeFinder::measure_way(Sample &r_sample) {
 void StrokeFinder::measure_rest(Sample &r_onset) const {
 	const double until_s = r_onset.speed_s;
 	double since_s = until_s - REST_S;
-	r_onset.watched_s = REST_S;
-	if (found_s_ > since_s && gap_s_ > LONG_DROPOUT_S) {
-		r_onset.watched_s = std::max(until_s - found_s_, 0.0);
+	r_onset.tracked_before_s = REST_S;
+	if (found_s_ > since_s && dropout_s_ > LONG_DROPOUT_S) {
+		r_onset.tracked_before_s = std::max(until_s - found_s_, 0.0);
 	} else if (found_s_ > since_s) {
-		since_s -= gap_s_;
+		since_s -= dropout_s_;
 	}
-	r_onset.unrest_m = knots_.stray_m(since_s, until_s);
+	r_onset.motion_before_m = knots_.max_distance_m(since_s, until_s);
 }
 
-double StrokeFinder::unrest_m(const Stroke &stroke) const {
+double StrokeFinder::motion_before_m(const Stroke &stroke) const {
 	const double watch_s = std::min(REST_SHARE * (stroke.now_s - stroke.onset_s), LONGEST_REST_S);
 	if (watch_s <= REST_S) {
-		return stroke.unrest_m;
+		return stroke.motion_before_m;
 	}
 	const double then_s = stroke.onset_s - 0.5 * WINDOW_S;
-	return std::max(stroke.unrest_m, knots_.stray_m(then_s - watch_s, then_s));
+	return std::max(stroke.motion_before_m, knots_.max_distance_m(then_s - watch_s, then_s));
 }
 
-/// By the peak that has just risen: it may be another stroke's than that which seemed to be under way.
+/// Finds the onset for the present peak speed. A higher peak may give a later onset, of another stroke.
 void StrokeFinder::find_onset() {
 	const Sample *const rest = slow_moments_.last_slower_than(SPEED_SHARE * peak_m_s_);
 	if (rest == nullptr) {
@@ -202,17 +202,18 @@ void StrokeFinder::find_onset() {
 		Sample onset = *rest;
 		measure_rest(onset);
 		if (onset_ && (onset.place_m - onset_->place_m).norm() > smallest_m_) {
-			remember_stroke(*onset_, onset);
+			store_stroke(*onset_, onset);
 		}
 		onset_ = onset;
 		entry_.reset();
 	}
 }
 
-/// What comes is another stroke.
-void StrokeFinder::begin_anew(const Sample &end) {
+/// The present stroke ends at `end`.
+void StrokeFinder::start_new_stroke(const Sample &end) {
 	if (onset_ && (end.place_m - onset_->place_m).norm() > smallest_m_) {
-		remember_stroke(*onset_, end);
+		store_stroke(*onset_, end);
+		// The next onset is not before the end. After tremor it may be.
 		slow_moments_.clear();
 		slow_moments_.push(end);
 	}
@@ -223,8 +224,7 @@ void StrokeFinder::begin_anew(const Sample &end) {
 	peak_m_s_ = 0.0;
 }
 
-/// The next one begins after it. Where the hand only trembled, it may have begun before.
-void StrokeFinder::remember_stroke(const Sample &onset, const Sample &end) {
+void StrokeFinder::store_stroke(const Sample &onset, const Sample &end) {
 	if (onset.t_s - earlier_end_s_ >= PAUSE_S) {
 		earlier_count_ = 0;
 	}

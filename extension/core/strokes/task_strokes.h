@@ -11,57 +11,60 @@ namespace steadyhand {
 
 struct Task;
 
-/// What strokes of the hand say of a gesture whose task is known: whether it has set out, and whether it
-/// makes the gesture. The gesture may be made of several, however long the hand rested between them.
+/// Evidence of the hand's strokes for a gesture with a task: whether it has begun, and its log odds. The
+/// gesture may consist of several strokes, with rests of any length between them.
 class TaskStrokes {
 public:
-	/// A feature that has no place, because its way is no stroke, is taken at its word: the hand always has
-	/// set out, and the odds are even.
+	/// A feature without a position has no straight strokes. Then has_onset() is always true and the log odds
+	/// are 0.
 	TaskStrokes(const Feature &feature, const Task &task);
 
-	/// Strokes that began before t_s are not looked at.
+	/// Strokes with an onset before t_s are not used.
 	void ignore_before(double t_s) { not_before_s_ = std::max(not_before_s_, t_s); }
-	/// Whether the hand goes, or went, along the task's way, from no further off than its start may be.
-	void look(const StrokeFinder &strokes);
-	[[nodiscard]] bool has_set_out() const { return has_set_out_; }
-	/// And rather along than across it, within 50 degrees.
-	[[nodiscard]] bool heads_along() const { return heads_along_; }
+	/// Updates has_onset() and is_along_axis().
+	void update(const StrokeFinder &strokes);
+	/// One of the strokes moves along the task's axis from near its start.
+	[[nodiscard]] bool has_onset() const { return has_onset_; }
+	/// has_onset(), by a stroke whose direction is near the axis (parameters::sessions::ALONG).
+	[[nodiscard]] bool is_along_axis() const { return is_along_axis_; }
 
-	/// How far a hand is from where the gesture begins, m; of a feature that has places.
-	[[nodiscard]] double off_start_m(const FeaturePlace &place_m) const;
+	/// Distance, m, of a hand from the start of the gesture; for features with a position.
+	[[nodiscard]] double start_distance_m(const FeaturePlace &place_m) const;
 
-	/// How far it is from the way of the gesture, m; a radius may grow anywhere.
-	[[nodiscard]] double off_way_m(const FeaturePlace &place_m) const;
+	/// Distance, m, of a hand from the straight path of the task; 0 for a radius, which may grow anywhere.
+	[[nodiscard]] double path_distance_m(const FeaturePlace &place_m) const;
 
-	/// A gesture begins: it is made of what is added from now on.
+	/// A gesture begins. It consists of the strokes that are added from now on.
 	void begin();
-	/// The newest, as of now.
+	/// Adds the newest stroke, or updates it.
 	void add(const StrokeFinder &strokes);
-	/// log of the posterior odds of the gesture against none, nats: the best of any, and of all as one.
+	/// log of the posterior odds of the gesture against none, nats: the greatest of each stroke and of all
+	/// joined.
 	double judge(const StrokeFinder &strokes);
-	/// The best since it began, of strokes that are long enough to say where they go, or of all as one now.
+	/// The greatest since begin() of any stroke that is long enough to have a direction, and the present one
+	/// of all joined.
 	[[nodiscard]] double best_log_odds() const;
 
 private:
-	/// log odds while the hand has not been still yet, from where a stroke could have begun.
+	/// Log odds without a stroke.
 	static constexpr double NO_STROKE = -10.0;
 
-	/// What is said without a stroke.
-	struct Unseen {
-		bool has_set_out = false;
+	/// Results without a stroke.
+	struct WithoutStroke {
+		bool has_onset = false;
 		double log_odds = NO_STROKE;
 	};
-	Unseen unseen_;
+	WithoutStroke without_stroke_;
 	double amplitude_m_;
 	double not_before_s_ = -INFINITY;
 	FeaturePlace start_ = FeaturePlace::Zero();
-	FeaturePlace way_ = FeaturePlace::Zero(); ///< unit vector of the motion element's growth
-	bool has_set_out_ = false, heads_along_ = false;
-	double best_of_one_ = 0.0;
-	double of_all_ = 0.0;
-	std::optional<Stroke> before_last_; ///< as one
+	FeaturePlace direction_ = FeaturePlace::Zero(); ///< unit vector in which the motion element grows
+	bool has_onset_ = false, is_along_axis_ = false;
+	double best_of_one_ = 0.0;      ///< greatest log odds of a single stroke
+	double of_all_ = 0.0;           ///< log odds of all strokes joined
+	std::optional<Stroke> earlier_; ///< strokes before the last one, joined
 	std::optional<Stroke> last_;
-	bool has_ended_ = false; ///< the last one
+	bool has_ended_ = false; ///< the last stroke
 
 	[[nodiscard]] bool counts(const Stroke &stroke) const { return stroke.onset_s >= not_before_s_; }
 	[[nodiscard]] auto counted(const StrokeFinder &strokes) const {

@@ -8,7 +8,7 @@ namespace steadyhand {
 struct UsualStroke {
 	double amplitude_m = 0.0;
 	double duration_s = 0.0; ///< mean
-	/// The hand is fast at the end: it passes the end and comes back. Other hands arrive and stay.
+	/// The hand is fast at the end: it passes the end and comes back. Otherwise it stops at the end.
 	bool is_strike = false;
 };
 

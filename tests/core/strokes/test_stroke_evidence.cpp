@@ -1,4 +1,4 @@
-// What a stroke says for or against a gesture, as logarithms of ratios of densities.
+// Log likelihood ratios of strokes.
 
 #include "near.h"
 #include "strokes/stroke_evidence.h"
@@ -20,8 +20,8 @@ Stroke straight(double length_m) {
 	stroke.now_s = 1.0;
 	stroke.to = FeaturePlace(length_m, 0.0, 0.0, 0.0);
 	stroke.middle = 0.5 * stroke.to;
-	stroke.way_m = length_m;
-	stroke.watched_s = parameters::strokes::REST_S;
+	stroke.path_m = length_m;
+	stroke.tracked_before_s = parameters::strokes::REST_S;
 	return stroke;
 }
 
@@ -29,12 +29,12 @@ StrokeEvidence evidence(const Stroke &stroke) {
 	return stroke_evidence(stroke, FeaturePlace::UnitX(), { .amplitude_m = 0.2, .duration_s = 1.0 });
 }
 
-/// Density of a hand that makes no gesture.
+/// The null model's density of detours.
 double other_detour(double detour) {
 	return 2.0 / 1.7 * std::pow(1.0 + detour / 1.7, -3.0);
 }
 
-/// Of f over 0 .. to, by the midpoint rule.
+/// Integral of f over 0 .. to, by the midpoint rule.
 double integral(const std::function<double(double)> &f, double to) {
 	constexpr int STEPS = 20000;
 	double sum = 0.0;
@@ -66,13 +66,13 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	CHECK(integral(bows, 1.0) == test::near(1.0).epsilon(1e-3));
 	const auto detours = [](double detour) {
 		Stroke winding = straight(0.2);
-		winding.way_m = (1.0 + detour) * 0.2;
+		winding.path_m = (1.0 + detour) * 0.2;
 		return std::exp(evidence(winding).detour) * other_detour(detour);
 	};
 	CHECK(integral(detours, 10.0) == test::near(1.0).epsilon(1e-3));
 	const auto unrest = [](double amplitudes) {
 		Stroke stroke = straight(0.2);
-		stroke.unrest_m = 0.2 * amplitudes;
+		stroke.motion_before_m = 0.2 * amplitudes;
 		const double deviation = std::hypot(0.07 + 0.002 / 0.2, 1.5 * 0.5);
 		const double z = amplitudes / deviation;
 		return std::exp(evidence(stroke).rest - 0.5 * z * z) * std::sqrt(2.0 / std::numbers::pi) / deviation;
@@ -90,8 +90,8 @@ TEST_CASE("with a task the evidence adds direction, bow and start") {
 		Stroke moved = straight(AMPLITUDE_M);
 		moved.from = start;
 		moved.from.head<3>() += off_m;
-		moved.shown_from = moved.from;
-		// Hands aim at the end, from wherever beside the start they began.
+		moved.measured_from = moved.from;
+		// Hands aim at the end, also from beside the start.
 		const Eigen::Vector3d aim = Eigen::Vector3d(AMPLITUDE_M, -off_m.y(), -off_m.z()).normalized();
 		const Eigen::AngleAxisd turn(angle, aim.unitOrthogonal());
 		moved.to = moved.from;
@@ -101,7 +101,7 @@ TEST_CASE("with a task the evidence adds direction, bow and start") {
 	};
 	const double best = evidence_at(stroke({ 0.0, 0.0, 0.0 }, 0.0, 0.0));
 	const auto share = [&](const Stroke &of) { return std::exp(evidence_at(of) - best); };
-	// Each density by its own integral; that of the null model is the uniform one.
+	// Each density has its own integral. The null model's densities are uniform.
 	const double directions = integral(
 			[&](double angle) {
 				return share(stroke({ 0.0, 0.0, 0.0 }, angle, 0.0)) * 0.5 * std::sin(angle);
@@ -113,16 +113,16 @@ TEST_CASE("with a task the evidence adds direction, bow and start") {
 			},
 			0.5);
 	const double ball_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(1.5 * AMPLITUDE_M, 3.0);
-	const Eigen::Vector3d way = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
+	const Eigen::Vector3d direction = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
 	const double starts = integral(
 			[&](double off_m) {
-				return share(stroke(off_m * way, 0.0, 0.0)) * 4.0 * std::numbers::pi * off_m * off_m /
+				return share(stroke(off_m * direction, 0.0, 0.0)) * 4.0 * std::numbers::pi * off_m * off_m /
 						ball_m3;
 			},
 			1.5 * AMPLITUDE_M);
 	CHECK(best == test::near(-std::log(directions * bows * starts)).epsilon(1e-3));
 
-	// Where on its way the hand was longest is no bow.
+	// A shift of the middle along the chord is no bow.
 	Stroke late = stroke({ 0.01, 0.0, 0.0 }, 0.1, 0.02);
 	const double path = evidence(late).path, of_task = evidence_at(late);
 	late.middle += 0.3 * (late.to - late.from);
@@ -130,7 +130,7 @@ TEST_CASE("with a task the evidence adds direction, bow and start") {
 	CHECK(evidence_at(late) == test::near(of_task).epsilon(1e-12));
 }
 
-TEST_CASE("no stroke exceeds the greatest evidence, the best comes near") {
+TEST_CASE("no stroke exceeds max_evidence, a perfect stroke comes within 2 nats") {
 	std::mt19937_64 random(1);
 	std::uniform_real_distribution<double> uniform(0.0, 1.0);
 	for (int i = 0; i < 5000; ++i) {
@@ -138,41 +138,41 @@ TEST_CASE("no stroke exceeds the greatest evidence, the best comes near") {
 		const double turned = 2.0 * std::pow(uniform(random), 2.0);
 		stroke.to = stroke.to.x() * FeaturePlace(std::cos(turned), std::sin(turned), 0.0, 0.0);
 		stroke.middle = 0.5 * stroke.to + FeaturePlace(0.0, 0.0, 0.02 * uniform(random), 0.0);
-		stroke.way_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
+		stroke.path_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
 		stroke.now_s = 0.1 + 3.0 * uniform(random);
-		stroke.unrest_m = 0.2 * std::pow(uniform(random), 3.0);
-		stroke.watched_s = parameters::strokes::REST_S * uniform(random);
+		stroke.motion_before_m = 0.2 * std::pow(uniform(random), 3.0);
+		stroke.tracked_before_s = parameters::strokes::REST_S * uniform(random);
 		const StrokeEvidence come = evidence(stroke);
-		const double most = most_evidence(stroke, FeaturePlace::UnitX(), 0.2);
-		REQUIRE(come.so_far() + come.outlook <= most + 1e-12);
+		const double most = max_evidence(stroke, FeaturePlace::UnitX(), 0.2);
+		REQUIRE(come.without_size() + come.max_remaining <= most + 1e-12);
 		REQUIRE(come.sum() <= most + 1e-12);
 	}
-	CHECK(evidence(straight(0.2)).sum() > most_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
-	CHECK(most_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
+	CHECK(evidence(straight(0.2)).sum() > max_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
+	CHECK(max_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
 }
 
-TEST_CASE("a long rest before a stroke speaks for a gesture") {
-	const auto rest = [](double watched_s) {
+TEST_CASE("evidence grows with the tracked rest before a stroke") {
+	const auto rest = [](double tracked_before_s) {
 		Stroke stroke = straight(0.2);
-		stroke.watched_s = watched_s;
+		stroke.tracked_before_s = tracked_before_s;
 		return evidence(stroke).rest;
 	};
 	CHECK(rest(0.0) < -std::log(3.0));
-	for (const double watched_s : { 0.1, 0.2, 0.3, 0.4, 0.5 }) {
-		CAPTURE(watched_s);
-		CHECK(rest(watched_s) > rest(watched_s - 0.1) + 0.3);
+	for (const double tracked_before_s : { 0.1, 0.2, 0.3, 0.4, 0.5 }) {
+		CAPTURE(tracked_before_s);
+		CHECK(rest(tracked_before_s) > rest(tracked_before_s - 0.1) + 0.3);
 	}
 	CHECK(rest(0.5) > std::log(5.0));
 }
 
-TEST_CASE("a stroke without length, end or duration speaks against every gesture") {
+TEST_CASE("a stroke of length 0, infinite length or no duration is rejected") {
 	CHECK(evidence(straight(0.0)).sum() < -100.0);
 	CHECK(evidence(straight(INFINITY)).sum() < -100.0);
 	Stroke instant = straight(0.2);
 	instant.now_s = instant.onset_s;
 	CHECK(evidence(instant).sum() < -100.0);
 	Stroke endless = straight(0.2);
-	endless.way_m = 1e9;
+	endless.path_m = 1e9;
 	CHECK(std::isfinite(evidence(endless).sum()));
 	CHECK(evidence(endless).sum() < -100.0);
 }

@@ -1,4 +1,4 @@
-// Strokes of a hand's way, and the way itself.
+// Strokes of a hand's path, and the knots of the path.
 
 #include "minimum_jerk_drag.h"
 #include "near.h"
@@ -18,15 +18,15 @@ namespace {
 const test::Drag DRAG{ .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 };
 
 /// The longest stroke within 2.5 s.
-Stroke longest(const std::function<Eigen::Vector3d(double)> &way, double rate_hz) {
+Stroke longest(const std::function<Eigen::Vector3d(double)> &path, double rate_hz) {
 	StrokeFinder finder;
 	Stroke longest;
 	for (int i = 0; i < static_cast<int>(2.5 * rate_hz); ++i) {
 		FeaturePlace place = FeaturePlace::Zero();
-		place.head<3>() = way(i / rate_hz);
+		place.head<3>() = path(i / rate_hz);
 		finder.push({ .t_s = i / rate_hz }, place);
 		for (const Stroke &stroke : finder.strokes()) {
-			longest = stroke.way_m > longest.way_m ? stroke : longest;
+			longest = stroke.path_m > longest.path_m ? stroke : longest;
 		}
 	}
 	return longest;
@@ -34,23 +34,24 @@ Stroke longest(const std::function<Eigen::Vector3d(double)> &way, double rate_hz
 
 } // namespace
 
-TEST_CASE("a stroke is as long as the hand's way at any rate") {
+TEST_CASE("a stroke's path_m is the length of the path at any rate") {
 	for (const double rate_hz : { 30.0, 1000.0 }) {
 		CAPTURE(rate_hz);
 		const Stroke line =
 				longest([](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); }, rate_hz);
-		CHECK(line.way_m == test::near((line.to - line.from).norm()).epsilon(1e-9));
-		CHECK(line.way_m == test::near(0.2).epsilon(0.05));
+		CHECK(line.path_m == test::near((line.to - line.from).norm()).epsilon(1e-9));
+		CHECK(line.path_m == test::near(0.2).epsilon(0.05));
 		const auto half_circle = [](double t_s) {
 			const double angle = std::numbers::pi * DRAG.x_m(t_s) / DRAG.amplitude_m;
 			return Eigen::Vector3d(-0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.0);
 		};
-		CHECK(longest(half_circle, rate_hz).way_m == test::near(0.1 * std::numbers::pi).epsilon(0.05));
+		CHECK(longest(half_circle, rate_hz).path_m == test::near(0.1 * std::numbers::pi).epsilon(0.05));
 	}
 }
 
 TEST_CASE("a stroke begins and ends at a quarter of its peak speed") {
-	// 16 s^2 (1 - s)^2 of the peak, at s = (1 -+ sqrt(1/2)) / 2; a slope over 0.1 s is that of 0.05 s before.
+	// The speed is 16 s^2 (1 - s)^2 of the peak: a quarter at s = (1 -+ sqrt(1/2)) / 2. A slope over 0.1 s is
+	// the speed 0.05 s earlier.
 	const double begins = 0.5 - std::sqrt(0.125), ends = 0.5 + std::sqrt(0.125);
 	for (const double duration_s : { 0.5, 2.0 }) {
 		CAPTURE(duration_s);
@@ -67,7 +68,7 @@ TEST_CASE("a stroke begins and ends at a quarter of its peak speed") {
 	}
 }
 
-TEST_CASE("the middle of a stroke is its mean over the way") {
+TEST_CASE("a stroke's middle is its mean position over the path") {
 	for (const double rate_hz : { 30.0, 110.0 }) {
 		CAPTURE(rate_hz);
 		for (const double turn : { 0.5, 1.0 }) { // of a half circle
@@ -89,12 +90,12 @@ TEST_CASE("the middle of a stroke is its mean over the way") {
 	}
 }
 
-TEST_CASE("two joined strokes have the way and middle of both") {
+TEST_CASE("two joined strokes have the path length and middle of both") {
 	Stroke first, second;
-	first.way_m = 0.2;
+	first.path_m = 0.2;
 	first.to = FeaturePlace(0.2, 0.0, 0.0, 0.0);
 	first.middle = 0.5 * first.to;
-	second.way_m = 0.1;
+	second.path_m = 0.1;
 	second.to = 0.5 * first.to;
 	second.middle = 0.5 * second.to;
 	second.onset_s = 1.3;
@@ -105,7 +106,7 @@ TEST_CASE("two joined strokes have the way and middle of both") {
 	}
 	const Stroke both = joined(first, second);
 	CHECK((both.middle - (first.middle + 0.5 * second.middle) / 1.5).norm() < 1e-12);
-	CHECK(both.way_m == test::near(0.2 + 0.03 + 0.1));
+	CHECK(both.path_m == test::near(0.2 + 0.03 + 0.1));
 	CHECK(both.peak_m_s == 0.7);
 	CHECK(both.onset_s == first.onset_s);
 	CHECK(both.now_s == second.now_s);
@@ -114,25 +115,25 @@ TEST_CASE("two joined strokes have the way and middle of both") {
 	CHECK(both.is_joined);
 }
 
-TEST_CASE("a stroke knows how still the hand was before it") {
+TEST_CASE("a stroke measures the motion before its onset") {
 	const auto from_rest = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); };
 	const Stroke rested = longest(from_rest, 110.0);
-	CHECK(rested.unrest_m < 0.01);
-	CHECK(rested.watched_s > 0.4);
-	CHECK(rested.watched_s <= parameters::strokes::REST_S);
-	// Comes from 10 cm above and is there 0.1 s before it sets out.
+	CHECK(rested.motion_before_m < 0.01);
+	CHECK(rested.tracked_before_s > 0.4);
+	CHECK(rested.tracked_before_s <= parameters::strokes::REST_S);
+	// The hand comes from 10 cm above, and rests for 0.1 s before the onset.
 	const auto from_above = [&](double t_s) {
 		const test::Drag down{ .onset_s = 0.5, .duration_s = 0.4, .amplitude_m = 0.1 };
 		return Eigen::Vector3d(from_rest(t_s).x(), 0.1 - down.x_m(t_s), 0.0);
 	};
-	CHECK(longest(from_above, 110.0).unrest_m == test::near(0.1).epsilon(0.1));
+	CHECK(longest(from_above, 110.0).motion_before_m == test::near(0.1).epsilon(0.1));
 	const auto just_seen = [&](double t_s) { return from_rest(t_s + 0.9); };
 	// A quarter of the peak speed is reached after 0.145 of the time: 0.245 s after the first frame.
-	CHECK(longest(just_seen, 110.0).watched_s < 0.245);
+	CHECK(longest(just_seen, 110.0).tracked_before_s < 0.245);
 }
 
 TEST_CASE("a slow stroke that speeds up is one stroke") {
-	// 5 cm slowly, and on at once four times as fast: the slow part is as good as rest to the fast one.
+	// 5 cm slowly, then at once faster. By the peak speed of the fast part the slow part is rest.
 	const auto twofold = [](double t_s) {
 		const test::Drag slow{ .onset_s = 0.6, .duration_s = 0.9, .amplitude_m = 0.05 };
 		const test::Drag fast{ .onset_s = 1.4, .duration_s = 0.4, .amplitude_m = 0.15 };
@@ -149,23 +150,23 @@ TEST_CASE("a slow stroke that speeds up is one stroke") {
 	CHECK(longest_m > 0.19);
 }
 
-TEST_CASE("a way is straight between its knots and stays at the last") {
+TEST_CASE("a path is straight between knots and constant after the last") {
 	const auto at = [](double x_m) { return FeaturePlace(x_m, 2.0 * x_m, 0.0, 0.0); };
-	WayKnots way;
-	way.restart(1.0, at(0.0));
-	// The second newest place is a knot or is none: 0.06 and 0.03 s after the one before.
+	PathKnots path;
+	path.restart(1.0, at(0.0));
+	// At steps of 0.06 s each position is a knot, at 0.03 s every second one.
 	for (const double step_s : { 0.06, 0.03 }) {
 		for (int i = 1; i <= 20; ++i) {
-			way.push(1.0 + step_s * i, at(0.01 * i));
+			path.push(1.0 + step_s * i, at(0.01 * i));
 		}
 		const double end_s = 1.0 + step_s * 20;
-		CHECK((way.place_m(0.0) - at(0.0)).norm() == 0.0);
-		CHECK((way.place_m(1.0 + step_s * 9.5) - at(0.095)).norm() < 1e-12);
+		CHECK((path.place_m(0.0) - at(0.0)).norm() == 0.0);
+		CHECK((path.place_m(1.0 + step_s * 9.5) - at(0.095)).norm() < 1e-12);
 		for (const double later_s : { 0.0, 100.0 }) {
-			CHECK((way.place_m(end_s + later_s) - at(0.2)).norm() == 0.0);
-			CHECK(way.stray_m(end_s, end_s + later_s + 0.5 * WayKnots::APART_S) == 0.0);
+			CHECK((path.place_m(end_s + later_s) - at(0.2)).norm() == 0.0);
+			CHECK(path.max_distance_m(end_s, end_s + later_s + 0.5 * PathKnots::APART_S) == 0.0);
 		}
-		CHECK(way.stray_m(1.0, end_s + 1.0) == test::near(at(0.2).norm()));
-		way.restart(1.0, at(0.0));
+		CHECK(path.max_distance_m(1.0, end_s + 1.0) == test::near(at(0.2).norm()));
+		path.restart(1.0, at(0.0));
 	}
 }

@@ -1,4 +1,4 @@
-// The evidence that the strokes of a hand with a task add up to.
+// Evidence of the strokes of a hand with a task.
 
 #include "gesture/feature.h"
 #include "gesture/task.h"
@@ -16,27 +16,27 @@ namespace {
 
 constexpr double PERIOD_S = 0.01;
 constexpr double TASK_M = 0.2;               ///< of Task{}
-constexpr double SMALLEST_M = 0.06 * TASK_M; ///< stroke, as a recogniser has it
+constexpr double SMALLEST_M = 0.06 * TASK_M; ///< smallest stroke, as in GestureRecogniser
 
 /// The strokes of a hand, judged in each frame.
-class Watched {
+class JudgedHand {
 public:
-	/// A gesture has begun before the first frame.
-	Watched() { task_.begin(); }
+	/// The gesture begins before the first frame.
+	JudgedHand() { task_.begin(); }
 
-	template <typename Place> void watch(double from_s, double to_s, const Place &place) {
+	template <typename Place> void move(double from_s, double to_s, const Place &place) {
 		for (int i = 0; from_s + i * PERIOD_S < to_s; ++i) {
 			const double t_s = from_s + i * PERIOD_S;
 			const FeaturePlace noise{ trembling_(random_), trembling_(random_), 0.0, 0.0 };
 			finder_.push({ .t_s = t_s }, place(t_s) + noise);
-			task_.look(finder_);
-			has_set_out_ = has_set_out_ || task_.has_set_out();
+			task_.update(finder_);
+			has_onset_ = has_onset_ || task_.has_onset();
 			task_.add(finder_);
 			static_cast<void>(task_.judge(finder_));
 		}
 	}
 	void begin() { task_.begin(); }
-	[[nodiscard]] bool has_set_out() const { return has_set_out_; } ///< at any time
+	[[nodiscard]] bool has_onset() const { return has_onset_; } ///< at any time
 	[[nodiscard]] double best_log_odds() const { return task_.best_log_odds(); }
 
 private:
@@ -44,10 +44,10 @@ private:
 	StrokeFinder finder_{ FeaturePlace::Ones(), SMALLEST_M };
 	std::mt19937_64 random_{ 3 };
 	std::normal_distribution<double> trembling_{ 0.0, 6e-5 };
-	bool has_set_out_ = false;
+	bool has_onset_ = false;
 };
 
-/// Along the task's axis, and across it.
+/// Position along the task's axis and across it.
 auto place_of(const std::vector<test::Drag> &along, const std::vector<test::Drag> &aside = {}) {
 	return [=](double t_s) { return FeaturePlace(test::x_m(along, t_s), test::x_m(aside, t_s), 0.0, 0.0); };
 }
@@ -60,35 +60,35 @@ TEST_CASE("two short strokes make a gesture together, after any rest") {
 		CAPTURE(rests_s);
 		const test::Drag first{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = SHORT_M };
 		const test::Drag second{ .onset_s = 1.5 + rests_s, .duration_s = 0.5, .amplitude_m = SHORT_M };
-		Watched watched;
-		watched.watch(0.0, second.onset_s + 1.0, place_of({ first, second }));
-		CHECK(watched.best_log_odds() > 0.0);
+		JudgedHand hand;
+		hand.move(0.0, second.onset_s + 1.0, place_of({ first, second }));
+		CHECK(hand.best_log_odds() > 0.0);
 	}
 }
 
-TEST_CASE("strokes before a gesture began do not count for it") {
+TEST_CASE("strokes before begin() add no evidence") {
 	const test::Drag drag{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = TASK_M };
 	const test::Drag aside{ .onset_s = 5.0, .duration_s = 0.5, .amplitude_m = TASK_M };
-	Watched watched;
-	watched.watch(0.0, 4.9, place_of({ drag }, { aside }));
-	REQUIRE(watched.best_log_odds() > 0.0);
-	watched.begin();
-	CHECK(watched.best_log_odds() < 0.0);
-	watched.watch(4.9, 6.5, place_of({ drag }, { aside }));
-	CHECK(watched.best_log_odds() < 0.0);
+	JudgedHand hand;
+	hand.move(0.0, 4.9, place_of({ drag }, { aside }));
+	REQUIRE(hand.best_log_odds() > 0.0);
+	hand.begin();
+	CHECK(hand.best_log_odds() < 0.0);
+	hand.move(4.9, 6.5, place_of({ drag }, { aside }));
+	CHECK(hand.best_log_odds() < 0.0);
 }
 
-TEST_CASE("an onset is along the task's axis, not noise, back or aside") {
-	const auto sets_out = [](double along_m, double aside_m) {
-		Watched watched;
-		watched.watch(0.0, 2.0,
+TEST_CASE("has_onset() needs motion along the axis, not noise, back or aside") {
+	const auto has_onset = [](double along_m, double aside_m) {
+		JudgedHand hand;
+		hand.move(0.0, 2.0,
 				place_of({ test::Drag{ .onset_s = 1.0, .duration_s = 0.4, .amplitude_m = along_m } },
 						{ test::Drag{ .onset_s = 1.0, .duration_s = 0.4, .amplitude_m = aside_m } }));
-		return watched.has_set_out();
+		return hand.has_onset();
 	};
-	CHECK(sets_out(0.1 * TASK_M, 0.0));
-	CHECK(sets_out(0.1 * TASK_M, TASK_M));
-	CHECK_FALSE(sets_out(0.0, 0.0));
-	CHECK_FALSE(sets_out(-0.5 * TASK_M, 0.0));
-	CHECK_FALSE(sets_out(0.0, 0.5 * TASK_M));
+	CHECK(has_onset(0.1 * TASK_M, 0.0));
+	CHECK(has_onset(0.1 * TASK_M, TASK_M));
+	CHECK_FALSE(has_onset(0.0, 0.0));
+	CHECK_FALSE(has_onset(-0.5 * TASK_M, 0.0));
+	CHECK_FALSE(has_onset(0.0, 0.5 * TASK_M));
 }

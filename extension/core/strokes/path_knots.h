@@ -9,12 +9,12 @@
 
 namespace steadyhand {
 
-/// Where the hand was: places some time apart, straight on between them, also where frames are missing.
-class WayKnots {
+/// Path of the hand: positions at least APART_S apart, with straight lines between them, also over dropouts.
+class PathKnots {
 public:
 	static constexpr double APART_S = 0.05;
 
-	/// Nothing before this place counts.
+	/// Deletes the path before this position.
 	void restart(double t_s, const FeaturePlace &place_m) {
 		knots_.clear();
 		newest_ = { t_s, place_m };
@@ -28,7 +28,7 @@ public:
 		}
 	}
 
-	/// Where the hand was at t_s; before all that is kept, the oldest place, from the newest on that.
+	/// Position at t_s. Before the oldest knot it is constant, as after the newest position.
 	[[nodiscard]] FeaturePlace place_m(double t_s) const {
 		if (t_s >= newest_.t_s) {
 			return newest_.place_m;
@@ -44,20 +44,21 @@ public:
 		}
 		return after->place_m;
 	}
-	/// How far the hand was between the two times from where it was at then_s, at most.
-	[[nodiscard]] double stray_m(double since_s, double then_s) const {
-		const FeaturePlace still = place_m(then_s - 0.5 * APART_S);
-		double stray_m2 = (still - place_m(since_s)).squaredNorm();
+	/// Greatest distance, from since_s to until_s, of the hand from its position half of APART_S before
+	/// until_s.
+	[[nodiscard]] double max_distance_m(double since_s, double until_s) const {
+		const FeaturePlace last_m = place_m(until_s - 0.5 * APART_S);
+		double most_m2 = (last_m - place_m(since_s)).squaredNorm();
 		for (std::size_t i = knots_.size(); i > 0 && knots_[i - 1].t_s >= since_s; --i) {
-			if (knots_[i - 1].t_s <= then_s) {
-				stray_m2 = std::max(stray_m2, (still - knots_[i - 1].place_m).squaredNorm());
+			if (knots_[i - 1].t_s <= until_s) {
+				most_m2 = std::max(most_m2, (last_m - knots_[i - 1].place_m).squaredNorm());
 			}
 		}
-		return std::sqrt(stray_m2);
+		return std::sqrt(most_m2);
 	}
 
 private:
-	static constexpr std::size_t KNOTS = 128; ///< of slow strokes too, with what was before them
+	static constexpr std::size_t KNOTS = 128; ///< at least 6.4 s: a slow stroke and the time before it
 
 	struct Place {
 		double t_s = 0.0;
