@@ -206,7 +206,7 @@ void GestureHMM::watch_tasks_anew() {
 
 /// Of a task where no hand comes, or that points where no hand goes; once.
 void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.look(p_frame);
+	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.push(p_frame);
 	if (!doubt) {
 		return;
 	}
@@ -221,8 +221,9 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 				String::num(doubt->distance_m, 2) +
 				String(" m. Move the GestureTask, or set the space of the source to that of the task");
 	} else {
-		reason += String(": the hand leaves its start towards ") + Variant(to_godot(doubt->way)).stringify() +
-				String(", but its direction is ") + Variant(task->get_axis()).stringify() +
+		reason += String(": the hand leaves its start towards ") +
+				Variant(to_godot(doubt->direction)).stringify() + String(", but its direction is ") +
+				Variant(task->get_axis()).stringify() +
 				String(" in the world. Turn the GestureTask, or set its \"direction\"");
 	}
 	WARN_PRINT(node_label(*this) + String(": ") + reason);

@@ -25,7 +25,7 @@ bool is_main_thread() {
 
 String explain(steadyhand::StreamDoubt p_doubt) {
 	switch (p_doubt) {
-		case steadyhand::StreamDoubt::TIME_STANDS:
+		case steadyhand::StreamDoubt::EQUAL_TIME_STAMPS:
 			return "the hand moves, but the time does not. Give each frame its own time";
 		case steadyhand::StreamDoubt::TOO_RARE:
 			return "frames are more than a second apart. Push times in seconds";
@@ -146,7 +146,7 @@ Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
 
 /// Said once a run, as of such frames nothing is ever recognised.
 void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.look(p_frame);
+	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.push(p_frame);
 	if (!doubt) {
 		return;
 	}

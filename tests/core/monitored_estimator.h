@@ -24,7 +24,7 @@ public:
 	void wait(double t_s) { estimator_.wait(t_s, monitor_.is_overdue(t_s)); }
 
 	[[nodiscard]] MotionEstimate at(double t_s) const { return estimator_.at(t_s); }
-	[[nodiscard]] MotionEstimate expected(double t_s) const { return estimator_.expected(t_s); }
+	[[nodiscard]] MotionEstimate unblended(double t_s) const { return estimator_.unblended(t_s); }
 
 private:
 	TrackerMonitor monitor_;

@@ -19,7 +19,7 @@ public:
 	std::optional<double> measure(const HandFrame &frame, const Task &task) {
 		std::optional<double> x_m = feature_->measure(frame, task);
 		if (x_m && is_periodic()) {
-			*x_m += rounds_m(last_m_ - *x_m, task);
+			*x_m += whole_rounds_m(last_m_ - *x_m, task);
 			last_m_ = *x_m;
 		}
 		return x_m;
@@ -27,13 +27,13 @@ public:
 
 	/// The next value is the one nearest to 0: whole rounds are dropped.
 	void restart() { last_m_ = 0.0; }
-	/// Length of the whole rounds nearest to way_m; 0 if the path is not closed.
-	[[nodiscard]] double rounds_m(double way_m, const Task &task) const {
+	/// Length of the whole rounds nearest to length_m; 0 if the path is not closed.
+	[[nodiscard]] double whole_rounds_m(double length_m, const Task &task) const {
 		if (!is_periodic()) {
 			return 0.0;
 		}
 		const double period_m = feature_->period_m(task);
-		return period_m * std::round(way_m / period_m);
+		return period_m * std::round(length_m / period_m);
 	}
 
 	[[nodiscard]] bool is_periodic() const { return feature_->period_m != nullptr; }

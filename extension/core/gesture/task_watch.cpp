@@ -39,7 +39,7 @@ bool TaskWatch::leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m) 
 	return r_task.departures >= DEPARTURES;
 }
 
-std::optional<TaskDoubt> TaskWatch::look(const HandFrame &frame) {
+std::optional<TaskDoubt> TaskWatch::push(const HandFrame &frame) {
 	if (is_over_ || tasks_.empty() || !frame.has(Joint::INDEX)) {
 		return std::nullopt;
 	}

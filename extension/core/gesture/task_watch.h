@@ -16,9 +16,9 @@ struct TaskDoubt {
 		OTHER_DIRECTION ///< the hand leaves a task's start repeatedly, in a direction that is not the task's
 	};
 	Kind kind;
-	std::size_t task;                              ///< FAR: the nearest task; otherwise the task that is left
-	double distance_m = 0.0;                       ///< least distance to its start
-	Eigen::Vector3d way = Eigen::Vector3d::Zero(); ///< OTHER_DIRECTION: mean direction, unit vector
+	std::size_t task;        ///< FAR: the nearest task; otherwise the task that is left
+	double distance_m = 0.0; ///< least distance to its start
+	Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< OTHER_DIRECTION: mean direction, unit vector
 };
 
 /// Watches the index tip near tasks with a straight path, until the first gesture starts.
@@ -29,7 +29,7 @@ public:
 	void gesture_started() { is_over_ = true; }
 
 	/// Returns a doubt at most once. Does not allocate.
-	std::optional<TaskDoubt> look(const HandFrame &frame);
+	std::optional<TaskDoubt> push(const HandFrame &frame);
 
 private:
 	/// FAR needs this time and this length of the hand's path.

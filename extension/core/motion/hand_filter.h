@@ -61,16 +61,19 @@ struct HandProcess {
 	double rate_per_s;
 
 	/// Mean displacement in dt_s, divided by the velocity at its begin.
-	[[nodiscard]] double reach_s(double dt_s) const { return -std::expm1(-rate_per_s * dt_s) / rate_per_s; }
+	[[nodiscard]] double displacement_per_velocity_s(double dt_s) const {
+		return -std::expm1(-rate_per_s * dt_s) / rate_per_s;
+	}
 
 	/// Exact for any dt_s.
 	void predict(HandState &r_hand, double dt_s) const {
-		const double fading = std::exp(-rate_per_s * dt_s), reach = reach_s(dt_s), variance = speed * speed;
-		r_hand.x += reach * r_hand.v;
+		const double fading = std::exp(-rate_per_s * dt_s), factor_s = displacement_per_velocity_s(dt_s),
+					 variance = speed * speed;
+		r_hand.x += factor_s * r_hand.v;
 		r_hand.v *= fading;
-		r_hand.xx += reach * (2.0 * r_hand.xv + reach * r_hand.vv) +
-				variance * (2.0 * (dt_s - reach) / rate_per_s - reach * reach);
-		r_hand.xv = fading * (r_hand.xv + reach * r_hand.vv) + variance * rate_per_s * reach * reach;
+		r_hand.xx += factor_s * (2.0 * r_hand.xv + factor_s * r_hand.vv) +
+				variance * (2.0 * (dt_s - factor_s) / rate_per_s - factor_s * factor_s);
+		r_hand.xv = fading * (r_hand.xv + factor_s * r_hand.vv) + variance * rate_per_s * factor_s * factor_s;
 		r_hand.vv = fading * fading * r_hand.vv + variance * (1.0 - fading * fading);
 	}
 };

@@ -60,10 +60,10 @@ void SwitchingEstimator::reset() {
 	acceleration_step_ = 0.0;
 }
 
-void SwitchingEstimator::pass_over(double t_s, double x) {
+void SwitchingEstimator::reset_at(double t_s, double x) {
 	reset();
-	passed_s_ = t_s;
-	passed_x_ = x;
+	reset_s_ = t_s;
+	reset_x_ = x;
 }
 
 /// Starts HOLD and FREE at position x. A fast hand raises the weight of FREE.
@@ -110,7 +110,7 @@ template <class Change> void SwitchingEstimator::change(double t_s, Change apply
 	const MotionEstimate before = at(t_s);
 	apply();
 	start_knots(t_s);
-	const MotionEstimate now = expected(t_s);
+	const MotionEstimate now = unblended(t_s);
 	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
 	blend_.start(
 			t_s, before.value - now.value, before.velocity - now.velocity, parameters::FRAME_BLEND_PER_S);
@@ -119,9 +119,9 @@ template <class Change> void SwitchingEstimator::change(double t_s, Change apply
 void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	const double t_s = measurement.t_s;
 	if (!has_hand()) {
-		const double since_s = t_s - passed_s_;
+		const double since_s = t_s - reset_s_;
 		begin(t_s, x,
-				since_s > 0.0 && since_s < parameters::SAME_MOVEMENT_S ? (x - passed_x_) / since_s : 0.0);
+				since_s > 0.0 && since_s < parameters::SAME_MOVEMENT_S ? (x - reset_x_) / since_s : 0.0);
 		now_.measured_s = now_.changed_s = t_s;
 		now_.changed_x = x;
 		before_last_ = now_;
@@ -419,7 +419,7 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	}
 	const auto add_mode = [&](const CurvelessMode &other, const HandProcess &process, double weight) {
 		const double velocity = other.hand.v * std::exp(-process.rate_per_s * since_s);
-		const double value = other.hand.x + process.reach_s(since_s) * other.hand.v;
+		const double value = other.hand.x + process.displacement_per_velocity_s(since_s) * other.hand.v;
 		estimate.value += weight * value;
 		estimate.velocity += weight * velocity;
 		estimate.acceleration -= weight * process.rate_per_s * velocity;
@@ -445,7 +445,7 @@ const MotionEstimate &SwitchingEstimator::knot(double number) const {
 	return r_knot.mean;
 }
 
-MotionEstimate SwitchingEstimator::expected(double t_s) const {
+MotionEstimate SwitchingEstimator::unblended(double t_s) const {
 	if (!has_hand()) {
 		return {};
 	}
@@ -466,7 +466,7 @@ MotionEstimate SwitchingEstimator::expected(double t_s) const {
 }
 
 MotionEstimate SwitchingEstimator::at(double t_s) const {
-	MotionEstimate estimate = expected(t_s);
+	MotionEstimate estimate = unblended(t_s);
 	const CriticallyDamped missing = blend_.at(t_s);
 	estimate.value += missing.value;
 	estimate.velocity += missing.velocity;

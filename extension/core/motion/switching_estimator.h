@@ -51,12 +51,12 @@ public:
 	void reset();
 	/// reset(), for a frame that is not estimated. If the next push() follows soon, both frames together give
 	/// the initial velocity.
-	void pass_over(double t_s, double x);
+	void reset_at(double t_s, double x);
 
 	/// Estimate at t_s, which must not be before the last frame.
 	[[nodiscard]] MotionEstimate at(double t_s) const;
 	/// at(), without the blend of the last change.
-	[[nodiscard]] MotionEstimate expected(double t_s) const;
+	[[nodiscard]] MotionEstimate unblended(double t_s) const;
 
 private:
 	static constexpr double NEVER_S = -std::numeric_limits<double>::infinity();
@@ -99,7 +99,7 @@ private:
 	Belief now_;
 	bool is_last_used_ = true; ///< the newest usable measurement is far enough in time from the one before
 	Belief before_last_;       ///< before the newest usable measurement
-	double passed_s_ = NEVER_S, passed_x_ = 0.0; ///< last frame of pass_over()
+	double reset_s_ = NEVER_S, reset_x_ = 0.0; ///< last frame of reset_at()
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< step of the acceleration at the last change
 

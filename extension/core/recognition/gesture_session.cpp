@@ -41,7 +41,7 @@ bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePla
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
 		const double x = *x_m / task_.amplitude_m;
-		is_paused_ ? phase_.pass_over(frame.t_s, x) : phase_.push(measurement, x);
+		is_paused_ ? phase_.reset_at(frame.t_s, x) : phase_.push(measurement, x);
 	}
 	if (is_reset_) {
 		is_reset_ = false;

@@ -142,7 +142,7 @@ protected:
 	/// Of `phase` mode.
 	[[nodiscard]] MotionEstimate estimate(double t_s) const { return phase_.at(t_s); }
 	/// The same before it is blended.
-	[[nodiscard]] MotionEstimate expected(double t_s) const { return phase_.expected(t_s); }
+	[[nodiscard]] MotionEstimate unblended(double t_s) const { return phase_.unblended(t_s); }
 	/// The motion is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
 	/// And hardly moves.

@@ -139,7 +139,7 @@ bool TaskSession::has_been_elsewhere(double t_s) const {
 		return false;
 	}
 	// Before it is blended: the output still follows the last frame.
-	const MotionEstimate now = expected(t_s);
+	const MotionEstimate now = unblended(t_s);
 	return now.phase > END_PHASE && std::abs(now.value) < RETURNED;
 }
 
@@ -210,7 +210,8 @@ void TaskSession::go_idle(double t_s) {
 	}
 	if (!is_rejected_ && has_returned(t_s)) { // not if it is elsewhere
 		const double amplitude_m = task().amplitude_m;
-		restart_estimate(t_s, -element_.rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
+		restart_estimate(
+				t_s, -element_.whole_rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
 	}
 }
 

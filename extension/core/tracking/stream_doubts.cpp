@@ -18,7 +18,7 @@ std::optional<double> step_m(const HandFrame &from, const HandFrame &to) {
 
 } // namespace
 
-std::optional<StreamDoubt> StreamDoubts::look(const HandFrame &frame) {
+std::optional<StreamDoubt> StreamDoubts::push(const HandFrame &frame) {
 	const std::optional<double> moved_m = last_ ? step_m(*last_, frame) : std::nullopt;
 	const double step_s = last_ ? frame.t_s - last_->t_s : 0.0;
 	if (!moved_m) {
@@ -29,7 +29,7 @@ std::optional<StreamDoubt> StreamDoubts::look(const HandFrame &frame) {
 	last_ = frame;
 	if (step_s == 0.0) {
 		equal_stamps_ += *moved_m > 0.0 ? 1 : 0;
-		return equal_stamps_ >= FRAMES ? std::optional(StreamDoubt::TIME_STANDS) : std::nullopt;
+		return equal_stamps_ >= FRAMES ? std::optional(StreamDoubt::EQUAL_TIME_STAMPS) : std::nullopt;
 	}
 	equal_stamps_ = 0;
 	rare_ = step_s > RAREST_S ? rare_ + 1 : 0;

@@ -10,16 +10,16 @@ namespace steadyhand {
 /// Signs of wrong units, or of a clock that does not run. Each frame alone is valid, but no gesture can be
 /// found.
 enum class StreamDoubt : std::uint8_t {
-	TIME_STANDS, ///< a hand moves, but all frames have the same stamp
-	TOO_RARE,    ///< seconds between frames: the unit may be milliseconds
-	TOO_FAST     ///< faster than any hand: the unit may be millimetres, or the space itself moves
+	EQUAL_TIME_STAMPS, ///< a hand moves, but all frames have the same stamp
+	TOO_RARE,          ///< seconds between frames: the unit may be milliseconds
+	TOO_FAST           ///< faster than any hand: the unit may be millimetres, or the space itself moves
 };
 
 /// Checks a stream of frames whose stamps do not decrease.
 class StreamDoubts {
 public:
 	/// Returns a doubt at the newest frame, and again at each further frame while it lasts.
-	std::optional<StreamDoubt> look(const HandFrame &frame);
+	std::optional<StreamDoubt> push(const HandFrame &frame);
 
 private:
 	/// Number of frames in a row. A tracker's faults are shorter.

@@ -10,17 +10,17 @@ namespace {
 
 constexpr double FRAME_S = 0.01;
 
-/// To and fro for `duration_s`, from `from_m` by `way_m` and back each 3 s; the number of reports.
-int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &way_m, double duration_s,
-		std::optional<TaskDoubt> &r_last) {
+/// Number of reports. The hand moves from `from_m` by `move_m` and back within 3 s, for `duration_s`.
+int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &move_m,
+		double duration_s, std::optional<TaskDoubt> &r_last) {
 	int count = 0;
 	for (int i = 0; i * FRAME_S < duration_s; ++i) {
 		const double t_s = i * FRAME_S;
 		const double share = 0.5 - 0.5 * std::cos(t_s * 2.0 * 3.14159265358979 / 3.0);
 		HandFrame frame;
 		frame.t_s = t_s;
-		frame.set(Joint::INDEX, from_m + share * way_m);
-		if (const auto doubt = r_watch.look(frame)) {
+		frame.set(Joint::INDEX, from_m + share * move_m);
+		if (const auto doubt = r_watch.push(frame)) {
 			++count;
 			r_last = doubt;
 		}
@@ -45,14 +45,14 @@ TEST_CASE("a hand that is never near a task is reported once") {
 	CHECK(last->distance_m == doctest::Approx(0.5));
 }
 
-TEST_CASE("a hand that leaves the start another way is reported once") {
+TEST_CASE("a hand that leaves the start in another direction is reported once") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
 	std::optional<TaskDoubt> last;
 	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { -0.2, 0.0, 0.0 }, 60.0, last) == 1);
 	REQUIRE(last);
 	CHECK(last->kind == TaskDoubt::Kind::OTHER_DIRECTION);
-	CHECK(last->way.isApprox(-Eigen::Vector3d::UnitX()));
+	CHECK(last->direction.isApprox(-Eigen::Vector3d::UnitX()));
 }
 
 TEST_CASE("a hand that rests far from a task is not reported") {
@@ -62,7 +62,7 @@ TEST_CASE("a hand that rests far from a task is not reported") {
 	CHECK(doubts(watch, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 60.0, last) == 0);
 }
 
-TEST_CASE("a hand on its task, or after a gesture, is not reported") {
+TEST_CASE("a hand on the task's path, or after a gesture, is not reported") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
 	std::optional<TaskDoubt> last;
