@@ -1,11 +1,11 @@
 #pragma once
 
-// Every tuning number of the motion core: motion/, strokes/, recognition/ and TrackerMonitor. Lengths without
-// a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a source was
-// fitted on simulated people of the tuning population. `./steadyhand bench ablation` measures what mechanisms
-// are worth.
+// All tuning parameters of the motion core: motion/, strokes/, recognition/ and TrackerMonitor. Lengths
+// without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
+// source was fitted on simulated people of the tuning population. `./steadyhand bench ablation` measures the
+// effect of mechanisms.
 
-/// A constant, except in that bench.
+/// A constant, except in this benchmark.
 #ifdef STEADYHAND_VARIABLE_PARAMETERS
 #define STEADYHAND_PARAMETER inline double
 #else
@@ -18,21 +18,20 @@ namespace steadyhand::parameters {
 
 /// A dropout of this length is bridged (SPEC: up to 0.3 s). After a longer one the hand must be found again.
 STEADYHAND_PARAMETER SHORT_DROPOUT_S = 0.3;
-/// After a dropout of this length nothing is known of the hand: sessions are idle.
+/// After a dropout of this length the hand's position is unknown: sessions are idle.
 STEADYHAND_PARAMETER LONG_DROPOUT_S = 1.0;
 /// A hand that pauses for this long begins another movement. People hesitate for less within one.
 STEADYHAND_PARAMETER PAUSE_S = 1.0;
-/// From an event to its detection at most, and as long again until it counts as one that did not come.
+/// Longest time from an event to its detection. After the same time again the event is regarded as missing.
 STEADYHAND_PARAMETER DETECTION_S = 0.3;
-/// A frame that comes sooner after the last one is not used: a tracker's errors last longer.
+/// A frame sooner after the last one is not used: errors of trackers last longer.
 STEADYHAND_PARAMETER LEAST_FRAME_S = 0.0035;
-/// Rates of the blends that hide a step: at a frame or a state, at the start of a gesture, to another
-/// gesture.
+/// Rates of the blends over a step: at a frame or a state, at the start of a gesture, to another gesture.
 STEADYHAND_PARAMETER FRAME_BLEND_PER_S = 125.0, START_BLEND_PER_S = 100.0, CHANGE_BLEND_PER_S = 50.0;
 
 // motion/: the hand.
 
-/// Standard deviation of the log duration of a gesture about the model's mean: scenes ask for any pace.
+/// Standard deviation of the log duration of a gesture about the model's mean. Scenes have any pace.
 STEADYHAND_PARAMETER LOG_DURATION_SPREAD = 0.6;
 /// Random walk of the log duration, per square root of a second: hands change their pace during a movement.
 STEADYHAND_PARAMETER PACE_WALK = 0.1;
@@ -48,7 +47,7 @@ STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, NO_TASK_GAIN_SPREAD = 0.12;
 STEADYHAND_PARAMETER DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// HOLD: standard deviation of the velocity, 1/s, and its rate. Tremor, sway, and the tracker's slow error.
 STEADYHAND_PARAMETER HOLD_SPEED = 0.12, HOLD_RATE_PER_S = 9.0;
-/// FREE: the same in m/s, because this motion has nothing to do with the task.
+/// FREE: the same, in m/s because this motion does not depend on the task.
 STEADYHAND_PARAMETER FREE_SPEED_M_S = 0.44, FREE_RATE_PER_S = 6.0;
 /// Rates of switches between modes.
 STEADYHAND_PARAMETER GESTURE_TO_FREE_PER_S = 0.02, GESTURE_TO_HOLD_PER_S = 0.3;
@@ -56,8 +55,8 @@ STEADYHAND_PARAMETER FREE_TO_HOLD_PER_S = 2.0, HOLD_TO_FREE_PER_S = 0.3;
 
 // motion/: the tracker.
 
-/// Prior probability that the tracker lags, the rate at which evidence of it is forgotten, and its least
-/// probability during a gesture: trackers begin to lag at any time.
+/// LAGGING: prior probability, switching rate, and least probability during a gesture, because trackers begin
+/// to lag at any time.
 STEADYHAND_PARAMETER LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
 /// Lag at the end of a long movement: mean and standard deviation. It builds up over LAG_SETTLING_S.
 STEADYHAND_PARAMETER LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
@@ -71,11 +70,11 @@ STEADYHAND_PARAMETER LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 /// Growth of that log ratio while a fault lasts, per s, and its limit. Faults of a sound tracker have a mean
 /// length of 0.025 s, those of a lagging one 0.13 s.
 STEADYHAND_PARAMETER LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
-/// Difference of the fault rates, LAGGING minus SOUND, 1/s: what time without faults is evidence of.
+/// Difference of the fault rates, LAGGING minus SOUND, 1/s: log likelihood ratio of a second without faults.
 STEADYHAND_PARAMETER FAULTS_PER_S = 1.1;
-/// White noise beside the one that TrackerMonitor measures: no hand follows the model's curve exactly.
+/// White noise in addition to the noise that TrackerMonitor measures: no hand follows the curve exactly.
 STEADYHAND_PARAMETER MEASUREMENT_NOISE = 0.0035;
-/// Errors of measurements closer together than this are alike: a power of the likelihood, "coarsened
+/// Errors of measurements closer in time are correlated: their likelihood has a power below 1, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
 STEADYHAND_PARAMETER ALIKE_S = 0.015;
 /// Share of outliers that TrackerMonitor misses, and their density.
@@ -83,13 +82,13 @@ STEADYHAND_PARAMETER OUTLIERS = 0.01, OUTLIER_DENSITY = 0.4;
 
 // motion/: the hypotheses.
 
-/// Between two births of hypotheses, and the range of their durations, standard deviations about the mean.
+/// Time between two births of hypotheses, and the range of their durations, in standard deviations.
 STEADYHAND_PARAMETER BIRTH_PERIOD_S = 0.03, WIDEST_DURATION = 1.9;
-/// Hypotheses of less weight, relative to the best one, are dropped.
+/// Hypotheses of less weight, relative to the greatest one, are deleted.
 STEADYHAND_PARAMETER LEAST_WEIGHT = 1e-3;
-/// In so short a time a hand does not turn.
+/// A hand does not turn within this time.
 STEADYHAND_PARAMETER SAME_MOVEMENT_S = 0.1;
-/// A gesture that began so shortly before the last measurement is not put out: nothing has shown it yet.
+/// A gesture that began later than this before the last measurement is not put out: it has no evidence yet.
 STEADYHAND_PARAMETER UNSEEN_S = 0.02;
 /// A gesture is not put out before this phase, at 3 % of the amplitude.
 STEADYHAND_PARAMETER VISIBLE_PHASE = 0.15;
@@ -105,153 +104,156 @@ STEADYHAND_PARAMETER WINDOW_S = 0.1;
 /// A stroke is the part of a movement above this share of its peak speed.
 STEADYHAND_PARAMETER SPEED_SHARE = 0.25;
 STEADYHAND_PARAMETER SLOWEST_M_S = 1e-3;
-/// White noise that needs no mean, in smallest strokes. Longer means would bend the hand's path.
+/// White noise that needs no averaging, in smallest strokes, and the longest average: longer ones would bend
+/// the path.
 STEADYHAND_PARAMETER STILL = 0.15, LONGEST_MEAN_S = 0.2;
-/// Without a measurement for longer, the hand may have moved and stopped unseen.
+/// In a longer dropout the hand may have moved and stopped.
 STEADYHAND_PARAMETER LOST_S = 0.1;
-/// Time before a stroke in which a hand at rest is looked for: REST_S; before a slow stroke this share of the
-/// stroke's own duration, at most LONGEST_REST_S, because a hand that wanders slowly hardly moves where it
-/// turns.
+/// Time before a stroke in which the hand must rest. Before a slow stroke it is this fraction of the stroke's
+/// duration, at most LONGEST_REST_S: a hand that wanders slowly hardly moves where it turns.
 STEADYHAND_PARAMETER REST_S = 0.5, REST_SHARE = 0.8, LONGEST_REST_S = 1.5;
 /// Strokes shorter than this, of the smallest amplitude, are tremor.
 STEADYHAND_PARAMETER SMALLEST_STROKE = 0.06;
 
-// Evidence of a stroke: log likelihood ratio of the gesture against the null model, a hand that goes
-// anywhere.
+// Evidence of a stroke: log likelihood ratio, gesture to null model, which is a hand that goes anywhere.
 
 /// Log prior odds of the gesture against none, without a task and with one.
 STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
-/// Width of the directions of a gesture without a task, radians, and the turn that a stroke may still make.
+/// Width of the directions of a gesture without a task, and the turn that a new stroke may still make,
+/// radians.
 STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
 /// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
 STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
-/// Mean distance from the chord, in its lengths: scale for gestures, and the limit of the null model.
+/// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
 STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
-/// Detour = length of the path / distance - 1. Mean for gestures: a share, a tracker's error, m, and its
-/// growth, m/s.
+/// Detour = length of the path / distance - 1. Mean for gestures: a constant, and the tracker's error, m, and
+/// its growth, m/s, per distance.
 STEADYHAND_PARAMETER DETOUR = 0.03, DETOUR_M = 0.01, DETOUR_M_S = 0.003;
-/// Share of gestures with a larger detour, because of the tracker, and the ratio of the means.
+/// Fraction of gestures with a larger detour, by the tracker's errors, and the ratio of the means.
 STEADYHAND_PARAMETER LARGE_DETOUR_SHARE = 0.1, LARGE_DETOUR = 3.0;
-/// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may come to nothing.
+/// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may be about 0.
 STEADYHAND_PARAMETER OTHER_DETOUR = 1.7;
-/// Motion before the onset: of a hand at rest, that of the tracker's error, m, and of any hand, 1/s.
+/// Standard deviation of the motion before the onset: of a hand at rest, of the tracker's error, m, and of
+/// any hand, 1/s.
 STEADYHAND_PARAMETER REST_MOTION = 0.07, REST_MOTION_M = 0.002, OTHER_MOTION_PER_S = 1.5;
-/// Share of gestures without a rest before them; nats against a gesture whose rest was not tracked.
+/// Fraction of gestures without a rest before them; nats against a gesture whose rest was not tracked.
 STEADYHAND_PARAMETER NO_REST_SHARE = 0.001, REST_UNSEEN = 1.5;
 /// Standard deviations of the log of length / amplitude, below and above 0: people often reach too far.
 STEADYHAND_PARAMETER LOG_SHORTER = 0.15, LOG_LONGER = 0.5;
-/// Standard deviation of the log of duration / mean duration, and the share of gestures at any pace.
+/// Standard deviation of the log of duration / mean duration, and the fraction of gestures at any pace.
 STEADYHAND_PARAMETER LOG_DURATION = 0.55, ANY_PACE_SHARE = 0.25;
 /// Probability that a hand comes back at once after a strike, and that it stays after another gesture.
 STEADYHAND_PARAMETER USUAL_ENDING = 0.95;
 /// A hand stays that has not come back by TURNED (fractions of the stroke's length) within TURNED_WITHIN (of
 /// its duration), or by COMES_BACK within COMES_BACK_WITHIN.
 STEADYHAND_PARAMETER TURNED = 0.03, TURNED_WITHIN = 0.5, COMES_BACK = 0.12, COMES_BACK_WITHIN = 0.8;
-/// Log of the duration of a strike over its mean, beyond which it is a drag.
+/// Scale of the log of duration / mean duration, above which a strike is a drag.
 STEADYHAND_PARAMETER SLOWER_STRIKE = 0.53;
 /// Ranges of the null model: log of 0.05 to 2 amplitudes, and of 0.1 to 5 s.
 STEADYHAND_PARAMETER LOG_LENGTHS = 3.7, LOG_DURATIONS = 3.9;
 /// Nats against a gesture of several strokes.
 STEADYHAND_PARAMETER SEVERAL_STROKES = 0.5;
-/// A stroke below this share of its peak speed slows down. It then covers at most FURTHER times as much as a
-/// minimum jerk would, except for a share of all.
+/// A stroke below this fraction of its peak speed slows down. Then its length is at most FURTHER times that
+/// of a minimum-jerk movement, except for a small fraction of strokes.
 STEADYHAND_PARAMETER SLOWING_SHARE = 0.85, FURTHER = 2.0, GOES_ON_SHARE = 0.003;
 /// Standard deviation of a gesture's start about the task's start.
 STEADYHAND_PARAMETER START = 0.12;
 /// Log of that normal density at its peak over the null model's: a ball of 1.5 amplitudes.
 STEADYHAND_PARAMETER LOG_STARTS = 6.25;
-/// Part of the movement that a hand may make before it comes into view, and the log density ratio for it.
+/// Longest part of the movement before the hand comes into view, and the log density ratio of its start.
 STEADYHAND_PARAMETER UNSEEN_PART = 0.45, LOG_UNSEEN_STARTS = 5.85;
 
 } // namespace steadyhand::parameters::strokes
 
 namespace steadyhand::parameters::sessions {
 
-// Both kinds. Values are in amplitudes, speeds in amplitudes / mean duration: a minimum jerk peaks at 1.875.
+// All sessions. Values are in amplitudes, speeds in amplitudes / mean duration: a minimum-jerk movement peaks
+// at 1.875.
 
-/// Phase from which on a gesture is at its end, and the phase that a hand has left when it hardly moves.
+/// Phase from which on a gesture is at its end, and the remaining phase of a hand that has almost stopped.
 STEADYHAND_PARAMETER END_PHASE = 0.97, STILL_PHASE = 0.03;
 /// A gesture at less than this value has returned.
 STEADYHAND_PARAMETER RETURNED = 0.15;
-/// A gesture that is lost beyond this value may have ended.
+/// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
 
 // With a task.
 
-/// Of a start: value, speed (`paper` mode only), and value in standard deviations of the drift at rest.
+/// Least values of a start: value, speed (only `paper` mode), and value in standard deviations of the drift.
 STEADYHAND_PARAMETER START_VALUE = 0.03, START_SPEED = 0.1, START_DRIFTS = 7.0;
-/// Drift at rest: the time over which second differences are taken, and its value until it is measured.
+/// Drift at rest: time of its second differences, and its value until it is measured.
 STEADYHAND_PARAMETER DRIFT_S = 0.1, UNKNOWN_DRIFT = 0.02;
-/// P(gesture) of a start, and of an abort near the start.
+/// P(gesture) above which a gesture starts, and below which it is aborted near the start.
 STEADYHAND_PARAMETER START_PROBABILITY = 0.7, ABORT_PROBABILITY = 0.1;
-/// From this value on a gesture starts at any probability.
+/// Beyond this value a gesture starts at any probability.
 STEADYHAND_PARAMETER HALFWAY = 0.5;
-/// From this value on the hand has left the start: the way back is a movement of its own.
+/// Beyond this value the hand has left the start, and its return is another movement.
 STEADYHAND_PARAMETER LEFT_START = 0.25;
 /// `paper` mode: near the start, a gesture is aborted after this many mean durations of the first state.
 STEADYHAND_PARAMETER ABORT_AFTER = 3.0;
-/// The hand has stopped at this P(hold) for this time.
+/// The hand has stopped if P(HOLD) is greater for this time.
 STEADYHAND_PARAMETER STOP_PROBABILITY = 0.7, STOP_S = 0.2;
-/// Log odds by strokes that an end before the target needs: hands that do something else stop anywhere.
+/// Log odds by strokes for an end before the target: hands that do something else stop anywhere.
 STEADYHAND_PARAMETER STOP_LOG_ODDS = 9.0;
-/// The hand has turned back by this value.
+/// A hand that goes back by this value has turned.
 STEADYHAND_PARAMETER TURNED_BACK = 0.08;
-/// No gesture starts so far from its start. A hand that stays there for longer is not followed.
+/// A gesture does not start farther from its start. A hand that stays farther for this time is not followed.
 STEADYHAND_PARAMETER ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
-/// Distance to the start of a gesture that may start anywhere, m.
+/// Least distance, m, to the start of a gesture that may start anywhere.
 STEADYHAND_PARAMETER ANYWHERE_M = 0.1;
 /// Distance from the path beyond which the hand has left the task: of a circle and of a straight path.
 STEADYHAND_PARAMETER OFF_CIRCLE = 0.3, OFF_STRAIGHT = 1.0;
-/// A measurement no older says where the hand is.
+/// Greatest age of a measurement of the hand's position.
 STEADYHAND_PARAMETER RECENT_S = 0.1, MISSING_S = 0.05;
-/// Strokes along a task: least length of a start, cosine of the greatest angle, and length of a clear
+/// Strokes along a task: least length of a start, cosine of the greatest angle, and least length with a clear
 /// direction.
 STEADYHAND_PARAMETER SMALLEST_MOVE = 0.02, ALONG = 0.64, LONG_ENOUGH = 0.5;
 
 // Without a task.
 
-/// Lengths of strokes: with a direction; well under way.
+/// Lengths of strokes: least one with a direction, and least one that a doubtful stroke needs.
 STEADYHAND_PARAMETER SHORTEST = 0.12, UNDER_WAY = 0.3;
-/// A stroke has a direction from this many standard deviations of the noise on.
+/// Least length of a stroke with a direction, in standard deviations of the noise.
 STEADYHAND_PARAMETER NOISE_TIMES = 10.0;
-/// A stroke whose greatest possible log odds are less is no gesture; after this time it is aborted.
-STEADYHAND_PARAMETER HOPELESS = -8.0, HOPELESS_S = 0.1, BARELY_BEGUN = 0.2;
-/// Log odds from which on an end is predicted.
+/// A stroke whose upper bound of the log odds is lower is no gesture, and is aborted after this time. If it
+/// was longer than BARELY_BEGUN while it was likely, it must first be longer than UNDER_WAY.
+STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0, REJECT_AFTER_S = 0.1, BARELY_BEGUN = 0.2;
+/// Least log odds of a predicted end.
 STEADYHAND_PARAMETER END_LOG_ODDS = 1.5;
-/// Margin of the speed at an end, of the peak, for people who slow down less.
+/// Tolerance of the speed at an end, relative to the peak, for people who slow down less.
 STEADYHAND_PARAMETER SLOWED_LESS = 0.25;
-/// Shorter strokes after an end are no gesture.
+/// A shorter stroke after an end is no gesture.
 STEADYHAND_PARAMETER TAIL = 0.25;
 /// A hand has returned from its end at this fraction of its greatest distance.
 STEADYHAND_PARAMETER HALF_BACK = 0.5;
-/// Time before an onset in which the start is looked for, and of the means that suppress noise.
+/// Time before an onset in which the movement may have started, and time of the means that suppress noise.
 STEADYHAND_PARAMETER BEFORE_ONSET_S = 0.15, MEAN_S = 0.05;
 
 // By HMM.
 
-/// Posterior of a start, an abort and an end, and probability of the last state at an end.
+/// Posterior of a start, an abort and an end, and probability of the end.
 STEADYHAND_PARAMETER BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99, LAST_STATE = 0.5;
 /// Cosine between a gesture and its return, and between two gestures of one path: 45 degrees.
 STEADYHAND_PARAMETER OPPOSITE = -0.7, SAME_DIRECTION = 0.7;
 
 // Several gestures.
 
-/// Another gesture is shown if it is likelier by this log odds.
+/// Difference of the log odds at which another gesture is shown.
 STEADYHAND_PARAMETER SWITCH_MARGIN = 2.0;
-/// At rest another task is shown if the hand is nearer to it by this ratio.
+/// Ratio of the distances at which another task is shown while the hand rests.
 STEADYHAND_PARAMETER NEARER = 0.8;
-/// Motions closer than this, in amplitudes, are of one path.
+/// Steps between tasks below this are blended: the tasks have the same path.
 STEADYHAND_PARAMETER SAME_PATH = 0.1;
-/// Nats against a gesture of one finger for each amplitude of a gesture that needs this finger too.
+/// Nats against a gesture of one finger per amplitude of a gesture that needs more fingers.
 STEADYHAND_PARAMETER PART = 12.0;
 
 } // namespace steadyhand::parameters::sessions
 
-// Two-sided hysteresis: the limit that opens a condition is looser than the one that meets it.
+// Hysteresis: the limit at which a condition ends is looser than the one at which it is met.
 namespace steadyhand::parameters::start {
 
-/// DWELL: a hand has left beyond 30 mm (Ultraleap TouchFree starts a drag there). It dwells within 20 mm: at
-/// the 10 mm of the Meta Interaction SDK, a bad tracker shows a hand at rest as moving.
+/// DWELL: a hand dwells within 20 mm and has left beyond 30 mm, where Ultraleap TouchFree starts a drag. The
+/// 10 mm of the Meta Interaction SDK are less than the errors of bad trackers.
 STEADYHAND_PARAMETER STILL_M = 0.020, LEFT_M = 0.030;
 /// PINCH: Ultraleap's detector closes at 25 mm and opens at 30 mm.
 STEADYHAND_PARAMETER OPENS_AT = 30.0 / 25.0;
@@ -260,43 +262,43 @@ STEADYHAND_PARAMETER OPENS_AT = 30.0 / 25.0;
 STEADYHAND_PARAMETER POINTS_FROM = 1.5, POINTS_TO = 1.3;
 /// Least distance index tip to palm, m: in a fist the ratio is noise.
 STEADYHAND_PARAMETER EXTENDED_M = 0.07;
-/// A slip of a finger this short drops nothing (MRTK #10391).
+/// A shorter slip of a finger does not end the condition (MRTK #10391).
 STEADYHAND_PARAMETER SLIP_S = 0.1;
-/// A tracker needs this time to fit a hand that it finds. A pinch this shortly before a dropout is an open
-/// hand that leaves the view (wolvic #1467).
+/// Time that a tracker needs to fit a new hand. A pinch within this time before a dropout is an open hand
+/// that leaves the view (wolvic #1467).
 STEADYHAND_PARAMETER SETTLES_S = 0.2;
-/// Confidence, 0 to 1. In leapjs-playback an open hand that leaves the view reads as a pinch with a median of
-/// 0.6 and a least of 0.3; the pinch has 0.97 or more.
+/// Confidence, 0 to 1. In leapjs-playback a false pinch of an open hand that leaves the view has a median of
+/// 0.6 and a minimum of 0.3; a true pinch has at least 0.97.
 STEADYHAND_PARAMETER LEAST_CONFIDENCE = 0.5;
 
 } // namespace steadyhand::parameters::start
 
 namespace steadyhand::parameters::tracker {
 
-/// Period before it is measured: the slowest camera in use.
+/// Frame period until it is measured: the slowest camera in use.
 STEADYHAND_PARAMETER UNKNOWN_PERIOD_S = 1.0 / 30.0;
-/// No hand tracker is faster: frames closer together were delayed and arrive in a burst.
+/// Least frame period of hand trackers. Frames closer together were delayed and arrive in a burst.
 STEADYHAND_PARAMETER BURST_S = 1e-3;
-/// Loaded trackers often skip one or two frames. Half a period more, because time stamps jitter.
+/// Least dropout. Loaded trackers often skip one or two frames, and time stamps jitter.
 STEADYHAND_PARAMETER DROPOUT_PERIODS = 3.5, LEAST_DROPOUT_S = 0.03;
-/// So that the third repeated reading is a freeze.
+/// Least freeze: the third repeated reading.
 STEADYHAND_PARAMETER FREEZE_PERIODS = 2.5;
-/// Prior rate of jumps and of freezes: recordings of Leap Motion have 0.05 to 0.5 jumps a second.
+/// Prior rate of jumps and of freezes. Recordings of Leap Motion have 0.05 to 0.5 jumps a second.
 STEADYHAND_PARAMETER FAULTS_PER_S = 0.3;
 /// Standard deviation of a jump per axis: 10 to 60 mm of a lost hand model, 0.3 m to the other hand.
 STEADYHAND_PARAMETER JUMP_M = 0.1;
-/// Wrong poses of one to ten frames last up to 90 ms. A tracker that stays longer has moved its origin.
+/// Longest jump: wrong poses of one to ten frames last up to 90 ms. After a longer one the origin has moved.
 STEADYHAND_PARAMETER LONGEST_JUMP_S = 0.09;
-/// A jump that is undone within this time was the tracker's. After a longer one the hand may be anywhere.
+/// A jump that is undone within this time is a tracker fault. Later the hand may be anywhere.
 STEADYHAND_PARAMETER MEMORY_S = 0.4;
-/// Share of a jump, and of the speed before it, by which it is undone and the hand stood.
+/// Fraction of a jump by which it is undone, and of the speed before it at which the hand stands.
 STEADYHAND_PARAMETER UNDONE = 0.5, STOOD = 0.5;
 /// Standard deviation of a hand's acceleration within a frame. A 15 cm tap in 0.2 s peaks at 22 m/s^2 (5.77 A
 /// / T^2, Flash & Hogan 1985).
 STEADYHAND_PARAMETER ACCELERATION_M_S2 = 15.0;
 /// Standard deviation of a hand's velocity. The fastest gestures peak at 3 m/s.
 STEADYHAND_PARAMETER SPEED_M_S = 1.0;
-/// A busy computer delays a frame by this time at most, and then delivers all that waited.
+/// Longest delay of a frame on a busy computer, which then delivers all delayed frames.
 STEADYHAND_PARAMETER MOST_BEHIND_S = 0.06;
 
 } // namespace steadyhand::parameters::tracker

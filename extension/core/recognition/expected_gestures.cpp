@@ -1,4 +1,4 @@
-// Which gestures a GestureRecogniser expects, from the start and later on.
+// The expected gestures of a GestureRecogniser, and changes of them.
 
 #include "base/parameters.h"
 #include "gesture/classifier_file.h"
@@ -59,7 +59,7 @@ GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, Moti
 
 std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures) {
 	const GestureSession *const shown_before = sessions_.empty() ? nullptr : sessions_[shown()].get();
-	// Followers that are dropped look at their models no more; those must last until then.
+	// Models must outlive their sessions, which are deleted first.
 	const std::vector<ExpectedGesture> gestures_before = std::exchange(gestures_, std::move(gestures));
 	std::vector<std::unique_ptr<GestureSession>> sessions_before = std::exchange(sessions_, {});
 	const std::vector<FilteredMotion> filtered_before = std::exchange(filtered_, {});
@@ -86,16 +86,16 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		} else {
 			sessions_.push_back(session_for(gestures_[i], synthesis_, spotter_.get()));
 			sessions_.back()->set_completion(completion_);
-			sessions_.back()->count_on_from(begun);
+			sessions_.back()->set_gestures_started(begun);
 			filtered_.emplace_back();
 			starts_.emplace_back();
 		}
 	}
 	leader_ = leader_ >= 0 ? now[static_cast<std::size_t>(leader_)] : -1;
-	const bool is_under_way = leader_ >= 0 && session()->stage() == GestureSession::Stage::ACTIVE;
+	const bool is_active = leader_ >= 0 && session()->stage() == GestureSession::Stage::ACTIVE;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (std::ranges::find(now, static_cast<int>(i)) == now.end()) {
-			sessions_[i]->ignore_before(is_under_way ? time_s_ : ended_started_s_);
+			sessions_[i]->ignore_before(is_active ? time_s_ : ended_started_s_);
 		}
 	}
 	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
@@ -143,7 +143,7 @@ void GestureRecogniser::watch_features() {
 					{ feature, StrokeFinder(shares, smallest_m), {}, FeaturePlace::Zero(), {}, {} });
 		}
 	}
-	expect_absence();
+	schedule_dropout();
 }
 
 } // namespace steadyhand

@@ -13,21 +13,21 @@
 namespace steadyhand {
 namespace {
 
-/// Other motion goes as far as hands do, 1 cm to 1 m, evenly in the logarithm: ln 100.
+/// Range of the log of the length of other motion, which is log-uniform from 1 cm to 1 m: ln 100.
 constexpr double OTHER_REACHES = 4.605;
-/// An onset younger than this has had no chance to be likely, symbols.
+/// Symbols. A younger onset is not replaced, because its weight is not yet known.
 constexpr int YOUNG = 30;
-/// Onsets no further apart, of hands no further apart, are of one rest.
+/// Onsets closer in time and in position belong to the same rest.
 constexpr int SAME_REST_SYMBOLS = 25;
 constexpr double SAME_REST_M = 0.005;
 
-/// With emissions that count as much of an observation.
+/// The emissions to the power `evidence`.
 LinearHmm tempered(DiscreteHmm hmm, double evidence) {
 	hmm.log_b *= evidence;
 	return LinearHmm(hmm);
 }
 
-/// a / b; up to 2^900, so that sums of them are finite.
+/// a / b, at most 2^900, so that sums are finite.
 double quotient(const ScaledNumber &a, const ScaledNumber &b) {
 	constexpr std::int64_t MOST = 900;
 	return a.mantissa / b.mantissa * power_of_two(std::min(a.exponent - b.exponent, MOST));
@@ -38,20 +38,23 @@ double normal_density(double off, double deviation) {
 	return std::exp(-0.5 * x * x) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// How much likelier it is that the gesture ends so far from its onset than that other motion does.
-double reach_ratio(const DirectedHmm &model, double way_m, double growth_m) {
-	const double reach_m = model.is_radius ? growth_m : way_m;
+/// Likelihood ratio, gesture to other motion, of an end at this distance, or growth of the radius, from the
+/// onset.
+double reach_ratio(const DirectedHmm &model, double distance_m, double growth_m) {
+	const double reach_m = model.is_radius ? growth_m : distance_m;
 	const double off = std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M) / model.reach_m);
 	return OTHER_REACHES * normal_density(off, model.reach_deviation);
 }
 
-/// How much likelier the direction is if it is the gesture's. The jitter of the tip turns short ways.
-double direction_ratio(
-		const Eigen::Vector3d &way_m, const Eigen::Vector3d &axis, const ClassifierOptions &options) {
-	const double distance_m = way_m.norm();
+/// Likelihood ratio, gesture to other motion, of the direction. The jitter of the tip turns short
+/// displacements.
+double direction_ratio(const Eigen::Vector3d &displacement_m, const Eigen::Vector3d &axis,
+		const ClassifierOptions &options) {
+	const double distance_m = displacement_m.norm();
 	const double width = std::hypot(options.direction_width, options.jitter_m / distance_m);
-	return std::isfinite(width) ? std::exp(log_direction_ratio((way_m / distance_m - axis).norm(), width))
-								: 1.0;
+	return std::isfinite(width)
+			? std::exp(log_direction_ratio((displacement_m / distance_m - axis).norm(), width))
+			: 1.0;
 }
 
 } // namespace
@@ -81,7 +84,7 @@ void GestureClassifier::expect(std::vector<std::string> gestures) {
 	evaluate(window_.motion());
 }
 
-/// A new one takes part in onsets that are still to come.
+/// A new hypothesis takes part in later onsets only.
 GestureClassifier::Hypothesis GestureClassifier::hypothesis_of(
 		std::size_t gesture, const DirectedHmm &model) const {
 	LinearHmm linear = tempered(model.hmm, options_.evidence);
@@ -122,7 +125,7 @@ void GestureClassifier::push(const HandFrame &frame) {
 		return;
 	}
 	last_s_ = frame.t_s;
-	// An instant before this frame saw only the frames before it.
+	// Instants before this frame use earlier frames only.
 	for (; clock_.due(std::nextafter(frame.t_s, -INFINITY)); clock_.advance()) {
 		step(clock_.next_s());
 		is_new_ = false;
@@ -179,7 +182,7 @@ bool GestureClassifier::is_at_rest() const {
 	return true;
 }
 
-/// One that is not used; else the less likely one of two that are of one rest; else the least likely of all.
+/// An unused one; otherwise the less likely one of two of the same rest; otherwise the least likely of all.
 std::size_t GestureClassifier::least_likely_onset() const {
 	std::size_t least = 0, least_of_rest = ONSETS;
 	for (std::size_t i = 0; i < ONSETS; ++i) {
@@ -237,26 +240,28 @@ void GestureClassifier::evaluate(const HandMotion &motion) {
 	filler_posterior_ = 1.0 / all;
 }
 
-/// Adds to the posterior, before it is one: what speaks for a gesture and an onset, against the filler.
+/// Adds the weight of a gesture and an onset, relative to the filler, to the candidate's posterior, which is
+/// not normalised yet.
 void GestureClassifier::weigh(const Hypothesis &hypothesis, std::size_t lane, const HandMotion &motion) {
 	const DirectedHmm &model = *hypothesis.model;
 	Onset &onset = onsets_[lane];
 	const ScaledNumber all = hypothesis.forward.total(static_cast<int>(lane));
 	if (all.mantissa == 0.0) {
-		return; // not expected yet at this onset
+		return; // the gesture was not expected at this onset
 	}
 	const ScaledNumber &filler = filler_filter_.likelihood(static_cast<int>(lane));
 	const std::size_t last = static_cast<std::size_t>(hypothesis.pi.size() - 1) * ONSETS + lane;
 	const ScaledNumber in_last(hypothesis.forward.mantissas()[last], hypothesis.forward.exponents()[last]);
 
 	const HandMotion &start = onset.observer.onset();
-	const Eigen::Vector3d way_m = motion.tip_m - start.tip_m;
-	const double has_arrived = quotient(in_last, all);
-	const double there = has_arrived * reach_ratio(model, way_m.norm(), motion.radius_m - start.radius_m);
-	const double on_way = 1.0 - has_arrived + there;
-	double weight = options_.onset_prior * quotient(all, filler) * on_way;
+	const Eigen::Vector3d displacement_m = motion.tip_m - start.tip_m;
+	const double last_probability = quotient(in_last, all);
+	const double ended =
+			last_probability * reach_ratio(model, displacement_m.norm(), motion.radius_m - start.radius_m);
+	const double ended_or_not = 1.0 - last_probability + ended;
+	double weight = options_.onset_prior * quotient(all, filler) * ended_or_not;
 	if (!model.is_radius) {
-		weight *= direction_ratio(way_m, model.axis, options_);
+		weight *= direction_ratio(displacement_m, model.axis, options_);
 	}
 	onset.weight = std::max(onset.weight, weight);
 	GestureCandidate &candidate = candidates_[hypothesis.gesture];
@@ -266,9 +271,10 @@ void GestureClassifier::weigh(const Hypothesis &hypothesis, std::size_t lane, co
 		candidate.onset_s = onset.t_s;
 		candidate.start_m = start.tip_m;
 		candidate.start_radius_m = start.radius_m;
-		candidate.axis = way_m.norm() > 0.0 ? Eigen::Vector3d(way_m.normalized()) : way_m;
+		candidate.axis =
+				displacement_m.norm() > 0.0 ? Eigen::Vector3d(displacement_m.normalized()) : displacement_m;
 		candidate.log_likelihood_ratio = all.log() - filler.log();
-		candidate.end_probability = on_way > 0.0 ? there / on_way : 0.0;
+		candidate.end_probability = ended_or_not > 0.0 ? ended / ended_or_not : 0.0;
 	}
 }
 

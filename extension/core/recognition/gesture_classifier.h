@@ -18,65 +18,65 @@
 
 namespace steadyhand {
 
-/// How well what the hand does agrees with a gesture.
+/// State of one gesture in a GestureClassifier.
 struct GestureCandidate {
 	double posterior = 0.0; ///< among all gestures and the filler, over all onsets
-	/// What follows is of the likeliest onset.
-	double onset_s = 0.0;                              ///< the hand rested there, and moves since
-	Eigen::Vector3d start_m = Eigen::Vector3d::Zero(); ///< of the index tip
-	double start_radius_m = 0.0;                       ///< of the three tips' circle
-	Eigen::Vector3d axis =
-			Eigen::Vector3d::Zero();     ///< unit vector from there to the tip; zero where it is there
-	double log_likelihood_ratio = NEVER; ///< against the filler, nats
-	double end_probability = 0.0;        ///< that the hand has arrived, if it makes the gesture
+	/// The other members are for the likeliest onset.
+	double onset_s = 0.0;
+	Eigen::Vector3d start_m = Eigen::Vector3d::Zero(); ///< index tip at the onset
+	double start_radius_m = 0.0;                       ///< radius of the three fingertips at the onset
+	/// Unit vector from start_m to the index tip; zero if they are equal.
+	Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+	double log_likelihood_ratio = NEVER; ///< gesture to filler, nats
+	double end_probability = 0.0;        ///< P(the gesture has ended | the hand makes it)
 };
 
 struct ClassifierOptions {
-	/// Odds of an onset at a given instant, for each gesture. The threshold between misses and false alarms.
+	/// Prior odds of an onset at an instant, for each gesture. A higher value gives fewer misses and more
+	/// false alarms.
 	double onset_prior = 3e-5;
-	/// Radians, log_direction_ratio()'s: gestures may run 20 degrees off their axes.
+	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double jitter_m = 0.005; ///< of a tracked tip
-	/// A hand is at rest that has moved less far within REST_SYMBOLS; only there gestures begin.
+	/// A hand that has moved less than this within REST_SYMBOLS is at rest. Gestures begin only at rest.
 	double rest_m = 0.015;
-	/// What a symbol counts of an observation: velocities are slopes over HandMotionWindow::WINDOW_S, and
-	/// symbols that share frames do not observe the hand anew.
+	/// Exponent of the likelihood of a symbol. Velocities are slopes over HandMotionWindow::WINDOW_S, so that
+	/// symbols that share frames are not independent.
 	double evidence = SymbolClock::PERIOD_S / HandMotionWindow::WINDOW_S;
 };
 
-/// Finds in a stream of frames which gesture is under way, since when, and whether it has come to its end, by
-/// the forward variables of HMMs against those of a filler model (Lee and Kim 1999, doi:10.1109/34.799904).
-/// Several possible onsets are followed side by side, each with observations relative to the hand at that
-/// onset. Causal; nothing is allocated but by construction; the cost of a frame does not depend on how long
-/// the stream is.
+/// Finds the present gesture in a stream of frames, its onset, and whether it has ended. It compares the
+/// forward variables of HMMs with those of a filler model (Lee and Kim 1999, doi:10.1109/34.799904). It
+/// follows several possible onsets in parallel. Each has observations relative to the hand at that onset.
+/// Causal. Only the constructor and expect() allocate. The cost of a frame is constant.
 class GestureClassifier {
 public:
-	/// gestures: names, each once; of one that the model does not have the posterior is 0.
+	/// gestures: different names. The posterior of a gesture that the model does not have is 0.
 	GestureClassifier(std::shared_ptr<const ClassifierModel> model, std::vector<std::string> gestures,
 			const ClassifierOptions &options = {});
 
-	/// From now on these; what is known of those that were expected before is kept. Allocates.
+	/// Replaces the gestures. Those that were expected before keep their state. Allocates.
 	void expect(std::vector<std::string> gestures);
 	[[nodiscard]] const std::vector<std::string> &gestures() const { return gestures_; }
 
-	/// A frame that is not after the last one is passed over.
+	/// A frame that is not later than the last one is ignored.
 	void push(const HandFrame &frame);
 	void reset();
-	/// Onsets before t_s are possible no longer: the gesture since then is over.
+	/// Deletes the onsets before t_s.
 	void forget_before(double t_s);
 
-	/// One for each gesture, in the order in which they were given, at time_s().
+	/// One for each of gestures(), in this order, at time_s().
 	[[nodiscard]] std::span<const GestureCandidate> candidates() const { return candidates_; }
 	/// Probability that the hand makes none of the gestures.
 	[[nodiscard]] double filler_posterior() const { return filler_posterior_; }
-	/// The newest instant of the SymbolClock at which something was seen.
+	/// The newest instant of the SymbolClock with a new frame.
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
-	/// Onsets that are followed at once; a new one is tried so many symbols after the last.
+	/// Number of onsets in parallel, and symbols between two of them.
 	static constexpr int ONSETS = 16, ONSET_STEP = 5;
 	static constexpr std::size_t REST_SYMBOLS = 15;
-	/// No gesture goes on after a longer gap, nor does the hand's rest.
+	/// After a longer gap everything is reset.
 	static constexpr double LONGEST_GESTURE_GAP_S = 10.0;
 
 	struct Onset {
@@ -84,15 +84,15 @@ private:
 		int age = 0; ///< symbols
 		double t_s = 0.0;
 		MotionObserver observer; ///< holds the hand at the onset
-		double weight = 0.0;     ///< of the likeliest gesture, against the filler
+		double weight = 0.0;     ///< of the likeliest gesture, relative to the filler
 	};
 	struct Hypothesis {
 		std::size_t gesture;
 		const DirectedHmm *model;
 		Eigen::VectorXd pi;
-		Eigen::MatrixXd b; ///< as LinearHmm's
+		Eigen::MatrixXd b; ///< as in LinearHmm
 		ScaledRecursion<ONSETS> forward;
-		std::vector<double> emissions; ///< N x ONSETS, as ScaledRecursion::step() takes them
+		std::vector<double> emissions; ///< N x ONSETS, for ScaledRecursion::step()
 	};
 
 	std::shared_ptr<const ClassifierModel> model_;
@@ -102,15 +102,15 @@ private:
 	std::vector<std::string> gestures_;
 	std::vector<Hypothesis> hypotheses_;
 	std::array<Onset, ONSETS> onsets_{};
-	std::array<Eigen::Index, ONSETS> columns_{}; ///< of emissions, of each onset's newest symbol
+	std::array<Eigen::Index, ONSETS> columns_{}; ///< newest symbol of each onset
 	std::vector<GestureCandidate> candidates_;
-	std::vector<double> greatest_; ///< of each candidate, the weight of its likeliest onset
+	std::vector<double> greatest_; ///< weight of the likeliest onset of each candidate
 	double filler_posterior_ = 1.0;
 	SymbolClock clock_;
 	HandMotionWindow window_;
 	Ring<HandMotion, REST_SYMBOLS> recent_;
 	bool has_started_ = false;
-	bool is_new_ = false; ///< a frame since the last instant
+	bool is_new_ = false; ///< a frame came since the last instant
 	double last_s_ = 0.0, time_s_ = 0.0;
 	int until_onset_ = 0;
 

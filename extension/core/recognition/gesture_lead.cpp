@@ -1,4 +1,4 @@
-// Which of the gestures of a GestureRecogniser is shown, and how its motion goes on from the last one's.
+// Choice of the shown gesture of a GestureRecogniser, and the blend from the last one.
 
 #include "base/parameters.h"
 #include "recognition/gesture_recogniser.h"
@@ -14,15 +14,16 @@ using namespace parameters::sessions;
 
 } // namespace
 
-/// One stroke may start several neighbouring tasks, and ends at one of them.
-void GestureRecogniser::settle() {
+/// Reports the end of the leader. One stroke may start several neighbouring tasks; those that end beside this
+/// one are aborted.
+void GestureRecogniser::report_end() {
 	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED || session()->is_end_reported()) {
 		return;
 	}
 	sessions_[shown()]->report_end();
 	ended_started_s_ = session()->started_s();
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
-		if (ends_to_the_side(shown(), i)) {
+		if (ends_off_path(shown(), i)) {
 			sessions_[i]->abort(time_s_);
 		}
 	}
@@ -30,33 +31,32 @@ void GestureRecogniser::settle() {
 
 void GestureRecogniser::choose_leader() {
 	using Stage = GestureSession::Stage;
-	settle();
+	report_end();
 	const auto is_moving = [&](std::size_t i) { return sessions_[i]->stage() == Stage::ACTIVE; };
 	if (leader_ < 0 || session()->stage() == Stage::IDLE || !starts_[shown()].is_allowed) {
-		lead(likeliest([&](std::size_t i) { return is_moving(i) && may_show(i); }));
+		set_leader(likeliest([&](std::size_t i) { return is_moving(i) && may_show(i); }));
 		return;
 	}
-	// What has arrived keeps its end until the hand does something else that is likelier than none: of tasks
-	// on one way the one that the hand comes to first ends first, and the next one's end is told when the
-	// hand gets there.
-	const bool has_arrived = session()->stage() == Stage::ENDED;
+	// An ended gesture stays the leader until a later one is likelier than none. Of tasks along one path, the
+	// first one ends first, and the next one when the hand gets there.
+	const bool has_ended = session()->stage() == Stage::ENDED;
 	const double odds = log_odds(shown()), since_s = session()->stage_began_s();
 	const int best = likeliest([&](std::size_t i) {
 		const Stage stage = sessions_[i]->stage();
 		const bool is_news = stage != Stage::IDLE && sessions_[i]->stage_began_s() > since_s &&
 				!sessions_[i]->is_end_reported();
-		const double doubt = ends_to_the_side(shown(), i) ? 0.0 : SWITCH_MARGIN;
-		const bool wins = has_arrived ? is_news && (stage == Stage::ENDED || log_odds(i) > 0.0)
-				: is_moving(i)        ? log_odds(i) > odds + SWITCH_MARGIN
-									  : is_news && log_odds(i) > odds - doubt;
+		const double tolerance = ends_off_path(shown(), i) ? 0.0 : SWITCH_MARGIN;
+		const bool wins = has_ended ? is_news && (stage == Stage::ENDED || log_odds(i) > 0.0)
+				: is_moving(i)      ? log_odds(i) > odds + SWITCH_MARGIN
+									: is_news && log_odds(i) > odds - tolerance;
 		return wins && may_show(i);
 	});
 	if (best >= 0) {
-		lead(best);
+		set_leader(best);
 	}
 }
 
-void GestureRecogniser::lead(int session) {
+void GestureRecogniser::set_leader(int session) {
 	if (session == leader_) {
 		return;
 	}
@@ -68,11 +68,12 @@ void GestureRecogniser::lead(int session) {
 	} else if (!gestures_[shown_].task) {
 		shown_ = 0;
 	}
-	go_on_from(before, rate_per_s);
+	blend_from(before, rate_per_s);
 }
 
-/// The motion was `before` until now. On another task the same hand has another value: that is no step.
-void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
+/// Blends from `before` to the motion of the shown session. A step to a task with another path is not
+/// blended: there the same hand has another value.
+void GestureRecogniser::blend_from(const Motion &before, double rate_per_s) {
 	const Motion now = synthesised(time_s_);
 	const double step_m = std::abs(before.value_m - now.value_m);
 	blend_ = {};
@@ -81,15 +82,15 @@ void GestureRecogniser::go_on_from(const Motion &before, double rate_per_s) {
 	}
 }
 
-/// The first one of those to whose start the hand is nearest.
+/// Index of the session with the nearest start, the first one of equals.
 std::size_t GestureRecogniser::nearest() const {
 	const auto nearest = std::ranges::min_element(sessions_, {},
 			[](const std::unique_ptr<GestureSession> &one) { return one->start_distance_m(); });
 	return static_cast<std::size_t>(nearest - sessions_.begin());
 }
 
-/// Before the sessions read the frame of t_s, so that a gesture starts from the motion that is shown. Returns
-/// the motion so far if another session is shown from now on.
+/// Shows the nearest task. Must be called before the sessions get the frame of t_s: a gesture starts from the
+/// shown motion. Returns the motion until now if another session is shown from now on.
 std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	if (sessions_.empty()) {
 		return std::nullopt;
@@ -111,7 +112,7 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	return before;
 }
 
-/// With a task an idle session shows the hand too.
+/// With a task an idle session follows the hand too.
 Motion GestureRecogniser::synthesised(double t_s) const {
 	return leader_ >= 0 || gestures_[shown_].task ? sessions_[shown_]->motion(t_s) : Motion{};
 }

@@ -6,20 +6,20 @@
 
 namespace steadyhand {
 
-/// What may be told of a recogniser at an instant.
+/// The shown gesture of a recogniser at an instant.
 struct GestureShown {
-	int gesture = -1;        ///< index of the one under way or just finished; -1: none
+	int gesture = -1;        ///< index of the active or ended gesture; -1: none
 	std::uint32_t begun = 0; ///< GestureSession::gestures_started
 	int state = -1;          ///< of its HMM
-	bool arrived = false;    ///< it has come to its end
+	bool arrived = false;    ///< the gesture has ended
 
 	bool operator==(const GestureShown &) const = default;
 };
 
 [[nodiscard]] GestureShown shown_by(const GestureRecogniser &recogniser);
 
-/// What happened from one instant to the next, in this order: the gesture shown before was given up, one
-/// began, its state changed, it came to its end.
+/// Events from one instant to the next, in this order: the gesture shown before was aborted, another one
+/// started, its state changed, it ended.
 struct GestureNews {
 	bool aborted = false;
 	bool started = false;
@@ -29,7 +29,7 @@ struct GestureNews {
 	bool operator==(const GestureNews &) const = default;
 };
 
-/// A gesture that begins at once where the last one ended is another one, if it is of the same model too.
+/// A different GestureShown::begun is a different gesture, also with the same model.
 [[nodiscard]] GestureNews news(const GestureShown &before, const GestureShown &now);
 
 } // namespace steadyhand

@@ -13,8 +13,8 @@ namespace {
 using namespace parameters;
 using namespace parameters::sessions;
 
-/// The point that TrackerMonitor judges: of a radius, the circle's centre and the radius. place: the
-/// feature's in the frame.
+/// The point for TrackerMonitor. For a radius: x and y of the fingertips' mean, and the radius. place: of the
+/// feature in the frame.
 std::optional<Eigen::Vector3d> tracked_point(
 		const Feature &feature, const std::optional<FeaturePlace> &place, const HandFrame &frame) {
 	if (place) {
@@ -38,9 +38,9 @@ void GestureRecogniser::WatchedFeature::push(const HandFrame &frame) {
 		place.reset();
 	}
 	if (place) {
-		const Eigen::Vector3d &beside_m = measurement.displacement_m;
-		displacement_m = feature->is_radius ? FeaturePlace(beside_m.x(), beside_m.y(), 0.0, beside_m.z())
-											: FeaturePlace(beside_m.x(), beside_m.y(), beside_m.z(), 0.0);
+		const Eigen::Vector3d &offset_m = measurement.displacement_m;
+		displacement_m = feature->is_radius ? FeaturePlace(offset_m.x(), offset_m.y(), 0.0, offset_m.z())
+											: FeaturePlace(offset_m.x(), offset_m.y(), offset_m.z(), 0.0);
 		strokes.push(measurement, *place, displacement_m);
 	}
 }
@@ -57,7 +57,7 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
-	// What is due before this frame must not read the stroke that it makes.
+	// Steps before this frame must not use it.
 	advance_sessions(std::nextafter(frame.t_s, -INFINITY));
 	for (WatchedFeature &watched : watched_) {
 		watched.push(frame);
@@ -74,9 +74,9 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	}
 	time_s_ = frame.t_s;
 	if (before) {
-		go_on_from(*before, CHANGE_BLEND_PER_S);
+		blend_from(*before, CHANGE_BLEND_PER_S);
 	}
-	expect_absence();
+	schedule_dropout();
 	judge_starts();
 	abort_parts();
 	decide_ends();
@@ -93,20 +93,20 @@ void GestureRecogniser::advance(double t_s) {
 	choose_leader();
 }
 
-void GestureRecogniser::expect_absence() {
-	next_absence_s_ = INFINITY;
+void GestureRecogniser::schedule_dropout() {
+	next_dropout_s_ = INFINITY;
 	for (const WatchedFeature &watched : watched_) {
-		for (const double absence_s : GestureSession::ABSENCES_S) {
-			const double due_s = watched.strokes.last_measurement_s() + absence_s;
-			const bool is_to_come = due_s >= time_s_ && due_s > last_absence_s_; // of a frame then, after it
-			next_absence_s_ = is_to_come ? std::min(next_absence_s_, due_s) : next_absence_s_;
+		for (const double dropout_s : GestureSession::DROPOUTS_S) {
+			const double due_s = watched.strokes.last_measurement_s() + dropout_s;
+			const bool is_to_come = due_s >= time_s_ && due_s > last_dropout_s_;
+			next_dropout_s_ = is_to_come ? std::min(next_dropout_s_, due_s) : next_dropout_s_;
 		}
 	}
 }
 
 void GestureRecogniser::advance_sessions(double t_s) {
-	while (next_absence_s_ <= t_s) {
-		time_s_ = last_absence_s_ = next_absence_s_;
+	while (next_dropout_s_ <= t_s) {
+		time_s_ = last_dropout_s_ = next_dropout_s_;
 		step_sessions(time_s_);
 		for (std::size_t i = 0; i < sessions_.size(); ++i) {
 			sessions_[i]->on_dropout(time_s_, watched(i).strokes);
@@ -115,7 +115,7 @@ void GestureRecogniser::advance_sessions(double t_s) {
 		abort_parts();
 		decide_ends();
 		choose_leader();
-		expect_absence();
+		schedule_dropout();
 	}
 	step_sessions(t_s);
 }
@@ -128,7 +128,7 @@ void GestureRecogniser::step_sessions(double t_s) {
 
 double GestureRecogniser::part_penalty(std::size_t session) const {
 	const std::uint8_t joints = watched(session).feature->joints;
-	double whole = 0.0; // how far the other gesture goes, or comes back, in amplitudes
+	double whole = 0.0; // greatest movement of another gesture or of its return, amplitudes
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		const GestureSession &other = *sessions_[i];
 		const Feature &feature = *watched(i).feature;
@@ -146,7 +146,7 @@ double GestureRecogniser::part_penalty(std::size_t session) const {
 	return PART * whole;
 }
 
-double GestureRecogniser::compared(std::size_t session, double log_odds) const {
+double GestureRecogniser::comparable_log_odds(std::size_t session, double log_odds) const {
 	const GestureSession &one = *sessions_[session];
 	bool has_rival = false;
 	for (std::size_t i = 0; i < sessions_.size() && one.strike_log_odds() < 0.0; ++i) {
@@ -156,7 +156,7 @@ double GestureRecogniser::compared(std::size_t session, double log_odds) const {
 }
 
 double GestureRecogniser::posterior(std::size_t session) const {
-	// Odds against none, the largest taken out of the sum so that none overflows.
+	// The largest odds are factored out, so that no exponential overflows.
 	const double odds = log_odds(session), largest = std::max(odds, 0.0);
 	double all = std::exp(-largest);
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
@@ -215,33 +215,33 @@ bool GestureRecogniser::returns_from_other(std::size_t session) const {
 	return false;
 }
 
-bool GestureRecogniser::ends_to_the_side(std::size_t one, std::size_t other) const {
-	const std::optional<Task> &way = gestures_[one].task, &beside = gestures_[other].task;
-	const auto ends_at_a_place = [this](std::size_t i) {
+bool GestureRecogniser::ends_off_path(std::size_t one, std::size_t other) const {
+	const std::optional<Task> &task = gestures_[one].task, &other_task = gestures_[other].task;
+	const auto is_straight = [this](std::size_t i) {
 		const Feature &feature = *watched(i).feature;
 		return feature.direction != nullptr && !feature.is_radius;
 	};
-	if (!way || !beside || !ends_at_a_place(one) || !ends_at_a_place(other)) {
+	if (!task || !other_task || !is_straight(one) || !is_straight(other)) {
 		return false;
 	}
-	const auto end_m = [](const Task &task) { return task.start_m + task.amplitude_m * task.axis; };
-	const Eigen::Vector3d apart_m = end_m(*beside) - end_m(*way);
-	const double along_m = apart_m.dot(way->axis);
-	return (apart_m - along_m * way->axis).norm() > std::abs(along_m);
+	const auto end_m = [](const Task &of) { return of.start_m + of.amplitude_m * of.axis; };
+	const Eigen::Vector3d apart_m = end_m(*other_task) - end_m(*task);
+	const double along_m = apart_m.dot(task->axis);
+	return (apart_m - along_m * task->axis).norm() > std::abs(along_m);
 }
 
-bool GestureRecogniser::may_become_other(std::size_t best) const {
+bool GestureRecogniser::may_lose(std::size_t best) const {
 	if (sessions_[best]->is_end_usual()) {
 		return false;
 	}
-	const double own = std::max(compared(best, sessions_[best]->log_odds_if(true)),
-			compared(best, sessions_[best]->log_odds_if(false)));
+	const double own = std::max(comparable_log_odds(best, sessions_[best]->log_odds_if(true)),
+			comparable_log_odds(best, sessions_[best]->log_odds_if(false)));
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		const GestureSession &other = *sessions_[i];
 		const bool is_rival =
 				i != best && !gestures_[i].task && other.stage() == GestureSession::Stage::ACTIVE;
 		const bool goes_on = !other.may_end() || other.is_end_predicted();
-		if (is_rival && goes_on && compared(i, other.best_log_odds()) > own) {
+		if (is_rival && goes_on && comparable_log_odds(i, other.best_log_odds()) > own) {
 			return true;
 		}
 	}
@@ -253,7 +253,7 @@ void GestureRecogniser::decide_ends() {
 		int best = -1;
 		double best_odds = -INFINITY;
 		for (std::size_t i = 0; i < sessions_.size(); ++i) {
-			const double odds = compared(i, sessions_[i]->log_odds_if(comes_back));
+			const double odds = comparable_log_odds(i, sessions_[i]->log_odds_if(comes_back));
 			if (sessions_[i]->may_end() && odds > best_odds) {
 				best = static_cast<int>(i);
 				best_odds = odds;
@@ -262,13 +262,13 @@ void GestureRecogniser::decide_ends() {
 		return best;
 	};
 	const int best = likeliest_if(true);
-	if (best < 0 || best != likeliest_if(false) || may_become_other(static_cast<std::size_t>(best))) {
+	if (best < 0 || best != likeliest_if(false) || may_lose(static_cast<std::size_t>(best))) {
 		return;
 	}
 	sessions_[static_cast<std::size_t>(best)]->count_end();
 	const int task = likeliest([&](std::size_t i) { return sessions_[i]->is_near_end(); });
 	const double odds = log_odds(static_cast<std::size_t>(best));
-	// What is done at a task will say itself when it ends.
+	// A likelier gesture with a task, near its end, ends by itself.
 	const bool is_of_task = task >= 0 && log_odds(static_cast<std::size_t>(task)) > odds;
 	if (is_of_task || odds <= 0.0 || !may_show(static_cast<std::size_t>(best))) {
 		for (const std::unique_ptr<GestureSession> &session : sessions_) {
@@ -285,7 +285,7 @@ void GestureRecogniser::decide_ends() {
 			sessions_[i]->abort(time_s_);
 		}
 	}
-	lead(best);
+	set_leader(best);
 }
 
 } // namespace steadyhand

@@ -15,65 +15,65 @@
 
 namespace steadyhand {
 
-/// A gesture that a scene asks for. A model may be expected at several places.
+/// A gesture to recognise. Several ones may have the same model and different tasks.
 struct ExpectedGesture {
 	std::shared_ptr<const GestureModel> model;
-	std::optional<Task> task; ///< its place; nothing: anywhere
+	std::optional<Task> task; ///< nullopt: without a task
 
 	bool operator==(const ExpectedGesture &) const = default;
 };
 
-/// All gestures that a scene asked for, on one stream of frames: which one is active, in which state, and
-/// its motion. Nothing is allocated but by construction and expect().
+/// Recognises several gestures in one stream of frames: which one is active, in which state, and its motion.
+/// Only the constructor and expect() allocate.
 class GestureRecogniser {
 public:
-	/// effort, latency_s: as SwitchingEstimator's; decoding: as Synthesis'.
+	/// effort, latency_s: of SwitchingEstimator; decoding: of Synthesis.
 	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
 			const EstimatorEffort &effort = {}, double latency_s = 0.0, const StateDecoding &decoding = {});
-	/// All at one place, or none of them.
+	/// All models with the same task, or all without one.
 	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
 			const std::optional<Task> &task, MotionMode mode, const EstimatorEffort &effort = {},
 			double latency_s = 0.0, const StateDecoding &decoding = {});
 
-	/// A gesture without a task is shown, and ends, only from this confidence() on: 0..1. A small one gives
-	/// more false alarms, a great one shows gestures later.
+	/// Least confidence() at which a gesture without a task is shown, and may end: 0..1. A low one gives more
+	/// false alarms, a high one later starts.
 	void set_min_confidence(double probability) { min_confidence_ = probability; }
 
-	/// 0.5 .. 1; a gesture with a task also ends where the hand stops from this fraction of the amplitude on.
+	/// A gesture with a task also ends if the hand stops beyond this fraction of the amplitude, 0.5..1.
 	void set_completion(double share);
 
-	/// A gesture that starts while this is not met is not shown, and does not end. An active one goes on.
+	/// A gesture that starts while the condition is not met is not shown and does not end. An active gesture
+	/// goes on.
 	void set_start_condition(const StartSettings &settings) { start_condition_ = StartCondition(settings); }
 	[[nodiscard]] const StartCondition &start_condition() const { return start_condition_; }
 
-	/// From now on these. Those that were expected before go on unchanged; the others begin as with a first
-	/// frame. The movement of a gesture that is active or has ended makes no other one. Returns the index of
-	/// each that was expected before; -1: it is no longer.
+	/// Replaces the gestures. Those that were expected before keep their state. New ones begin as before a
+	/// first frame; the present movement of an active or ended gesture does not start them. Returns the new
+	/// index of each former gesture; -1 if it is removed.
 	std::vector<int> expect(std::vector<ExpectedGesture> gestures);
 
-	/// A frame that is older than the last one, equals it, or is not finite, is ignored.
+	/// A frame with an earlier or non-finite time, or equal to the last one, is ignored.
 	void push(const HandFrame &frame);
-	/// Everything that is due by t_s; an earlier time than the last is ignored.
+	/// Advances to t_s; ignored if it is not later than time_s(). The shown gesture changes only here and in
+	/// push(). A gesture that starts and ends between two calls is not shown.
 	void advance(double t_s);
 
-	/// At the time advanced to, of the frames until then. If several gestures are active, the one that is
-	/// shown changes at the instants advanced to. A gesture that starts and ends between two of these is not
-	/// shown.
+	/// Motion at time_s().
 	[[nodiscard]] Motion motion(MotionSource source) const { return motion(source, time_s_); }
-	/// Predicted for t_s, not before that time.
+	/// Motion predicted for t_s, not before time_s().
 	[[nodiscard]] Motion motion(MotionSource source, double t_s) const;
 
-	/// Index of the gesture that is active or has ended; -1 while there is none, or none that may be shown.
+	/// Index of the shown gesture, active or ended; -1 if there is none.
 	[[nodiscard]] int gesture() const { return leader_; }
 	[[nodiscard]] const GestureSession *session() const {
 		return leader_ >= 0 ? sessions_[static_cast<std::size_t>(leader_)].get() : nullptr;
 	}
-	/// Index of the one whose motion is shown: while none is active, that of the task to whose start the hand
-	/// is nearest; without tasks the first.
+	/// Index of the gesture whose motion is shown. While gesture() is -1, the one with the nearest start; the
+	/// first one without tasks.
 	[[nodiscard]] std::size_t shown() const { return shown_; }
-	/// Probability of the gesture that is active or has ended, among all models and none: 0..1; 0 while none
-	/// is shown.
+	/// Probability, 0..1, of the shown gesture among all gestures and none; 0 if gesture() is -1.
 	[[nodiscard]] double confidence() const;
+	/// Time of the last push() or advance().
 	[[nodiscard]] double time_s() const { return time_s_; }
 
 private:
@@ -82,83 +82,84 @@ private:
 	struct WatchedFeature {
 		const Feature *feature;
 		StrokeFinder strokes;
-		std::optional<FeaturePlace> place; ///< in the newest frame
-		FeaturePlace displacement_m;       ///< of the tracker, as of the newest place
+		std::optional<FeaturePlace> place; ///< as measured in the newest frame
+		FeaturePlace displacement_m;       ///< of the tracker, in the newest frame with a position
 		TrackerMonitor monitor;
-		Measurement measurement; ///< the newest frame's
+		Measurement measurement; ///< of the newest frame
 
 		void push(const HandFrame &frame);
-		/// Without the tracker's displacement.
+		/// `place`, corrected for the tracker's displacement.
 		[[nodiscard]] std::optional<FeaturePlace> hand() const {
 			return place ? std::optional<FeaturePlace>(*place - displacement_m) : std::nullopt;
 		}
 	};
 
-	std::vector<WatchedFeature> watched_; ///< each feature once, however many gestures use it
+	std::vector<WatchedFeature> watched_; ///< each feature once
 	std::vector<std::size_t> watched_by_; ///< per session: index into watched_
-	/// In `paper` mode, of the gestures without a task that its HMMs include; sessions read it.
+	/// `paper` mode without a task: spots the gestures that its HMMs include, for their sessions.
 	std::unique_ptr<GestureSpotter> spotter_;
 	std::vector<std::unique_ptr<GestureSession>> sessions_;
 	std::vector<FilteredMotion> filtered_; ///< one per session
 	double min_confidence_ = 0.0;
 	double completion_ = END_LEVEL;
 	StartCondition start_condition_;
-	/// Of the last gesture that a session began: which one, and whether it may be shown.
+	/// The last start of a session: its number, and whether the start condition was met.
 	struct Start {
 		std::uint32_t begun = 0;
 		bool is_allowed = true;
 	};
 	std::vector<Start> starts_; ///< one per session
 	int leader_ = -1;
-	std::size_t shown_ = 0; ///< the leader, while there is one
-	OutputBlend blend_;     ///< of the step when another one is shown, m
+	std::size_t shown_ = 0; ///< the leader, if there is one
+	OutputBlend blend_;     ///< of the step to another shown gesture, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
 	double time_s_;
-	double next_absence_s_ = INFINITY;   ///< when one of GestureSession::ABSENCES_S is over next
-	double last_absence_s_ = -INFINITY;  ///< when one last was
-	double ended_started_s_ = -INFINITY; ///< when the last gesture started whose end was shown
+	double next_dropout_s_ = INFINITY;   ///< next time at which a dropout reaches GestureSession::DROPOUTS_S
+	double last_dropout_s_ = -INFINITY;  ///< last such time
+	double ended_started_s_ = -INFINITY; ///< start of the last gesture with a reported end
 
 	void expect_spotted();
 	void watch_features();
 	[[nodiscard]] const WatchedFeature &watched(std::size_t session) const {
 		return watched_[watched_by_[session]];
 	}
-	/// Including dropouts.
+	/// Steps all sessions to t_s, with the dropouts before it.
 	void advance_sessions(double t_s);
 	void step_sessions(double t_s);
-	void expect_absence();
+	void schedule_dropout();
 	[[nodiscard]] double posterior(std::size_t session) const;
-	/// GestureSession::log_odds, as gestures are compared by it.
+	/// Log odds by which gestures are compared.
 	[[nodiscard]] double log_odds(std::size_t session) const {
-		return compared(session, sessions_[session]->log_odds());
+		return comparable_log_odds(session, sessions_[session]->log_odds());
 	}
-	/// Log odds of a gesture, less if its motion is a part of another gesture, or a strike too slow beside
-	/// another gesture.
-	[[nodiscard]] double compared(std::size_t session, double log_odds) const;
-	/// Nats against a gesture whose motion is a part of another gesture.
+	/// log_odds of the session, reduced if the motion is a part of another gesture. A strike that another
+	/// active gesture may beat is also reduced by its strike_log_odds().
+	[[nodiscard]] double comparable_log_odds(std::size_t session, double log_odds) const;
+	/// Nats against a gesture whose motion is a part of another gesture, which needs more joints.
 	[[nodiscard]] double part_penalty(std::size_t session) const;
-	/// Allowed to start, and likely enough to be shown, and to end.
+	/// The start condition was met, and the confidence is high enough, so that the gesture may be shown and
+	/// end.
 	[[nodiscard]] bool may_show(std::size_t session) const;
-	/// Asks the start condition once of each gesture that starts, and aborts those whose pinch opens.
+	/// Checks the start condition at each start, and aborts gestures whose pinch opens.
 	void judge_starts();
 	/// Aborts gestures without a task whose motion is clearly a part of another gesture, or of its return.
 	void abort_parts();
-	/// The hand comes back from the end of another gesture of the same feature.
+	/// The hand returns from the end of another gesture of the same feature.
 	[[nodiscard]] bool returns_from_other(std::size_t session) const;
-	/// Index of the one of greatest log odds among the candidates; -1 where there are none. is_candidate:
-	/// f(index).
+	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate: f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
-	/// Of tasks with a straight path: the end of `other` is further off the path of `one` than along it.
-	[[nodiscard]] bool ends_to_the_side(std::size_t one, std::size_t other) const;
-	/// The end of this session is unusual, and another gesture, whose stroke goes on, may become likelier.
-	[[nodiscard]] bool may_become_other(std::size_t best) const;
+	/// Both have tasks with a straight path, and the end of `other` is beside the path of `one`: its distance
+	/// from the end of `one` is greater across that path than along it.
+	[[nodiscard]] bool ends_off_path(std::size_t one, std::size_t other) const;
+	/// The end of this session is unusual, and another gesture with an unfinished stroke may become likelier.
+	[[nodiscard]] bool may_lose(std::size_t best) const;
 	void decide_ends();
-	void settle();
+	void report_end();
 	void choose_leader();
-	void lead(int session);
+	void set_leader(int session);
 	[[nodiscard]] std::size_t nearest() const;
 	std::optional<Motion> show_nearest(double t_s);
-	void go_on_from(const Motion &before, double rate_per_s);
+	void blend_from(const Motion &before, double rate_per_s);
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 

@@ -9,8 +9,7 @@ using namespace parameters;
 using namespace parameters::strokes;
 using namespace parameters::sessions;
 
-/// Symbols of a longer pause say no more than those of its last seconds; and a clock that leaps must not
-/// hang.
+/// Longest gap that is stepped through symbol by symbol. A jump of the clock must not take long.
 constexpr double LONGEST_GAP_S = 10.0;
 
 } // namespace
@@ -47,7 +46,7 @@ bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePla
 		is_reset_ = false;
 		blend_from(before, frame.t_s, CHANGE_BLEND_PER_S);
 	}
-	fresh_ = true;
+	has_new_frame_ = true;
 	return true;
 }
 
@@ -62,14 +61,14 @@ void GestureSession::advance(double t_s, const StrokeFinder &strokes, const Trac
 }
 
 void GestureSession::step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
-	if (!fresh_ && follows_phase()) {
+	if (!has_new_frame_ && follows_phase()) {
 		phase_.wait(t_s, monitor.is_overdue(t_s));
 	}
 	if (stage_ == Stage::ACTIVE) {
 		decode(t_s);
 	}
 	update_stage(t_s, strokes);
-	fresh_ = false;
+	has_new_frame_ = false;
 }
 
 void GestureSession::begin(double t_s, double value) {
@@ -83,7 +82,7 @@ void GestureSession::begin(double t_s, double value) {
 	enter(Stage::ACTIVE, t_s);
 }
 
-void GestureSession::rest(double t_s) {
+void GestureSession::enter_idle(double t_s) {
 	const Motion before = motion(t_s);
 	enter(Stage::IDLE, t_s);
 	if (!follows_phase()) { // the estimator blends by itself
@@ -106,7 +105,7 @@ void GestureSession::enter(Stage stage, double t_s) {
 }
 
 void GestureSession::decode(double t_s) {
-	decoder_.push(fresh_ ? model_->quantiser.symbol(observation()) : UNSEEN);
+	decoder_.push(has_new_frame_ ? model_->quantiser.symbol(observation()) : UNSEEN);
 	if (decoder_.state() > state_played_) {
 		state_played_ = decoder_.state();
 		if (mode_ == MotionMode::PAPER) {
@@ -130,7 +129,7 @@ void GestureSession::reset_frames() {
 
 void GestureSession::replay(double t_s, double x_m) {
 	window_.push(t_s, x_m);
-	fresh_ = true;
+	has_new_frame_ = true;
 	if (mode_ == MotionMode::PHASE) {
 		phase_.push({ .t_s = t_s, .noise_m = measurement_.noise_m }, x_m / task_.amplitude_m);
 	}
@@ -138,7 +137,7 @@ void GestureSession::replay(double t_s, double x_m) {
 
 void GestureSession::decode_replayed(double t_s) {
 	decode(t_s);
-	fresh_ = false;
+	has_new_frame_ = false;
 }
 
 void GestureSession::blend_from(const Motion &before, double t_s, double rate_per_s) {

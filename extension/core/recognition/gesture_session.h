@@ -20,8 +20,8 @@
 
 namespace steadyhand {
 
-/// How the motion is made. effort, latency_s: as SwitchingEstimator's; decoding: of the states that `paper`
-/// mode plays.
+/// Options of the synthesis. effort, latency_s: of SwitchingEstimator; decoding: of the states in `paper`
+/// mode.
 struct Synthesis {
 	MotionMode mode = MotionMode::PHASE;
 	EstimatorEffort effort = {};
@@ -30,61 +30,61 @@ struct Synthesis {
 };
 
 /// One gesture on a stream of frames. IDLE: the hand rests or does something else. ACTIVE: it makes the
-/// gesture. ENDED: it has, and the end is held until the hand returns. An aborted gesture is IDLE again. Time
-/// is the frames' own; after construction nothing is allocated.
+/// gesture. ENDED: the gesture has ended, and the motion stays at the end until the hand returns. An aborted
+/// gesture is IDLE. All times are frame times. Only the constructor allocates.
 ///
-/// The motion is made here. When a gesture starts and ends is decided by TaskSession with a task, and without
-/// one by StrokeSession (`phase` mode) or HmmSession (`paper` mode).
+/// This class makes the motion. Subclasses decide when a gesture starts and ends: TaskSession with a task,
+/// StrokeSession (`phase` mode) and HmmSession (`paper` mode) without a task.
 class GestureSession {
 public:
 	enum class Stage { IDLE, ACTIVE, ENDED };
-	/// Without a frame for so long: without a task an active gesture near its end has ended, with one it can
-	/// end no more; after the second time the session is idle.
-	static inline const std::array ABSENCES_S{ parameters::SHORT_DROPOUT_S, parameters::LONG_DROPOUT_S };
+	/// Lengths of a dropout. After the first one, an active gesture without a task ends if it is near its
+	/// end, and one with a task cannot end any more. After the second one the session is idle.
+	static inline const std::array DROPOUTS_S{ parameters::SHORT_DROPOUT_S, parameters::LONG_DROPOUT_S };
 
 	GestureSession(const GestureSession &) = delete;
 	GestureSession &operator=(const GestureSession &) = delete;
 	virtual ~GestureSession() = default;
 
-	/// A new frame; t_s not before the last one's, nor before a time advanced to: all that is due before it
-	/// must have been done. False if it does not hold what the feature needs. place: the feature's, finite,
-	/// without the tracker's displacement; strokes: of the feature, with this frame in it; measurement: of
-	/// the feature's tracked point.
+	/// A new frame, not before the last one and not before the last advance(). Call advance() up to it first.
+	/// Returns false if the frame has no value of the feature. place: of the feature, finite, corrected for
+	/// the tracker's displacement; strokes: of the feature, with this frame; measurement: of the feature's
+	/// tracked point.
 	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes,
 			const Measurement &measurement);
-	/// All that is due by t_s; strokes and monitor: as of the last frame.
+	/// Advances to t_s. strokes, monitor: as of the last frame.
 	void advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
-	/// ENDED, and the end has been reported.
+	/// Marks the end of an ENDED gesture as reported.
 	void report_end() { is_end_reported_ = true; }
 	[[nodiscard]] bool is_end_reported() const { return is_end_reported_; }
-	/// When the active gesture, or the last one, started; -infinity before the first.
+	/// Start of the active gesture, or of the last one; -infinity before the first.
 	[[nodiscard]] double started_s() const { return started_s_; }
-	/// How many have been active so far, this one included.
+	/// Number of gestures so far, with the active one.
 	[[nodiscard]] std::uint32_t gestures_started() const { return gestures_started_; }
-	/// Of a new session: so that no two of a recogniser's count alike.
-	void count_on_from(std::uint32_t begun) { gestures_started_ = begun; }
+	/// Sets the first number of a new session. A recogniser keeps the numbers of its sessions apart.
+	void set_gestures_started(std::uint32_t begun) { gestures_started_ = begun; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
-	/// log of the posterior odds of the gesture against none so far, nats; gestures compete by it. Without
-	/// length and duration of the movement until count_end().
+	/// log of the posterior odds of the gesture against none so far, nats. Gestures are compared by it.
+	/// Before count_end() it lacks length and duration of the movement.
 	[[nodiscard]] double log_odds() const { return log_odds_; }
-	/// The gesture has come to its end, likelier than not: to be answered by end_gesture() or abort().
+	/// The gesture has probably ended. The caller answers with end_gesture() or abort().
 	[[nodiscard]] virtual bool may_end() const { return false; }
-	/// may_end(), before the hand has slowed down.
+	/// may_end(), before the stroke has ended.
 	[[nodiscard]] virtual bool is_end_predicted() const { return false; }
-	/// may_end(), and after its end the hand has done what is usual: it came back or stayed.
+	/// may_end(), and the hand then came back after a strike, or stayed after another gesture.
 	[[nodiscard]] virtual bool is_end_usual() const { return true; }
-	/// What log_odds() lacks if another gesture shares_path(): evidence that a strike is too slow, nats, <=
-	/// 0.
+	/// Evidence of the pace of a strike, nats, <= 0. It is added to log_odds() if another gesture
+	/// shares_path().
 	[[nodiscard]] virtual double strike_log_odds() const { return 0.0; }
-	/// No strike, and without a task along the path of the other one.
+	/// This gesture has no task and is no strike, and the other one moves in one of its directions.
 	[[nodiscard]] virtual bool shares_path(const GestureSession & /*other*/) const { return false; }
-	/// Direction of the movement without a task; 0 with one.
+	/// Direction of the model that the movement follows; 0 with a task.
 	[[nodiscard]] virtual FeaturePlace axis() const { return FeaturePlace::Zero(); }
-	/// The most that log_odds() can become while the stroke goes on.
+	/// Upper bound of log_odds() during the stroke.
 	[[nodiscard]] virtual double best_log_odds() const { return log_odds_; }
 	/// log_odds() if the hand comes back at once after its end, or stays.
 	[[nodiscard]] virtual double log_odds_if(bool /*comes_back*/) const { return log_odds_; }
@@ -95,20 +95,20 @@ public:
 	virtual void end_gesture(double /*t_s*/) {}
 	/// Active, and near the task's end.
 	[[nodiscard]] virtual bool is_near_end() const { return false; }
-	/// The hand has not been tracked for one of ABSENCES_S by t_s: the gesture may_end(), or is aborted.
+	/// A dropout has reached one of DROPOUTS_S at t_s. The gesture may_end() or is aborted.
 	virtual void on_dropout(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
-	/// Where the hand is in the frame that comes next.
+	/// Position of the hand in the next frame.
 	virtual void locate(const FeaturePlace & /*place_m*/) {}
-	/// From the start of the task to where the hand was last located, m; infinite before, and after a
-	/// dropout. A gesture that may start anywhere starts a hand's breadth away.
+	/// Distance, m, of the last located hand from the task's start. Infinite before the first locate(), and
+	/// after a dropout. At least parameters::sessions::ANYWHERE_M for a gesture that may start anywhere.
 	[[nodiscard]] virtual double start_distance_m() const { return INFINITY; }
-	/// With a task: from this fraction of the amplitude on the gesture counts where the hand stops.
+	/// With a task: the gesture also ends if the hand stops beyond this fraction of the amplitude.
 	virtual void set_completion(double /*share*/) {}
-	/// Its motion is shown: from t_s on it follows the hand, however far that is from the task.
+	/// The session follows the hand at t_s at any distance from the task, because its motion is shown.
 	virtual void follow_hand(double /*t_s*/) {}
-	/// Of a new session: a movement with an onset before t_s belongs to another gesture.
+	/// A movement with an onset before t_s belongs to another gesture. For new sessions.
 	virtual void ignore_before(double t_s) = 0;
-	/// The movement so far, and the rest of it, belongs to another gesture.
+	/// The present movement belongs to another gesture.
 	virtual void abort(double t_s) = 0;
 	/// The measured motion element, m; 0 before the first frame.
 	[[nodiscard]] double measured_m() const { return window_.position_m(); }
@@ -117,57 +117,56 @@ public:
 
 protected:
 	/// model must outlive the session; its feature must exist. follows_rest: in `phase` mode an idle session
-	/// shows the hand too.
+	/// follows the hand too.
 	GestureSession(
 			const GestureModel &model, const Task &task, const Synthesis &synthesis, bool follows_rest);
 
-	/// The motion element in a frame, m; nothing if the frame does not hold what it needs. has_place:
-	/// last_place() is the frame's.
+	/// Motion element in a frame, m; nullopt if the frame has none. has_place: last_place() is of this frame.
 	virtual std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) = 0;
-	/// At each instant of the symbols, after the state was decoded.
+	/// Called at each instant of the symbols, after the state is decoded.
 	virtual void update_stage(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
 
 	[[nodiscard]] const Feature &feature() const { return *feature_; }
 	[[nodiscard]] MotionMode mode() const { return mode_; }
-	/// The feature's, in the newest frame that had one.
+	/// Position of the feature in the newest frame that has one.
 	[[nodiscard]] const FeaturePlace &last_place() const { return place_; }
-	/// Of the newest frame.
+	/// Measurement of the newest frame.
 	[[nodiscard]] const Measurement &measurement() const { return measurement_; }
-	/// What is measured, in amplitudes.
+	/// Measured motion element, amplitudes.
 	[[nodiscard]] double value() const { return window_.position_m() / task_.amplitude_m; }
 	[[nodiscard]] Observation observation() const {
 		return window_.normalised(task_.amplitude_m, model_->duration_mean_s);
 	}
-	/// Of `phase` mode.
+	/// Estimate of `phase` mode.
 	[[nodiscard]] MotionEstimate estimate(double t_s) const { return phase_.at(t_s); }
-	/// The same before it is blended.
+	/// estimate(), without the blend of the last change.
 	[[nodiscard]] MotionEstimate unblended(double t_s) const { return phase_.unblended(t_s); }
 	/// The motion is at the gesture's end.
 	[[nodiscard]] bool is_at_end(double t_s) const;
-	/// And hardly moves.
+	/// is_at_end(), and the motion has almost stopped.
 	[[nodiscard]] bool is_still_at_end(double t_s) const;
 
 	void set_log_odds(double log_odds) { log_odds_ = log_odds; }
-	/// value: where the hand is, in amplitudes.
+	/// Enters ACTIVE. value: motion element, amplitudes.
 	void begin(double t_s, double value);
 	void decode(double t_s);
-	void arrive(double t_s) { enter(Stage::ENDED, t_s); }
-	void rest(double t_s);
-	/// Idle as before the first frame: the motion goes to 0, and from there to where the hand is next.
+	void enter_ended(double t_s) { enter(Stage::ENDED, t_s); }
+	void enter_idle(double t_s);
+	/// Enters IDLE, as before the first frame. The motion goes to 0, and at the next frame to the hand.
 	void reset_hand(double t_s);
 	[[nodiscard]] bool is_reset() const { return is_reset_; }
-	/// The estimator expects another gesture from where the hand is. shift: of later measurements,
-	/// amplitudes.
+	/// Restarts the estimator at the hand's position, for the next gesture. shift: is added to later
+	/// measurements, amplitudes.
 	void restart_estimate(double t_s, double shift = 0.0) { phase_.restart(t_s, shift); }
-	/// The motion goes on from `before` at t_s, and fades to the present one; rate: 1/s.
+	/// Blends the motion from `before` at t_s to the present one. rate: 1/s.
 	void blend_from(const Motion &before, double t_s, double rate_per_s);
-	/// As if the frames that are replayed next were the first.
+	/// Deletes all frames. Then replay() is called for the frames since the onset.
 	void reset_frames();
 	void replay(double t_s, double x_m);
-	/// At the instants of the symbols between the replayed frames.
+	/// Decodes at an instant of the symbols between two replayed frames.
 	void decode_replayed(double t_s);
-	/// While the hand is where the gesture cannot start, the estimator rests, and the motion is 0.
+	/// While paused, the estimator is only reset, and the motion is 0.
 	void set_paused(bool is_paused) { is_paused_ = is_paused; }
 	[[nodiscard]] bool is_paused() const { return is_paused_; }
 
@@ -182,7 +181,7 @@ private:
 	ObservationWindow window_;
 	SymbolClock clock_;
 	bool clock_started_ = false;
-	bool fresh_ = false; ///< a frame came since the last symbol
+	bool has_new_frame_ = false; ///< since the last symbol
 	FeaturePlace place_ = FeaturePlace::Zero();
 	Measurement measurement_;
 
@@ -194,14 +193,14 @@ private:
 	double log_odds_;
 	StateDecoder decoder_;
 	int state_played_ = 0;
-	PaperSynthesiser paper_; ///< used in its mode only, as the next one is
-	SwitchingEstimator phase_;
-	bool is_reset_ = false; ///< by reset_hand(), and no frame came since
-	OutputBlend blend_;     ///< of steps, m
+	PaperSynthesiser paper_;   ///< in `paper` mode
+	SwitchingEstimator phase_; ///< in `phase` mode
+	bool is_reset_ = false;    ///< by reset_hand(), until the next frame
+	OutputBlend blend_;        ///< m
 
 	void step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
 	void enter(Stage stage, double t_s);
-	/// Frames go to the estimator.
+	/// The estimator is in use: it gets the frames and makes the motion.
 	[[nodiscard]] bool follows_phase() const {
 		return mode_ == MotionMode::PHASE && (follows_rest_ || stage_ != Stage::IDLE);
 	}

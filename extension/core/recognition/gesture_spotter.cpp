@@ -32,18 +32,18 @@ void GestureSpotter::drop() {
 
 GestureSpotter::News GestureSpotter::push(const HandFrame &frame) {
 	classifier_.push(frame);
-	news_ = is_active_ ? follow() : look_for();
+	news_ = is_active_ ? follow() : find_start();
 	return news_;
 }
 
-GestureSpotter::News GestureSpotter::look_for() {
+GestureSpotter::News GestureSpotter::find_start() {
 	const auto candidates = classifier_.candidates();
 	const auto found = std::ranges::find_if(
 			candidates, [](const GestureCandidate &candidate) { return candidate.posterior > BEGINS; });
 	if (found == candidates.end()) {
 		return News::NOTHING;
 	}
-	if (is_way_back(*found)) {
+	if (is_return(*found)) {
 		drop();
 		return News::NOTHING;
 	}
@@ -54,7 +54,7 @@ GestureSpotter::News GestureSpotter::look_for() {
 	return News::BEGUN;
 }
 
-bool GestureSpotter::is_way_back(const GestureCandidate &candidate) const {
+bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
 	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < OPPOSITE;
 }
 

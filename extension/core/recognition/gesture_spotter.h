@@ -10,27 +10,27 @@
 
 namespace steadyhand {
 
-/// Says when a gesture begins, ends or is aborted, by the posteriors of a GestureClassifier. One at a time. A
-/// hand that goes back at once after a gesture makes none.
+/// Detects the begin, end and abort of gestures by the posteriors of a GestureClassifier, one gesture at a
+/// time. The return of the hand at once after a gesture is not a gesture.
 class GestureSpotter {
 public:
 	enum class News : std::uint8_t { NOTHING, BEGUN, ENDED, ABORTED };
 
 	explicit GestureSpotter(GestureClassifier classifier) : classifier_(std::move(classifier)) {}
 
-	/// From now on these. A gesture under way that is one of them goes on; another one is dropped. Allocates;
-	/// nothing else does.
+	/// Replaces the gestures. The active gesture goes on if it is one of them; otherwise it is dropped. Only
+	/// this allocates.
 	void expect(std::vector<std::string> gestures);
 	News push(const HandFrame &frame);
-	/// What is under way is no gesture.
+	/// Ends the active gesture without news. Its onsets are deleted.
 	void drop();
 
-	/// Of the newest frame.
+	/// News of the newest frame.
 	[[nodiscard]] News news() const { return news_; }
 	[[nodiscard]] bool is_active() const { return is_active_; }
-	/// Of which the last news was; empty before the first.
+	/// Gesture of the last news; empty before the first.
 	[[nodiscard]] const std::string &gesture() const { return gesture_; }
-	/// That gesture, as it was last seen.
+	/// Last candidate of this gesture while it was active.
 	[[nodiscard]] const GestureCandidate &candidate() const { return candidate_; }
 
 private:
@@ -38,14 +38,14 @@ private:
 	News news_ = News::NOTHING;
 	bool is_active_ = false;
 	std::string gesture_;
-	std::size_t index_ = 0; ///< the gesture's, among candidates()
+	std::size_t index_ = 0; ///< of the gesture in candidates()
 	GestureCandidate candidate_;
 	double ended_s_ = -INFINITY;
 	Eigen::Vector3d ended_axis_ = Eigen::Vector3d::Zero();
 
-	News look_for();
+	News find_start();
 	News follow();
-	[[nodiscard]] bool is_way_back(const GestureCandidate &candidate) const;
+	[[nodiscard]] bool is_return(const GestureCandidate &candidate) const;
 };
 
 } // namespace steadyhand

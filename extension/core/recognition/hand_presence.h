@@ -6,7 +6,7 @@
 
 namespace steadyhand {
 
-/// When a hand was seen, and when about the way of its task.
+/// Times at which the hand was tracked, and was near the path of its task.
 class HandPresence {
 public:
 	void push(double t_s, bool is_on_path) {
@@ -15,14 +15,14 @@ public:
 		on_path_s_ = is_on_path ? t_s : on_path_s_;
 	}
 
-	/// Of the newest frame that held what the feature needs; before one, never.
+	/// Time of the newest frame with a value of the feature; infinite before the first one.
 	[[nodiscard]] double last_s() const { return last_s_; }
 	[[nodiscard]] bool is_recent(double t_s) const { return t_s - last_s_ <= parameters::sessions::RECENT_S; }
-	/// After it had been lost.
+	/// A dropout has just ended.
 	[[nodiscard]] bool is_just_found(double t_s) const {
 		return t_s - found_s_ <= parameters::sessions::RECENT_S;
 	}
-	/// For how long it has been seen elsewhere than about the way.
+	/// Time for which the tracked hand has been away from the path.
 	[[nodiscard]] double off_path_s() const { return last_s_ - on_path_s_; }
 
 private:

@@ -12,21 +12,21 @@ using namespace parameters::sessions;
 
 using News = GestureSpotter::News;
 
-constexpr double LEAST_DOUBT = 1e-12; ///< keeps log odds finite
+constexpr double LEAST_COMPLEMENT = 1e-12; ///< keeps log odds finite
 
 FeaturePlace vector_of(const Eigen::Vector3d &tip, double radius) {
 	return { tip.x(), tip.y(), tip.z(), radius };
 }
 
 double log_odds_of(double posterior) {
-	return std::log(posterior / std::max(1.0 - posterior, LEAST_DOUBT));
+	return std::log(posterior / std::max(1.0 - posterior, LEAST_COMPLEMENT));
 }
 
 } // namespace
 
 HmmSession::HmmSession(const GestureModel &model, const Synthesis &synthesis, GestureSpotter &r_spotter) :
 		GestureSession(model, model.typical_task, synthesis, false), spotter_(&r_spotter),
-		way_(feature().direction(task())) {}
+		direction_(feature().direction(task())) {}
 
 bool HmmSession::can_follow(const GestureModel &model, const ClassifierModel &hmms) {
 	return std::ranges::any_of(hmms.gestures, [&](const DirectedHmm &one) {
@@ -39,14 +39,14 @@ std::optional<double> HmmSession::measure(
 		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
 	may_end_ = false;
 	const bool has_started = spotter_->news() == News::BEGUN;
-	if (has_started && is_under_way()) {
+	if (has_started && is_spotted()) {
 		begin_at_onset(frame.t_s, strokes);
 	} else if (stage() == Stage::ACTIVE) {
 		look_for_end(frame.t_s);
 	} else if (stage() == Stage::ENDED) {
 		const bool has_returned = along(last_place()) < HALF_BACK * task().amplitude_m;
 		if (has_started || has_returned || frame.t_s - stage_began_s() > PAUSE_S) {
-			rest(frame.t_s);
+			enter_idle(frame.t_s);
 		}
 	}
 	if (!has_place) {
@@ -58,10 +58,10 @@ std::optional<double> HmmSession::measure(
 	return along(last_place());
 }
 
-void HmmSession::aim() {
+void HmmSession::update_direction() {
 	const GestureCandidate &found = spotter_->candidate();
 	if (!feature().is_radius) {
-		way_ = vector_of(found.axis, 0.0);
+		direction_ = vector_of(found.axis, 0.0);
 	}
 	set_log_odds(log_odds_of(found.posterior));
 }
@@ -72,7 +72,7 @@ void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 	start_ = feature().is_radius ? vector_of(Eigen::Vector3d::Zero(), found.start_radius_m)
 								 : vector_of(found.start_m, 0.0);
 	start_ -= strokes.displacement_m();
-	aim();
+	update_direction();
 	reset_frames();
 	begin(found.onset_s, 0.0);
 	double symbol_s = found.onset_s + SymbolClock::PERIOD_S;
@@ -89,33 +89,33 @@ void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 }
 
 void HmmSession::look_for_end(double t_s) {
-	if (is_under_way()) {
-		aim();
+	if (is_spotted()) {
+		update_direction();
 	} else if (spotter_->news() == News::ENDED) {
-		aim();
+		update_direction();
 		may_end_ = true;
 	} else {
-		rest(t_s);
+		enter_idle(t_s);
 	}
 }
 
 void HmmSession::end_gesture(double t_s) {
 	may_end_ = false;
-	arrive(t_s);
+	enter_ended(t_s);
 }
 
 void HmmSession::abort(double t_s) {
 	may_end_ = false;
-	if (is_under_way()) {
+	if (is_spotted()) {
 		spotter_->drop();
 	}
 	if (stage() != Stage::IDLE) {
-		rest(t_s);
+		enter_idle(t_s);
 	}
 }
 
 void HmmSession::on_dropout(double t_s, const StrokeFinder &strokes) {
-	if (t_s >= strokes.last_measurement_s() + ABSENCES_S.back()) {
+	if (t_s >= strokes.last_measurement_s() + DROPOUTS_S.back()) {
 		abort(t_s);
 	}
 }

@@ -30,7 +30,8 @@ std::uint8_t StartCondition::joints(StartKind kind) {
 	return 0;
 }
 
-/// A tracker whose confidence is always low, as 0, reports none (godot_openxr_for_godot_3.x #221).
+/// A confidence that was never high does not count: some trackers always report 0
+/// (godot_openxr_for_godot_3.x #221).
 bool StartCondition::is_seen_well(const HandFrame &frame) {
 	has_joints_ = frame.has_all(joints(settings_.kind));
 	const bool is_sure = frame.confidence >= LEAST_CONFIDENCE;

@@ -11,14 +11,14 @@ using namespace parameters;
 using namespace parameters::strokes;
 using namespace parameters::sessions;
 
-/// Where the movement of a stroke of the finder starts. A stroke's onset is some hundredths of the amplitude
-/// late: the start is the hindmost place of the time before it. way: unit vector.
-FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) {
+/// Start of the movement of a stroke. At its onset the hand has already moved: the start is the least
+/// position along `direction`, a unit vector, shortly before the onset. Means suppress the noise.
+FeaturePlace start_of(const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &direction) {
 	FeaturePlace start = stroke.from, sum = FeaturePlace::Zero();
 	int count = 0;
 	double since_s = -INFINITY;
 	const auto end_part = [&] {
-		const bool is_behind = count > 0 && (sum / count - start).dot(way) < 0.0;
+		const bool is_behind = count > 0 && (sum / count - start).dot(direction) < 0.0;
 		start = is_behind ? FeaturePlace(sum / count) : start;
 		sum = FeaturePlace::Zero();
 		count = 0;
@@ -58,8 +58,8 @@ std::optional<double> StrokeSession::measure(
 		return std::nullopt;
 	}
 	if (measurement().is_usable()) {
-		gone_m_ = along(last_place());
-		furthest_m_ = std::max(furthest_m_, gone_m_);
+		element_m_ = along(last_place());
+		max_element_m_ = std::max(max_element_m_, element_m_);
 	}
 	switch (stage()) {
 		case Stage::IDLE:
@@ -75,84 +75,85 @@ std::optional<double> StrokeSession::measure(
 	return along(last_place());
 }
 
-FeaturePlace StrokeSession::way_of(const Stroke &stroke) const {
+FeaturePlace StrokeSession::model_direction(const Stroke &stroke) const {
 	const FeaturePlace chord = stroke.to - stroke.from;
 	return *std::ranges::max_element(
 			directions_, {}, [&chord](const FeaturePlace &direction) { return direction.dot(chord); });
 }
 
-/// stroke: one of the finder's; way: direction of the model that it follows. A jump of the tracker may have
-/// been the hand's.
+/// Evidence of a stroke of `strokes` for the model's `direction`. Also tries the stroke as measured: a jump
+/// of the tracker may have been a motion of the hand.
 StrokeEvidence StrokeSession::evidence_of(
-		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &way) const {
-	Stroke watched = stroke;
-	watched.motion_before_m = strokes.motion_before_m(stroke);
-	const auto of = [&](const Stroke &one) { return stroke_evidence(one, way, usual_); };
-	StrokeEvidence evidence = of(watched);
-	const StrokeEvidence shown = of(watched.as_measured());
-	if (shown.sum() > evidence.sum()) {
-		evidence = shown;
+		const Stroke &stroke, const StrokeFinder &strokes, const FeaturePlace &direction) const {
+	Stroke with_rest = stroke;
+	with_rest.motion_before_m = strokes.motion_before_m(stroke);
+	const auto of = [&](const Stroke &one) { return stroke_evidence(one, direction, usual_); };
+	StrokeEvidence evidence = of(with_rest);
+	const StrokeEvidence as_measured = of(with_rest.as_measured());
+	if (as_measured.sum() > evidence.sum()) {
+		evidence = as_measured;
 	}
-	if (comes_again(stroke)) {
+	if (is_repetition(stroke)) {
 		evidence.rest = std::max(evidence.rest, 0.0);
 	}
 	return evidence;
 }
 
-/// The motion is measured along the hand's own direction, once that is clear.
-void StrokeSession::aim(const FeaturePlace &to) {
+/// Measures the motion along the hand's own direction, when the stroke is long enough to have one.
+void StrokeSession::update_direction(const FeaturePlace &to) {
 	const FeaturePlace chord = to - from_;
 	if (!feature().is_radius && chord.norm() > SHORTEST * task().amplitude_m) {
-		way_ = chord.normalized();
+		direction_ = chord.normalized();
 	}
 }
 
-bool StrokeSession::comes_again(const Stroke &stroke) const {
-	return may_come_again_ && stroke.onset_s - returned_s_ < PAUSE_S;
+bool StrokeSession::is_repetition(const Stroke &stroke) const {
+	return may_repeat_ && stroke.onset_s - returned_s_ < PAUSE_S;
 }
 
 double StrokeSession::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
-/// An upper bound of the log odds that the stroke can reach; cheap.
-double StrokeSession::most_odds(const Stroke &stroke) const {
-	return LOG_PRIOR_NO_TASK + max_evidence(stroke, way_of(stroke), task().amplitude_m);
+/// Upper bound of the log odds that the stroke can reach. It costs little.
+double StrokeSession::max_log_odds(const Stroke &stroke) const {
+	return LOG_PRIOR_NO_TASK + max_evidence(stroke, model_direction(stroke), task().amplitude_m);
 }
 
 /// One of the strokes cannot become the gesture.
-bool StrokeSession::goes_elsewhere(const StrokeFinder &strokes) const {
+bool StrokeSession::has_impossible_stroke(const StrokeFinder &strokes) const {
 	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
-		return stroke.onset_s >= not_before_s_ && most_odds(stroke) < HOPELESS;
+		return stroke.onset_s >= not_before_s_ && max_log_odds(stroke) < REJECT_LOG_ODDS;
 	});
 }
 
 void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	start_ = last_place();
-	way_ = feature().direction(task());
-	const double trembling = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
-	const double shortest = std::clamp(trembling, SHORTEST, UNDER_WAY);
+	direction_ = feature().direction(task());
+	const double noise = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
+	const double shortest = std::clamp(noise, SHORTEST, UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
 		const bool is_slow = strike_evidence(stroke, usual_) < 0.0;
-		const double least = stroke.onset_s < hopeless_s_ || is_slow ? UNDER_WAY : shortest;
+		const double least = stroke.onset_s < rejected_s_ || is_slow ? UNDER_WAY : shortest;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
 			continue;
 		}
-		if (most_odds(stroke) < 0.0 || (amplitudes(stroke) < UNDER_WAY && goes_elsewhere(strokes))) {
+		if (max_log_odds(stroke) < 0.0 ||
+				(amplitudes(stroke) < UNDER_WAY && has_impossible_stroke(strokes))) {
 			continue;
 		}
-		const FeaturePlace way = way_of(stroke);
-		const StrokeEvidence evidence = evidence_of(stroke, strokes, way);
-		const double yet =
+		const FeaturePlace direction = model_direction(stroke);
+		const StrokeEvidence evidence = evidence_of(stroke, strokes, direction);
+		const double remaining =
 				evidence.max_remaining + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
-		if (LOG_PRIOR_NO_TASK + evidence.without_size() + yet > 0.0) {
+		if (LOG_PRIOR_NO_TASK + evidence.without_size() + remaining > 0.0) {
 			set_log_odds(LOG_PRIOR_NO_TASK + evidence.without_size());
 			from_ = stroke.from;
-			way_ = axis_ = way;
-			aim(stroke.to);
-			// Not of a hand that waved when it came into view.
-			may_come_again_ = evidence.rest >= 0.0 || stroke.tracked_before_s >= REST_S;
-			start_ = start_of(stroke, strokes, way_);
+			direction_ = model_direction_ = direction;
+			update_direction(stroke.to);
+			// A hand that waves when it comes into view must rest before each gesture.
+			may_repeat_ = evidence.rest >= 0.0 || stroke.tracked_before_s >= REST_S;
+			start_ = start_of(stroke, strokes, direction_);
 			start_from(t_s, stroke, strokes);
 			look_for_end(t_s, strokes); // it may have ended already
 			return;
@@ -170,22 +171,22 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 	});
 	begin(t_s, along(last_place()) / task().amplitude_m);
 	likely_s_ = moved_s_ = t_s;
-	furthest_ = 0.0;
-	gone_m_ = furthest_m_ = along(last_place());
+	max_length_ = 0.0;
+	element_m_ = max_element_m_ = along(last_place());
 	blend_from(before, t_s, START_BLEND_PER_S);
 }
 
 void StrokeSession::abort(double t_s) {
 	not_before_s_ = t_s;
 	if (stage() != Stage::IDLE) {
-		dismiss(t_s);
+		go_idle(t_s);
 	}
 }
 
-void StrokeSession::dismiss(double t_s) {
+void StrokeSession::go_idle(double t_s) {
 	end_.reset();
 	set_log_odds(LOG_PRIOR_NO_TASK);
-	rest(t_s);
+	enter_idle(t_s);
 }
 
 } // namespace steadyhand

@@ -29,13 +29,13 @@ std::optional<double> TaskSession::measure(
 	if (!is_straight()) {
 		path_distance_m_ = feature().path_distance_m(frame, task());
 	}
-	const double about = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
-	hand_.push(frame.t_s, path_distance_m_ < about * task().amplitude_m);
+	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
+	hand_.push(frame.t_s, path_distance_m_ < tolerance * task().amplitude_m);
 	update_nearness(frame.t_s);
 	strokes_.update(strokes);
 	const double x = *x_m / task().amplitude_m;
 	if (stage() == Stage::IDLE && std::abs(x) < RETURNED) {
-		wander_.push(frame.t_s, x);
+		drift_.push(frame.t_s, x);
 	}
 	if (stage() != Stage::IDLE) {
 		strokes_.add(strokes);
@@ -44,12 +44,13 @@ std::optional<double> TaskSession::measure(
 	return x_m;
 }
 
-/// In `paper` mode the task alone says which gesture it is.
+/// In `paper` mode the strokes have no influence.
 void TaskSession::judge(const StrokeFinder &strokes) {
 	set_log_odds(mode() == MotionMode::PAPER ? LOG_PRIOR_TASK : strokes_.judge(strokes));
 }
 
-/// The estimator costs most of what a task does, and of many in a scene the hand is near few.
+/// Pauses the estimator while the hand is far away. It has the greatest cost, and a scene may have many
+/// tasks.
 void TaskSession::update_nearness(double t_s) {
 	if (is_near() || stage() != Stage::IDLE) {
 		follow_hand(t_s);
@@ -58,21 +59,21 @@ void TaskSession::update_nearness(double t_s) {
 }
 
 bool TaskSession::is_near() const {
-	return away_m() < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
+	return distance_m() < (is_straight() ? ELSEWHERE : OFF_CIRCLE) * task().amplitude_m;
 }
 
-bool TaskSession::has_gone_elsewhere() const {
+bool TaskSession::has_left_path() const {
 	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_path_s() > LONG_DROPOUT_S
 						 : hand_.off_path_s() > DETECTION_S;
 }
 
 double TaskSession::start_distance_m() const {
 	const bool is_anywhere = !is_straight() || feature().is_radius;
-	return is_anywhere ? std::max(away_m(), ANYWHERE_M) : away_m();
+	return is_anywhere ? std::max(distance_m(), ANYWHERE_M) : distance_m();
 }
 
 void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
-	if (!is_reset() && t_s - hand_.last_s() > ABSENCES_S.back()) {
+	if (!is_reset() && t_s - hand_.last_s() > DROPOUTS_S.back()) {
 		is_rejected_ = false;
 		lose(t_s);
 	}
@@ -81,27 +82,27 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 			if (is_paused()) {
 				break;
 			}
-			if (is_rejected_ ? has_returned(t_s) : has_been_elsewhere(t_s)) {
+			if (is_rejected_ ? has_returned(t_s) : is_estimate_wrong(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && (is_straight() || hand_.off_path_s() <= 0.0) && has_started(t_s)) {
 				strokes_.begin();
 				judge(strokes);
 				at_end_since_s_ = likely_s_ = t_s;
-				furthest_ = 0.0;
+				max_value_ = 0.0;
 				moved_s_ = t_s;
 				begin(t_s, value());
 				decode(t_s);
 			}
 			break;
 		case Stage::ACTIVE:
-			follow_stop(t_s);
-			if (has_gone_elsewhere()) {
+			update_stop(t_s);
+			if (has_left_path()) {
 				is_rejected_ = true;
 				go_idle(t_s);
 			} else if (has_aborted(t_s)) {
 				go_idle(t_s);
-			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_known(t_s, strokes)) {
+			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_end_observed(t_s, strokes)) {
 				try_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -125,20 +126,21 @@ bool TaskSession::has_started(double t_s) const {
 		return false;
 	}
 	const MotionEstimate now = estimate(t_s);
-	// A value this small so late belongs to a movement elsewhere.
+	// A small value at a late phase belongs to another movement.
 	if (now.value <= START_VALUE || (now.value < RETURNED && now.phase > HALFWAY)) {
 		return false;
 	}
-	const double onset = std::clamp(START_DRIFTS * wander_.deviation(t_s), START_VALUE, RETURNED);
+	const double onset = std::clamp(START_DRIFTS * drift_.deviation(t_s), START_VALUE, RETURNED);
 	return now.value > (now.gesture > START_PROBABILITY && strokes_.is_along_axis() ? onset : HALFWAY);
 }
 
-/// The estimator took a movement elsewhere for a whole gesture, and the hand is back.
-bool TaskSession::has_been_elsewhere(double t_s) const {
+/// The estimator is at the gesture's end, and the hand at the start: it took another movement for the
+/// gesture.
+bool TaskSession::is_estimate_wrong(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return false;
 	}
-	// Before it is blended: the output still follows the last frame.
+	// The blended output still follows the last frame.
 	const MotionEstimate now = unblended(t_s);
 	return now.phase > END_PHASE && std::abs(now.value) < RETURNED;
 }
@@ -152,63 +154,63 @@ bool TaskSession::has_aborted(double t_s) {
 	likely_s_ = now.gesture > START_PROBABILITY ? t_s : likely_s_;
 	beyond_s_ = now.value < RETURNED ? beyond_s_ : t_s;
 	const bool may_begin =
-			furthest_ < RETURNED && now.gesture > ABORT_PROBABILITY && t_s - likely_s_ < DETECTION_S;
-	const bool is_under_way = (now.gesture > START_PROBABILITY || may_begin) && now.phase < END_PHASE;
-	const bool has_returned = furthest_ - now.value > TURNED_BACK;
-	return now.value < RETURNED && (has_returned || !is_under_way);
+			max_value_ < RETURNED && now.gesture > ABORT_PROBABILITY && t_s - likely_s_ < DETECTION_S;
+	const bool is_likely = (now.gesture > START_PROBABILITY || may_begin) && now.phase < END_PHASE;
+	const bool has_returned = max_value_ - now.value > TURNED_BACK;
+	return now.value < RETURNED && (has_returned || !is_likely);
 }
 
-/// The estimate may end the gesture: not long into a dropout unless the end was near, and not while the hand
-/// is tracked in the first half.
-bool TaskSession::is_known(double t_s, const StrokeFinder &strokes) const {
+/// The estimate may end the gesture: the last value is near the end, or the hand is in the second half or not
+/// tracked, but not late in a dropout or just after one.
+bool TaskSession::is_end_observed(double t_s, const StrokeFinder &strokes) const {
 	const double unseen_s =
 			t_s - (feature().place != nullptr ? strokes.last_measurement_s() : hand_.last_s());
 	const bool may_be_there = value() > HALFWAY || unseen_s > MISSING_S;
-	const bool is_followed = unseen_s < ABSENCES_S.front() && !hand_.is_just_found(t_s);
+	const bool is_followed = unseen_s < DROPOUTS_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 
 bool TaskSession::has_returned(double t_s) const {
-	const double shown = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
-	return shown < RETURNED || (element_.is_periodic() && shown > 1.0 + RETURNED);
+	const double now = mode() == MotionMode::PAPER ? value() : estimate(t_s).value;
+	return now < RETURNED || (element_.is_periodic() && now > 1.0 + RETURNED);
 }
 
-void TaskSession::follow_stop(double t_s) {
+void TaskSession::update_stop(double t_s) {
 	const MotionEstimate now = estimate(t_s);
 	const bool is_seen = hand_.is_recent(t_s);
 	moved_s_ = is_seen && now.hold > STOP_PROBABILITY ? moved_s_ : t_s;
-	furthest_ = is_seen && !hand_.is_just_found(t_s) ? std::max(furthest_, now.value) : furthest_;
+	max_value_ = is_seen && !hand_.is_just_found(t_s) ? std::max(max_value_, now.value) : max_value_;
 }
 
-/// At `completion` or beyond, or turned back from there.
+/// The hand has stopped beyond completion_, or has turned back from there.
 bool TaskSession::has_stopped(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
-		return false; // plays to the end
+		return false; // the states play to the end
 	}
 	const double value = estimate(t_s).value;
-	const bool has_turned = furthest_ > completion_ && value < furthest_ - TURNED_BACK;
+	const bool has_turned = max_value_ > completion_ && value < max_value_ - TURNED_BACK;
 	const bool has_stopped = value > completion_ && t_s - moved_s_ > STOP_S;
 	return strokes_.best_log_odds() > STOP_LOG_ODDS && (has_turned || has_stopped);
 }
 
 void TaskSession::try_end(double t_s) {
 	const bool is_paper = mode() == MotionMode::PAPER;
-	const bool counts = is_paper || strokes_.best_log_odds() >= 0.0;
-	if (counts && (is_paper || hand_.off_path_s() <= 0.0)) {
-		arrive(t_s);
-	} else if (!counts && t_s - at_end_since_s_ > DETECTION_S) {
+	const bool is_gesture = is_paper || strokes_.best_log_odds() >= 0.0;
+	if (is_gesture && (is_paper || hand_.off_path_s() <= 0.0)) {
+		enter_ended(t_s);
+	} else if (!is_gesture && t_s - at_end_since_s_ > DETECTION_S) {
 		is_rejected_ = true;
 		go_idle(t_s);
 	}
 }
 
 void TaskSession::go_idle(double t_s) {
-	const bool had_left = stage() == Stage::ENDED || furthest_ > LEFT_START;
-	rest(t_s);
+	const bool had_left = stage() == Stage::ENDED || max_value_ > LEFT_START;
+	enter_idle(t_s);
 	if (had_left) {
 		strokes_.ignore_before(beyond_s_ - DETECTION_S);
 	}
-	if (!is_rejected_ && has_returned(t_s)) { // not if it is elsewhere
+	if (!is_rejected_ && has_returned(t_s)) {
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(
 				t_s, -element_.whole_rounds_m(amplitude_m * estimate(t_s).value, task()) / amplitude_m);
@@ -219,7 +221,7 @@ bool TaskSession::is_near_end() const {
 	return stage() != Stage::IDLE && value() > NEAR_END;
 }
 
-/// A dropout, not a freeze: a tracker that repeats itself may show a hand at rest.
+/// After a long dropout. A freeze is different: the hand may be at rest.
 void TaskSession::lose(double t_s) {
 	set_log_odds(LOG_PRIOR_NO_TASK);
 	start_distance_m_ = path_distance_m_ = INFINITY;

@@ -3,15 +3,15 @@
 #include "gesture/motion_element.h"
 #include "recognition/gesture_session.h"
 #include "recognition/hand_presence.h"
-#include "recognition/rest_wander.h"
+#include "recognition/rest_drift.h"
 #include "strokes/task_strokes.h"
 
 #include <cmath>
 
 namespace steadyhand {
 
-/// A gesture with a task. The estimator decides when it starts and ends, and the strokes whether it was the
-/// gesture. In `paper` mode value and velocity start it.
+/// A gesture with a task. The estimator decides when it starts and ends, and the strokes decide whether it
+/// was the gesture. In `paper` mode it starts by value and velocity.
 class TaskSession final : public GestureSession {
 public:
 	TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis);
@@ -31,17 +31,17 @@ private:
 	MotionElement element_;
 	double completion_ = END_LEVEL;
 	TaskStrokes strokes_;
-	RestWander wander_; ///< of the motion element at rest
+	RestDrift drift_; ///< of the motion element at rest
 	HandPresence hand_;
-	double start_distance_m_ = INFINITY; ///< of a straight task
+	double start_distance_m_ = INFINITY; ///< for a straight task
 	double path_distance_m_ = INFINITY;
-	double followed_s_ = -INFINITY; ///< when the hand was last near, or the motion shown
+	double followed_s_ = -INFINITY; ///< last time at which the hand was near, or the motion shown
 	bool is_rejected_ = false;      ///< the movement was no gesture: nothing starts before the return
-	double likely_s_ = 0.0;         ///< when P(gesture) was last above the threshold of a start
+	double likely_s_ = 0.0;         ///< last time of P(gesture) > START_PROBABILITY
 	double at_end_since_s_ = 0.0;
-	double furthest_ = 0.0;       ///< greatest estimated value of a tracked hand since the start
-	double moved_s_ = 0.0;        ///< when P(hold) was last small
-	double beyond_s_ = -INFINITY; ///< when the value was last greater than at a return
+	double max_value_ = 0.0;      ///< greatest estimated value of a tracked hand since the start
+	double moved_s_ = 0.0;        ///< last time of P(hold) <= STOP_PROBABILITY, or without a measurement
+	double beyond_s_ = -INFINITY; ///< last time of a value >= RETURNED
 
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
@@ -49,17 +49,17 @@ private:
 	void judge(const StrokeFinder &strokes);
 	void update_nearness(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().path_distance_m == nullptr; }
-	/// From where the gesture may start: on a circle, anywhere.
-	[[nodiscard]] double away_m() const { return is_straight() ? start_distance_m_ : path_distance_m_; }
+	/// Distance from the positions where the gesture may start: the start, or any point of a circle.
+	[[nodiscard]] double distance_m() const { return is_straight() ? start_distance_m_ : path_distance_m_; }
 	[[nodiscard]] bool is_near() const;
-	[[nodiscard]] bool has_gone_elsewhere() const;
-	[[nodiscard]] bool has_been_elsewhere(double t_s) const;
+	[[nodiscard]] bool has_left_path() const;
+	[[nodiscard]] bool is_estimate_wrong(double t_s) const;
 	[[nodiscard]] bool has_started(double t_s) const;
-	[[nodiscard]] bool is_known(double t_s, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool is_end_observed(double t_s, const StrokeFinder &strokes) const;
 	[[nodiscard]] bool has_returned(double t_s) const;
-	/// To be called at each step while ACTIVE.
+	/// Must be called at each step while ACTIVE.
 	[[nodiscard]] bool has_aborted(double t_s);
-	void follow_stop(double t_s);
+	void update_stop(double t_s);
 	[[nodiscard]] bool has_stopped(double t_s) const;
 	void try_end(double t_s);
 	void go_idle(double t_s);

@@ -83,7 +83,7 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "strokes: several are less likely", { { &s::SEVERAL_STROKES, 0.0 } }, true },
 		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } }, true },
 		{ "strokes: clear direction despite noise", { { &r::NOISE_TIMES, 0.0 } }, true },
-		{ "strokes: hopeless ones abort", { { &r::HOPELESS, -NEVER } }, true },
+		{ "strokes: hopeless ones abort", { { &r::REJECT_LOG_ODDS, -NEVER } }, true },
 		{ "strokes: barely begun ones abort", { { &r::BARELY_BEGUN, 0.0 } }, true },
 		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } }, true },
 		{ "strokes: tail after an end", { { &r::TAIL, 0.0 } }, true },

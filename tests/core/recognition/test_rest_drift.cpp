@@ -1,4 +1,4 @@
-#include "recognition/rest_wander.h"
+#include "recognition/rest_drift.h"
 
 #include <doctest/doctest.h>
 
@@ -15,7 +15,7 @@ double mean_wander(double lasts_s) {
 	constexpr double DT_S = 0.01;
 	std::mt19937_64 random(7);
 	std::normal_distribution<double> noise;
-	RestWander wander;
+	RestDrift wander;
 	const double kept = std::exp(-DT_S / lasts_s);
 	double x = noise(random), sum = 0.0;
 	int n = 0;
@@ -44,7 +44,7 @@ TEST_CASE("rest wander is the standard deviation of noise over 0.1 s") {
 }
 
 TEST_CASE("drift, arrival and onset do not add to rest wander") {
-	RestWander wander;
+	RestDrift wander;
 	for (int i = 0; i < 100; ++i) {
 		const double t_s = 0.01 * i;
 		const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
@@ -55,7 +55,7 @@ TEST_CASE("drift, arrival and onset do not add to rest wander") {
 }
 
 TEST_CASE("a rest below 0.4 s or with dropouts gives the default") {
-	RestWander shortly, rarely;
+	RestDrift shortly, rarely;
 	for (int i = 0; i < 36; ++i) {
 		shortly.push(0.01 * i, 0.0);
 		rarely.push(0.4 * i, 0.0);
@@ -69,7 +69,7 @@ TEST_CASE("a rest below 0.4 s or with dropouts gives the default") {
 }
 
 TEST_CASE("frames with equal time stamps count once") {
-	RestWander wander;
+	RestDrift wander;
 	for (int i = 0; i < 100; ++i) {
 		wander.push(0.01 * i, 0.0);
 		wander.push(0.01 * i, 1.0);
