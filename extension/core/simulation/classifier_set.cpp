@@ -15,10 +15,10 @@ namespace {
 
 constexpr double MOST_TURN_DEG = 20.0;
 constexpr std::uint64_t TURN_SEED = 7, NOISE_SEED = 8;
-/// Of trackers whose frames err each by itself, which the simulated sensors do not.
+/// White noise of other trackers: the errors of the simulated sensors are correlated between frames.
 constexpr std::array NOISES_M{ 0.0, 0.0, 0.001, 0.0, 0.002 };
 
-/// Evenly over the cap about an axis.
+/// Random unit vector, uniform on the spherical cap around an axis.
 Eigen::Vector3d turned(const Eigen::Vector3d &axis, double most_deg, Random &r_random) {
 	const double cosine = r_random.uniform(std::cos(most_deg * std::numbers::pi / 180.0), 1.0);
 	const double side = r_random.uniform(0.0, 2.0 * std::numbers::pi);

@@ -7,16 +7,16 @@
 
 namespace steadyhand {
 
-/// The trials of a set without a task: the axis of each is turned by up to 20 degrees. Error: as
+/// The trials of a set, each with its axis turned at random by up to 20 degrees. Errors: as
 /// make_synthetic_trial().
 [[nodiscard]] Result<std::vector<SyntheticTrial>> make_turned_trials(const SyntheticSetOptions &options);
 
-/// Recordings for train_classifier(), of trials of the simulated gestures and of none.
+/// Recordings for train_classifier(), from trials of simulated gestures and of other motion.
 [[nodiscard]] std::vector<ClassifierRecording> classifier_recordings(
 		const std::vector<SyntheticTrial> &trials);
 
-/// The classifier that the add-on brings, of synthetic people of all paces: equal bits on every run. Some 10
-/// s.
+/// Trains the classifier of the add-on, on synthetic people of all paces. The result is the same to the last
+/// bit on every run. Takes some 10 s.
 [[nodiscard]] Result<ClassifierModel> train_own_classifier();
 
 } // namespace steadyhand

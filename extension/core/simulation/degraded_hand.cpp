@@ -16,16 +16,16 @@ enum DrawnFrom : std::uint64_t { DROPOUT, FREEZE, JUMP, DRIFT, NOISE };
 
 constexpr double MOST_PER_MINUTE = 6000.0;
 constexpr double LONGEST_LATENCY_S = 2.0;
-constexpr double FRAMES_PER_S = 1000.0; // of the fastest tracker: the history holds as many
-constexpr double LONGEST_GAP_S =
-		3600.0;                     // in frames; behind it a Poisson process starts anew, as it has no memory
-constexpr double SLOT_SLACK = 1e-6; // of a period: frames on the grid of slots stay in theirs
+constexpr double FRAMES_PER_S = 1000.0;  // fastest tracker; gives the size of the history
+constexpr double LONGEST_GAP_S = 3600.0; // after it a Poisson process starts again: it has no memory
+constexpr double SLOT_SLACK = 1e-6;      // of a period: keeps frames at the limit of a slot in this slot
 
 double positive(double value) {
 	return value > 0.0 && std::isfinite(value) ? value : 0.0;
 }
 
-DegradeSettings sound(DegradeSettings settings) {
+/// The settings with all values in their valid range.
+DegradeSettings limited(DegradeSettings settings) {
 	for (double *const value :
 			{ &settings.dropout_s, &settings.freeze_s, &settings.jump_m, &settings.jump_s, &settings.drift_m,
 					&settings.drift_s, &settings.rate_hz, &settings.rounding_m, &settings.noise_m }) {
@@ -50,8 +50,9 @@ template <class Change> void for_each_position(DeviceFrame &r_frame, Change chan
 	}
 }
 
-/// `r_frame`, a share of the way on to `next`. What one of them does not have stays as it is.
-void move_on(const DeviceFrame &next, double share, DeviceFrame &r_frame) {
+/// Interpolates from `r_frame` (share 0) to `next` (share 1). A joint that one of them does not have is not
+/// changed.
+void interpolate(const DeviceFrame &next, double share, DeviceFrame &r_frame) {
 	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {
 		if (next.hand.has(static_cast<Joint>(i))) {
 			Eigen::Vector3d &position_m = r_frame.hand.positions_m[i];
@@ -96,7 +97,7 @@ bool DegradedHand::Faults::advance(double t_s) {
 }
 
 DegradedHand::DegradedHand(const DegradeSettings &settings) :
-		settings_(sound(settings)),
+		settings_(limited(settings)),
 		dropouts_(settings.dropouts_per_minute, settings_.dropout_s, stream_seed(settings.seed, DROPOUT)),
 		freezes_(settings.freezes_per_minute, settings_.freeze_s, stream_seed(settings.seed, FREEZE)),
 		jumps_(settings_.jump_m > 0.0 ? settings.jumps_per_minute : 0.0, settings_.jump_s,
@@ -109,14 +110,14 @@ DegradedHand::DegradedHand(const DegradeSettings &settings) :
 
 std::optional<DeviceFrame> DegradedHand::apply(const DeviceFrame &frame) {
 	const double t_s = frame.hand.t_s;
-	// All random numbers are drawn for each frame, whether it is delivered or not: each kind stays as it is
-	// when another is switched on.
+	// All random numbers are drawn for each frame, also if it is not delivered. So each kind of fault is
+	// independent of the others.
 	dropouts_.advance(t_s);
 	freezes_.advance(t_s);
 	if (jumps_.advance(t_s)) {
 		jump_m_ = settings_.jump_m * random_direction(jumps_.random());
 	}
-	const DeviceFrame *const content = seen(frame);
+	const DeviceFrame *const content = delayed(frame);
 	DeviceFrame out = content != nullptr ? *content : frame;
 	out.hand.t_s = t_s;
 	out.device_time_s = frame.device_time_s;
@@ -124,7 +125,7 @@ std::optional<DeviceFrame> DegradedHand::apply(const DeviceFrame &frame) {
 	displace(t_s, out);
 	add_noise(out);
 	round_positions(out);
-	if (is_thinned(t_s) || content == nullptr) {
+	if (is_above_rate(t_s) || content == nullptr) {
 		return std::nullopt;
 	}
 	if (freezes_.is_on(t_s) && has_last_) {
@@ -145,7 +146,7 @@ std::optional<DeviceFrame> DegradedHand::apply(const DeviceFrame &frame) {
 	return out;
 }
 
-bool DegradedHand::is_thinned(double t_s) {
+bool DegradedHand::is_above_rate(double t_s) {
 	if (settings_.rate_hz == 0.0) {
 		return false;
 	}
@@ -158,7 +159,7 @@ bool DegradedHand::is_thinned(double t_s) {
 	return false;
 }
 
-const DeviceFrame *DegradedHand::seen(const DeviceFrame &frame) {
+const DeviceFrame *DegradedHand::delayed(const DeviceFrame &frame) {
 	if (history_.empty()) {
 		return &frame;
 	}
@@ -179,11 +180,11 @@ const DeviceFrame *DegradedHand::seen(const DeviceFrame &frame) {
 		return nullptr;
 	}
 	between_ = at(0);
-	// Where a joint comes or goes, the earlier frame is seen.
+	// When a joint appears or disappears, the earlier frame is delivered.
 	const bool is_alike = count_ > 1 && at(1).hand.tracked == between_.hand.tracked &&
 			at(1).skeleton.positioned == between_.skeleton.positioned;
 	if (is_alike && at(0).hand.t_s < seen_s) {
-		move_on(at(1), (seen_s - at(0).hand.t_s) / (at(1).hand.t_s - at(0).hand.t_s), between_);
+		interpolate(at(1), (seen_s - at(0).hand.t_s) / (at(1).hand.t_s - at(0).hand.t_s), between_);
 	}
 	return &between_;
 }

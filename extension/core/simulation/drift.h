@@ -6,8 +6,8 @@
 
 namespace steadyhand {
 
-/// Ornstein-Uhlenbeck process of unit deviation, started in its stationary state; exact for steps of any
-/// length (Gillespie 1996, doi 10.1103/PhysRevE.54.2084). Autocorrelation exp(-lag / tau).
+/// Ornstein-Uhlenbeck process with standard deviation 1. It starts in its stationary state and is exact for
+/// steps of any length (Gillespie 1996, doi 10.1103/PhysRevE.54.2084). Autocorrelation: exp(-lag / tau).
 class OrnsteinUhlenbeck {
 public:
 	OrnsteinUhlenbeck(double tau_s, Random &r_random) : tau_s_(tau_s), value_(r_random.normal()) {}
@@ -23,9 +23,9 @@ private:
 	double value_;
 };
 
-/// A tracker's slow error, of unit deviation: an Ornstein-Uhlenbeck process behind a first-order low pass,
-/// because the service's own filter leaves the error hardly any power above a few Hz while the bare process
-/// jitters from frame to frame.
+/// Slow error of a tracker, standard deviation 1: an Ornstein-Uhlenbeck process with a first-order low pass.
+/// The tracker's own filter leaves hardly any power above a few Hz. The process alone jitters from frame to
+/// frame.
 class Drift {
 public:
 	Drift(double tau_s, Random &r_random) :

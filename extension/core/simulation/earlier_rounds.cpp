@@ -8,14 +8,14 @@
 namespace steadyhand {
 namespace {
 
-constexpr double PAUSE_S = 0.5; ///< from the gesture's end to the way back, and from there to its onset
+constexpr double PAUSE_S = 0.5; ///< before the return, and between the return and the next onset
 constexpr double FASTEST_BACK_S = 0.4;
 
-/// When a round's instant is in the execution that it repeats.
+/// One repetition: a part of the motion, and the return. in_round_s: time since the begin of the round.
 struct Round {
 	TrueMotion motion;
-	double from_s, to_s; ///< of the execution: what of it is repeated
-	double back_s;       ///< how long the way back takes
+	double from_s, to_s; ///< repeated part of the motion
+	double back_s;       ///< duration of the return
 
 	[[nodiscard]] double length_s() const { return to_s - from_s + back_s; }
 
@@ -51,7 +51,7 @@ TrueMotion after_earlier_rounds(const TrueMotion &motion, std::uint32_t rounds) 
 	all.start_s += earlier_s;
 	all.end_s += earlier_s;
 	all.span_s += earlier_s;
-	// Rounds begin where the execution is at from_s: the first one's rest before that is kept.
+	// The rounds begin at from_s. The rest before it comes once.
 	const auto at = [round, earlier_s](double t_s, const auto &of_execution, const auto &of_round) {
 		const double since_s = t_s - round.from_s;
 		if (since_s < 0.0) {

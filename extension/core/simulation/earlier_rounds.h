@@ -6,9 +6,8 @@
 
 namespace steadyhand {
 
-/// The same execution after the hand has made it so many times before, and come back each time: half a second
-/// at rest at either end, and a straight way back (minimum jerk, Flash & Hogan 1985) that takes as long as
-/// the gesture.
+/// The motion after `rounds` repetitions of it, each followed by a return. The hand rests for half a second
+/// at both ends. The return is straight (minimum jerk, Flash & Hogan 1985) and takes as long as the gesture.
 [[nodiscard]] TrueMotion after_earlier_rounds(const TrueMotion &motion, std::uint32_t rounds);
 
 } // namespace steadyhand

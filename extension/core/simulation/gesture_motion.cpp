@@ -13,14 +13,14 @@ namespace steadyhand {
 
 namespace {
 
-constexpr double SETTLED = 0.02;           // of the way: at rest, for anyone who looks
-constexpr double INITIAL_DEVIATION = 0.01; // of the amplitude: nobody starts quite at the start
+constexpr double SETTLED = 0.02;           // of the amplitude: tolerance of the end
+constexpr double INITIAL_DEVIATION = 0.01; // of the amplitude: error of the start
 constexpr double PLACE_DEVIATION_M = 0.02;
-constexpr double BETWEEN_PEOPLE =
-		0.75; // of the variance of log durations; leaves 7..20 % from trial to trial
+// Share of the variance of log durations; 7..20 % remain from trial to trial.
+constexpr double BETWEEN_PEOPLE = 0.75;
 constexpr double CORRECTION_MIN_S = 0.1; // Novak, Miller, Houk 2002
 constexpr double CORRECTION_MAX_S = 0.25;
-constexpr double SEVERITY_AT_REST = 0.2; // at the unstable place, before the hand moves away
+constexpr double SEVERITY_AT_REST = 0.2; // at the unstable position, before the movement
 
 HandFrame carry_hand(const HandPath &path, double progress) {
 	HandFrame frame = pointing_hand(path.hand_scale);
@@ -31,7 +31,7 @@ HandFrame carry_hand(const HandPath &path, double progress) {
 	return frame;
 }
 
-/// Towards the centre of a circle in the xy plane that begins along `axis` and turns counterclockwise.
+/// Unit vector to the centre of a circle in the xy plane that begins along `axis` and turns counterclockwise.
 Eigen::Vector3d inward(const Eigen::Vector3d &axis) {
 	return { -axis.y(), axis.x(), 0.0 };
 }
@@ -58,8 +58,8 @@ HandFrame open_fingers(const HandPath &path, double progress) {
 
 constexpr double CIRCLE_RADIUS_M = 0.06;
 
-// Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom goes to three times the starting
-// radius. Through the surface by 1..4 cm: in mid-air nothing stops a tap. The circle begins at its top.
+// Amplitudes: the paper's tasks. Durations: the paper's Discussion. Zoom ends at three times its first
+// radius. A tap passes the surface by 1..4 cm, because nothing stops it. The circle begins at its top.
 constexpr std::array<SimulatedGesture, 5> GESTURES = { {
 		{ "horizontal_drag", { 1.0, 0.0, 0.0 }, { -1.0, 0.0, 0.0 }, 0.20, 0.0, 1.26, 0.25, 0.0, 0.0,
 				carry_hand },
@@ -78,12 +78,12 @@ Eigen::Vector3d random_vector(double deviation, Random &r_random) {
 	return { x, y, z };
 }
 
-/// The part of a vector that does not move the hand along the task.
+/// The part of a vector across the axis.
 Eigen::Vector3d sideways(const Eigen::Vector3d &vector, const Eigen::Vector3d &axis) {
 	return vector - axis * axis.dot(vector);
 }
 
-/// Log-normal with the gesture's mean and deviation.
+/// Log-normal with the gesture's mean and standard deviation.
 double draw_duration_s(const SimulatedGesture &gesture, const Subject &subject, Random &r_random) {
 	const double relative = gesture.duration_deviation_s / gesture.duration_mean_s;
 	const double log_variance = std::log1p(relative * relative);
@@ -93,11 +93,11 @@ double draw_duration_s(const SimulatedGesture &gesture, const Subject &subject, 
 			std::exp(std::sqrt(log_variance) * tempo - 0.5 * log_variance);
 }
 
-/// A primary movement and up to two corrections that bring the hand from `initial` to where it means to stop.
+/// A primary movement and up to two corrections, from `initial` to the intended end.
 std::vector<Submovement> aimed_submovements(
 		const Subject &subject, double initial, double duration_s, double bend, Random &r_random) {
-	const double way = r_random.normal(subject.amplitude_gain, subject.amplitude_deviation) - initial;
-	std::vector<Submovement> parts = { { 0.0, duration_s, way, bend } };
+	const double length = r_random.normal(subject.amplitude_gain, subject.amplitude_deviation) - initial;
+	std::vector<Submovement> parts = { { 0.0, duration_s, length, bend } };
 	int corrections = 0;
 	for (int i = 0; i < 2; ++i) {
 		corrections += r_random.chance(0.5 * subject.corrections_mean) ? 1 : 0;
@@ -105,7 +105,7 @@ std::vector<Submovement> aimed_submovements(
 	double missing = 0.0;
 	if (corrections > 0) {
 		parts[0].amplitude *= r_random.normal(subject.primary_gain, subject.primary_gain_deviation);
-		missing = way - parts[0].amplitude;
+		missing = length - parts[0].amplitude;
 	}
 	double start_s = duration_s * r_random.uniform(0.8, 1.05);
 	for (; corrections > 0; --corrections) {
@@ -119,15 +119,16 @@ std::vector<Submovement> aimed_submovements(
 	return parts;
 }
 
-/// Through the end of the task, little slowed by it, and back.
+/// A movement past the task's end, hardly slower there, and the return.
 std::vector<Submovement> striking_submovements(
 		const SimulatedGesture &gesture, double initial, double duration_s, double bend, Random &r_random) {
 	const double through =
 			r_random.uniform(gesture.through_min_m, gesture.through_max_m) / gesture.amplitude_m;
-	const double way = 1.0 + through - initial;
+	const double length = 1.0 + through - initial;
 	const double turn_s = duration_s * r_random.uniform(0.95, 1.1);
 	const double back_s = duration_s * r_random.uniform(0.9, 1.4);
-	return { { 0.0, duration_s, way, bend }, { turn_s, back_s, -way * r_random.uniform(0.6, 1.0), 0.0 } };
+	return { { 0.0, duration_s, length, bend },
+		{ turn_s, back_s, -length * r_random.uniform(0.6, 1.0), 0.0 } };
 }
 
 } // namespace
@@ -149,7 +150,7 @@ double possible_pace(std::string_view gesture, const Eigen::Vector3d &axis, doub
 }
 
 Eigen::Vector3d hand_place_m(HandPosition position) {
-	// A head-mounted camera tracks best from 10 to 25 cm; beyond, and lower, it looks along the finger.
+	// A head-mounted camera tracks best at 10 to 25 cm. Farther and lower it looks along the finger.
 	return position == HandPosition::STABLE ? Eigen::Vector3d(0.0, -0.08, -0.20)
 											: Eigen::Vector3d(0.0, -0.15, -0.45);
 }
@@ -161,7 +162,7 @@ GestureTask draw_task(const SimulatedGesture &gesture, HandPosition position, Ra
 	task.axis = Eigen::Vector3d((is_other ? gesture.other_axis : gesture.axis).data());
 	task.amplitude_m = gesture.amplitude_m;
 	task.radius_m = gesture.radius_m;
-	// The middle of the whole way is at the hand's place.
+	// The middle of the path is at the hand's mean position.
 	const bool is_circle = task.radius_m > 0.0 && !task.axis.isZero(0.0);
 	const Eigen::Vector3d middle_m = is_circle ? Eigen::Vector3d(task.radius_m * inward(task.axis))
 											   : Eigen::Vector3d(0.5 * task.amplitude_m * task.axis);
@@ -204,23 +205,23 @@ TrueMotion make_gesture_motion(const SimulatedGesture &gesture, const GestureTas
 	path.end_error_m = sideways(random_vector(subject.aim_deviation_m, r_random), task.axis);
 	const double bow = r_random.normal(subject.bow, subject.bow_deviation);
 	path.bow_m = sideways(random_vector(1.0, r_random), task.axis).normalized() * task.amplitude_m * bow;
-	// Shared: std::function copies what it holds.
-	const auto unrest = std::make_shared<const Unrest>(subject, r_random);
+	// Shared, because std::function copies its members.
+	const auto involuntary = std::make_shared<const InvoluntaryMotion>(subject, r_random);
 
 	TrueMotion motion;
 	motion.start_s = subject.rest_before_s + r_random.uniform(0.0, 0.2);
 	motion.end_s = motion.start_s + gesture_s;
 	motion.span_s = std::max(motion.end_s, motion.start_s + progress.duration_s()) + subject.rest_after_s;
-	motion.hand = [place = gesture.place, path, progress, unrest, start_s = motion.start_s](double t_s) {
+	motion.hand = [place = gesture.place, path, progress, involuntary, start_s = motion.start_s](double t_s) {
 		HandFrame frame = place(path, progress.at(t_s - start_s));
-		unrest->apply(t_s, frame);
+		involuntary->apply(t_s, frame);
 		frame.t_s = t_s;
 		return frame;
 	};
 	motion.severity = [position, progress, start_s = motion.start_s](double t_s) {
-		// Range and self-occlusion grow along the way.
-		const double way = std::clamp(progress.at(t_s - start_s), 0.0, 1.0);
-		return position == HandPosition::STABLE ? 0.0 : SEVERITY_AT_REST + (1.0 - SEVERITY_AT_REST) * way;
+		// Range and self-occlusion grow along the path.
+		const double share = std::clamp(progress.at(t_s - start_s), 0.0, 1.0);
+		return position == HandPosition::STABLE ? 0.0 : SEVERITY_AT_REST + (1.0 - SEVERITY_AT_REST) * share;
 	};
 	return motion;
 }

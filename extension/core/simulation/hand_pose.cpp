@@ -14,7 +14,7 @@ struct JointPlace {
 	double x_m, y_m, z_m;
 };
 
-// Hand of 19 cm, the 50th percentile of adults; fingers other than the index curled in.
+// Hand of 19 cm, the 50th percentile of adults. All fingers but the index are curled.
 constexpr std::array<JointPlace, JOINT_COUNT> POINTING = { {
 		{ Joint::THUMB, -0.032, -0.038, 0.062 },
 		{ Joint::INDEX, 0.0, 0.0, 0.0 },
@@ -32,7 +32,8 @@ constexpr std::array<JointPlace, 4> BEHIND_THE_PINCH = { {
 		{ Joint::WRIST, 0.022, -0.072, 0.142 },
 } };
 
-/// Where a fingertip sits on the zoom circle: far enough from a line that the circle is well determined.
+/// Position of a fingertip on the zoom circle. The three tips are far from a line, which determines the
+/// circle well.
 struct TipPlace {
 	Joint joint;
 	double angle_deg, z_m;

@@ -6,11 +6,11 @@
 
 namespace steadyhand {
 
-/// A right hand of average size that points along -z, its index tip at the origin, times `scale`.
+/// A pointing right hand, of average size times `scale`. It points along -z; its index tip is at the origin.
 [[nodiscard]] HandFrame pointing_hand(double scale);
 
-/// A right hand that faces -z with thumb, index and middle tips on a circle of `radius_m` about the origin in
-/// the xy plane (their z differ), the rest of the hand times `scale`.
+/// A right hand that faces -z. Thumb, index and middle tips are on a circle of `radius_m` around the origin,
+/// in the projection to the xy plane. The rest of the hand is of average size times `scale`.
 [[nodiscard]] HandFrame pinching_hand(double scale, double radius_m);
 
 /// Moves all tracked joints.

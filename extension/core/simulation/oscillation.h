@@ -11,8 +11,8 @@
 
 namespace steadyhand {
 
-/// A band-limited random motion as a function of time: in each axis a few sinusoids of random frequency and
-/// phase. Tremor, sway of a hand held in the air, restless fingers.
+/// Band-limited random motion as a function of time: on each axis a sum of sinusoids of random frequency and
+/// phase. Used for tremor, sway, and motion of the fingers.
 class Oscillation {
 public:
 	/// `deviation_m`: standard deviation over time, per axis.

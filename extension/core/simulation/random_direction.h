@@ -6,7 +6,7 @@
 
 namespace steadyhand {
 
-/// A unit vector; all directions are as likely.
+/// Random unit vector, uniform on the sphere.
 inline Eigen::Vector3d random_direction(Random &r_random) {
 	const double x = r_random.normal();
 	const double y = r_random.normal();

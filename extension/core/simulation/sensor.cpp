@@ -46,13 +46,14 @@ SimulatedSensor::SimulatedSensor(const SensorProfile &profile, std::uint64_t see
 void SimulatedSensor::advance_clock() {
 	const double periods = random_.chance(profile_.skip_fraction) ? skipped_periods(random_) : 1.0;
 	const double jitter_s = profile_.jitter_s * random_.normal();
-	// Half a period is 50 deviations of the clocks in the table: time always goes on.
+	// The limit keeps time increasing. Half a period is 50 standard deviations of the jitter.
 	dt_s_ = std::max(periods * period_s_ + jitter_s, 0.5 * period_s_);
 	t_s_ += dt_s_;
 }
 
 bool SimulatedSensor::begins(Fault &r_fault, double severity) {
-	// Thinning (Lewis and Shedler 1979): instants at the highest rate, kept in proportion to the present one.
+	// Thinning (Lewis and Shedler 1979): candidates at the highest rate, accepted with the present rate / the
+	// highest one.
 	const double rate_max = r_fault.per_s * (1.0 + profile_.fault_growth);
 	bool begun = false;
 	while (r_fault.candidate_s <= t_s_) {

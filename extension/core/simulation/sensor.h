@@ -12,19 +12,19 @@
 
 namespace steadyhand {
 
-/// A tracker that watches a hand, frame by frame on its own irregular clock. Frames are stamped on the clock
-/// of the true motion: a lag shows as content that comes late. Confidence, where it is reported, tells
-/// nothing of the error, as with the real ones.
+/// A simulated tracker. Its frames are at irregular times, stamped in the time of the true motion: with a
+/// lag, a frame has an earlier position. The reported confidence does not depend on the error, as with real
+/// trackers.
 class SimulatedSensor {
 public:
 	SimulatedSensor(const SensorProfile &profile, std::uint64_t seed);
 
-	/// The next frame that the tracker delivers; stamps increase for ever. A dropout shows as frames without
-	/// joints or as no frames, as chance has it.
+	/// The next frame that the tracker delivers. Time stamps increase without limit. A dropout has frames
+	/// without joints, or no frames, at random.
 	[[nodiscard]] HandFrame next(const TrueMotion &motion);
 
 private:
-	/// One kind of fault: when it may come next and until when it lasts.
+	/// One kind of fault. candidate_s: next possible time; until_s: end of the last one.
 	struct Fault {
 		double per_s = 0.0;
 		double min_s = 0.0;
@@ -34,7 +34,7 @@ private:
 	};
 
 	void advance_clock();
-	/// True in the frame in which the fault begins.
+	/// True if the fault begins in this frame.
 	bool begins(Fault &r_fault, double severity);
 	void draw_drift(double dt_s);
 	[[nodiscard]] HandFrame distorted(HandFrame frame, double severity);
@@ -57,11 +57,11 @@ private:
 	int jump_frames_left_ = 0;
 	Eigen::Vector3d jump_m_ = Eigen::Vector3d::Zero();
 	bool dropout_is_silent_ = false;
-	HandFrame last_; ///< what a frozen tracker repeats
+	HandFrame last_; ///< is repeated by a freeze
 	bool has_last_ = false;
 };
 
-/// Everything a tracker delivers from 0 to the motion's end.
+/// All frames of a tracker from 0 to the motion's end.
 [[nodiscard]] Track record_track(const TrueMotion &motion, const SensorProfile &profile, std::uint64_t seed);
 
 } // namespace steadyhand

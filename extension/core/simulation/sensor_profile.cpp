@@ -8,8 +8,8 @@ namespace steadyhand {
 namespace {
 
 constexpr std::uint8_t ALL_JOINTS = 0b1111111;
-constexpr std::uint8_t THREE_TIPS =
-		0b0000111; // thumb, index, middle: as many Liberty sensors as the gestures need
+// Thumb, index, middle: the gestures need no more sensors of a Liberty.
+constexpr std::uint8_t THREE_TIPS = 0b0000111;
 
 constexpr SensorProfile LEAP_STABLE = {
 	.name = "leap_stable",
@@ -21,7 +21,7 @@ constexpr SensorProfile LEAP_STABLE = {
 	.period_max_s = 9.04e-3,
 	.jitter_s = 0.08e-3,
 	.skip_fraction = 0.015,
-	// Maker's figure without the display: 10..30 ms.
+	// Manufacturer's value without the display: 10..30 ms.
 	.lag_min_s = 0.010,
 	.lag_max_s = 0.030,
 	.lag_growth_max_s = 0.0,
@@ -35,7 +35,7 @@ constexpr SensorProfile LEAP_STABLE = {
 	.drift_tau_min_s = 0.5,
 	.drift_tau_max_s = 2.0,
 	.drift_growth = 0.0,
-	// Lengths of 50..500 ms are assumed: no source gives them.
+	// The durations of faults are assumed: there is no source.
 	.freeze_per_s = 0.01,
 	.freeze_min_s = 0.03,
 	.freeze_max_s = 0.10,
@@ -51,7 +51,7 @@ constexpr SensorProfile LEAP_STABLE = {
 constexpr SensorProfile LEAP_UNSTABLE = [] {
 	SensorProfile profile = LEAP_STABLE;
 	profile.name = "leap_unstable";
-	// Near a surface the rate fell by 30 % and fewer trials were viable (Tung et al. 2015,
+	// Near a surface the rate was 30 % lower, and fewer trials were viable (Tung et al. 2015,
 	// doi 10.1088/0967-3334/36/5/1025).
 	profile.period_min_s /= 0.7;
 	profile.period_max_s /= 0.7;
@@ -107,7 +107,7 @@ constexpr SensorProfile LIBERTY = {
 	.period_max_s = 1.0 / 240.0,
 	.jitter_s = 0.0,
 	.skip_fraction = 0.0,
-	// 3.5 ms from the centre of data collection to the host, but the frame count gives the centre's own time.
+	// Frames need 3.5 ms to the host, but the frame count gives the time of measurement.
 	.lag_min_s = 0.0,
 	.lag_max_s = 0.0,
 	.lag_growth_max_s = 0.0,

@@ -18,8 +18,8 @@ Subject draw_subject(Population population, std::uint32_t index) {
 	subject.id = std::string(population_name(population)) + '_' + std::to_string(index);
 	subject.tempo = std::clamp(random.normal(), -2.5, 2.5);
 	subject.amplitude_gain = random.normal(1.0, 0.02);
-	// Endpoints spread by a quarter of the 4 cm markers (ISO 9241-411: effective width = 4.133 deviations) at
-	// most.
+	// The deviation of endpoints is at most a quarter of the 4 cm markers (ISO 9241-411: effective width =
+	// 4.133 deviations).
 	subject.amplitude_deviation = random.uniform(0.01, 0.05);
 	subject.peak_fraction = random.uniform(0.37, 0.48);
 	subject.peak_fraction_deviation = random.uniform(0.005, 0.02);
@@ -30,7 +30,8 @@ Subject draw_subject(Population population, std::uint32_t index) {
 	subject.bow = random.normal(0.0, 0.03);
 	subject.bow_deviation = random.uniform(0.005, 0.02);
 	subject.aim_deviation_m = random.uniform(0.001, 0.005);
-	// Fingertip with the arm held out: 120 to 150 um, a third of that supported (Growdon et al. 2000).
+	// Tremor of a fingertip: 120 to 150 um with the arm held out, a third of it with support (Growdon et al.
+	// 2000).
 	subject.tremor_hz = random.uniform(8.0, 12.0);
 	subject.tremor_m = random.uniform(40e-6, 150e-6);
 	subject.sway_m = random.uniform(0.2e-3, 0.8e-3);

@@ -28,7 +28,7 @@ Error unknown_name(std::string_view what, std::string_view name, std::span<const
 	return Error{ std::move(message) };
 }
 
-/// FNV-1a: the same on every platform, which std::hash is not.
+/// FNV-1a hash. It is equal on every platform, unlike std::hash.
 std::uint64_t text_bits(std::string_view text) {
 	std::uint64_t bits = 0xCBF29CE484222325U;
 	for (const char character : text) {
@@ -37,7 +37,7 @@ std::uint64_t text_bits(std::string_view text) {
 	return bits;
 }
 
-/// Turns and shifts a track, so that a task at `from` lies at `to`.
+/// Turns and shifts a track from the task `from` to the task `to`.
 void move_track(Track &r_track, const GestureTask &from, const GestureTask &to) {
 	const Eigen::Quaterniond turn = from.axis.isZero(0.0) || to.axis.isZero(0.0)
 			? Eigen::Quaterniond::Identity()

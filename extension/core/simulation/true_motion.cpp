@@ -14,7 +14,7 @@ constexpr double JOINT_SHARE_OF_SWAY = 0.2; // fingers of one hand move with it
 
 } // namespace
 
-Unrest::Unrest(const Subject &subject, Random &r_random) :
+InvoluntaryMotion::InvoluntaryMotion(const Subject &subject, Random &r_random) :
 		tremor_(subject.tremor_hz - 0.7, subject.tremor_hz + 0.7, subject.tremor_m, r_random),
 		sway_(SWAY_LOW_HZ, SWAY_HIGH_HZ, subject.sway_m, r_random) {
 	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
@@ -22,7 +22,7 @@ Unrest::Unrest(const Subject &subject, Random &r_random) :
 	}
 }
 
-void Unrest::apply(double t_s, HandFrame &r_frame) const {
+void InvoluntaryMotion::apply(double t_s, HandFrame &r_frame) const {
 	shift_hand(r_frame, tremor_.at(t_s) + sway_.at(t_s));
 	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
 		r_frame.positions_m[joint] += joints_[joint].at(t_s);

@@ -10,19 +10,19 @@
 
 namespace steadyhand {
 
-/// What a hand really does, at any instant from 0 to `span_s`, and how hard that is to track.
+/// True motion of a hand from 0 to span_s, and the difficulty of tracking it.
 struct TrueMotion {
-	std::function<HandFrame(double t_s)> hand;  ///< all seven joints, stamped `t_s`
-	std::function<double(double t_s)> severity; ///< 0: as easy as the posture gets .. 1: at its hardest
+	std::function<HandFrame(double t_s)> hand;  ///< all seven joints, at time t_s
+	std::function<double(double t_s)> severity; ///< 0: easy to track, 1: hardest; see SensorProfile
 	double start_s = 0.0;                       ///< onset of the gesture
-	double end_s = 0.0;                         ///< in the target for good, or contact
+	double end_s = 0.0;                         ///< the hand stays at the target, or touches it
 	double span_s = 0.0;
 };
 
-/// What no hand can help: tremor and sway of the whole hand, each joint's own restlessness.
-class Unrest {
+/// Involuntary motion of a hand: tremor and sway of the whole hand, and sway of each joint.
+class InvoluntaryMotion {
 public:
-	Unrest(const Subject &subject, Random &r_random);
+	InvoluntaryMotion(const Subject &subject, Random &r_random);
 
 	void apply(double t_s, HandFrame &r_frame) const;
 
