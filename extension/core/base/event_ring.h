@@ -7,15 +7,15 @@
 
 namespace steadyhand {
 
-/// Hands events from one thread to one other in order, without locks: neither side ever waits. What comes
-/// when the ring is full is refused.
+/// Lock-free queue of events from one writer thread to one reader thread. No side waits. A full ring refuses
+/// events.
 template <class Event, std::size_t CAPACITY> class EventRing {
 	static_assert(CAPACITY > 0 && (CAPACITY & (CAPACITY - 1)) == 0, "so that the counters may roll over");
 	static_assert(std::atomic<std::size_t>::is_always_lock_free);
 
 public:
-	/// The writer's thread only. False where fewer than `spare` slots would stay free, with `event` as it
-	/// was.
+	/// For the writer's thread. False if fewer than `spare` slots would stay free; `event` is not changed
+	/// then.
 	bool push(Event &&event, std::size_t spare = 0) {
 		const std::size_t written = written_.load(std::memory_order_relaxed);
 		if (written - read_.load(std::memory_order_acquire) + spare >= CAPACITY) {
@@ -26,7 +26,7 @@ public:
 		return true;
 	}
 
-	/// The reader's thread only: the oldest event. False where there is none.
+	/// Takes the oldest event. For the reader's thread. False if the ring is empty.
 	bool pop(Event &r_event) {
 		const std::size_t read = read_.load(std::memory_order_relaxed);
 		if (read == written_.load(std::memory_order_acquire)) {
@@ -39,8 +39,8 @@ public:
 
 private:
 	std::array<Event, CAPACITY> events_{};
-	alignas(64) std::atomic<std::size_t> written_ =
-			0; // a cache line each, as both threads write all the time
+	// Each counter has its own cache line, because the threads write them independently.
+	alignas(64) std::atomic<std::size_t> written_ = 0;
 	alignas(64) std::atomic<std::size_t> read_ = 0;
 };
 

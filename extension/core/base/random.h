@@ -7,8 +7,8 @@
 
 namespace steadyhand {
 
-/// SplitMix64's output function (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195): a bijection that
-/// leaves no likeness between neighbours.
+/// Output function of SplitMix64 (Steele, Lea, Flood 2014, doi 10.1145/2660193.2660195): a bijection that
+/// maps neighbours to unrelated numbers.
 [[nodiscard]] constexpr std::uint64_t mix_bits(std::uint64_t bits) {
 	bits += 0x9E3779B97F4A7C15U;
 	bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9U;
@@ -22,24 +22,24 @@ namespace steadyhand {
 	return mix_bits(mix_bits(seed) ^ stream);
 }
 
-/// Random numbers that a seed fixes on every platform. The standard fixes std::mt19937_64 to the bit but
-/// leaves its distributions to each library, so they are written out here; only the last bit of normal() and
-/// exponential() is up to the platform's log.
+/// Random numbers that are equal on every platform for equal seeds. The C++ standard defines std::mt19937_64
+/// but not the algorithms of its distributions; so these are implemented here. The last bit of normal() and
+/// waiting_time() depends on the platform's log.
 class Random {
 public:
 	explicit Random(std::uint64_t seed) : engine_(mix_bits(seed)) {}
 
 	[[nodiscard]] std::uint64_t bits() { return engine_(); }
 
-	/// In [0, 1), a multiple of 2^-53.
+	/// A multiple of 2^-53 in [0, 1).
 	[[nodiscard]] double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
 	[[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
 	[[nodiscard]] bool chance(double probability) { return uniform() < probability; }
 	/// 0 .. count - 1; count must not be 0. The bias of the modulo is below count / 2^64.
 	[[nodiscard]] std::size_t index(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
 
-	/// Standard normal, by Marsaglia's polar method; its second number is dropped, so that nothing is carried
-	/// over.
+	/// Standard normal, by Marsaglia's polar method. Its second number is not used, so that there is no
+	/// state.
 	[[nodiscard]] double normal() {
 		for (;;) {
 			const double x = uniform(-1.0, 1.0);
@@ -52,8 +52,7 @@ public:
 	}
 	[[nodiscard]] double normal(double mean, double deviation) { return mean + deviation * normal(); }
 
-	/// Waiting time to the next event of a Poisson process with that many events per unit; infinite for a
-	/// rate of 0.
+	/// Waiting time to the next event of a Poisson process; infinite for a rate of 0.
 	[[nodiscard]] double waiting_time(double rate) { return -std::log1p(-uniform()) / rate; }
 
 private:

@@ -6,13 +6,13 @@
 
 namespace steadyhand {
 
-/// What went wrong and where, as one sentence for the user: "tracks/a.csv:12: index_x: 'abc' is not a
-/// number".
+/// An error message for the user: one sentence with the cause and the place, as "tracks/a.csv:12: index_x:
+/// 'abc' is not a number".
 struct Error {
 	std::string message;
 };
 
-/// A value, or the one error that kept it from being made. The core never throws across its API.
+/// A value, or the error why there is none. The API of the core does not throw.
 template <class T> class Result {
 public:
 	Result(T value) : value_(std::move(value)) {}
@@ -21,14 +21,14 @@ public:
 	[[nodiscard]] bool ok() const { return value_.has_value(); }
 	explicit operator bool() const { return ok(); }
 
-	// NOLINTBEGIN(bugprone-unchecked-optional-access): to ask is the caller's
-	/// Only where ok().
+	// NOLINTBEGIN(bugprone-unchecked-optional-access): the caller checks ok()
+	/// Requires ok().
 	[[nodiscard]] const T &value() const & { return *value_; }
 	[[nodiscard]] T &value() & { return *value_; }
 	[[nodiscard]] T &&value() && { return *std::move(value_); }
 	// NOLINTEND(bugprone-unchecked-optional-access)
 
-	/// Only where not ok().
+	/// Requires !ok().
 	[[nodiscard]] const std::string &error() const { return error_.message; }
 
 private:

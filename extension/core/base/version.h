@@ -2,7 +2,7 @@
 
 namespace steadyhand {
 
-/// The one place where the version stands: models, evaluations and archives take it from here.
+/// Version of models, evaluations and archives.
 inline constexpr const char *VERSION = "0.1.0";
 
 } // namespace steadyhand

@@ -5,7 +5,7 @@
 
 namespace steadyhand {
 
-/// Kalman filter of a ConstantVelocityState, irregular steps.
+/// Kalman filter of a ConstantVelocityState, with irregular steps.
 class ConstantVelocityKalman {
 public:
 	struct Noise {
@@ -13,7 +13,7 @@ public:
 		/// m/s^2 that keeps its sign for about half a second.
 		double acceleration_psd_m2_s3 = 1.0;
 		double measurement_std_m = 0.002;   ///< white part of a camera tracker's error
-		double initial_speed_std_m_s = 0.5; ///< a hand's speed before anything is known of it
+		double initial_speed_std_m_s = 0.5; ///< prior of a hand's speed
 	};
 
 	ConstantVelocityKalman() : ConstantVelocityKalman(Noise{}) {}
@@ -22,8 +22,8 @@ public:
 			measurement_variance_(noise.measurement_std_m * noise.measurement_std_m),
 			initial_speed_variance_(noise.initial_speed_std_m_s * noise.initial_speed_std_m_s) {}
 
-	/// Position (m) at t_s given the samples up to it. What SampleClock ignores leaves the last output; 0
-	/// before any.
+	/// Position, m, at t_s, from the samples up to it. A sample that SampleClock ignores does not change the
+	/// output. 0 before the first sample.
 	double push(double t_s, double x_m) {
 		switch (clock_.judge(t_s, x_m)) {
 			case SampleClock::Verdict::IGNORE:

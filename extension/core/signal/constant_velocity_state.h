@@ -2,17 +2,17 @@
 
 namespace steadyhand {
 
-/// Mean and covariance of the position and the velocity of a point that keeps its velocity but for
-/// white-noise acceleration, one axis (Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking
-/// and Navigation", 2001, section 6.2.2). In any unit of length.
+/// Mean and covariance of the position and velocity of a point with white-noise acceleration, on one axis
+/// (Bar-Shalom, Li, Kirubarajan, "Estimation with Applications to Tracking and Navigation", 2001, section
+/// 6.2.2). In any unit of length.
 struct ConstantVelocityState {
 	double position = 0.0;
 	double velocity = 0.0;
-	double p00 = 0.0; ///< covariance of (position, velocity), the three entries that differ
+	double p00 = 0.0; ///< covariance of (position, velocity), which is symmetric
 	double p01 = 0.0;
 	double p11 = 0.0;
 
-	/// step_s later; acceleration_psd: power spectral density, length^2 / s^3.
+	/// Advances by step_s. acceleration_psd: power spectral density, length^2 / s^3.
 	void predict(double step_s, double acceleration_psd) {
 		const double q = acceleration_psd;
 		position += velocity * step_s;
@@ -21,8 +21,8 @@ struct ConstantVelocityState {
 		p11 += q * step_s;
 	}
 
-	/// Joseph's form, (I-KH) P (I-KH)' + K R K': a sum of squares, so rounding cannot make the covariance
-	/// negative.
+	/// Joseph's form, (I-KH) P (I-KH)' + K R K'. It is a sum of squares, so that rounding cannot make the
+	/// covariance negative.
 	void correct(double measured, double measurement_variance) {
 		const double r = measurement_variance;
 		const double k0 = p00 / (p00 + r);

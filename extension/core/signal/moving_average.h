@@ -7,13 +7,13 @@
 
 namespace steadyhand {
 
-/// Mean of the last 41 frames, whatever their stamps: the filter that the paper compares with. While fewer
-/// have been seen, the mean of those. Lag on a steady ramp: 20 frames.
+/// Mean of the last 41 frames, without regard to their time stamps: the filter in the paper's comparison.
+/// Before 41 frames, the mean of all. Lag on a ramp: 20 frames.
 class MovingAverage {
 public:
 	static constexpr std::size_t LENGTH = 41;
 
-	/// Unusable input (NaN, infinite, beyond 1e100) is no frame: the last output stands; 0 before any input.
+	/// Unusable input (NaN, infinite, beyond 1e100) is ignored: the output stays. 0 before any input.
 	double push(double t_s, double x) {
 		if (!is_usable(t_s) || !is_usable(x)) {
 			return output();
@@ -25,10 +25,9 @@ public:
 		return output();
 	}
 
-	/// Costs nothing where it is not asked for.
 	[[nodiscard]] double output() const {
-		// Summed afresh each time: a running sum would keep the rounding error of every frame ever seen.
-		// Differences from the newest sample, so that a hand far from the origin loses nothing either.
+		// The sum is computed anew: a running sum accumulates rounding errors. It is relative to the newest
+		// sample, which keeps the accuracy far from the origin.
 		double sum = 0.0;
 		for (std::size_t i = 0; i < count_; ++i) {
 			sum += window_[i] - newest_;

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t COEFFICIENTS = Polynomial::MAX_DEGREE + 1;
 
-/// A fit is lowered in degree where its basis functions, seen at the samples, differ by less than this.
+/// The degree of a fit is lowered if its basis functions differ by less than this at the samples.
 constexpr double RANK_THRESHOLD = 1e-6;
 
-/// Chebyshev polynomials of u = 2s - 1: nearly orthogonal on [0, 1], where powers of s lose 8 digits at
-/// degree 7.
+/// Chebyshev polynomials of u = 2s - 1. They are nearly orthogonal on [0, 1]; powers of s would lose 8 digits
+/// at degree 7.
 Eigen::MatrixXd chebyshev_basis(const Eigen::VectorXd &s, Eigen::Index columns) {
 	const Eigen::ArrayXd u = 2.0 * s.array() - 1.0;
 	Eigen::MatrixXd basis = Eigen::MatrixXd::Ones(s.size(), columns);
@@ -31,8 +31,8 @@ Eigen::MatrixXd chebyshev_basis(const Eigen::VectorXd &s, Eigen::Index columns) 
 	return basis;
 }
 
-/// Powers of s from weights of the Chebyshev polynomials; their integer coefficients make this exact to
-/// rounding.
+/// Coefficients of powers of s from weights of the Chebyshev polynomials. Their integer coefficients make
+/// this exact up to rounding.
 Polynomial from_chebyshev(const Eigen::VectorXd &weights) {
 	Polynomial result;
 	std::array<double, COEFFICIENTS> previous{};

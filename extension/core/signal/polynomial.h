@@ -6,11 +6,11 @@
 
 namespace steadyhand {
 
-/// A polynomial of degree 7 at most on [0, 1]: sum over k of coefficients[k] s^k. Unused coefficients are 0.
+/// A polynomial of degree at most 7 on [0, 1]: sum over k of coefficients[k] s^k. Unused coefficients are 0.
 struct Polynomial {
 	static constexpr std::size_t MAX_DEGREE = 7;
 
-	/// With the derivatives with respect to s.
+	/// Value and derivatives with respect to s.
 	struct Point {
 		double value = 0.0;
 		double first = 0.0;
@@ -25,14 +25,14 @@ struct Polynomial {
 
 struct PolynomialFit {
 	Polynomial polynomial;
-	std::size_t degree = 0;    ///< of the fit, at most the one asked for
-	std::size_t samples = 0;   ///< those used
-	double residual_std = 0.0; ///< sqrt(sum of squares / (samples - degree - 1)); 0 where the fit is exact
+	std::size_t degree = 0;    ///< of the fit, at most max_degree
+	std::size_t samples = 0;   ///< number of used samples
+	double residual_std = 0.0; ///< sqrt(sum of squares / (samples - degree - 1)); 0 for an exact fit
 };
 
-/// The polynomial on [0, 1] that fits the samples (s, y) best in least squares. Samples that are not usable
-/// numbers or lie outside [0, 1] are left out. The degree is lowered to what the abscissae can determine: two
-/// of them give a line, one a constant, none the zero polynomial.
+/// Least-squares fit of a polynomial on [0, 1] to the samples (s, y). Samples that are not usable or have s
+/// outside [0, 1] are ignored. The degree is lowered to what the values of s determine: two of them give a
+/// line, one a constant, none the zero polynomial.
 [[nodiscard]] PolynomialFit fit_polynomial(
 		std::span<const double> s, std::span<const double> y, std::size_t max_degree);
 

@@ -10,33 +10,33 @@ struct MotionPoint {
 	double velocity = 0.0;
 	double acceleration = 0.0;
 	double jerk = 0.0;
-	/// Part of the acceleration that corrects the position, and is none of what moves; and its change per s.
+	/// Part of the acceleration that corrects the position and is no motion of the hand, and its derivative.
 	double correction = 0.0, correction_slope = 0.0;
 
 	[[nodiscard]] double own_acceleration() const { return acceleration - correction; }
 	[[nodiscard]] double own_jerk() const { return jerk - correction_slope; }
 };
 
-/// Position as a polynomial of the time since the piece began, s.
+/// Position as a polynomial of the time in s since the begin of the piece.
 struct QuinticPiece {
 	std::array<double, 6> c{};
 
-	/// The one that has the position, velocity and acceleration of both ends, duration_s apart. A motion
-	/// differs from it by at most duration_s^6 x its sixth derivative / 46080.
+	/// The piece with the position, velocity and acceleration of both ends, which are duration_s apart. Its
+	/// error is at most duration_s^6 times the sixth derivative of the motion / 46080.
 	[[nodiscard]] static QuinticPiece between(
 			const MotionPoint &from, const MotionPoint &to, double duration_s) {
-		const double way = to.position - from.position;
+		const double step = to.position - from.position;
 		const double v0 = from.velocity * duration_s, v1 = to.velocity * duration_s;
 		const double a0 = from.acceleration * duration_s * duration_s,
 					 a1 = to.acceleration * duration_s * duration_s;
 		const double rate = 1.0 / duration_s, cube = rate * rate * rate;
 		return { { from.position, from.velocity, 0.5 * from.acceleration,
-				cube * (10.0 * way - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1),
-				cube * rate * (-15.0 * way + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1),
-				cube * rate * rate * (6.0 * way - 3.0 * (v0 + v1) + 0.5 * (a1 - a0)) } };
+				cube * (10.0 * step - 6.0 * v0 - 4.0 * v1 - 1.5 * a0 + 0.5 * a1),
+				cube * rate * (-15.0 * step + 8.0 * v0 + 7.0 * v1 + 1.5 * a0 - a1),
+				cube * rate * rate * (6.0 * step - 3.0 * (v0 + v1) + 0.5 * (a1 - a0)) } };
 	}
 
-	/// In two halves by s^2, of which each waits for less than a row of products would.
+	/// The sums are split by s^2: the shorter dependency chains are faster than Horner's scheme.
 	[[nodiscard]] MotionPoint at(double s) const {
 		const double s2 = s * s;
 		return { (c[0] + s * c[1]) + s2 * ((c[2] + s * c[3]) + s2 * (c[4] + s * c[5])),

@@ -16,7 +16,7 @@ struct Sample {
 	double value;
 };
 
-/// Goes through a stream's sound samples, with one sample of look-ahead.
+/// Reads the usable samples of a stream, with one sample of look-ahead.
 class SampleReader {
 public:
 	SampleReader(std::span<const double> times_s, std::span<const double> values) :
@@ -24,7 +24,7 @@ public:
 		find_next();
 	}
 
-	/// Moves on to the last sample stamped at or before t_s.
+	/// Advances to the last sample at or before t_s.
 	void advance_to(double t_s) {
 		while (next_.t_s <= t_s) {
 			current_ = next_;

@@ -5,8 +5,7 @@
 
 namespace steadyhand {
 
-/// Instants t0_s, t0_s + 1 / rate_hz, ... Computed from the index, so that the millionth is as exact as the
-/// first.
+/// Times t0_s, t0_s + 1 / rate_hz, ... They are computed from the index, so that errors do not accumulate.
 struct UniformGrid {
 	double t0_s = 0.0;
 	double rate_hz = 1000.0;
@@ -16,16 +15,16 @@ struct UniformGrid {
 	}
 };
 
-// Both read the samples (times_s[i], values[i]) in order. A sample that is not usable (NaN, infinite) or
-// whose stamp lies before an earlier one's is left out; of several at one instant the last counts.
+// Both functions read the samples (times_s[i], values[i]) in order. A sample that is not usable (NaN,
+// infinite) or has an earlier time than one before it is ignored. Of several samples at one time the last one
+// is used.
 
-/// What is known at each instant: the last sample stamped at or before it. `before` until the first one.
-/// Causal.
+/// Sample and hold: the last sample at or before each time; `before` until the first one. Causal.
 void resample_hold(std::span<const double> times_s, std::span<const double> values, double before,
 		const UniformGrid &grid, std::span<double> out);
 
-/// Straight lines between samples, and the first and last one's value outside them; 0 where there is no
-/// sample. Looks ahead by one sample: for references, never for what a program could have put out.
+/// Linear interpolation, constant before the first and after the last sample; 0 without samples. It looks
+/// ahead by one sample: use it for references, not for outputs of a program.
 void resample_linear(std::span<const double> times_s, std::span<const double> values, const UniformGrid &grid,
 		std::span<double> out);
 

@@ -5,10 +5,10 @@
 
 namespace steadyhand {
 
-/// The newest CAPACITY items that were pushed, in order, the oldest first.
+/// Ring buffer of the newest CAPACITY items, the oldest first.
 template <class Item, std::size_t CAPACITY> class Ring {
 public:
-	/// Where it is full, the oldest makes room.
+	/// Drops the oldest item if the ring is full.
 	void push(const Item &item) {
 		if (count_ == CAPACITY) {
 			drop_oldest();
@@ -16,7 +16,7 @@ public:
 		items_[(first_ + count_) % CAPACITY] = item;
 		++count_;
 	}
-	/// Of one that is not empty, as drop_newest() and newest().
+	/// The ring must not be empty, also for drop_newest() and newest().
 	void drop_oldest() {
 		first_ = (first_ + 1) % CAPACITY;
 		--count_;

@@ -4,29 +4,27 @@
 
 namespace steadyhand {
 
-/// Beyond this (and NaN) a number is a fault of the source: squares of it would overflow.
+/// A larger number, or NaN, is a fault of the source. Squares of larger numbers overflow.
 inline constexpr double LARGEST_USABLE = 1e100;
 
 [[nodiscard]] inline bool is_usable(double number) {
 	return std::abs(number) <= LARGEST_USABLE;
 }
 
-/// Decides what a stream's next stamp means to a recursive filter, so that every filter treats faults of the
-/// clock alike.
+/// Classifies the time stamps of a stream for a recursive filter. So all filters treat clock faults alike.
 class SampleClock {
 public:
-	/// Stamps closer than this are the same instant: a device clock counts microseconds at best, and a
-	/// difference quotient over less is noise.
+	/// Time stamps closer than this are equal. Device clocks count microseconds at best.
 	static constexpr double SAME_INSTANT_S = 1e-7;
-	/// A stamp this far back is a clock that was set anew; less is a frame that came late.
+	/// A time stamp farther back is a reset of the clock. A nearer one is a late frame.
 	static constexpr double CLOCK_RESET_S = 1.0;
-	/// After a gap this long what was known of the motion is worthless; a sensor of 1 Hz stays well below it.
+	/// After a longer gap the filter starts again. A sensor of 1 Hz stays well below it.
 	static constexpr double LONGEST_GAP_S = 10.0;
 
 	enum class Verdict {
-		IGNORE,  ///< same instant as before, late, or not usable
-		START,   ///< first sample, or first after a gap or a reset of the clock: forget the past
-		ADVANCE, ///< step_s() after the last sample that was used
+		IGNORE,  ///< same time as before, late, or not usable
+		START,   ///< first sample, also after a gap or a clock reset: reset the filter
+		ADVANCE, ///< step_s() after the last used sample
 	};
 
 	[[nodiscard]] Verdict judge(double t_s, double x) {

@@ -6,11 +6,12 @@
 
 namespace steadyhand {
 
-/// The latest of a value seen at irregular instants, a number or an Eigen vector, and its least-squares
-/// slope: a difference of two frames is all jitter at 100 Hz and more.
+/// The newest samples of a number or an Eigen vector at irregular times, and their least-squares slope. At
+/// 100 Hz or more, a difference of two frames would be mostly jitter.
 template <class Value, std::size_t CAPACITY> class SlopeWindow {
 public:
-	/// What is older than window_s goes, but for the two newest, and the oldest where there are too many.
+	/// Drops samples older than window_s, except the two newest ones. If the window is full, the oldest one
+	/// too.
 	void push(double t_s, const Value &value, double window_s) {
 		samples_.push({ t_s, value });
 		while (samples_.size() > 2 && t_s - samples_[0].t_s > window_s) {
@@ -24,13 +25,12 @@ public:
 	[[nodiscard]] std::size_t size() const { return samples_.size(); }
 	[[nodiscard]] double t_s(std::size_t i) const { return samples_[i].t_s; }
 
-	/// 1/s; 0 until two instants have been seen.
+	/// Slope per s; 0 before two different times.
 	[[nodiscard]] Value slope() const {
 		if (samples_.empty()) {
 			return zero();
 		}
-		// Sums are taken about the newest sample, so that neither an hour-long clock nor 1e9 m of offset
-		// costs digits.
+		// Sums are relative to the newest sample, which keeps digits at large times and offsets.
 		const Sample &newest = samples_.newest();
 		double mean_t = 0.0;
 		Value mean = zero();
