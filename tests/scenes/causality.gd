@@ -11,7 +11,7 @@ var _folder := DirAccess.create_temp("steadyhand_causality")
 var _random := RandomNumberGenerator.new()
 
 
-func test_cutting_a_track_leaves_what_was_before() -> void:
+func test_a_cut_track_gives_the_same_output_before_the_cut() -> void:
 	_random.seed = 1
 	var trials := Rig.write_trials(_folder.get_current_dir(), SUBJECTS)
 	var later_differs := 0

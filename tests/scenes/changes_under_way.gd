@@ -12,10 +12,10 @@ const CHANGE_S := 1.25
 const END := Vector3(0.2, 0.0, 0.0)
 const ELSEWHERE := Vector3(0.3, 0.3, 0.0)
 
-var _said: Array[String] = []
+var _events: Array[String] = []
 
 
-func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
+func test_unrelated_changes_keep_an_active_gesture() -> void:
 	var values := PackedFloat64Array()
 	var changes: Array[StringName] = [
 		&"nothing",
@@ -53,7 +53,7 @@ func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
 				&"add_same_model":
 					hmm.models = hmm.models + [_model("horizontal_drag")]
 		var seen := _drag(hmm, make_it)
-		check_equal(_said, ["started", "ended"] as Array[String], "%s: what is said" % change)
+		check_equal(_events, ["started", "ended"] as Array[String], "%s: the signals" % change)
 		if values.is_empty():
 			values = seen
 		check(seen == values, "%s: the motion is as it was, to the last bit" % change)
@@ -61,7 +61,7 @@ func test_what_does_not_concern_the_gesture_leaves_it_as_it_is() -> void:
 		_free(hmm)
 
 
-func test_what_ends_the_gesture_under_way_is_told() -> void:
+func test_changes_that_abort_an_active_gesture_send_aborted() -> void:
 	var changes: Array[StringName] = [
 		&"move", &"free", &"no_models", &"quality", &"mode", &"sensor_latency", &"tracker", &"reset"
 	]
@@ -91,7 +91,7 @@ func test_what_ends_the_gesture_under_way_is_told() -> void:
 		# expects one warning: because "models" has none of 'horizontal_drag'
 		_drag(hmm, make_it, CHANGE_S + 0.1)
 		check_equal(
-			_said.slice(0, 2), ["started", "aborted"] as Array[String], "%s: what is said" % change
+			_events.slice(0, 2), ["started", "aborted"] as Array[String], "%s: the signals" % change
 		)
 		tracker.free()
 		hmm.free()
@@ -111,7 +111,7 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 			runs[0] += 1
 			tracker.start()
 		hmm.gesture_ended.connect(start_anew)
-		PushedHand.listen(second if with_second else hmm, _said)
+		PushedHand.listen(second if with_second else hmm, _events)
 		for run in 4:
 			if run == 0:
 				tracker.start()
@@ -120,7 +120,7 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 				tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
 				frame += 1
 			check_equal(runs[0], run + 2, "run %d is told of" % (run + 1))
-		check_equal(_said.count("started"), 4, "with a second one: %s" % with_second)
+		check_equal(_events.count("started"), 4, "with a second one: %s" % with_second)
 		second.free()
 		_free(hmm)
 
@@ -154,7 +154,7 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 	check(FileAccess.file_exists(path % "horizontal_drag"), "there is a model")
 	for seed_of_hand in 40:
 		var hmm := _hmm(["horizontal_drag"], [])
-		PushedHand.listen(hmm, _said)
+		PushedHand.listen(hmm, _events)
 		hmm.tracker.start()
 		var random := RandomNumberGenerator.new()
 		random.seed = seed_of_hand
@@ -174,14 +174,14 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 				hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
 		var is_under_way := false
 		var are_in_order := true
-		for event in _said:
+		for event in _events:
 			are_in_order = are_in_order and is_under_way != (event == "started")
 			is_under_way = event == "started"
 		check(are_in_order, "hand %d: each that ends or is given up was started" % seed_of_hand)
 		_free(hmm)
 
 
-func test_all_of_an_instant_is_told_whatever_its_handlers_set() -> void:
+func test_all_signals_of_a_frame_are_sent_if_handlers_change_properties() -> void:
 	for told: StringName in [&"gesture_started", &"gesture_aborted", &"state_changed"]:
 		for sets: StringName in [&"models", &"reset"]:
 			var starts := 0
@@ -196,7 +196,7 @@ func test_all_of_an_instant_is_told_whatever_its_handlers_set() -> void:
 				source.seed = subject
 				tracker.source = source
 				tracker.start()
-				PushedHand.listen(hmm, _said)
+				PushedHand.listen(hmm, _events)
 				var states: Array[int] = [-1]
 				hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 				var set_again := func() -> void:
@@ -210,16 +210,16 @@ func test_all_of_an_instant_is_told_whatever_its_handlers_set() -> void:
 					tracker.advance(0.01)
 					mistakes += int(states[-1] != hmm.state)
 				var is_under_way := false
-				for event in _said:
+				for event in _events:
 					mistakes += int(is_under_way == (event == "started"))
 					is_under_way = event == "started"
-				starts += _said.count("started")
+				starts += _events.count("started")
 				check_equal(mistakes, 0, "%s in %s, subject %d" % [sets, told, subject])
 				_free(hmm)
 			check(starts > 5, "there were gestures")
 
 
-func test_a_recording_goes_on_where_another_cannot_be_begun() -> void:
+func test_a_recording_goes_on_if_another_cannot_begin() -> void:
 	var folder := DirAccess.create_temp("steadyhand_changes")
 	var path := folder.get_current_dir().path_join("kept.csv")
 	var tracker := _tracker()
@@ -268,11 +268,11 @@ func test_who_hears_of_progress_may_let_go_of_the_trainer() -> void:
 	check(held.is_empty() and model != null, "trained all the same")
 
 
-## A drag from rest, at whose CHANGE_S the change is made. What is said is in _said; returns the
+## A drag from rest, at whose CHANGE_S the change is made. The signals are in _events; returns the
 ## value at each instant.
 func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFloat64Array:
 	var values := PackedFloat64Array()
-	PushedHand.listen(hmm, _said)
+	PushedHand.listen(hmm, _events)
 	hmm.motion_updated.connect(func(_time_s: float) -> void: values.append(hmm.value))
 	var tracker := hmm.tracker
 	tracker.start()

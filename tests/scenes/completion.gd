@@ -10,34 +10,34 @@ const REST_S := 1.2
 const WAY := 0.2
 
 var _hmm: GestureHMM
-var _said: Array[String] = []
+var _events: Array[String] = []
 var _fractions: Array[float] = []
 
 
 func test_a_hand_that_stops_at_70_percent_does_not_end_the_gesture() -> void:
 	_play(0.95, [0.7])
-	check_equal(_said, ["started"] as Array[String], "it is still under way")
+	check_equal(_events, ["started"] as Array[String], "it is still under way")
 	check_equal(_hmm.gesture, &"horizontal_drag", "by its name")
 	check_equal(_hmm.recognised, &"", "and not recognised")
 	_free_nodes()
 
 
-func test_the_gesture_is_aborted_as_the_hand_comes_back() -> void:
+func test_a_gesture_is_aborted_when_the_hand_comes_back() -> void:
 	_play(0.95, [0.7, 0.0])
-	check_equal(_said, ["started", "aborted"] as Array[String], "once")
+	check_equal(_events, ["started", "aborted"] as Array[String], "once")
 	_free_nodes()
 
 
-func test_the_gesture_ends_as_the_hand_goes_on() -> void:
+func test_a_gesture_ends_when_the_hand_goes_on() -> void:
 	_play(0.95, [0.7, 1.0])
-	check_equal(_said, ["started", "ended"] as Array[String], "once")
+	check_equal(_events, ["started", "ended"] as Array[String], "once")
 	check(_fractions[0] >= 0.95, "with its fraction: %s" % [_fractions])
 	_free_nodes()
 
 
 func test_a_smaller_completion_ends_it_where_the_hand_stops() -> void:
 	_play(0.6, [0.7])
-	check_equal(_said, ["started", "ended"] as Array[String], "once")
+	check_equal(_events, ["started", "ended"] as Array[String], "once")
 	check_near(_fractions[0], 0.7, 0.05, "with its fraction")
 	_free_nodes()
 
@@ -67,7 +67,7 @@ func _play(completion: float, shares: Array[float]) -> void:
 	_hmm.task = task
 	root.add_child(tracker)
 	root.add_child(_hmm)
-	PushedHand.listen(_hmm, _said)
+	PushedHand.listen(_hmm, _events)
 	_fractions.clear()
 	_hmm.gesture_ended.connect(
 		func(_gesture: StringName, _time_s: float, _task: GestureTask, fraction: float) -> void:

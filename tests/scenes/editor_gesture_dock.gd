@@ -97,7 +97,7 @@ func test_an_edge_is_dragged() -> void:
 	check(dock.takes.rows[0]["start_s"] < end_s, "the start stays before the end")
 
 
-func test_a_recording_that_was_cut_off_comes_back() -> void:
+func test_an_interrupted_recording_is_restored() -> void:
 	await _open_scene(ScriptSource.new())
 	dock.open_gesture("cut_off")
 	dock.start_recording()
@@ -167,7 +167,7 @@ func test_simulated_people_make_a_take_at_each_press() -> void:
 	check(dock.model != null and dock.model.feature == "tips_circumradius", "by its feature")
 
 
-func test_what_is_wrong_is_said() -> void:
+func test_the_dock_shows_errors() -> void:
 	var tracker: HandTracker = await _open_scene(null)
 	dock.open_gesture("nothing")
 	check(not dock.start_recording(), "no source, no recording")
@@ -188,7 +188,7 @@ func test_what_is_wrong_is_said() -> void:
 	check(dock.get_message().begins_with("No movement was found"), dock.get_message())
 
 
-func test_a_scene_that_is_edited_opens_nothing() -> void:
+func test_an_edited_scene_opens_no_device() -> void:
 	var tracker: HandTracker = await _open_scene(SyntheticSource.new())
 	# expects error: start() opens no source in a scene that is edited
 	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")

@@ -64,7 +64,7 @@ func test_the_sensors_latency_can_be_given() -> void:
 		var run := ToolRun.new("evaluate", options + ["--sensor-latency", wrong])
 		var text := "--sensor-latency is '%s'; it must be a time in s from 0.0 to 0.2" % wrong
 		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
-		check_equal(run.not_said([text]), "", "it is said")
+		check_equal(run.missing([text]), "", "it is said")
 		check(not DirAccess.dir_exists_absolute(_path("wrong_out")), "and nothing is written")
 
 
@@ -81,7 +81,7 @@ func test_a_broken_track_does_not_lose_the_others() -> void:
 	check(not "\n".join(rows).contains(name), "it is not")
 
 
-func test_what_cannot_be_judged_is_told_and_left_out() -> void:
+func test_invalid_trials_are_reported_and_left_out() -> void:
 	var trials := Rig.write_trials(_path("odd"), 4)
 	var table := _lines("odd/trials.csv")
 	var names: Array[String] = []
@@ -100,7 +100,7 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("odd"), "--out", _path("odd_out")])
 	check_equal(run.exit_code, 1, "exit code")
 	var row := "trials.csv:10: amplitude_m: '-0.2' is not positive; the trial is left out"
-	check_equal(run.not_said([row]), "", "a bad row is said")
+	check_equal(run.missing([row]), "", "a bad row is said")
 	for place: int in [0, 1, 2]:
 		var reference := trials.get_reference_path(place)
 		_check_left_out(run, names[place], ["is not within the reference", reference])
@@ -108,9 +108,9 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 	_check_left_out(run, names[5], ["no amplitude_m"])
 	var folder := ProjectSettings.globalize_path(ModelFolder.INSTALLED)
 	var without := "trials of 'swipe' have no figures: no model of it in %s" % folder
-	check_equal(run.not_said([without]), "", "a gesture without model is said")
+	check_equal(run.missing([without]), "", "a gesture without model is said")
 	var number := "6 trials left out, 1 trial without figures"
-	check_equal(run.not_said([number]), "", "and how many")
+	check_equal(run.missing([number]), "", "and how many")
 
 	var rows := _lines("odd_out/results.csv")
 	check_equal(rows.size(), 4, "the others are there")
@@ -127,7 +127,7 @@ func test_what_cannot_be_judged_is_told_and_left_out() -> void:
 		check_near(r2, own[0].get_slice(",", 5).to_float(), 1e-6, "its R2 is the mean")
 
 
-func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
+func test_only_a_hand_that_is_never_tracked_is_reported() -> void:
 	var trials := Rig.write_trials(_path("unseen"), 1, "circle")
 	DirAccess.make_dir_absolute(_path("circles"))
 	var model := GestureTrainer.new().train(trials, "circle")
@@ -140,12 +140,12 @@ func test_only_a_hand_that_is_never_seen_is_said_to_be() -> void:
 		var run := ToolRun.new("evaluate", options)
 		check_equal(run.exit_code, 0, "exit code")
 		var note := "trial %s: its measured track has no motion"
-		check_equal(run.not_said([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
+		check_equal(run.missing([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
 		var seen := note % trials.get_trial(0)["trial"]
-		check(not run.said.contains(seen), "not of a hand that is seen: %s" % context)
+		check(not run.output.contains(seen), "not of a hand that is seen: %s" % context)
 
 
-func test_what_makes_figures_of_something_else_is_told() -> void:
+func test_wrong_recordings_are_reported() -> void:
 	var far := "its reference reaches "
 	var told: Dictionary[String, String] = {
 		backwards = far,
@@ -179,9 +179,9 @@ func test_what_makes_figures_of_something_else_is_told() -> void:
 		var run := ToolRun.new("evaluate", options)
 		check_equal(run.exit_code, 0, "%s: it is judged all the same" % wrong)
 		var said: String = "trial %s: %s" % [trials.get_trial(0)["trial"], told[wrong]]
-		check_equal(run.not_said([said]), "", wrong)
+		check_equal(run.missing([said]), "", wrong)
 		var sound := "trial %s:" % trials.get_trial(1)["trial"]
-		check(not run.said.contains(sound), "%s: nothing is told of the other trial" % wrong)
+		check(not run.output.contains(sound), "%s: nothing is told of the other trial" % wrong)
 
 
 func test_a_gesture_of_minutes_is_left_out() -> void:
@@ -207,7 +207,7 @@ func test_a_record_of_seven_hours_is_left_out() -> void:
 	check_equal(run.exit_code, 1, "exit code")
 	var why: Array[String] = ["its reference lasts 252", trials.get_reference_path(0)]
 	_check_left_out(run, trials.get_trial(0)["trial"], why)
-	check(not run.said.contains("ERROR"), "nothing else is said of it")
+	check(not run.output.contains("ERROR"), "nothing else is said of it")
 	check_equal(_lines("hours_out/results.csv").size(), trials.get_count(), "the others are there")
 
 
@@ -216,7 +216,7 @@ func test_a_reference_with_a_clock_jump_is_judged() -> void:
 	_end_reference(trials, "1e9")
 	var run := ToolRun.new("evaluate", ["--trials", _path("jump"), "--out", _path("jump_out")])
 	check_equal(run.exit_code, 0, "exit code")
-	check_equal(run.not_said(["t: the clock jumps by 1e+09 s"]), "", "a warning names the jump")
+	check_equal(run.missing(["t: the clock jumps by 1e+09 s"]), "", "a warning names the jump")
 	check_equal(
 		_lines("jump_out/results.csv").size(), trials.get_count() + 1, "all trials are there"
 	)
@@ -228,9 +228,9 @@ func test_a_set_without_trials() -> void:
 	FileAccess.open(_path("none/trials.csv"), FileAccess.WRITE).store_string(header + "\n")
 	var run := ToolRun.new("evaluate", ["--trials", _path("none"), "--out", _path("none_out")])
 	check_equal(run.exit_code, 1, "exit code")
-	check_equal(run.not_said(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
+	check_equal(run.missing(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
 	check_equal(
-		run.not_said(["evaluate: there was no trial to run"]), "", "and that nothing is done"
+		run.missing(["evaluate: there was no trial to run"]), "", "and that nothing is done"
 	)
 	check(not DirAccess.dir_exists_absolute(_path("none_out")), "nor written")
 	var options := ["--trials", _path("none"), "--out", _path("out")]
@@ -251,22 +251,22 @@ func test_the_result_is_printed() -> void:
 	var summary: Dictionary = JSON.parse_string("\n".join(_lines("printed_out/summary.json")))
 	for group: Dictionary in summary["groups"]:
 		var head: Array[String] = [group["gesture"], group["position"], "%d" % group["trials"]]
-		check_equal(run.not_said(head), "", "a row of each gesture and position")
+		check_equal(run.missing(head), "", "a row of each gesture and position")
 		var own: Dictionary = group["conditions"]
 		if group["gesture"] == "none":
-			check_equal(run.not_said(["none", "no figures"]), "", "none has no figures")
+			check_equal(run.missing(["none", "no figures"]), "", "none has no figures")
 			continue
 		var means := PackedStringArray(["mean R2, no lag"])
 		for condition in CONDITIONS:
 			means.append("%.4f" % own[condition]["r2_zero"]["mean"])
-		check_equal(run.not_said(means), "", "the means of all conditions")
+		check_equal(run.missing(means), "", "the means of all conditions")
 	var rate: float = summary["false_alarms_per_minute"]
-	check_equal(run.not_said(["1 false alarm in", "%.2f a minute" % rate]), "", "false alarms")
+	check_equal(run.missing(["1 false alarm in", "%.2f a minute" % rate]), "", "false alarms")
 	var curves := "summary.json and %d curves" % trials.get_count()
-	check_equal(run.not_said([_path("printed_out/results.csv"), curves]), "", "what was written")
+	check_equal(run.missing([_path("printed_out/results.csv"), curves]), "", "what was written")
 
 
-func test_nothing_of_an_earlier_evaluation_stays() -> void:
+func test_files_of_an_earlier_evaluation_are_removed() -> void:
 	var trials := Rig.write_trials(_path("earlier"), 2)
 	_evaluate(trials, "again")
 	var name: String = trials.get_trial(0)["trial"]
@@ -354,7 +354,7 @@ func test_how_sure_a_gesture_has_to_be_can_be_given() -> void:
 		var run := ToolRun.new("evaluate", options + ["--min-confidence", wrong])
 		var text := "--min-confidence is '%s'; it must be a probability from 0.0 to 1.0" % wrong
 		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
-		check_equal(run.not_said([text]), "", "it is said")
+		check_equal(run.missing([text]), "", "it is said")
 
 
 func test_arguments() -> void:
@@ -411,7 +411,7 @@ static func _write_blind_reference(trials: TrialSet, index: int) -> void:
 func _check_left_out(run: ToolRun, trial: String, why: Array[String]) -> void:
 	var texts := PackedStringArray(["trial %s left out: " % trial])
 	texts.append_array(PackedStringArray(why))
-	check_equal(run.not_said(texts), "", "%s: %s" % [trial, why[0]])
+	check_equal(run.missing(texts), "", "%s: %s" % [trial, why[0]])
 
 
 func _fault(arguments: PackedStringArray, known: Dictionary[String, String]) -> String:

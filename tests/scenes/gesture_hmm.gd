@@ -188,7 +188,7 @@ func test_quality() -> void:
 		check(furthest < 0.05 * amplitude, "near the accurate one where tracking is good")
 
 
-func test_a_known_latency_of_the_sensor_puts_the_motion_that_much_earlier() -> void:
+func test_a_known_sensor_latency_is_compensated() -> void:
 	const LATENCY_MS := 50
 	var amplitude: float = _trials.get_trial(STABLE)["amplitude_m"]
 	var half_way_ms: Array[int] = []
@@ -252,7 +252,7 @@ func test_joints_that_no_frame_holds_are_named() -> void:
 	rig.free_nodes()
 
 
-func test_what_keeps_it_from_recognising_is_said() -> void:
+func test_warnings_name_what_prevents_recognition() -> void:
 	# expects warning: because "models" is empty
 	# expects warning: because all "models" are empty
 	# expects warning: because "models" has none of 'tap'

@@ -62,7 +62,7 @@ func test_a_source_set_in_ready_starts_by_itself() -> void:
 	scene.free()
 
 
-func test_a_tracker_without_a_source_says_so() -> void:
+func test_a_tracker_without_a_source_is_an_error() -> void:
 	# expects one error: set "source", e.g. to an XRSource
 	# expects one error: push_frame: set "source" to a ScriptSource first: it is empty
 	# expects one error: push_frame: set "source" to a ScriptSource first: its SyntheticSource makes
@@ -126,7 +126,7 @@ func test_frames_are_typed() -> void:
 	tracker.free()
 
 
-func test_what_no_hand_can_do_stops_at_the_door() -> void:
+func test_impossible_frames_are_dropped() -> void:
 	# expects one warning: the source sends positions that are not finite
 	# expects one warning: the source sends all joints at exactly (0, 0, 0)
 	var tracker := _tracker(ScriptSource.new())
@@ -264,7 +264,7 @@ func test_a_name_that_is_taken_is_not_published() -> void:
 	hand.remove()
 
 
-func test_a_tracker_that_advances_itself_without_end_says_so() -> void:
+func test_endless_recursion_of_advance_is_an_error() -> void:
 	# expects error: advance() calls itself
 	var source := SyntheticSource.new()
 	source.loop = true
@@ -313,7 +313,7 @@ func test_live_sources_keep_pace_in_physics_frames_and_pauses() -> void:
 	hand.remove()
 
 
-func test_a_task_where_no_hand_comes_is_told_once() -> void:
+func test_a_task_without_a_hand_is_warned_of_once() -> void:
 	# expects one warning: the fingertip has come no nearer to its start than 0.5
 	# expects one warning: the hand leaves its start towards (0.0, 1.0, 0.0)
 	for is_far: bool in [true, false]:
@@ -393,7 +393,7 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 			node.free()
 
 
-func test_a_true_motion_is_the_reference_of_what_the_tracker_sees() -> void:
+func test_the_true_motion_is_the_reference_of_the_measured_one() -> void:
 	var seen := SyntheticSource.new()
 	seen.gesture = &"vertical_drag"
 	seen.position = SyntheticSource.POSITION_UNSTABLE
@@ -417,7 +417,7 @@ func test_a_true_motion_is_the_reference_of_what_the_tracker_sees() -> void:
 	check(ends[0].distance_to(ends[1]) < 0.1, "on the same motion")
 
 
-func test_a_degraded_source_adds_what_it_says() -> void:
+func test_a_degraded_source_adds_its_faults() -> void:
 	var degraded := DegradedSource.new()
 	# expects one error: a source cannot degrade itself
 	degraded.source = degraded

@@ -110,7 +110,7 @@ func test_script_source() -> void:
 	tracker.free()
 
 
-func test_frames_of_wrong_units_are_told_once() -> void:
+func test_frames_of_wrong_units_are_warned_of_once() -> void:
 	# expects one warning: the hand moves, but the time does not
 	# expects one warning: Push times in seconds
 	# expects one warning: Push positions in metres
@@ -153,7 +153,7 @@ func test_plays_by_itself() -> void:
 	tracker.free()
 
 
-func test_records_what_it_tracks() -> void:
+func test_a_tracker_records_its_frames() -> void:
 	var tracker := _make_tracker(SyntheticSource.new())
 	var copy_path := _folder.get_current_dir().path_join("copy.csv")
 	check_equal(tracker.start_recording(copy_path), OK, "a recording begins")
@@ -174,7 +174,7 @@ func test_records_what_it_tracks() -> void:
 	copy.free()
 
 
-func test_what_is_played_is_not_recorded_over() -> void:
+func test_a_played_recording_is_not_overwritten() -> void:
 	var path := _write("track.csv", TRACK)
 	var source := RecordedSource.new()
 	source.track = path

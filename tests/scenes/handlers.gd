@@ -85,7 +85,7 @@ func test_a_handler_may_push_the_next_frame() -> void:
 	tracker.free()
 
 
-func test_after_a_reset_in_a_handler_nothing_stale_is_told() -> void:
+func test_a_reset_in_a_handler_sends_no_old_signals() -> void:
 	var rig := _make_rig()
 	var hmm := rig.gesture_hmm
 	var states: Array[int] = []
@@ -189,7 +189,7 @@ func test_numbers_that_are_none() -> void:
 	synth.free()
 
 
-func test_a_gesture_that_needs_its_task_says_so() -> void:
+func test_a_gesture_without_its_required_task_is_warned_of() -> void:
 	var hmm := GestureHMM.new()
 	var circle := FileAccess.get_file_as_string(Rig.MODEL % "horizontal_drag").replace(
 		'"index_along_axis"', '"index_along_circle"'

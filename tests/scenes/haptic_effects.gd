@@ -49,7 +49,7 @@ func test_a_tap_is_an_impulse_from_the_sample_of_the_contact_on() -> void:
 	)
 
 
-func test_more_than_eight_effects_are_told_of() -> void:
+func test_more_than_eight_effects_are_warned_of() -> void:
 	# expects warning: only the first 8 of 9 effects are played
 	var effects: Array[HapticEffect] = []
 	for i in 9:

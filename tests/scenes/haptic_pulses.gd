@@ -89,7 +89,7 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 	XRServer.remove_interface(_interface)
 
 
-func test_a_tracker_that_does_not_vibrate_is_told_of() -> void:
+func test_a_tracker_without_vibration_is_warned_of() -> void:
 	# expects one warning: left_hand: /user/hand_tracker/right does not vibrate
 	# expects one warning: left_hand: head does not vibrate
 	for name: StringName in [&"/user/hand_tracker/right", &"head", &"right_hand"]:
@@ -148,7 +148,7 @@ func test_the_warning_of_a_missing_joypad_follows_joypads_that_come_and_go() -> 
 	synth.free()
 
 
-func test_what_is_missing_is_said_once() -> void:
+func test_missing_devices_are_warned_of_once() -> void:
 	# expects one warning: Connect joypad 7,
 	# expects one warning: Connect joypad 8,
 	# expects one warning: Set the "tracker" of the node in "controller", for example
@@ -180,7 +180,7 @@ func test_low_frequencies_are_the_heavy_motor_s() -> void:
 	check(heaviest[0] > 0.5, "a device that resonates at 60 Hz: %s" % heaviest[0])
 
 
-func test_each_motor_has_what_is_its_own() -> void:
+func test_each_motor_has_its_own_share() -> void:
 	var most := [0.0, 0.0, 0.0]
 	var each := func(synth: HapticSynth, _value: float) -> void:
 		var strength := Input.get_joy_vibration_strength(JOYPAD)
@@ -201,7 +201,7 @@ func test_each_motor_has_what_is_its_own() -> void:
 		check_near(most[2], 0.8 * share, 1e-6, "together no more than the device bears")
 
 
-func test_a_cue_comes_as_much_earlier_as_the_device_is_late() -> void:
+func test_a_cue_is_advanced_by_the_latency_of_the_device() -> void:
 	for latency: float in [0.0, 0.1, 0.2, 0.5]:
 		var seen := {joypad = 0.0, samples = 0.0, arrived_s = INF, told_s = INF}
 		var each := func(synth: HapticSynth, _value: float) -> void:
@@ -230,7 +230,7 @@ func test_a_cue_comes_as_much_earlier_as_the_device_is_late() -> void:
 		)
 
 
-func test_an_arrival_is_felt_once_whatever_follows_it() -> void:
+func test_an_arrival_is_felt_once() -> void:
 	var folder := DirAccess.create_temp("steadyhand_taps")
 	var trials := Rig.write_trials(folder.get_current_dir(), 1, "tap")
 	for follows: StringName in [&"nothing", &"task", &"run"]:

@@ -65,7 +65,7 @@ func test_the_inspector_s_preview_follows_the_effect() -> void:
 	preview.free()
 
 
-func test_the_strip_draws_what_is_felt() -> void:
+func test_the_strip_draws_the_vibration() -> void:
 	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
 	var rig := Rig.new(trials.get_trial(0), trials.get_measured_path(0), root)
 	var synth := HapticSynth.new()

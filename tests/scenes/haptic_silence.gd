@@ -11,7 +11,7 @@ var _folder := DirAccess.create_temp("steadyhand_silence")
 var _trials := Rig.write_trials(_folder.get_current_dir())
 
 
-func test_without_an_output_it_is_said_once() -> void:
+func test_a_missing_output_is_warned_of_once() -> void:
 	# expects one warning: /Mute': nothing is felt. Set its "bus"
 	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
 	var mute := _make(rig, "Mute")
@@ -36,7 +36,7 @@ func test_without_an_output_it_is_said_once() -> void:
 	rig.free_nodes()
 
 
-func test_where_nothing_is_to_be_felt_nothing_is_said() -> void:
+func test_a_bus_set_before_a_gesture_has_no_warning() -> void:
 	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
 	var synth := _make(rig, "Idle")
 	await _wait(WATCHED_S)

@@ -72,7 +72,7 @@ func test_a_frozen_tracker() -> void:
 	check(said.contains("it is frozen") or not _hmm.gesture.is_empty(), said)
 
 
-func test_a_gesture_under_way_is_shown() -> void:
+func test_an_active_gesture_is_shown() -> void:
 	_hmm.task = _task
 	_push(_task.position, 90)
 	for i in 40:

@@ -2,7 +2,7 @@ extends "support/leap_test.gd"
 ## LeapSource before a service that fails.
 
 
-func test_bad_messages_are_left_out_and_told_once() -> void:
+func test_bad_messages_are_ignored_and_warned_of_once() -> void:
 	# expects one warning: a message of the service is left out
 	# expects one warning: the service sends binary messages
 	var service := _service("invalid")

@@ -9,10 +9,10 @@ const FRAME_S := 1.0 / 90.0
 const KEY_M := 0.04
 const ROW := 10
 
-var _said: Array[String] = []
+var _events: Array[String] = []
 
 
-func test_a_panel_that_moves_takes_all_its_tasks_along() -> void:
+func test_a_moving_panel_moves_all_its_tasks() -> void:
 	var panel := Node3D.new()
 	var hmm := _hmm(panel, 30)
 	_push_tap(hmm, hmm.tasks[12], 0.0, 1.4)
@@ -20,16 +20,16 @@ func test_a_panel_that_moves_takes_all_its_tasks_along() -> void:
 	panel.position = Vector3(1.0, 0.5, 0.0)
 	await process_frame
 	await process_frame
-	check_equal(_said, ["started", "aborted"] as Array[String], "it is given up by the move")
+	check_equal(_events, ["started", "aborted"] as Array[String], "it is given up by the move")
 	_push_tap(hmm, hmm.tasks[17], 2.0, 2.6)
 	check_equal(
-		_said, ["started", "aborted", "started", "ended"] as Array[String], "one at the new place"
+		_events, ["started", "aborted", "started", "ended"] as Array[String], "one at the new place"
 	)
 	check_equal(hmm.current_task, hmm.tasks[17], "at its task")
 	_free(hmm, panel)
 
 
-func test_a_panel_that_trembles_leaves_the_gesture() -> void:
+func test_a_trembling_panel_keeps_the_gesture() -> void:
 	var panel := Node3D.new()
 	var hmm := _hmm(panel, 30)
 	_push_tap(hmm, hmm.tasks[12], 0.0, 1.4)
@@ -37,11 +37,11 @@ func test_a_panel_that_trembles_leaves_the_gesture() -> void:
 	await process_frame
 	await process_frame
 	_push_tap(hmm, hmm.tasks[12], 1.4, 1.2, 1.4)
-	check_equal(_said, ["started", "ended"] as Array[String], "it goes on to its end")
+	check_equal(_events, ["started", "ended"] as Array[String], "it goes on to its end")
 	_free(hmm, panel)
 
 
-func test_what_is_set_of_a_task_counts_at_once() -> void:
+func test_task_properties_take_effect_at_once() -> void:
 	for what: StringName in [
 		&"amplitude", &"direction", &"gesture", &"no_gesture", &"start_radius"
 	]:
@@ -62,7 +62,7 @@ func test_what_is_set_of_a_task_counts_at_once() -> void:
 			&"start_radius":
 				task.start_radius = 0.1  # of no concern to a tap
 		var told := "started" if what == &"start_radius" else "started aborted"
-		check_equal(" ".join(_said), told, "%s: what is said" % what)
+		check_equal(" ".join(_events), told, "%s: the signals" % what)
 		_free(hmm, panel)
 
 
@@ -77,7 +77,7 @@ func _push_tap(
 		hmm.tracker.push_frame(from_s + time_s, {HandTracker.JOINT_INDEX: tip})
 
 
-## Of taps at `count` keys of `panel`; what it says is in _said.
+## Of taps at `count` keys of `panel`; its signals are in _events.
 func _hmm(panel: Node3D, count: int) -> GestureHMM:
 	var tracker := HandTracker.new()
 	tracker.source = ScriptSource.new()
@@ -96,7 +96,7 @@ func _hmm(panel: Node3D, count: int) -> GestureHMM:
 		panel.add_child(task)
 		tasks.append(task)
 	hmm.tasks = tasks
-	PushedHand.listen(hmm, _said)
+	PushedHand.listen(hmm, _events)
 	return hmm
 
 

@@ -48,7 +48,7 @@ func test_a_gesture_that_the_hmms_do_not_include_is_recognised_by_its_strokes() 
 	hmm.models = [load(path) as GestureModel]
 	var seen := _events(hmm)
 	_play(hmm)
-	check_equal(seen, ["started push", "ended push"] as Array[String], "what is said")
+	check_equal(seen, ["started push", "ended push"] as Array[String], "the signals")
 	_free(hmm)
 
 

@@ -76,7 +76,7 @@ func test_a_practice_run_that_ends_early_moves_nothing() -> void:
 
 # expects error: bad.json:1: Expected
 # expects error: other.json: tap: 'unstable' has no position
-func test_a_bad_file_is_told_once_and_kept() -> void:
+func test_a_bad_file_is_reported_once_and_kept() -> void:
 	var texts := {
 		"bad": '{"tap": {"stable": ',
 		"other":

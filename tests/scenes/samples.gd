@@ -9,12 +9,12 @@ const XRHand := preload("support/xr_hand.gd")
 
 func test_the_key_that_is_tapped_is_the_key_that_is_pressed() -> void:
 	var hand := _open("key_panel")
-	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
+	_scene.connect(&"key_pressed", func(key: String) -> void: _events.append(key))
 	var keys := ""
 	for task in _hmm.tasks:
 		await hand.make_gesture(task)
 		keys += (task.get_node("../Cap/Label") as Label3D).text
-	check_equal("".join(_said), keys, "all keys")
+	check_equal("".join(_events), keys, "all keys")
 	_close()
 
 
@@ -57,14 +57,14 @@ func test_the_box_moves_only_in_a_pinch() -> void:
 	var hand := _open("pinch_drag")
 	var box := _scene.get_node("Box") as Node3D
 	var start := box.position.x
-	_scene.connect(&"box_placed", func() -> void: _said.append("placed"))
-	_scene.connect(&"box_dropped", func() -> void: _said.append("dropped"))
+	_scene.connect(&"box_placed", func() -> void: _events.append("placed"))
+	_scene.connect(&"box_dropped", func() -> void: _events.append("dropped"))
 	await hand.make_gesture(_hmm.task)
 	check_near(box.position.x, start, 0.0, "open fingers")
 	hand.pinches = true
 	await hand.make_gesture(_hmm.task)
 	check_near(box.position.x, start + _hmm.task.amplitude, 0.01, "pinched")
-	check_equal(_said, ["placed"] as Array[String], "placed")
+	check_equal(_events, ["placed"] as Array[String], "placed")
 	_close()
 
 
@@ -112,11 +112,11 @@ func test_every_sample_shows_by_itself_how_it_is_done() -> void:
 		hand.use(SampleHand.Device.SHOWN)
 		_hmm.gesture_ended.connect(
 			func(_g: StringName, _time_s: float, _t: GestureTask, _f: float) -> void:
-				_said.append("ended")
+				_events.append("ended")
 		)
 		for frame in 600:
 			await process_frame
-		check(not _said.is_empty(), sample)
+		check(not _events.is_empty(), sample)
 		_close()
 
 

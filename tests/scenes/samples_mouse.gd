@@ -11,10 +11,10 @@ var _pointer := Vector2.ZERO
 func test_clicks_press_keys() -> void:
 	_open("key_panel")
 	(_scene.get_node("Hand") as SampleHand).use(SampleHand.Device.MOUSE)
-	_scene.connect(&"key_pressed", func(key: String) -> void: _said.append(key))
+	_scene.connect(&"key_pressed", func(key: String) -> void: _events.append(key))
 	for key: int in [0, 4, 11]:
 		await _click(_hmm.tasks[key])
-	check_equal("".join(_said), "15#", "three clicks")
+	check_equal("".join(_events), "15#", "three clicks")
 	_close()
 
 
@@ -45,7 +45,7 @@ func test_the_mouse_moves_the_slider_and_pulls_the_drawer() -> void:
 	_close()
 
 
-func test_a_mouse_without_a_task_says_what_to_set() -> void:
+func test_a_mouse_without_a_task_is_an_error() -> void:
 	# expects error: set "task_path" of the MouseSource to a GestureTask
 	var tracker := HandTracker.new()
 	tracker.source = MouseSource.new()

@@ -9,7 +9,7 @@ const REST_S := 0.6
 const MOVE_S := 0.7
 
 
-func test_each_gesture_is_told_with_the_task_that_it_was_made_at() -> void:
+func test_each_signal_has_the_task_of_its_gesture() -> void:
 	var corner := Vector3(0.2, 0.0, 0.0)
 	var top := Vector3(0.2, 0.2, 0.0)
 	var tasks: Array[GestureTask] = [
@@ -51,7 +51,7 @@ func test_a_gesture_is_felt_the_same_at_one_of_several_tasks() -> void:
 		one.free()
 
 
-func test_a_gesture_is_felt_the_same_where_the_hand_goes_on_from_the_last_ones_end() -> void:
+func test_a_gesture_from_the_last_ones_end_has_the_same_haptics() -> void:
 	var end := Vector3(0.2, 0.0, 0.0)
 	var below := Vector3(0.2, -0.15, 0.0)
 	var places: Array[Vector3] = [Vector3.ZERO, end, below, below + Vector3(0.0, 0.0, -0.15)]
@@ -105,7 +105,7 @@ func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void
 		task.free()
 
 
-func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
+func test_a_reset_at_a_start_with_an_immediate_end_sends_aborted() -> void:
 	var far := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.4)
 	var near := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([far, near])
@@ -131,7 +131,7 @@ func test_a_reset_at_a_start_whose_end_comes_at_once_is_told() -> void:
 		one.free()
 
 
-func test_what_tasks_say_is_taken_up_whenever_it_changes() -> void:
+func test_changes_of_tasks_take_effect_at_any_time() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var other := _task(&"tap", Vector3.ZERO, Vector3.FORWARD, 0.15)
 	var hmm := _hmm([task, null, other])
@@ -176,7 +176,7 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		other.free()
 
 
-func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
+func test_a_task_without_a_finite_position_is_warned_of_and_ignored() -> void:
 	var nowhere := _task(&"tap", Vector3(NAN, INF, 0.0), Vector3.FORWARD, 0.15)
 	nowhere.name = &"Nowhere"
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
@@ -194,7 +194,7 @@ func test_a_task_that_is_nowhere_is_told_of_and_not_waited_for() -> void:
 	task.free()
 
 
-func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_another_way() -> void:
+func test_a_default_task_of_another_direction_is_warned_of() -> void:
 	# expects one warning: to that of 'vertical_drag', is (1, 0, 0)
 	# expects one warning: to that of 'tap', is (1, 0, 0)
 	for gesture: StringName in [&"vertical_drag", &"tap"]:
@@ -208,7 +208,7 @@ func test_a_task_that_is_as_it_was_made_is_told_of_where_its_gesture_goes_anothe
 			task.free()
 
 
-func test_a_task_in_millimetres_is_told_of() -> void:
+func test_a_task_in_millimetres_is_warned_of() -> void:
 	# expects error: : amplitude must be
 	# expects one error: : start_radius must be
 	# expects one warning: in metres, is 200
@@ -252,7 +252,7 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 	task.free()
 
 
-func test_a_task_that_is_moved_before_anything_is_seen_is_not_told_of() -> void:
+func test_a_task_moved_before_the_first_frame_has_no_warning() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([task])
 	for step in 200:
@@ -263,7 +263,7 @@ func test_a_task_that_is_moved_before_anything_is_seen_is_not_told_of() -> void:
 	task.free()
 
 
-func test_a_task_that_the_gesture_itself_moves_is_told_of_and_never_ends() -> void:
+func test_a_task_that_follows_the_hand_is_warned_of_and_never_ends() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([task])
 	var end := Vector3(0.2, 0.0, 0.0)
@@ -284,7 +284,7 @@ func test_a_task_that_the_gesture_itself_moves_is_told_of_and_never_ends() -> vo
 	task.free()
 
 
-func test_a_task_that_trembles_where_it_stands_is_where_it_was() -> void:
+func test_a_trembling_task_keeps_its_position() -> void:
 	for tremble_m: float in [1e-7, 1e-5, 3e-4]:
 		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 		var hmm := _hmm([task])

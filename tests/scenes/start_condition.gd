@@ -15,7 +15,7 @@ const NOTHING: Array[String] = []
 
 var _tracker: HandTracker
 var _hmm: GestureHMM
-var _said: Array[String] = []
+var _events: Array[String] = []
 
 
 func test_a_pinch_starts_a_drag_and_its_release_aborts_it() -> void:
@@ -23,12 +23,12 @@ func test_a_pinch_starts_a_drag_and_its_release_aborts_it() -> void:
 		_make_nodes(at_task)
 		_hmm.start_condition = GestureHMM.START_PINCH
 		_drag(func(_time_s: float) -> Dictionary: return _fingers(CLOSED))
-		check_equal(_said, WHOLE, "pinched, task: %s" % at_task)
+		check_equal(_events, WHOLE, "pinched, task: %s" % at_task)
 		_free_nodes()
 		_make_nodes(at_task)
 		_hmm.start_condition = GestureHMM.START_PINCH
 		_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-		check_equal(_said, NOTHING, "open, task: %s" % at_task)
+		check_equal(_events, NOTHING, "open, task: %s" % at_task)
 		_free_nodes()
 		_make_nodes(at_task)
 		_hmm.start_condition = GestureHMM.START_PINCH
@@ -36,7 +36,7 @@ func test_a_pinch_starts_a_drag_and_its_release_aborts_it() -> void:
 			func(time_s: float) -> Dictionary:
 				return _fingers(CLOSED if time_s < REST_S + 0.5 else OPEN)
 		)
-		check_equal(_said, GIVEN_UP, "released half-way, task: %s" % at_task)
+		check_equal(_events, GIVEN_UP, "released half-way, task: %s" % at_task)
 		_free_nodes()
 
 
@@ -45,7 +45,7 @@ func test_the_pinch_distance_can_be_set() -> void:
 	_hmm.start_condition = GestureHMM.START_PINCH
 	_hmm.pinch_distance = 0.09
 	_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-	check_equal(_said, WHOLE, "within the distance")
+	check_equal(_events, WHOLE, "within the distance")
 	_free_nodes()
 
 
@@ -53,13 +53,13 @@ func test_a_dwell_starts_a_drag() -> void:
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-	check_equal(_said, WHOLE, "after a rest that is long enough")
+	check_equal(_events, WHOLE, "after a rest that is long enough")
 	_free_nodes()
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_hmm.dwell_time = 2.0
 	_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-	check_equal(_said, NOTHING, "after one that is shorter")
+	check_equal(_events, NOTHING, "after one that is shorter")
 	_free_nodes()
 
 
@@ -77,7 +77,7 @@ func test_the_pointing_pose_starts_a_drag() -> void:
 					joints[joint] = Vector3(0, 0, 0.06 if curled else 0.0)
 				return joints
 		)
-		check_equal(_said, WHOLE if curled else NOTHING, "fingers curled: %s" % curled)
+		check_equal(_events, WHOLE if curled else NOTHING, "fingers curled: %s" % curled)
 		_free_nodes()
 
 
@@ -86,7 +86,7 @@ func test_joints_that_a_condition_needs_and_no_frame_holds() -> void:
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_PINCH
 	_drag(func(_time_s: float) -> Dictionary: return {HandTracker.JOINT_INDEX: Vector3.ZERO})
-	check_equal(_said, NOTHING, "nothing starts")
+	check_equal(_events, NOTHING, "nothing starts")
 	_free_nodes()
 
 
@@ -148,7 +148,7 @@ func _make_nodes(at_task: bool) -> void:
 		task.amplitude = WAY
 		_hmm.add_child(task)
 		_hmm.task = task
-	PushedHand.listen(_hmm, _said)
+	PushedHand.listen(_hmm, _events)
 	_tracker.start()
 
 

@@ -9,7 +9,7 @@ const ONSET_S := 1.0
 const DURATION_S := 0.8
 const HALF_WAY_S := 1.45
 
-var _said: Array[String] = []
+var _events: Array[String] = []
 
 
 func test_a_tracker_that_stops_leaves_no_gesture() -> void:
@@ -28,7 +28,7 @@ func test_a_tracker_that_stops_leaves_no_gesture() -> void:
 				tracker.source = RecordedSource.new()
 				# expects one error: set "track" of the RecordedSource to a recording (*.csv)
 				check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot be started")
-		check_equal(_said, ["started", "aborted"] as Array[String], "%s: what is said" % how)
+		check_equal(_events, ["started", "aborted"] as Array[String], "%s: the signals" % how)
 		check_equal(hmm.gesture, &"", "%s: no gesture is under way" % how)
 		check_equal(hmm.state, -1, "%s: nor a state" % how)
 		check_equal(hmm.value, 0.0, "%s: nor a motion" % how)
@@ -40,7 +40,7 @@ func test_a_gesture_that_has_ended_is_not_given_up_where_the_tracker_stops() -> 
 	_push_drag(hmm.tracker, 2.5)
 	hmm.tracker.stop()
 	hmm.tracker.stop()
-	check_equal(_said, ["started", "ended"] as Array[String], "what is said")
+	check_equal(_events, ["started", "ended"] as Array[String], "the signals")
 	check_equal(hmm.recognised, &"horizontal_drag", "it was recognised")
 	_free(hmm)
 
@@ -55,7 +55,7 @@ func test_who_hears_of_the_loss_may_start_anew() -> void:
 	check(tracker.is_running(), "it runs")
 	_push_drag(tracker, 2.5)
 	var both: Array[String] = ["started", "aborted", "started", "ended"]
-	check_equal(_said, both, "the first is given up, the next one ends")
+	check_equal(_events, both, "the first is given up, the next one ends")
 	_free(hmm)
 
 
@@ -80,7 +80,7 @@ func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void
 		var count := 0 if is_deferred else 300
 		check_equal(results.count(ERR_INVALID_PARAMETER), count, "refused")
 		var told := "started ended" if is_deferred else ""
-		check_equal(" ".join(_said), told, "what is said, deferred: %s" % is_deferred)
+		check_equal(" ".join(_events), told, "the signals, deferred: %s" % is_deferred)
 		check_equal(tracker.get_time() > 0.0, is_deferred, "the clock goes on by what is taken")
 		_free(hmm)
 
@@ -101,11 +101,11 @@ func test_a_clock_that_begins_anew() -> void:
 	check_equal(losses, [1000.1] as Array[float], "those that do not end do")
 	tracker.start()
 	_push_drag(tracker, 2.5)
-	check_equal(_said, ["started", "ended"] as Array[String], "a start takes the new clock")
+	check_equal(_events, ["started", "ended"] as Array[String], "a start takes the new clock")
 	_free(hmm)
 
 
-func test_a_hand_that_never_comes_is_told_of_once() -> void:
+func test_a_hand_that_never_comes_is_warned_of_once() -> void:
 	# expects one warning: no frame for 5 s from HandTracker '
 	# expects one warning: no hand for 20 s: all frames of HandTracker '
 	Engine.time_scale = 100.0
@@ -165,7 +165,7 @@ func _hand(time_s: float) -> Dictionary:
 	return {HandTracker.JOINT_INDEX: Vector3(way, 0.0, 0.0) + PushedHand.tremor(time_s)}
 
 
-## Of a drag at the origin, with a tracker that runs; what it says is in _said.
+## Of a drag at the origin, with a tracker that runs; its signals are in _events.
 func _hmm() -> GestureHMM:
 	var tracker := HandTracker.new()
 	tracker.source = ScriptSource.new()
@@ -177,7 +177,7 @@ func _hmm() -> GestureHMM:
 	hmm.tracker = tracker
 	for node: Node in [tracker, task, hmm]:
 		root.add_child(node)
-	PushedHand.listen(hmm, _said)
+	PushedHand.listen(hmm, _events)
 	return hmm
 
 

@@ -94,7 +94,7 @@ func test_a_trial_whose_track_cannot_be_read_is_passed_over() -> void:
 	check_equal(logged, expected, "the others are played and logged")
 
 
-func test_a_trial_that_never_ends_says_so() -> void:
+func test_a_trial_without_an_end_is_reported() -> void:
 	var player := TaskPlayer.new("tap", _folder.get_current_dir().path_join("never"), self)
 	player.scene.follow_live()
 	var hand := LiveHand.new()

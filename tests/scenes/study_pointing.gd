@@ -16,20 +16,20 @@ var _tracker: HandTracker
 var _display: WorldPanel
 var _panel: PointingPanel
 var _time_s := 1.0
-var _said: Array = []
+var _events: Array = []
 
 
 func test_touched_buttons_answer_and_count_changes() -> void:
 	await _open()
 	await _touch("3")
-	check_equal(_said, [], "a touch alone is no answer")
+	check_equal(_events, [], "a touch alone is no answer")
 	await _touch("4")
 	await _touch("Confirm")
-	check_equal(_said, [["synchronisation", 4, 1]], "the second answer, changed once")
+	check_equal(_events, [["synchronisation", 4, 1]], "the second answer, changed once")
 	await _touch("Confirm")
-	check_equal(_said.size(), 1, "nothing is confirmed before an answer")
+	check_equal(_events.size(), 1, "nothing is confirmed before an answer")
 	await _touch("Skip")
-	check_equal(_said.back(), ["smoothness"], "the item is skipped")
+	check_equal(_events.back(), ["smoothness"], "the item is skipped")
 	_close()
 
 
@@ -41,7 +41,7 @@ func test_a_fingertip_held_over_a_button_presses_it_once() -> void:
 	_hold("2", 0.5)
 	check(_button("2").button_pressed, "after 0.8 s")
 	_hold("Confirm", 1.0)
-	check_equal(_said, [["synchronisation", 2, 0]], "confirmed, and never changed")
+	check_equal(_events, [["synchronisation", 2, 0]], "confirmed, and never changed")
 	_push(Vector3(0.0, 0.0, 1.0))
 	check(not _panel._cursor.visible, "no cursor for a hand that is far away")
 	_close()
@@ -55,7 +55,7 @@ func test_keys_answer_on_the_display() -> void:
 		event.keycode = key
 		root.push_input(event)
 		await process_frame
-	check_equal(_said, [["synchronisation", 1, 0]], "the operator's answer")
+	check_equal(_events, [["synchronisation", 1, 0]], "the operator's answer")
 	_close()
 
 
@@ -66,7 +66,7 @@ func test_a_slider_takes_the_place_of_a_touch() -> void:
 	for distance_m: float in [FAR_M, -0.005, FAR_M]:
 		_push(_display.from_display(pixel, distance_m))
 	await _touch("Confirm")
-	check_equal(_said, [["mental", 75, 0]], "three quarters of the scale")
+	check_equal(_events, [["mental", 75, 0]], "three quarters of the scale")
 	_close()
 
 
@@ -94,7 +94,7 @@ func test_the_operator_reads_the_condition_and_skips_a_trial() -> void:
 
 
 func _open(asked: Questionnaire = Questions) -> void:
-	_said.clear()
+	_events.clear()
 	_tracker = HandTracker.new()
 	_tracker.source = ScriptSource.new()
 	_tracker.update_mode = HandTracker.UPDATE_MANUAL
@@ -107,9 +107,9 @@ func _open(asked: Questionnaire = Questions) -> void:
 		root.add_child(node)
 	_tracker.start()
 	_panel.answered.connect(
-		func(item: String, value: int, changes: int) -> void: _said.append([item, value, changes])
+		func(item: String, value: int, changes: int) -> void: _events.append([item, value, changes])
 	)
-	_panel.skipped.connect(func(item: String) -> void: _said.append([item]))
+	_panel.skipped.connect(func(item: String) -> void: _events.append([item]))
 	_panel.ask(asked, asked.items, {})
 	await _settle()
 

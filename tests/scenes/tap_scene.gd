@@ -23,7 +23,7 @@ func test_taps_turn_the_surface_red() -> void:
 	check_equal(player.log_fault(trials), "", "the logs")
 
 
-func test_a_hand_that_stops_short_leaves_it_as_it_is() -> void:
+func test_a_hand_that_stops_early_presses_nothing() -> void:
 	var player := TaskPlayer.new("tap", _folder.get_current_dir(), self)
 	var trial := {
 		trial = "short",

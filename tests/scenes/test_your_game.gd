@@ -112,13 +112,13 @@ func test_a_signal_that_does_not_come_is_waited_for_as_long_as_asked() -> void:
 	_free_nodes()
 
 
-func test_a_hand_that_no_tracker_follows_says_so() -> void:
+func test_a_hand_without_a_tracker_is_an_error() -> void:
 	# expects one error: GestureTestHand: no HandTracker follows it
 	await GestureTestHand.new().rest(1.0)
 	check(true, "it returns")
 
 
-func test_a_hand_whose_time_stands_still_says_so() -> void:
+func test_a_hand_with_equal_time_stamps_is_an_error() -> void:
 	# expects one error: its time does not advance, because HandTracker 'Paused' is paused
 	# expects one error: because HandTracker 'Manual' is in UPDATE_MANUAL. Set another update_mode
 	var hand := _make_nodes()

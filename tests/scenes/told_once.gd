@@ -20,8 +20,8 @@ func test_a_broken_track_in_an_evaluation() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("trials"), "--out", _path("out")])
 	check_equal(run.exit_code, 1, "exit code")
 	check_equal(_count(run, name), 1, "one line names it")
-	check_equal(run.not_said(["%s.measured.csv:4: index_y: 'zero'" % name]), "", "and its place")
-	check_equal(run.not_said(["evaluate: 1 trial left out, see above"]), "", "and how many")
+	check_equal(run.missing(["%s.measured.csv:4: index_y: 'zero'" % name]), "", "and its place")
+	check_equal(run.missing(["evaluate: 1 trial left out, see above"]), "", "and how many")
 
 
 func test_a_broken_track_in_the_demo() -> void:
@@ -49,10 +49,10 @@ func test_a_broken_model_in_an_evaluation() -> void:
 	check_equal(run.exit_code, 2, "exit code")
 	check_equal(_count(run, "half.gesture"), 1, "one line names it")
 	var line := half.count("\n") + 1
-	check_equal(run.not_said(["half.gesture:%d: not valid JSON" % line]), "", "and where it ends")
+	check_equal(run.missing(["half.gesture:%d: not valid JSON" % line]), "", "and where it ends")
 
 
-func test_a_gesture_that_no_model_is_of() -> void:
+func test_a_gesture_without_a_model_is_an_error() -> void:
 	var trials := Rig.write_trials(_path("unknown"), 2)
 	var table := FileAccess.get_file_as_string(_path("unknown/trials.csv"))
 	var renamed := table.replace(",horizontal_drag,", ",swipe,")
@@ -64,10 +64,10 @@ func test_a_gesture_that_no_model_is_of() -> void:
 		check_equal(_count(run, "no model of it"), 1, "one line for all its trials: %s" % context)
 		check_equal(_count(run, "WARNING"), 0, "and no other")
 		var number := "evaluate: %d trials without figures, see above" % trials.get_count()
-		check_equal(run.not_said([number]), "", "and how many")
+		check_equal(run.missing([number]), "", "and how many")
 
 
-func test_a_track_without_the_joint_is_told_in_one_line() -> void:
+func test_a_track_without_the_joint_gives_one_line() -> void:
 	var trials := Rig.write_trials(_path("thumbs"), 2)
 	var table := FileAccess.get_file_as_string(_path("thumbs/trials.csv"))
 	var row := table.get_slice("\n", 1)
@@ -86,8 +86,8 @@ func test_a_track_without_the_joint_is_told_in_one_line() -> void:
 		var line := (
 			"trial %s: its measured track has no motion of index_along_axis: %s" % [name, path]
 		)
-		check_equal(run.not_said([line]), "", "trial and file are named")
-	check_equal(run.said.count("WARNING"), 0, "and nothing else is said")
+		check_equal(run.missing([line]), "", "trial and file are named")
+	check_equal(run.output.count("WARNING"), 0, "and nothing else is said")
 
 
 ## The name of the trial whose measured track is no track any more.
@@ -98,7 +98,7 @@ static func _break_one(trials: TrialSet) -> String:
 
 ## Lines that have the text in them.
 static func _count(run: ToolRun, text: String) -> int:
-	var lines := Array(run.said.split("\n"))
+	var lines := Array(run.output.split("\n"))
 	return lines.filter(func(line: String) -> bool: return line.contains(text)).size()
 
 

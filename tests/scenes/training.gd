@@ -43,7 +43,7 @@ func test_own_models_come_out_again() -> void:
 		)
 
 
-func test_own_classifier_comes_out_again() -> void:
+func test_the_own_classifier_is_reproduced() -> void:
 	var path := _path("classifier")
 	check_equal(GestureTrainer.write_own_classifier(path), OK, "written")
 	check(
@@ -57,27 +57,27 @@ func test_own_classifier_comes_out_again() -> void:
 	)
 
 
-func test_where_a_model_cannot_be_written_is_told_before_the_training() -> void:
+func test_an_unwritable_model_path_is_reported_before_training() -> void:
 	for out: String in ["/proc/none.gesture", _path("few/new.gesture")]:
 		var options := ["--trials", _path("few"), "--gesture", String(GESTURE), "--out", out]
 		var run := ToolRun.new("train", options)
 		var may_write := not out.begins_with("/proc")
 		check_equal(run.exit_code == 0, may_write, out)
-		check_equal(run.said.contains("training %s" % GESTURE), may_write, "%s: trains" % out)
-		check_equal(run.not_said(["train: cannot write %s" % out]).is_empty(), not may_write, out)
+		check_equal(run.output.contains("training %s" % GESTURE), may_write, "%s: trains" % out)
+		check_equal(run.missing(["train: cannot write %s" % out]).is_empty(), not may_write, out)
 		check_equal(FileAccess.file_exists(out), may_write, "%s: is there" % out)
 
 
-func test_a_feature_that_is_not_there_is_told_before_a_recording_is_read() -> void:
+func test_an_unknown_feature_is_reported_before_recordings_are_read() -> void:
 	var options := ["--trials", _path("few"), "--gesture", String(GESTURE)]
 	options += ["--out", _path("few/no.gesture"), "--feature", "toe_angle"]
 	var run := ToolRun.new("train", options)
 	check_equal(run.exit_code == 0, false, "refused")
-	check_equal(run.not_said(["%s: there is no feature 'toe_angle'" % GESTURE]), "", "and why")
-	check(not run.said.contains("training %s" % GESTURE), "no progress before it")
+	check_equal(run.missing(["%s: there is no feature 'toe_angle'" % GESTURE]), "", "and why")
+	check(not run.output.contains("training %s" % GESTURE), "no progress before it")
 
 
-func test_what_is_odd_is_told_and_left_out() -> void:
+func test_odd_recordings_are_reported_and_left_out() -> void:
 	var trials := Rig.write_trials(_path("odd"), 4)
 	var told: Array[String] = [
 		" is left out: its measured track reaches ",
@@ -94,7 +94,7 @@ func test_what_is_odd_is_told_and_left_out() -> void:
 	var options := ["--trials", _path("odd"), "--gesture", String(GESTURE), "--out", out]
 	var run := ToolRun.new("train", options)
 	check_equal(run.exit_code, 0, "a model is trained of the others")
-	check_equal(run.said.count("\ntrial "), told.size() + 1, "nothing is said of sound trials")
+	check_equal(run.output.count("\ntrial "), told.size() + 1, "nothing is said of sound trials")
 	for index in told.size():
 		var name: String = trials.get_trial(index)["trial"]
 		var line: Array[String] = ["trial %s%s" % [name, told[index]]]
@@ -102,10 +102,10 @@ func test_what_is_odd_is_told_and_left_out() -> void:
 		line.append(
 			[trials.get_measured_path(index), trials.get_reference_path(index)][int(is_reference)]
 		)
-		check_equal(run.not_said(line), "", told[index])
+		check_equal(run.missing(line), "", told[index])
 	var unread := "trial %s is left out: %s: there is no such file"
 	var missing := unread % [trials.get_trial(5)["trial"], trials.get_reference_path(5)]
-	check_equal(run.not_said([missing]), "", "of what is not there")
+	check_equal(run.missing([missing]), "", "of what is not there")
 	var model := load(out) as GestureModel
 	var names := _names(trials, told.size() + 1)
 	names.remove_at(1)
@@ -121,7 +121,7 @@ func test_what_is_odd_is_told_and_left_out() -> void:
 		check_equal(curve.is_empty(), recording["trial"] in names, "%s: curve" % recording["trial"])
 
 
-func test_how_alike_recordings_have_to_be() -> void:
+func test_r2_threshold_drops_outlier_recordings() -> void:
 	var out := _path("alike/drag.gesture")
 	var options := ["--trials", _trials.get_path(), "--gesture", String(GESTURE), "--out", out]
 	var run := ToolRun.new("train", options + ["--r2-threshold", "0.999"])
@@ -130,7 +130,7 @@ func test_how_alike_recordings_have_to_be() -> void:
 	var of := _trials.get_count()
 	check(kept < of, "%d of %d are kept" % [kept, of])
 	var told := "train: %d of %d are less like the mean of all than R2 0.999: " % [of - kept, of]
-	check_equal(run.not_said([told]), "", "those that are not are told of")
+	check_equal(run.missing([told]), "", "those that are not are told of")
 	check_equal(model.get_provenance()["r2_threshold"], 0.999, "and the model says so")
 	check_equal(ToolRun.new("train", options + ["--r2-threshold", "2"]).exit_code, 2, "a share")
 
@@ -177,7 +177,7 @@ func test_cancelled_by_who_hears_of_progress() -> void:
 		check(trainer.train(_trials, GESTURE) != null, "the next training is not cancelled")
 
 
-func test_what_does_not_train_is_not_cancelled() -> void:
+func test_cancel_without_training_does_nothing() -> void:
 	var trainer := GestureTrainer.new()
 	trainer.cancel()
 	check(not trainer.is_cancelled(), "there was nothing to cancel")
@@ -199,7 +199,7 @@ func test_cancelled_from_another_thread() -> void:
 	check(thread.wait_to_finish() == null, "no model")
 
 
-func test_training_on_what_is_not_there() -> void:
+func test_training_on_a_gesture_without_trials_is_an_error() -> void:
 	# expects error: no trial of the gesture 'zoom', but of horizontal_drag
 	check(GestureTrainer.new().train(_trials, &"zoom") == null, "no trial of it: null")
 
@@ -217,7 +217,7 @@ func test_settings_out_of_range_are_refused() -> void:
 	check_equal(trainer.r2_threshold, 0.9, "r2_threshold")
 
 
-func test_saving_leaves_no_half() -> void:
+func test_saving_leaves_no_partial_file() -> void:
 	# expects error: no_such_folder
 	var model := GestureTrainer.new().train(_trials, GESTURE)
 	var path := _path("saved.gesture")
@@ -234,18 +234,18 @@ func test_a_name_that_is_no_models_is_refused_before_the_training() -> void:
 		FileAccess.open(_path("a_file"), FileAccess.WRITE).store_string("no folder")
 		var run := _train_to(name)
 		check_equal(run.exit_code, 2, "%s: exit code" % name)
-		check_equal(run.not_said(["train: ", _path(name).get_base_dir()]), "", "it is named")
-		check(not run.said.contains("training %s" % GESTURE), "and nothing is trained")
+		check_equal(run.missing(["train: ", _path(name).get_base_dir()]), "", "it is named")
+		check(not run.output.contains("training %s" % GESTURE), "and nothing is trained")
 		check(not FileAccess.file_exists(_path(name)), "nor written")
-	var ending := _train_to("nameless").not_said(["train: ", ".gesture"])
+	var ending := _train_to("nameless").missing(["train: ", ".gesture"])
 	check_equal(ending, "", "what a name ends in is said")
 
 
-func test_a_model_that_cannot_be_saved_is_said() -> void:
+func test_a_model_that_cannot_be_saved_is_an_error() -> void:
 	DirAccess.make_dir_absolute(_path("folder.gesture"))
 	var run := _train_to("folder.gesture")
 	check_equal(run.exit_code, 2, "exit code")
-	check_equal(run.not_said(["cannot write %s" % _path("folder.gesture")]), "", "it is said")
+	check_equal(run.missing(["cannot write %s" % _path("folder.gesture")]), "", "it is said")
 
 
 ## Of the first trials.

@@ -90,7 +90,7 @@ func test_the_tracker_may_come_after_the_node_and_be_replaced() -> void:
 	check(hand.tracker != null, "the first one is not the server's any more")
 
 
-func test_a_missing_tracker_is_a_failure_told_once() -> void:
+func test_a_missing_tracker_is_an_error_reported_once() -> void:
 	# expects one error: the XRServer has no hand tracker '/user/hand_tracker/left'
 	var tracker := _add_tracker()
 	var reasons: Array[String] = []
@@ -101,7 +101,7 @@ func test_a_missing_tracker_is_a_failure_told_once() -> void:
 	tracker.free()
 
 
-func test_a_tracker_of_another_class_is_told_once() -> void:
+func test_a_tracker_of_another_class_is_reported_once() -> void:
 	# expects one error: is an XRControllerTracker, not an XRHandTracker
 	var controller := XRControllerTracker.new()
 	controller.name = XRHand.RIGHT
@@ -113,7 +113,7 @@ func test_a_tracker_of_another_class_is_told_once() -> void:
 	tracker.free()
 
 
-func test_inferred_joints_are_told_apart() -> void:
+func test_inferred_joints_are_marked() -> void:
 	var hand := _add_hand()
 	hand.place(PLACE, XRHand.INFERRED)
 	var tracker := _add_tracker()

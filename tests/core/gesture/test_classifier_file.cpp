@@ -35,7 +35,7 @@ TEST_CASE("a classifier's file reads back to the same text") {
 	CHECK(format_classifier(read.value()) == text);
 }
 
-TEST_CASE("a damaged classifier gives one error with line and reason") {
+TEST_CASE("a damaged classifier file gives one error with line and reason") {
 	CHECK(error_of("").starts_with("a.classifier:1: not valid JSON"));
 	CHECK(error_of(own_text().substr(0, 5000)).find("not valid JSON") != std::string::npos);
 	CHECK(error_of("{}").starts_with("a.classifier:1: "));

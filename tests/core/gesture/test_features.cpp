@@ -48,7 +48,7 @@ Eigen::Vector3d solved_circle(const Triangle &t) {
 	return Vector(x(0), x(1), std::sqrt(x(2) + x(0) * x(0) + x(1) * x(1))).cast<double>();
 }
 
-/// By brute force: root of the summed squares of the radius' change for a small step of each point outwards.
+/// Error gain by brute force: root of the sum of squares of the radius' change for small steps of each point.
 double error_gain(const Triangle &t) {
 	const Eigen::Vector3d circle = solved_circle(t);
 	double sum = 0.0;
@@ -91,7 +91,7 @@ std::vector<TrainingRecording> synthetic_recordings(const std::string &gesture) 
 
 } // namespace
 
-TEST_CASE("a feature measures a frame that holds the joints it names, and none that lacks one of them") {
+TEST_CASE("a feature needs all of its joints in a frame") {
 	const Task task{ { 0.02, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), 0.2 };
 	HandFrame hand;
 	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {
@@ -113,14 +113,14 @@ TEST_CASE("a feature measures a frame that holds the joints it names, and none t
 	}
 }
 
-TEST_CASE("the circumradius of known triangles") {
+TEST_CASE("circumradius() is right for known triangles") {
 	CHECK(*circumradius({ 0, 0 }, { 3, 0 }, { 0, 4 }) == test::near(2.5).epsilon(1e-15));
 	CHECK(*circumradius({ 0, 0 }, { 1, 0 }, { 0.5, std::sqrt(0.75) }) ==
 			test::near(1.0 / std::sqrt(3.0)).epsilon(1e-15));
 	CHECK(*circumradius({ 0, 0 }, { 14, 0 }, { 5, 12 }) == test::near(65.0 / 8.0).epsilon(1e-15));
 }
 
-TEST_CASE("three points of a random circle give its radius, wherever it is and however it is turned") {
+TEST_CASE("circumradius() finds the radius of random circles") {
 	std::mt19937_64 random(1);
 	std::uniform_real_distribution<double> angle(0.0, 2.0 * PI), exponent(-9.0, 9.0), place(-1.0, 1.0);
 	int given = 0;
@@ -134,8 +134,7 @@ TEST_CASE("three points of a random circle give its radius, wherever it is and h
 			continue;
 		}
 		++given;
-		// Rounding of the coordinates (at most 11 radii, 2^-53 of that) comes out magnified by at most the
-		// gain.
+		// The gain magnifies the rounding of the coordinates, which are at most 11 radii: 2^-53 of them.
 		REQUIRE(*found == test::near(radius).epsilon(1e-13));
 		const Eigen::Rotation2Dd turn(angle(random));
 		const Vector2d shift = radius * Vector2d{ place(random), place(random) };
@@ -147,12 +146,12 @@ TEST_CASE("three points of a random circle give its radius, wherever it is and h
 	CHECK(given > 15000);
 }
 
-TEST_CASE("a radius is put out where an error of the tips is magnified by less than ten, nowhere else") {
+TEST_CASE("a radius exists only if it magnifies tip errors less than tenfold") {
 	std::mt19937_64 random(2);
 	std::uniform_real_distribution<double> place(-1.0, 1.0);
 	int given = 0, withheld = 0;
 	for (int i = 0; i < 20000; ++i) {
-		// Half of them flat, or with two points near each other.
+		// Half of the triangles are flat, or have two points near each other.
 		const double flat = i % 2 == 0 ? 1.0 : 0.1;
 		Triangle t;
 		for (Vector2d &p : t) {
@@ -173,7 +172,7 @@ TEST_CASE("a radius is put out where an error of the tips is magnified by less t
 	CHECK(withheld > 2000);
 }
 
-TEST_CASE("beside its radius a zoom's place has how far the tips' circle is beyond their own size") {
+TEST_CASE("a zoom's position includes the radius minus the tips' size") {
 	// The mean square distance of points on a circle from their mean g is R^2 - |o - g|^2.
 	const Feature &zoom = *find_feature("tips_circumradius");
 	std::mt19937_64 random(4);
@@ -190,7 +189,7 @@ TEST_CASE("beside its radius a zoom's place has how far the tips' circle is beyo
 		const double size = std::sqrt(0.03 * 0.03 - (centre - mean).squaredNorm());
 		REQUIRE((*place - FeaturePlace(mean.x(), mean.y(), 0.03 - size, 0.03)).norm() < 1e-12);
 	}
-	// Tips that spread as they are keep their shape: a third of a circle apart, the two are alike.
+	// Tips that spread keep their shape. At a third of a circle apart, radius and size are equal.
 	const auto third = [](double radius) {
 		return Triangle{ on_circle({ 0, 0 }, radius, 0.1), on_circle({ 0, 0 }, radius, 0.1 + 2.0 * PI / 3.0),
 			on_circle({ 0, 0 }, radius, 0.1 - 2.0 * PI / 3.0) };
@@ -198,7 +197,7 @@ TEST_CASE("beside its radius a zoom's place has how far the tips' circle is beyo
 	CHECK(std::abs((*zoom.place(tips(third(0.05))))(2)) < 1e-15);
 }
 
-TEST_CASE("tips in line, two or all in one point, at any size: no radius, and never one that is not finite") {
+TEST_CASE("tips in a line or in one point have no radius") {
 	for (const double size : { 1e-300, 1e-9, 1.0, 1e9, 1e300 }) {
 		const Vector2d a(0.1 * size, 0.7 * size), along(0.3 * size, -0.2 * size);
 		CHECK_FALSE(circumradius(a, a, a));
@@ -213,7 +212,7 @@ TEST_CASE("tips in line, two or all in one point, at any size: no radius, and ne
 	CHECK_FALSE(circumradius({ 0, 0 }, { 0, 0 }, { 0, 0 }));
 	const double largest = std::numeric_limits<double>::max();
 	CHECK_FALSE(circumradius({ -largest, 0 }, { largest, 0 }, { 0, largest }));
-	// Ever nearer to a line: values as long as there are any, finite ones.
+	// Nearer and nearer to a line: each value is finite.
 	int given = 0;
 	for (int halvings = 0; halvings < 1060; ++halvings) {
 		const double height = std::ldexp(1.0, -halvings);
@@ -226,7 +225,7 @@ TEST_CASE("tips in line, two or all in one point, at any size: no radius, and ne
 	CHECK(given == 3);
 }
 
-TEST_CASE("the tips' circle: z left out, 0 at the starting radius, three tips or nothing") {
+TEST_CASE("tips_circumradius ignores z, needs three tips, is 0 at the start") {
 	const Feature *const feature = find_feature("tips_circumradius");
 	REQUIRE(feature != nullptr);
 	const Task task{ { 0.015, 0.0, 0.0 }, Eigen::Vector3d::Zero(), 0.03 };
@@ -245,7 +244,7 @@ TEST_CASE("the tips' circle: z left out, 0 at the starting radius, three tips or
 	}
 }
 
-TEST_CASE("the way along a circle is its arc, round after round, forwards and backwards") {
+TEST_CASE("index_along_circle is the arc length over several rounds, in both directions") {
 	const Feature *const feature = find_feature("index_along_circle");
 	REQUIRE(feature != nullptr);
 	std::mt19937_64 random(3);
@@ -261,7 +260,7 @@ TEST_CASE("the way along a circle is its arc, round after round, forwards and ba
 		const Task task{ place(0.0, 1.0), { -std::sin(begin_rad), std::cos(begin_rad), 0.0 },
 			2.0 * PI * radius_m };
 		MotionElement element(*feature);
-		// Back by more than half a round, on by almost three, and back.
+		// Back by more than half a round, forward by almost three, and back.
 		for (int step = 0; step <= 380; ++step) {
 			const double angle_rad = 0.1 * (step < 40 ? -step : step < 260 ? step - 80 : 440 - step);
 			const std::optional<double> x_m =
@@ -281,7 +280,7 @@ TEST_CASE("the way along a circle is its arc, round after round, forwards and ba
 	CHECK_FALSE(feature->measure(index_at({ 1, 1, 1 }), { {}, Eigen::Vector3d::UnitZ(), 0.3 }));
 }
 
-TEST_CASE("every feature stays finite, or silent, at the smallest and largest coordinates") {
+TEST_CASE("every feature is finite or nullopt at extreme coordinates") {
 	std::mt19937_64 random(4);
 	std::uniform_real_distribution<double> any(-1.0, 1.0);
 	for (const Feature &feature : features()) {
@@ -303,7 +302,7 @@ TEST_CASE("every feature stays finite, or silent, at the smallest and largest co
 	}
 }
 
-TEST_CASE("along its direction a feature's place grows as the motion element does") {
+TEST_CASE("a feature's position and motion element grow alike along its direction") {
 	std::mt19937_64 random(5);
 	std::uniform_real_distribution<double> any(-1.0, 1.0);
 	for (const Feature &feature : features()) {
@@ -332,7 +331,7 @@ TEST_CASE("along its direction a feature's place grows as the motion element doe
 	}
 }
 
-TEST_CASE("recordings tell which feature they are about") {
+TEST_CASE("the feature is found from the axes of the recordings") {
 	for (const auto &[gesture, feature] : { std::pair("horizontal_drag", "index_along_axis"),
 				 std::pair("vertical_drag", "index_along_axis"), std::pair("tap", "index_along_axis"),
 				 std::pair("zoom", "tips_circumradius"), std::pair("circle", "index_along_circle") }) {

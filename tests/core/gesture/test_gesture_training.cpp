@@ -17,7 +17,7 @@
 
 using namespace steadyhand;
 
-TEST_CASE("the velocity of a steady ramp is its slope, whatever the sampling") {
+TEST_CASE("the velocity of a ramp is its slope at any sampling") {
 	std::mt19937_64 random(1);
 	std::uniform_real_distribution<double> step(0.001, 0.03);
 	ObservationWindow window;
@@ -39,7 +39,7 @@ TEST_CASE("equal and backward time stamps leave the velocity finite") {
 	CHECK(window.position_m() == 0.2);
 }
 
-TEST_CASE("the quantiser finds clusters that are there, and names the nearest") {
+TEST_CASE("the quantiser finds the clusters and the nearest codeword") {
 	std::mt19937_64 random(2);
 	std::normal_distribution<double> noise(0.0, 0.01);
 	std::vector<Observation> points;
@@ -55,7 +55,7 @@ TEST_CASE("the quantiser finds clusters that are there, and names the nearest") 
 	}
 }
 
-TEST_CASE("each codeword is the mean of the observations that it is nearest to, in order") {
+TEST_CASE("each codeword is the mean of its nearest observations, sorted") {
 	std::mt19937_64 random(3);
 	std::normal_distribution<double> normal;
 	std::vector<Observation> points;
@@ -95,7 +95,7 @@ TEST_CASE("each codeword is the mean of the observations that it is nearest to, 
 			CHECK((k == 0 || codebook(k - 1, 0) < codebook(k, 0)));
 		}
 	}
-	// Of one position the slower ones come first.
+	// At equal positions the slower codeword comes first.
 	std::vector<Observation> column;
 	for (int i = 0; i < 40; ++i) {
 		column.emplace_back(1.0, i % 4);
@@ -106,7 +106,7 @@ TEST_CASE("each codeword is the mean of the observations that it is nearest to, 
 	}
 }
 
-TEST_CASE("identical or no observations give a codebook of numbers") {
+TEST_CASE("identical or no observations give a finite codebook") {
 	for (const std::size_t n : { 0U, 1U, 50U }) {
 		const VectorQuantiser quantiser =
 				VectorQuantiser::trained(std::vector<Observation>(n, { 0.5, 1.0 }), 16);
@@ -116,9 +116,9 @@ TEST_CASE("identical or no observations give a codebook of numbers") {
 	}
 }
 
-TEST_CASE("a movement's onset is found where its speed passes 5 % of the peak") {
-	// v / v_peak = 16 s^2 (1 - s)^2 for a minimum jerk, so the onset lies at 4 s (1 - s) = sqrt(0.05): s =
-	// 0.0594.
+TEST_CASE("a movement's onset is at 5 % of its peak speed") {
+	// v / v_peak = 16 s^2 (1 - s)^2 for a minimum-jerk movement. So the onset is at 4 s (1 - s) = sqrt(0.05),
+	// s = 0.0594.
 	const RecordedCurve curve =
 			test::minimum_jerk_curve({ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 }, 240.0);
 	const MovementSpan span = movement_span(curve, 0.3, 1.6);
@@ -127,12 +127,12 @@ TEST_CASE("a movement's onset is found where its speed passes 5 % of the peak") 
 	const Eigen::VectorXd normalised = normalised_curve(curve, { 0.6, 1.6 });
 	for (Eigen::Index i = 0; i < CURVE_POINTS; ++i) {
 		const double s = static_cast<double>(i) / 100.0;
-		// A 240th of a second's acceleration between two samples, at most.
+		// Tolerance: the change of speed between two samples at 240 Hz.
 		CHECK(std::abs(normalised(i) - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)) < 2e-5);
 	}
 }
 
-TEST_CASE("curves that are unlike the mean are dropped from the reference") {
+TEST_CASE("outlier curves are dropped from the reference") {
 	std::vector<Eigen::VectorXd> curves(9, Eigen::VectorXd::LinSpaced(CURVE_POINTS, 0.0, 1.0));
 	curves.push_back(Eigen::VectorXd::LinSpaced(CURVE_POINTS, 1.0, 0.0));
 	const ReferenceCurve reference = reference_curve(curves, 0.9);
@@ -143,7 +143,7 @@ TEST_CASE("curves that are unlike the mean are dropped from the reference") {
 	CHECK(reference.r2.front() == test::near(0.96).epsilon(1e-9));
 }
 
-TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
+TEST_CASE("training on minimum-jerk drags gives the minimum-jerk curve") {
 	const GestureModel model = test::trained_drag_model();
 	CHECK(model.provenance.recordings == 12);
 	CHECK(model.elements.size() == 4);
@@ -163,8 +163,8 @@ TEST_CASE("training on minimum-jerk drags gives back the minimum-jerk curve") {
 	}
 }
 
-TEST_CASE("a model says where its recordings began, which way and how long they went, and how fast") {
-	// All of one duration: the mean duration is that from 5 % of the peak speed on, s = 0.0594.
+TEST_CASE("a model has its recordings' mean start, axis, amplitude and duration") {
+	// All have the same duration. The mean duration begins at 5 % of the peak speed, s = 0.0594.
 	for (const double duration_s : { 0.5, 2.0 }) {
 		CAPTURE(duration_s);
 		std::vector<TrainingRecording> recordings;
@@ -177,7 +177,7 @@ TEST_CASE("a model says where its recordings began, which way and how long they 
 			recordings.push_back({ "drag", task, 0.3, end_s, test::drag_track(drag, 110.0, end_s + 0.5),
 					test::drag_track(drag, 240.0, end_s + 0.5) });
 		}
-		// One that goes nowhere counts for nothing.
+		// A recording without movement has no influence.
 		TrainingRecording &still = recordings.emplace_back(recordings[0]);
 		still.name = "still";
 		still.reference = test::drag_track({ .amplitude_m = 0.0 }, 240.0, 3.0);
@@ -189,7 +189,7 @@ TEST_CASE("a model says where its recordings began, which way and how long they 
 		CHECK((model.typical_task.axis - Task{}.axis).norm() < 1e-12);
 		CHECK(model.duration_mean_s == test::near(0.9406 * duration_s).epsilon(0.01));
 		CHECK(model.duration_deviation_s < 0.01 * duration_s);
-		// The peak speed, 1.875 amplitudes by the whole duration, by that of the model.
+		// The peak speed, 1.875 amplitudes / whole duration, relative to that of the model.
 		CHECK(model.quantiser.codebook().col(1).maxCoeff() == test::near(1.875 * 0.9406).epsilon(0.06));
 	}
 	const GestureModel model = test::trained_drag_model();
@@ -204,7 +204,7 @@ TEST_CASE("a model says where its recordings began, which way and how long they 
 	CHECK_FALSE(train("drag", "index_along_axis", test::drag_recordings(), options).ok());
 }
 
-TEST_CASE("training is deterministic and says what it cannot do") {
+TEST_CASE("training is deterministic, and its errors name the cause") {
 	CHECK(format_model(test::trained_drag_model()) == format_model(test::trained_drag_model()));
 	const std::vector<TrainingRecording> drags = test::drag_recordings();
 	CHECK(train("none", "index_along_axis", drags, {}).error() ==
@@ -223,7 +223,7 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 		options.r2_threshold = threshold;
 		CHECK(train("drag", "index_along_axis", drags, options).error().ends_with("is not in 0..1"));
 	}
-	// A clock of microseconds: a symbol in 10 ms of it is more than there is memory.
+	// Times in microseconds: symbols at 10 ms would not fit into memory.
 	std::vector<TrainingRecording> of_another_unit = drags;
 	for (TrainingRecording &recording : of_another_unit) {
 		recording.start_s *= 1e6;
@@ -241,7 +241,7 @@ TEST_CASE("training is deterministic and says what it cannot do") {
 	CHECK(train("drag", "index_along_axis", drags, options).error() == "drag: training was stopped");
 }
 
-TEST_CASE("training refuses pseudo-counts of 0, with which a state that saw nothing has no probabilities") {
+TEST_CASE("training refuses pseudo-counts of 0") {
 	const std::vector<TrainingRecording> drags = test::drag_recordings();
 	for (const double count : { 0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL }) {
 		TrainingOptions options;
@@ -253,7 +253,7 @@ TEST_CASE("training refuses pseudo-counts of 0, with which a state that saw noth
 	}
 }
 
-TEST_CASE("training warns where more states are asked for than the recordings determine") {
+TEST_CASE("training warns of more states than the recordings determine") {
 	std::mt19937_64 random(8);
 	std::normal_distribution<double> odd(0.0, 0.04);
 	std::vector<TrainingRecording> drags = test::drag_recordings();
@@ -277,10 +277,10 @@ TEST_CASE("training warns where more states are asked for than the recordings de
 	}
 }
 
-TEST_CASE("when a recording was made does not change the model") {
+TEST_CASE("the date of a recording does not change the model") {
 	const auto codebook = [](double later_s) {
 		std::vector<TrainingRecording> recordings = test::drag_recordings();
-		// On a clock of 1 / 1024 s, so that no stamp is rounded by another.
+		// Times are multiples of 1 / 1024 s, so that a shift does not round them.
 		const auto moved = [&](double t_s) { return std::round(1024.0 * t_s) / 1024.0 + later_s; };
 		for (TrainingRecording &recording : recordings) {
 			recording.start_s = moved(recording.start_s);
@@ -297,10 +297,10 @@ TEST_CASE("when a recording was made does not change the model") {
 	CHECK((codebook(64.0) - codebook(0.0)).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("a model holds each direction of its recordings") {
+TEST_CASE("a model has each direction of its recordings") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	CHECK(train("drag", "index_along_axis", drags, {}).value().other_axes.empty());
-	// Half of them, and so many that a plain mean of the axes would be none.
+	// Half of them are reversed, so that a mean of the axes would be 0.
 	for (std::size_t i = 1; i < drags.size(); i += 2) {
 		for (Track *track : { &drags[i].measured, &drags[i].reference }) {
 			for (HandFrame &frame : track->frames) {
@@ -315,7 +315,7 @@ TEST_CASE("a model holds each direction of its recordings") {
 	CHECK(parse_model(format_model(both), "a.gesture").value().other_axes == both.other_axes);
 }
 
-TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step of it") {
+TEST_CASE("training reports progress from 0 to 1 and stops on request") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	drags.erase(drags.begin() + 4, drags.end()); // it is trained anew for each step
 	TrainingOptions options;
@@ -346,7 +346,7 @@ TEST_CASE("progress goes from 0 to 1, and training can be stopped at each step o
 	CHECK((sum / model.provenance.recordings - model.reference_mean).norm() < 1e-12);
 }
 
-TEST_CASE("one recording, and recordings of one frame, train or say why not") {
+TEST_CASE("one recording, or recordings of one frame, give a model or error") {
 	std::vector<TrainingRecording> one = test::drag_recordings();
 	one.resize(1);
 	CHECK(train("drag", "index_along_axis", one, {}).ok());
@@ -366,7 +366,7 @@ TEST_CASE("a model file reads back to the same bits") {
 	CHECK(read.value().reference_mean == model.reference_mean);
 }
 
-TEST_CASE("a damaged model file gets one error that names what and where") {
+TEST_CASE("a damaged model file gives one error with cause and place") {
 	const std::string text = format_model(test::trained_drag_model());
 	const auto replaced = [&](const std::string &what, const std::string &with) {
 		std::string damaged = text;

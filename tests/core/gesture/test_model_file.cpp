@@ -1,4 +1,4 @@
-// Model files that are valid JSON and still no model.
+// Model files that are valid JSON, but no valid model.
 
 #include "gesture/model_file.h"
 #include "near.h"
@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The error of a file of the drag's model with a change; empty where it is read.
+/// Error of a file of the drag's model with a change; empty if it is read.
 std::string error_of(const std::function<void(Json &r_file)> &change) {
 	static const Json file = Json::parse(format_model(test::drag_model()));
 	Json changed = file;
@@ -30,7 +30,7 @@ std::string error_of(const std::function<void(Json &r_file)> &change) {
 
 } // namespace
 
-TEST_CASE("a model file is refused where its shapes do not belong together") {
+TEST_CASE("a model file with inconsistent shapes is refused") {
 	CHECK(error_of([](Json &) {}).empty());
 	const std::string counts =
 			"a.gesture:1: the counts of states (elements) and symbols (codebook) differ from the hmm's";
@@ -86,7 +86,7 @@ TEST_CASE("a model file is refused where its shapes do not belong together") {
 	}) == "a.gesture:1: elements: more than 256 states");
 }
 
-TEST_CASE("a model file is refused where a number could not be one of a model") {
+TEST_CASE("a model file with an invalid number is refused") {
 	const auto first_element = [](const char *key, const Json &value) {
 		return error_of([&](Json &r_file) { r_file["elements"][0][key] = value; });
 	};
@@ -100,7 +100,7 @@ TEST_CASE("a model file is refused where a number could not be one of a model") 
 			"a.gesture:1: codebook[1]: not a number");
 	CHECK(error_of([](Json &r_file) { r_file["reference_mean"][7] = nullptr; }) ==
 			"a.gesture:1: reference_mean[7]: not a number");
-	// log 0 is null, where there are logarithms.
+	// A log probability may be null, which is log 0.
 	CHECK(error_of([](Json &r_file) { r_file["provenance"]["objective"] = { nullptr, -3.0 }; }).empty());
 	for (const Json &recordings : { Json(-1), Json(2e9), Json("12") }) {
 		CHECK(error_of([&](Json &r_file) {
@@ -113,7 +113,7 @@ TEST_CASE("a model file is refused where a number could not be one of a model") 
 	}
 }
 
-TEST_CASE("a model file is refused where its gesture has no name that a file may have") {
+TEST_CASE("a model file whose gesture name is no file name is refused") {
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = ""; }) == "a.gesture:1: gesture: '' is empty");
 	CHECK(error_of([](Json &r_file) { r_file["gesture"] = "a/b"; }) ==
 			"a.gesture:1: gesture: 'a/b' has a character that no file name may have");
@@ -126,7 +126,7 @@ TEST_CASE("a model file is refused where its gesture has no name that a file may
 			"a.gesture:1: reference_deviation: less than 0");
 }
 
-TEST_CASE("a model file of 300,000 members in one object is refused at once") {
+TEST_CASE("a model file of 300,000 members is refused at once") {
 	std::string text = "{\n\"a\": [";
 	for (int i = 0; i < 300'000; ++i) {
 		text += (i == 0 ? "{\"k" : ",\"k") + std::to_string(i) + "\": 0";
@@ -136,13 +136,13 @@ TEST_CASE("a model file of 300,000 members in one object is refused at once") {
 	CHECK(read.error() == "a.gesture:1: an object has more than 64 members");
 }
 
-TEST_CASE("a model file of arrays within arrays is refused") {
+TEST_CASE("a model file of nested arrays is refused") {
 	const std::string deep(300'000, '[');
 	CHECK_FALSE(parse_model(deep, "a.gesture").ok());
 	CHECK_FALSE(parse_model(deep + std::string(300'000, ']'), "a.gesture").ok());
 }
 
-TEST_CASE("a model file is refused where a duration or deviation would make the motion no number") {
+TEST_CASE("a model file with an extreme duration or deviation is refused") {
 	for (const double mean_s : { 1e-300, -1.0, 1e200 }) {
 		const std::string wanted = "a.gesture:1: duration_mean_s: not within 1e-05 .. 3600";
 		CHECK(error_of([&](Json &r_file) { r_file["duration_mean_s"] = mean_s; }) == wanted);
@@ -163,7 +163,7 @@ TEST_CASE("a model file is refused where a duration or deviation would make the 
 			"a.gesture:1: typical_amplitude_m: not within 1e-06 .. 1e+09");
 }
 
-TEST_CASE("a model file is refused where an element is too short to make a finite motion") {
+TEST_CASE("a model file with a too short motion element is refused") {
 	const auto with_end = [](std::size_t element, double phase) {
 		return error_of([&](Json &r_file) {
 			r_file["elements"][element]["phase_end"] = phase;
@@ -180,7 +180,7 @@ TEST_CASE("a model file is refused where an element is too short to make a finit
 	CHECK(with_end(1, begin + 0.011).empty());
 }
 
-TEST_CASE("a model file is refused where its way's axis is not of unit length, which a radius has none of") {
+TEST_CASE("a model file with a wrong axis is refused") {
 	const auto with_axis = [](const char *feature, const Json &axis) {
 		return error_of([&](Json &r_file) {
 			r_file["feature"] = feature;
@@ -197,7 +197,7 @@ TEST_CASE("a model file is refused where its way's axis is not of unit length, w
 	CHECK(with_axis("tips_circumradius", { 2.0, 0.0, 0.0 }).empty());
 }
 
-TEST_CASE("the phase of a value is 0 below the reference, 1 beyond it, and where it passes in between") {
+TEST_CASE("phase_of_value inverts the reference, 0 below it, 1 beyond it") {
 	GestureModel model;
 	model.reference_mean = Eigen::VectorXd::LinSpaced(101, 0.1, 0.9);
 	CHECK(phase_of_value(model, 0.0) == 0.0);

@@ -48,18 +48,18 @@ void keep_until(Track &track, double end_s) {
 
 } // namespace
 
-TEST_CASE("nothing is odd about recordings of simulated drags") {
+TEST_CASE("recordings of simulated drags have no oddity") {
 	for (const TrainingRecording &recording : test::drag_recordings()) {
 		CHECK(oddity(*find_feature("index_along_axis"), recording).empty());
 	}
-	// As bad trackers do: far off for a frame, late, lost before the hand has settled.
+	// Faults of bad trackers: a jump of one frame, latency, a dropout before the hand has settled.
 	CHECK(told_of([](TrainingRecording &r) {
 		r.measured.frames[9].set(Joint::INDEX, { 9.9, 0.0, 0.0 });
 	}).empty());
 	CHECK(told_of([](TrainingRecording &r) { keep_until(r.measured, r.end_s - 0.09); }).empty());
 }
 
-TEST_CASE("what makes a recording one of something else is told") {
+TEST_CASE("the oddity of a recording names its cause") {
 	const std::vector<std::pair<std::string, std::function<void(TrainingRecording &)>>> odd = {
 		{ "its reference reaches 1000.000 amplitudes, not 1: check metres, start, axis, amplitude",
 				[](TrainingRecording &r) { scale(r.reference, 1000.0); } },
@@ -101,11 +101,11 @@ TEST_CASE("what makes a recording one of something else is told") {
 	for (const auto &[told, change] : odd) {
 		CHECK(told_of(change) == told);
 	}
-	// Of numbers that no text is made for.
+	// With numbers that have no text.
 	CHECK(told_of([](TrainingRecording &r) { scale(r.measured, 1e300); }).size() < 400);
 }
 
-TEST_CASE("a measured track that ends early is told of, and learnt from all the same") {
+TEST_CASE("a measured track that ends early is reported and used") {
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	keep_until(drags[3].measured, 0.8);
 	std::vector<NormalisedRecording> told;
@@ -118,7 +118,7 @@ TEST_CASE("a measured track that ends early is told of, and learnt from all the 
 	}
 }
 
-TEST_CASE("what spoils a recording leaves it out of the model, by name, as if it had not been made") {
+TEST_CASE("a spoiled recording is left out of the model and named") {
 	const std::vector<std::pair<std::string, std::function<void(TrainingRecording &)>>> spoilt = {
 		{ "its amplitude_m is empty or not above 0", [](TrainingRecording &r) { r.task.amplitude_m = 0.0; } },
 		{ "its amplitude_m is empty or not above 0",
@@ -171,8 +171,8 @@ TEST_CASE("what spoils a recording leaves it out of the model, by name, as if it
 	}
 }
 
-TEST_CASE("a hand that has come back by the end that was written down is no gesture, and spoils no mean") {
-	// What goes on for hundreds of amplitudes once it is normalised was all that was like the mean.
+TEST_CASE("a recording whose hand is back at its end is left out") {
+	// Normalised, this recording has hundreds of amplitudes. It must not dominate the mean.
 	std::vector<TrainingRecording> drags = test::drag_recordings();
 	for (HandFrame &frame : drags[5].reference.frames) {
 		const double x_m = frame.position(Joint::INDEX).x();
@@ -186,7 +186,7 @@ TEST_CASE("a hand that has come back by the end that was written down is no gest
 	CHECK(parse_model(format_model(model), "drag.gesture").ok());
 }
 
-TEST_CASE("a reference may be a frame short of the gesture's end, as where a recorder stops with it") {
+TEST_CASE("a reference may end one frame before the gesture") {
 	TrainingRecording recording = sound_drag();
 	keep_until(recording.reference, recording.end_s - 1e-4);
 	CHECK(unusable(*find_feature("index_along_axis"), recording).empty());

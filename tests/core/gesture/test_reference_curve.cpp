@@ -1,4 +1,4 @@
-// From recordings to the reference curve, and from that to motion elements.
+// The reference curve from recordings, and its motion elements.
 
 #include "gesture/motion_elements.h"
 #include "gesture/reference_curve.h"
@@ -30,7 +30,7 @@ RecordedCurve recorded(const std::function<double(double)> &x_m, double from_s, 
 	return curve;
 }
 
-/// State k shows symbol k alone; any state may follow it but an earlier one.
+/// State k emits symbol k only. No earlier state may follow it.
 GestureModel model_of_states(Eigen::Index states) {
 	GestureModel model;
 	model.hmm.log_pi = Eigen::VectorXd::Constant(states, NEVER);
@@ -59,7 +59,7 @@ SymbolSequence runs(const std::vector<std::size_t> &lengths) {
 
 } // namespace
 
-TEST_CASE("where a movement begins does not depend on its direction, its size or where it is") {
+TEST_CASE("a movement's onset does not depend on direction, size or position") {
 	const test::Drag drag{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 	const auto span = [&](double factor, double offset_m) {
 		return movement_span(
@@ -76,7 +76,7 @@ TEST_CASE("where a movement begins does not depend on its direction, its size or
 	CHECK(normalised_curve(still, { 0.3, 1.6 }).isZero(0.0));
 }
 
-TEST_CASE("a movement begins before its half, where the hand was last still") {
+TEST_CASE("a movement begins at the last rest before its half") {
 	const test::Drag first{ .onset_s = 0.5, .duration_s = 0.6, .amplitude_m = 1.0 },
 			second{ .onset_s = 1.5, .duration_s = 0.6, .amplitude_m = 1.0 };
 	const auto onset_s = [&](double share) {
@@ -87,7 +87,7 @@ TEST_CASE("a movement begins before its half, where the hand was last still") {
 	CHECK(onset_s(0.3) == test::near(1.5 + 0.6 * 0.0594).epsilon(0.02));
 }
 
-TEST_CASE("before its first sample and after its last a recording is held") {
+TEST_CASE("a recording is constant before its first and after its last sample") {
 	const auto ramp = recorded([](double t_s) { return 3.0 + t_s; }, 1.0, 2.0);
 	const Eigen::VectorXd curve = normalised_curve(ramp, { 0.5, 2.5 });
 	for (Eigen::Index i = 0; i < CURVE_POINTS; ++i) {
@@ -96,7 +96,7 @@ TEST_CASE("before its first sample and after its last a recording is held") {
 	}
 }
 
-TEST_CASE("the reference is the mean of the curves that are kept, and their sample standard deviation") {
+TEST_CASE("the reference has the mean and standard deviation of the kept curves") {
 	const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(CURVE_POINTS, 0.0, 1.0);
 	const std::vector<Eigen::VectorXd> curves{ 0.8 * ramp, 0.9 * ramp, 1.3 * ramp };
 	const ReferenceCurve reference = reference_curve(curves, 0.0);
@@ -107,18 +107,18 @@ TEST_CASE("the reference is the mean of the curves that are kept, and their samp
 	CHECK(one.deviation.isZero(0.0));
 	CHECK(one.mean == curves[0]);
 
-	// Nobody is like the mean: who is least unlike it is kept all the same.
+	// No curve is near the mean: the nearest one is kept.
 	const std::vector<Eigen::VectorXd> unlike{ ramp, -ramp, 0.0 * ramp, 0.1 * ramp };
 	const ReferenceCurve best = reference_curve(unlike, 0.999);
 	CHECK(std::count(best.kept.begin(), best.kept.end(), true) == 1);
-	// A curve that does not vary has no R^2; the mean is 0.025 s.
+	// A constant curve has no R^2. The mean is 0.025 s.
 	CHECK(best.r2[2] == 0.0);
 	const double square = ramp.squaredNorm(), variance = (ramp.array() - 0.5).square().sum();
 	CHECK(best.r2[0] == test::near(1.0 - 0.975 * 0.975 * square / variance));
 	CHECK(best.r2[3] == test::near(1.0 - 0.075 * 0.075 * square / (0.01 * variance)));
 }
 
-TEST_CASE("motion elements divide the curve as the states divide the recordings") {
+TEST_CASE("motion elements divide the curve as states divide the recordings") {
 	GestureModel model = model_of_states(3);
 	model.duration_mean_s = 1.5;
 	const std::vector<SymbolSequence> sequences{ runs({ 2, 3, 5 }), {}, runs({ 8, 4, 8 }) };
@@ -140,7 +140,7 @@ TEST_CASE("motion elements divide the curve as the states divide the recordings"
 				test::near(std::sqrt(0.5) * std::abs(in_second_s[i] - in_first_s[i])));
 		CHECK(std::abs(element.deviation - points[i]) < 0.006); // a point at the end may round either way
 	}
-	// Of degree 5, as the reference: nothing is left to fit or to join.
+	// The elements have degree 5, as the reference: the fit is exact.
 	for (int percent = 0; percent <= 100; ++percent) {
 		const Polynomial::Point point = minimum_jerk(0.01 * percent);
 		const CurvePoint played = evaluate(model, 0.01 * percent);
@@ -150,7 +150,7 @@ TEST_CASE("motion elements divide the curve as the states divide the recordings"
 	}
 }
 
-TEST_CASE("a state that the recordings skip has an element all the same") {
+TEST_CASE("a state that the recordings skip has a motion element") {
 	GestureModel model = model_of_states(4);
 	model.duration_mean_s = 2.0;
 	cut_into_elements(std::vector<SymbolSequence>{ runs({ 5, 0, 5, 10 }) }, std::array{ 2.0 }, 5, model);
@@ -164,7 +164,7 @@ TEST_CASE("a state that the recordings skip has an element all the same") {
 	CHECK(model.elements[3].phase_end == 1.0);
 }
 
-TEST_CASE("of odd recordings and many states no element swings beyond its piece") {
+TEST_CASE("odd recordings and many states give no overshooting motion element") {
 	std::mt19937_64 random(7);
 	std::normal_distribution<double> odd(0.0, 0.15);
 	int lowered = 0;
@@ -200,7 +200,7 @@ TEST_CASE("of odd recordings and many states no element swings beyond its piece"
 	CHECK(lowered > 0);
 }
 
-TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the middle, and end at 1") {
+TEST_CASE("motion elements of low degree join, from 0 at rest to 1") {
 	GestureModel model = model_of_states(3);
 	model.duration_mean_s = 1.0;
 	cut_into_elements(std::vector<SymbolSequence>{ runs({ 4, 3, 3 }) }, std::array{ 1.0 }, 1, model);
@@ -209,7 +209,7 @@ TEST_CASE("elements of too low a degree still begin at 0 at rest, meet in the mi
 	CHECK(evaluate(model, 1.0).value == test::near(1.0));
 	for (const std::size_t i : { 0U, 1U }) {
 		const double joint = model.elements[i].phase_end;
-		// Lines through the reference on either side, apart from each other.
+		// Lines through the reference that do not meet.
 		const auto line = [&](double from, double to) {
 			std::vector<double> s, y;
 			for (Eigen::Index k = 0; k < CURVE_POINTS; ++k) {

@@ -1,4 +1,4 @@
-// The instants at which symbols are due.
+// Times of the symbols.
 
 #include "gesture/symbol_clock.h"
 
@@ -8,7 +8,7 @@
 
 using namespace steadyhand;
 
-TEST_CASE("the clock's first instant is the first one at or after its start, also where that is an instant") {
+TEST_CASE("the symbol clock's first instant is at or after its start") {
 	constexpr double A_LITTLE_S = 1e-9;
 	for (int i = -200; i < 2000; ++i) {
 		CAPTURE(i);
@@ -24,7 +24,7 @@ TEST_CASE("the clock's first instant is the first one at or after its start, als
 	}
 }
 
-TEST_CASE("the clock goes on from instant to instant, a hundredth of a second each") {
+TEST_CASE("the symbol clock advances by 0.01 s") {
 	SymbolClock clock;
 	clock.start(0.065);
 	for (int i = 7; i < 1000; ++i) {

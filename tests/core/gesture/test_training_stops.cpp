@@ -7,7 +7,7 @@
 
 using namespace steadyhand;
 
-TEST_CASE("training that is told to stop does so, wherever it is") {
+TEST_CASE("training stops on request at any point") {
 	const std::vector<TrainingRecording> drags = test::drag_recordings();
 	TrainingOptions options;
 	int told = 0;

@@ -10,15 +10,14 @@ namespace steadyhand::test {
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// log(sum(exp(x))); -infinity where x is nothing but that.
+/// log(sum(exp(x))); -infinity if all x are -infinity.
 inline long double log_sum_exp(const LongVector &x) {
 	const long double largest = x.maxCoeff();
 	return std::isfinite(largest) ? largest + std::log((x.array() - largest).exp().sum()) : largest;
 }
 
-/// The E-step as the textbook has it (Rabiner 1989 eq. (18)-(37)), in logarithms: slow, and never out of
-/// range. In long double, because the logarithm of a probability as small as that of a long sequence is
-/// coarse.
+/// The E-step (Rabiner 1989 eq. (18)-(37)) in logarithms: slow, but without range limit. In long double,
+/// because the logarithm of the small probability of a long sequence has a coarse resolution.
 inline ExpectedCounts log_space_counts(const DiscreteHmm &hmm, const SymbolSequence &sequence) {
 	const Eigen::Index n = hmm.states(), length = static_cast<Eigen::Index>(sequence.size());
 	const LongMatrix log_a = hmm.log_a.cast<long double>();

@@ -13,8 +13,8 @@ using namespace steadyhand;
 
 namespace {
 
-/// Adds how often each transition and symbol is to be expected in the sequence, path by path. Returns the
-/// log likelihood.
+/// Adds the expected counts of transitions and symbols in the sequence, path by path. Returns the log
+/// likelihood.
 double add_all_paths(const DiscreteHmm &hmm, const SymbolSequence &symbols, Eigen::MatrixXd &r_transitions,
 		Eigen::MatrixXd &r_symbols) {
 	const double likelihood = test::enumerate(hmm, symbols).ending_in.sum();
@@ -57,7 +57,7 @@ SymbolSequence sample(const DiscreteHmm &hmm, std::mt19937_64 &r_random, std::si
 	return symbols;
 }
 
-/// Four states that each like four of sixteen symbols, 20 frames long on average.
+/// Four states, each with four likely symbols of sixteen, and 20 frames long on average.
 DiscreteHmm four_state_left_right() {
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::Vector4d(0.0, NEVER, NEVER, NEVER);
@@ -101,15 +101,14 @@ TEST_CASE("Baum-Welch recovers the model that made the data") {
 	}
 	const DiscreteHmm start = left_right_from_equal_segments(sequences, 4, 16, {});
 	const BaumWelchResult result = baum_welch(start, sequences, {});
-	// Standard error of a proportion over the 500 departures of a state is 0.2 %, of an emission over 10,000
-	// frames 0.4 %.
+	// The standard error of a proportion is 0.2 % over the 500 departures of a state, and 0.4 % of an
+	// emission over 10,000 frames.
 	CHECK((result.hmm.log_a.array().exp() - truth.log_a.array().exp()).abs().maxCoeff() < 0.01);
 	CHECK((result.hmm.log_b.array().exp() - truth.log_b.array().exp()).abs().maxCoeff() < 0.02);
 	CHECK(result.hmm.log_pi == truth.log_pi);
 }
 
-TEST_CASE(
-		"one step is the estimate by the counts of all paths, and the objective their likelihood and prior") {
+TEST_CASE("one Baum-Welch step equals the estimate from all paths, with its objective") {
 	std::mt19937_64 random(8);
 	for (const PseudoCounts &pseudo : { PseudoCounts{}, { .transition = 0.0, .symbol = 0.0 },
 				 { .transition = 0.7, .symbol = 0.0 }, { .transition = 0.0, .symbol = 0.3 } }) {
@@ -151,7 +150,7 @@ TEST_CASE(
 	}
 }
 
-TEST_CASE("a state that no path comes to keeps what it has") {
+TEST_CASE("an unreachable state keeps its probabilities") {
 	std::mt19937_64 random(9);
 	DiscreteHmm start = test::random_hmm(random, 3, 4);
 	start.log_pi = Eigen::Vector3d(std::log(0.5), std::log(0.5), NEVER);
@@ -166,7 +165,7 @@ TEST_CASE("a state that no path comes to keeps what it has") {
 	CHECK(hmm.log_b.row(0) != start.log_b.row(0));
 }
 
-TEST_CASE("training ends where it is told to, or gains no more by sequence, however many there are") {
+TEST_CASE("training ends by the gain per sequence or by go_on()") {
 	std::mt19937_64 random(10);
 	const DiscreteHmm start = test::random_hmm(random, 3, 4);
 	const std::vector<SymbolSequence> once{ test::random_symbols(random, 60, 4),
@@ -200,14 +199,14 @@ TEST_CASE("training ends where it is told to, or gains no more by sequence, howe
 	CHECK(untrained.hmm.log_a == start.log_a);
 }
 
-TEST_CASE("the start for training is the counts of equal segments") {
-	// Of the symbols one is not observed, one is in no codebook.
+TEST_CASE("the initial model has the counts of equal segments") {
+	// One symbol is not observed, and one is in no codebook.
 	const std::vector<SymbolSequence> sequences{ { 0, 0, 1, 1, 2, 2 }, {}, { 0, 3, 1, UNSEEN, 2, 2 }, { 9 } };
 	const PseudoCounts pseudo{ .transition = 0.5, .symbol = 0.25 };
 	const DiscreteHmm hmm = left_right_from_equal_segments(sequences, 3, 4, pseudo);
 	CHECK(validated(hmm).ok());
 	CHECK(hmm.log_pi == Eigen::Vector3d(0.0, NEVER, NEVER));
-	// Frames of the states: 5, 4 and 4; each but the last is left three times.
+	// The states have 5, 4 and 4 frames. Each but the last is left three times.
 	const Eigen::Matrix3d a =
 			(Eigen::Matrix3d() << 2.5 / 6.0, 3.5 / 6.0, 0.0, 0.0, 1.5 / 5.0, 3.5 / 5.0, 0.0, 0.0, 1.0)
 					.finished();
@@ -216,13 +215,13 @@ TEST_CASE("the start for training is the counts of equal segments") {
 			0.25 / 4.0, 3.25 / 4.0, 0.25 / 4.0, 0.25 / 4.0, 0.25 / 5.0, 0.25 / 5.0, 4.25 / 5.0, 0.25 / 5.0)
 									  .finished();
 	CHECK((hmm.log_b.array().exp() - b.array()).abs().maxCoeff() < 1e-12);
-	// Left as often as there are sequences, although none had a frame for it.
+	// It is left once per sequence, although it has no frame.
 	const std::vector<SymbolSequence> tiny{ { 0 }, { 1 } };
 	const DiscreteHmm brief = left_right_from_equal_segments(tiny, 3, 4, pseudo);
 	CHECK(std::exp(brief.log_a(1, 1)) == test::near(0.5 / 3.0));
 }
 
-TEST_CASE("what the start forbids stays forbidden, and every symbol stays possible") {
+TEST_CASE("transitions of probability 0 stay 0, and all symbols stay possible") {
 	const std::vector<SymbolSequence> constant(3, SymbolSequence(40, 2));
 	const DiscreteHmm start = left_right_from_equal_segments(constant, 4, 16, {});
 	const DiscreteHmm hmm = baum_welch(start, constant, {}).hmm;
@@ -233,7 +232,7 @@ TEST_CASE("what the start forbids stays forbidden, and every symbol stays possib
 	CHECK(std::isfinite(log_likelihood(hmm, SymbolSequence{ 2, 2, 15, 2 })));
 }
 
-TEST_CASE("one symbol, one sequence and no sequence at all train without harm") {
+TEST_CASE("training on one symbol, one sequence or none gives a valid model") {
 	const DiscreteHmm nothing = left_right_from_equal_segments({}, 4, 16, {});
 	CHECK(validated(nothing).ok());
 	CHECK(validated(baum_welch(nothing, {}, {}).hmm).ok());
@@ -241,7 +240,7 @@ TEST_CASE("one symbol, one sequence and no sequence at all train without harm") 
 	CHECK(validated(baum_welch(left_right_from_equal_segments(tiny, 4, 16, {}), tiny, {}).hmm).ok());
 }
 
-TEST_CASE("validated() names what is wrong") {
+TEST_CASE("validated() names the invalid part") {
 	std::mt19937_64 random(7);
 	DiscreteHmm hmm = test::random_hmm(random, 3, 4);
 	CHECK(validated(hmm).ok());

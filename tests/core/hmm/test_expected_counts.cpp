@@ -11,7 +11,7 @@ using namespace steadyhand;
 
 namespace {
 
-/// By share of the largest.
+/// Greatest difference, relative to the largest value.
 double difference(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b) {
 	return (a - b).array().abs().maxCoeff() / b.maxCoeff();
 }
@@ -27,7 +27,7 @@ void check_against_log_space(const DiscreteHmm &hmm, const SymbolSequence &seque
 	}
 }
 
-/// Left-right without skips: state i likes every fourth symbol by far.
+/// Left-right model without skips. Every fourth symbol is by far the likeliest of state i.
 DiscreteHmm peaked_left_right(Eigen::Index states, double unlikely) {
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::VectorXd::Constant(states, NEVER);
@@ -53,7 +53,8 @@ SymbolSequence runs(const std::vector<std::pair<Symbol, std::size_t>> &symbols) 
 	return sequence;
 }
 
-/// Of a left-right model of two states: its paths are the frames after which it leaves the first one.
+/// Counts of a left-right model of two states, whose paths differ by the frame at which they leave the first
+/// one.
 ExpectedCounts count_all_paths(const DiscreteHmm &hmm, const SymbolSequence &sequence) {
 	const std::size_t length = sequence.size();
 	test::LongVector log_p(static_cast<Eigen::Index>(length));
@@ -83,7 +84,7 @@ ExpectedCounts count_all_paths(const DiscreteHmm &hmm, const SymbolSequence &seq
 	return counts;
 }
 
-/// The usual pass (Rabiner 1989, section V.A): one scale a frame.
+/// The usual recursion (Rabiner 1989, section V.A), with one scale per frame.
 double scaled_log_likelihood(const DiscreteHmm &hmm, const SymbolSequence &sequence) {
 	const auto exp = [](double x) { return std::exp(x); };
 	const Eigen::MatrixXd a = hmm.log_a.unaryExpr(exp), b = hmm.log_b.unaryExpr(exp);
@@ -99,7 +100,7 @@ double scaled_log_likelihood(const DiscreteHmm &hmm, const SymbolSequence &seque
 
 } // namespace
 
-TEST_CASE("expected counts are those of the textbook's recursion in log space") {
+TEST_CASE("expected counts equal those of the recursion in log space") {
 	std::mt19937_64 random(11);
 	for (const Eigen::Index states : { 1, 2, 4, 9 }) {
 		for (const std::size_t length : { 1, 2, 75, 1000 }) {
@@ -114,7 +115,7 @@ TEST_CASE("expected counts are those of the textbook's recursion in log space") 
 	}
 }
 
-TEST_CASE("sequences of different lengths are counted as each alone") {
+TEST_CASE("counts of sequences of different lengths are the sum of each") {
 	std::mt19937_64 random(12);
 	const DiscreteHmm hmm = test::random_hmm(random, 4, 5);
 	std::vector<SymbolSequence> sequences;
@@ -179,9 +180,9 @@ TEST_CASE("probabilities down to e^-700 count as in log space, in float too") {
 	}
 }
 
-TEST_CASE("states that have vanished beside others come back") {
-	// The last state explains all but the last run; of the paths that were still possible then, those that
-	// had stayed in the first ones were the unlikeliest by some thousand nats.
+TEST_CASE("states whose probability underflows come back") {
+	// The last state is likeliest for all symbols but the last run. For that run only paths are possible that
+	// stayed in the first states, which were less likely by some thousand nats.
 	for (const double unlikely : { 1e-2, 1e-5, 1e-30 }) {
 		const DiscreteHmm hmm = peaked_left_right(4, unlikely);
 		check_against_log_space(
@@ -190,10 +191,10 @@ TEST_CASE("states that have vanished beside others come back") {
 	}
 }
 
-TEST_CASE("a million frames: all paths of a two-state model one by one" * doctest::test_suite("figures")) {
+TEST_CASE("over a million frames the counts equal a sum over all paths" * doctest::test_suite("figures")) {
 	const DiscreteHmm hmm = peaked_left_right(2, 1e-3);
 	for (const std::size_t tenth : { 1'000, 10'000, 100'000 }) {
-		// Frames of the second state first: the first one wins in the end, or, in the last tenth, the second.
+		// Symbols of the second state, then of the first one; the last tenth is of the second state again.
 		const SymbolSequence sequence = runs({ { 1, 4 * tenth }, { 0, 5 * tenth }, { 1, tenth } });
 		const ExpectedCounts expected = count_all_paths(hmm, sequence);
 		const ExpectedCounts counts = expected_counts(hmm, std::vector<SymbolSequence>{ sequence });
@@ -205,8 +206,8 @@ TEST_CASE("a million frames: all paths of a two-state model one by one" * doctes
 	}
 }
 
-TEST_CASE("zeros in A and B are counted exactly: no state keeps what it has") {
-	// Round and round, three states without a way to themselves, of two symbols each.
+TEST_CASE("zeros in A and B give the exact counts") {
+	// A cycle of three states without self-transitions, of two symbols each.
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::Vector3d(std::log(0.5), std::log(0.5), NEVER);
 	hmm.log_a = Eigen::MatrixXd::Constant(3, 3, NEVER);
@@ -242,6 +243,6 @@ TEST_CASE("Baum-Welch trains on one sequence of a million frames") {
 	CHECK(validated(result.hmm).ok());
 	REQUIRE(result.objective.size() == 2);
 	CHECK(result.objective[1] > result.objective[0]);
-	// Every symbol is as likely as any other.
+	// All symbols are equally likely.
 	CHECK(result.objective[0] / 1e6 == test::near(-std::log(16.0)).epsilon(1e-3));
 }

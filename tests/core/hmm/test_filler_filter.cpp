@@ -27,7 +27,7 @@ FillerModel random_filler(std::mt19937_64 &r_random, Eigen::Index states) {
 	return filler;
 }
 
-/// The same as an HMM in which each state leads to all others alike.
+/// The filler as an HMM, with equal transitions from each state to all others.
 DiscreteHmm as_hmm(const FillerModel &filler) {
 	const Eigen::Index n = filler.stay.size();
 	Eigen::MatrixXd a = ((1.0 - filler.stay.array()) / static_cast<double>(n - 1)).matrix().replicate(1, n);
@@ -63,7 +63,7 @@ TEST_CASE("the filler's likelihood equals the forward recursion in logarithms, g
 	}
 }
 
-TEST_CASE("a million symbols leave the filler's likelihood finite and additive") {
+TEST_CASE("over a million symbols the filler's likelihood stays finite and additive") {
 	std::mt19937_64 random(2);
 	const FillerModel filler = random_filler(random, 8);
 	FillerFilter<2> filter(filler);
@@ -76,7 +76,7 @@ TEST_CASE("a million symbols leave the filler's likelihood finite and additive")
 			filter.step(0, filler.b.col(symbol).data());
 		}
 		const double now = filter.likelihood(0).log();
-		// Of equal symbols the likelihood falls alike each time, but for where the states begin.
+		// With equal symbols the likelihood falls by the same factor, except for the initial states.
 		CHECK(std::abs((now - last) - after_one) < 10.0);
 		last = now;
 	}

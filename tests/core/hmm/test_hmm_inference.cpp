@@ -42,7 +42,7 @@ TEST_CASE("Viterbi and the forward variable agree with brute force over all path
 	}
 }
 
-TEST_CASE("online Viterbi ends every prefix as Viterbi over that prefix does, to the last bit") {
+TEST_CASE("online Viterbi equals Viterbi over each prefix to the last bit") {
 	std::mt19937_64 random(2);
 	for (const int states : { 1, 3, 4, 5, 8, 9 }) {
 		const DiscreteHmm hmm = test::random_hmm(random, states, 16);
@@ -62,9 +62,8 @@ TEST_CASE("online Viterbi ends every prefix as Viterbi over that prefix does, to
 }
 
 TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
-	// After n symbols '0' the likelihood has a closed form: the sum over the frame k at which state 0 was
-	// left, 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k). A scaled forward pass loses it:
-	// PEERS.md.
+	// After n symbols '0' the likelihood has a closed form, the sum over the frame k at which state 0 is
+	// left: 0.9^n (0.99^(n-1)) + sum_k 0.99^(k-1) 0.01 0.9^k 0.1^(n-k).
 	const DiscreteHmm hmm = two_state_left_right();
 	const int n = 100'000;
 	const double stay = n * std::log(0.9) + (n - 1) * std::log(0.99);
@@ -76,7 +75,7 @@ TEST_CASE("a left-right model keeps its early states over 100,000 frames") {
 	CHECK(log_likelihood(hmm, zeros) == test::near(expected).epsilon(1e-12));
 }
 
-TEST_CASE("nothing to observe weighs on no state") {
+TEST_CASE("frames without an observation do not change the state weights") {
 	std::mt19937_64 random(4);
 	const DiscreteHmm hmm = test::random_hmm(random, 3, 4);
 	CHECK(log_likelihood(hmm, SymbolSequence{}) == 0.0);

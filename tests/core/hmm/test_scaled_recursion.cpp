@@ -1,4 +1,4 @@
-// Numbers that no double holds, and the forward variable made of them.
+// Numbers beyond the range of double, and the forward variable with them.
 
 #include "hmm/forward.h"
 #include "hmm/scaled_number.h"
@@ -16,7 +16,7 @@ using namespace steadyhand;
 
 namespace {
 
-/// Of numbers whose exponents long double has.
+/// Checks the arithmetic with numbers in the range of long double.
 long double value(const ScaledNumber &number) {
 	return std::ldexp(static_cast<long double>(number.mantissa),
 			number.mantissa > 0.0 ? static_cast<int>(number.exponent) : 0);
@@ -28,7 +28,7 @@ bool is_near(long double a, long double b) {
 
 } // namespace
 
-TEST_CASE("powers of two are ldexp's, without what is smaller than normal numbers") {
+TEST_CASE("power_of_two equals ldexp, and is 0 below the normal numbers") {
 	for (int exponent = -1100; exponent <= 1100; ++exponent) {
 		CAPTURE(exponent);
 		const double power = std::ldexp(1.0, exponent);
@@ -38,7 +38,7 @@ TEST_CASE("powers of two are ldexp's, without what is smaller than normal number
 	CHECK(power_of_two(-ScaledNumber::NEVER) == std::numeric_limits<double>::infinity());
 }
 
-TEST_CASE("scaled numbers are multiplied, added and compared as long doubles") {
+TEST_CASE("scaled numbers multiply, add and compare as long doubles do") {
 	std::mt19937_64 random(1);
 	std::uniform_real_distribution<double> mantissa(1.0, 2.0);
 	std::uniform_int_distribution<int> exponent(-4000, 4000), near(-60, 60), kind(0, 9);
@@ -58,9 +58,9 @@ TEST_CASE("scaled numbers are multiplied, added and compared as long doubles") {
 	CHECK_FALSE(ScaledNumber(1.5, 7) < ScaledNumber(1.5, 7));
 }
 
-TEST_CASE("a state that has vanished beside another comes back where that one's emission is 0") {
-	// '0' is a thousand times likelier in the second state, which never shows '1': all of the sequence was
-	// the first one's.
+TEST_CASE("an underflowed state comes back when the other state's emission is 0") {
+	// '0' is a thousand times likelier in the second state. '1' is impossible there: then the whole sequence
+	// is of the first state.
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::Vector2d(std::log(0.5), std::log(0.5));
 	hmm.log_a = (Eigen::Matrix2d() << 0.9, 0.1, 0.0, 1.0).finished().array().log();
@@ -80,7 +80,7 @@ TEST_CASE("a state that has vanished beside another comes back where that one's 
 		CHECK(float_filter.log_likelihood() == test::near(expected).epsilon(1e-5));
 		CHECK(filter.state() == 0);
 		CHECK(float_filter.state() == 0);
-		// From there on the second state has what the first one leaves to it.
+		// After it, the second state has only what the first one passes on.
 		double first = 1.0, second = 0.0;
 		for (int i = 0; i < 3; ++i) {
 			filter.push(0);
@@ -92,13 +92,13 @@ TEST_CASE("a state that has vanished beside another comes back where that one's 
 	}
 }
 
-TEST_CASE("models with zeros anywhere have the likelihood of the textbook's recursion in log space") {
+TEST_CASE("models with zeros anywhere have the likelihood of the log-space recursion") {
 	std::mt19937_64 random(2);
 	std::uniform_real_distribution<double> uniform(0.0, 1.0);
 	for (int round = 0; round < 60; ++round) {
 		CAPTURE(round);
 		DiscreteHmm hmm = test::random_hmm(random, 5, 4);
-		// Half of A and a third of B are 0, what is left differs by orders of magnitude.
+		// Half of A and a third of B are 0. The other values differ by orders of magnitude.
 		const auto thin_out = [&](Eigen::MatrixXd &r_log, double zeros) {
 			for (Eigen::Index i = 0; i < r_log.rows(); ++i) {
 				const Eigen::Index stays = static_cast<Eigen::Index>(uniform(random) * 3.99);
@@ -110,7 +110,7 @@ TEST_CASE("models with zeros anywhere have the likelihood of the textbook's recu
 		};
 		thin_out(hmm.log_a, 0.5);
 		thin_out(hmm.log_b, 0.3);
-		// Drawn of what the model does, so that it is possible.
+		// Drawn from the model, so that the sequence is possible.
 		SymbolSequence symbols;
 		Eigen::Index state = 0;
 		const auto draw = [&](const Eigen::RowVectorXd &log_p) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array PRECISIONS{ StateDecoding::Precision::DOUBLE, StateDecoding::Precision::SINGLE };
 
-/// Without skips: most transitions, and all first states but one, are impossible.
+/// A model without skips: most transitions, and all initial states but one, are impossible.
 DiscreteHmm random_left_right(std::mt19937_64 &r_random, Eigen::Index states, Eigen::Index symbols) {
 	DiscreteHmm hmm = test::random_hmm(r_random, states, symbols);
 	hmm.log_pi.setConstant(NEVER);
@@ -29,7 +29,7 @@ DiscreteHmm random_left_right(std::mt19937_64 &r_random, Eigen::Index states, Ei
 	return hmm;
 }
 
-/// Rabiner 1989 eq. (32)-(33) by the book, in long double.
+/// Rabiner 1989 eq. (32)-(33), in long double.
 class LongViterbi {
 public:
 	explicit LongViterbi(const DiscreteHmm &hmm) :
@@ -77,7 +77,7 @@ template <class Scalar> Errors errors(const DiscreteHmm &hmm, const SymbolSequen
 
 } // namespace
 
-TEST_CASE("every decoder tells the state that brute force over all paths tells") {
+TEST_CASE("every decoder has the state of brute force over all paths") {
 	std::mt19937_64 random(11);
 	for (int round = 0; round < 40; ++round) {
 		const DiscreteHmm hmm =
@@ -118,7 +118,7 @@ TEST_CASE("every decoder tells the state that brute force over all paths tells")
 	}
 }
 
-TEST_CASE("before any symbol, and after a reset, a decoder knows the first states alone") {
+TEST_CASE("a new or reset decoder has only the initial states") {
 	std::mt19937_64 random(14);
 	for (int round = 0; round < 10; ++round) {
 		const DiscreteHmm hmm = test::random_hmm(random, 5, 4);
@@ -157,7 +157,7 @@ TEST_CASE("before any symbol, and after a reset, a decoder knows the first state
 	}
 }
 
-TEST_CASE("of states that are as likely the lowest is told") {
+TEST_CASE("the lowest of equally likely states is decoded") {
 	for (const int states : { 2, 4, 7 }) {
 		DiscreteHmm hmm;
 		hmm.log_pi = Eigen::VectorXd::Constant(states, -std::log(states));
@@ -174,7 +174,7 @@ TEST_CASE("of states that are as likely the lowest is told") {
 				CHECK(decoder.state() == 0);
 			}
 		}
-		// The last states are likelier, and have come from others that are as likely as each other.
+		// The last states are likelier. Their predecessors are equally likely.
 		hmm.log_pi(0) = NEVER;
 		hmm.log_a.rightCols(1).setConstant(std::log(0.9));
 		FixedLagViterbi<double> late(hmm, 1);
@@ -184,7 +184,7 @@ TEST_CASE("of states that are as likely the lowest is told") {
 	}
 }
 
-TEST_CASE("what is impossible has the probability 0 in either precision, and is forgotten by a reset") {
+TEST_CASE("an impossible sequence has probability 0 until a reset, in both precisions") {
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::Vector2d(0.0, NEVER);
 	hmm.log_a = (Eigen::Matrix2d() << 0.5, 0.5, 0.0, 1.0).finished().array().log();
@@ -206,8 +206,7 @@ TEST_CASE("what is impossible has the probability 0 in either precision, and is 
 	check(ForwardFilter<float>(hmm), filter);
 }
 
-TEST_CASE("fixed-lag Viterbi has the states that Viterbi over the symbols so far has, its lag before the "
-		  "last") {
+TEST_CASE("fixed-lag Viterbi equals Viterbi over the symbols so far, lag symbols earlier") {
 	std::mt19937_64 random(12);
 	for (const int states : { 1, 4, 5, 9 }) {
 		const DiscreteHmm hmm = test::random_hmm(random, states, 16);
@@ -224,8 +223,7 @@ TEST_CASE("fixed-lag Viterbi has the states that Viterbi over the symbols so far
 	}
 }
 
-TEST_CASE("over a million symbols double and float tell the same states, and float's likelihood keeps 7 "
-		  "digits" *
+TEST_CASE("over a million symbols float decodes as double, likelihood to 7 digits" *
 		doctest::test_suite("figures")) {
 	std::mt19937_64 random(13);
 	const DiscreteHmm hmm = test::random_hmm(random, 4, 16);
@@ -247,11 +245,10 @@ TEST_CASE("over a million symbols double and float tell the same states, and flo
 	CHECK(std::abs(filter.log_likelihood() - float_filter.log_likelihood()) < 0.3);
 }
 
-TEST_CASE(
-		"a state that was contradicted for long comes back on its symbol; with Viterbi in float beside it") {
-	// A symbol '0', n of '1', then '0' again, of a state 0 that prefers '0' 9 to 1 and stays with 0.99, and a
-	// state 1 that prefers '1' as much and stays for good. After m more '0' to have stayed is likelier than
-	// to have left after the first by (m - n) log 9 + (n + m) log 0.99 - log 0.01.
+TEST_CASE("a long excluded state comes back on its symbols, in float too") {
+	// One symbol '0', n symbols '1', then '0' again. State 0 emits '0' with 0.9 and stays with 0.99; state 1
+	// emits '1' with 0.9 and is never left. After m more '0', the log odds of the path that stays in state 0
+	// against the path that leaves after the first symbol are (m - n) log 9 + (n + m) log 0.99 - log 0.01.
 	DiscreteHmm hmm;
 	hmm.log_pi = Eigen::Vector2d(0.0, NEVER);
 	hmm.log_a = (Eigen::Matrix2d() << std::log(0.99), std::log(0.01), NEVER, 0.0).finished();
@@ -273,7 +270,7 @@ TEST_CASE(
 		const int expected = static_cast<int>(std::ceil((n * lost + std::log(0.01)) / gained));
 		CHECK(zeros_to_come_back(OnlineViterbi<double>(hmm)) == expected);
 		CHECK(zeros_to_come_back(StateDecoder(hmm)) == expected);
-		// One for which all ways to leave are summed: as good as that one way, after which '1' comes.
+		// The forward filter sums all paths that leave; the one that leaves before the '1' dominates.
 		CHECK(zeros_to_come_back(ForwardFilter<double>(hmm)) == expected);
 		CHECK(zeros_to_come_back(ForwardFilter<float>(hmm)) == expected);
 		CHECK(std::abs(zeros_to_come_back(OnlineViterbi<float>(hmm)) - expected) <= n / 200);

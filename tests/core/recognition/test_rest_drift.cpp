@@ -36,14 +36,14 @@ double bends(double lasts_s) {
 
 } // namespace
 
-TEST_CASE("rest wander is the standard deviation of noise over 0.1 s") {
+TEST_CASE("rest drift is the standard deviation of noise over 0.1 s") {
 	for (const double lasts_s : { 1e-6, 0.1, 1.0 }) {
 		CAPTURE(lasts_s);
 		CHECK(std::abs(mean_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
 	}
 }
 
-TEST_CASE("drift, arrival and onset do not add to rest wander") {
+TEST_CASE("constant velocity, arrival and onset do not add to rest drift") {
 	RestDrift wander;
 	for (int i = 0; i < 100; ++i) {
 		const double t_s = 0.01 * i;

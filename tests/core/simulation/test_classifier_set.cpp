@@ -19,7 +19,7 @@ SyntheticSetOptions few(Population population, std::uint32_t subjects, std::uint
 	return options;
 }
 
-TEST_CASE("axes of turned trials are within 20 degrees of the gesture's, taps both ways") {
+TEST_CASE("axes of turned trials are within 20 degrees of both tap directions") {
 	int down = 0, forward = 0;
 	const auto trials = make_turned_trials(few(Population::TUNE, 3, 2)).value();
 	for (const SyntheticTrial &made : trials) {
@@ -53,14 +53,14 @@ TEST_CASE("equal recordings train an equal classifier, one HMM for each directio
 	CHECK(directions("zoom") == 1);
 }
 
-TEST_CASE("a classifier needs a recording of a gesture, and knows its feature") {
+TEST_CASE("training a classifier needs a known feature and a gesture's recording") {
 	CHECK(!train_classifier({}).ok());
 	auto recordings = classifier_recordings(make_turned_trials(few(Population::TRAIN, 1, 1)).value());
 	recordings.front().feature = "toe_angle";
 	CHECK(train_classifier(recordings).error().find("toe_angle") != std::string::npos);
 }
 
-TEST_CASE("of people it was not trained on, nine of ten steady gestures are found, taps down too") {
+TEST_CASE("90 % of new people's steady gestures are found, also taps down") {
 	SyntheticSetOptions set = few(Population::TUNE, 6, 2);
 	set.positions = { HandPosition::STABLE };
 	int made = 0, found = 0;

@@ -1,4 +1,4 @@
-// Each fault of a degraded hand does what its unit says, alone and beside the others.
+// Each fault of DegradedHand, alone and with the others.
 
 #include "simulation/degraded_hand.h"
 
@@ -37,7 +37,7 @@ DeviceFrame sound_frame(int i) {
 
 using Visit = std::function<void(int i, const std::optional<DeviceFrame> &frame)>;
 
-/// Streams of hours do not fit into memory.
+/// The frames are not stored: streams of hours do not fit into memory.
 void degrade(const DegradeSettings &settings, double length_s, const Visit &visit) {
 	DegradedHand hand(settings);
 	for (int i = 0; i < length_s * RATE_HZ; ++i) {
@@ -60,7 +60,7 @@ bool same_bits(const Eigen::Vector3d &left, const Eigen::Vector3d &right) {
 	});
 }
 
-/// All of a frame but the numbers that stand for nothing.
+/// Two frames have equal times, confidence, tracked joints and, to the last bit, positions.
 bool is_same(const std::optional<DeviceFrame> &left, const std::optional<DeviceFrame> &right) {
 	if (!left || !right) {
 		return left.has_value() == right.has_value();
@@ -78,7 +78,7 @@ bool is_same(const std::optional<DeviceFrame> &left, const std::optional<DeviceF
 	return is_same;
 }
 
-/// Where the index tip is beside its sound place; the skeleton's tip must be at the same.
+/// Displacement of the index tip from its position without faults. The skeleton's tip must have the same one.
 Eigen::Vector3d offset_m(const DeviceFrame &frame, int i) {
 	CHECK(frame.hand.position(Joint::INDEX) == frame.skeleton.position(SkeletonJoint::INDEX_TIP));
 	return frame.hand.position(Joint::INDEX) - sound_frame(i).hand.position(Joint::INDEX);
@@ -97,8 +97,9 @@ std::vector<int> runs(const std::vector<bool> &is_on) {
 	return lengths; // one at the end may be cut
 }
 
-/// Runs of Poisson faults that come `per_minute` and last `length_s`, within four deviations. Faults that
-/// begin in another one lengthen it: runs begin at the process's rate where none is on.
+/// Checks runs of Poisson faults of rate `per_minute` and duration `length_s`, within four standard
+/// deviations. A fault that begins in another one lengthens it: runs begin at the process's rate outside of
+/// faults.
 void check_runs(const std::vector<int> &lengths, double per_minute, double length_s, double span_s) {
 	const double per_s = per_minute / MINUTE_S;
 	const double expected = per_s * std::exp(-per_s * length_s) * span_s;
@@ -120,7 +121,7 @@ DegradeSettings all_faults() {
 } // namespace
 
 TEST_SUITE("degraded hand") {
-	TEST_CASE("settings of 0 give every frame back bit for bit") {
+	TEST_CASE("settings of 0 change no frame") {
 		DegradeSettings none;
 		none.seed = 17;
 		DegradeSettings nonsense;
@@ -139,7 +140,7 @@ TEST_SUITE("degraded hand") {
 		CHECK(std::signbit(back.hand.position(Joint::PALM).x()));
 	}
 
-	TEST_CASE("dropouts come at their rate and last their time" * doctest::test_suite("figures")) {
+	TEST_CASE("dropouts have the set rate and duration" * doctest::test_suite("figures")) {
 		DegradeSettings settings;
 		settings.dropouts_per_minute = 12.0;
 		settings.dropout_s = 0.25;
@@ -158,7 +159,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("freezes repeat the pose before them while stamps go on") {
+	TEST_CASE("freezes repeat the last pose with new time stamps") {
 		DegradeSettings settings;
 		settings.freezes_per_minute = 20.0;
 		settings.freeze_s = 0.2;
@@ -175,7 +176,7 @@ TEST_SUITE("degraded hand") {
 		check_runs(runs(is_frozen), 20.0, 0.2, span_s);
 	}
 
-	TEST_CASE("jumps move the whole hand as far as they say, in any direction") {
+	TEST_CASE("jumps displace the whole hand by jump_m in random directions") {
 		DegradeSettings settings;
 		settings.jumps_per_minute = 20.0;
 		settings.jump_m = 0.05;
@@ -194,7 +195,7 @@ TEST_SUITE("degraded hand") {
 		CHECK(sum_m.norm() / (10.0 * static_cast<double>(lengths.size())) < 0.01);
 	}
 
-	TEST_CASE("drift has its deviation and time constant, the same for all joints" *
+	TEST_CASE("drift has the set deviation and time constant, equal for all joints" *
 			doctest::test_suite("figures")) {
 		DegradeSettings settings;
 		settings.drift_m = 4e-3;
@@ -221,7 +222,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("a latency shows the hand as it was, also between frames") {
+	TEST_CASE("a latency delays the hand, interpolated between frames") {
 		for (const double latency_s : { 0.004, 0.05, 0.1234, 1.5 }) {
 			DegradeSettings settings;
 			settings.latency_s = latency_s;
@@ -239,7 +240,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("a rate thins frames to no more than it, evenly where it divides theirs") {
+	TEST_CASE("rate_hz limits the frame rate, evenly if it divides the input's") {
 		for (const double rate_hz : { 10.0, 50.0, 30.0, 70.0 }) {
 			DegradeSettings settings;
 			settings.rate_hz = rate_hz;
@@ -264,7 +265,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("rounded positions are the nearest multiples") {
+	TEST_CASE("positions are rounded to the nearest multiple") {
 		DegradeSettings settings;
 		settings.rounding_m = 2.5e-3;
 		const Frames frames = degraded(settings, 10.0);
@@ -276,7 +277,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("noise has its deviation on each axis and is white") {
+	TEST_CASE("noise is white with the set deviation on each axis") {
 		DegradeSettings settings;
 		settings.noise_m = 1e-3;
 		Eigen::Array3d square = Eigen::Array3d::Zero();
@@ -295,7 +296,7 @@ TEST_SUITE("degraded hand") {
 		CHECK(std::abs(neighbours / square.sum()) < 0.02);
 	}
 
-	TEST_CASE("the same seed gives the same bits, another seed others") {
+	TEST_CASE("equal seeds give equal bits, other seeds other faults") {
 		DegradeSettings settings = all_faults();
 		const Frames frames = degraded(settings, 30.0), again = degraded(settings, 30.0);
 		CHECK(std::equal(frames.begin(), frames.end(), again.begin(), again.end(), is_same));
@@ -304,12 +305,12 @@ TEST_SUITE("degraded hand") {
 		CHECK_FALSE(std::equal(frames.begin(), frames.end(), others.begin(), others.end(), is_same));
 	}
 
-	TEST_CASE("a stream that is cut gives the same frames before the cut") {
+	TEST_CASE("a cut stream gives the same frames before the cut") {
 		const Frames whole = degraded(all_faults(), 20.0), cut = degraded(all_faults(), 11.0);
 		CHECK(std::equal(cut.begin(), cut.end(), whole.begin(), is_same));
 	}
 
-	TEST_CASE("a fault that is switched on leaves the others as they are") {
+	TEST_CASE("one kind of fault does not change the others") {
 		DegradeSettings settings;
 		settings.jumps_per_minute = 20.0;
 		settings.jump_m = 0.05;
@@ -332,7 +333,7 @@ TEST_SUITE("degraded hand") {
 		CHECK(differing < 300); // frozen: 5 %
 	}
 
-	TEST_CASE("frames years apart and at one time give an answer") {
+	TEST_CASE("frames years apart, or at equal times, give frames") {
 		DegradeSettings settings = all_faults();
 		settings.dropouts_per_minute = 1e300;
 		DegradedHand hand(settings);
@@ -344,7 +345,7 @@ TEST_SUITE("degraded hand") {
 		}
 	}
 
-	TEST_CASE("the presets degrade as their sensor profiles, and no other name has one") {
+	TEST_CASE("presets have the means of their sensor profiles; other names have none") {
 		const DegradeSettings stable = *degrade_preset("stable"), unstable = *degrade_preset("unstable");
 		CHECK(stable.drift_m == doctest::Approx(2e-3));
 		CHECK(stable.latency_s == doctest::Approx(0.02));

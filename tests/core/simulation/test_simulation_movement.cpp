@@ -62,7 +62,7 @@ double rate_of(const std::function<double(double)> &curve, double t) {
 	return (curve(t + STEP) - curve(t - STEP)) / (2.0 * STEP);
 }
 
-/// Where in its duration a single submovement is fastest, by brute force.
+/// Time of the peak speed of a single submovement, as a fraction of the duration, by brute force.
 double peak_fraction_of(double bend) {
 	const Progress progress(0.0, { { 0.0, 1.0, 1.0, bend } }, {});
 	double best_t = 0.0;
@@ -117,7 +117,7 @@ TEST_SUITE("random numbers") {
 }
 
 TEST_SUITE("simulated movement") {
-	TEST_CASE("without bend the closed forms of minimum jerk hold") {
+	TEST_CASE("progress without bend has the closed form of minimum jerk") {
 		// Flash and Hogan 1985: peak velocity 1.875 A / D half way, peak acceleration 5.77 A / D^2 at (3 -
 		// sqrt 3) / 6.
 		const double amplitude = 0.2;
@@ -134,20 +134,20 @@ TEST_SUITE("simulated movement") {
 		CHECK(progress.at(9.0) == test::near(amplitude));
 	}
 
-	TEST_CASE("the bend puts the peak velocity where it is asked for") {
+	TEST_CASE("bend_for_peak gives the requested time of the peak velocity") {
 		CHECK(bend_for_peak(0.5) == test::near(0.0));
 		for (const double peak : { 0.3, 0.35, 0.4, 0.45, 0.5, 0.6, 0.7 }) {
 			CHECK(peak_fraction_of(bend_for_peak(peak)) == test::near(peak).epsilon(2e-3));
 		}
 	}
 
-	TEST_CASE("progress is smooth: no step in position, velocity or acceleration") {
+	TEST_CASE("progress has no step in position, velocity or acceleration") {
 		const Progress progress(0.01,
 				{ { 0.0, 1.0, 0.9, 0.4 }, { 0.9, 0.2, 0.08, 0.0 }, { 1.1, 0.15, -0.02, 0.0 } },
 				{ { 0.4, 0.1 } });
 		CHECK(progress.duration_s() == test::near(1.35));
-		// The largest third derivative of these pieces is 60 A / D^3 = 600 /s^3 (0.08 in 0.2 s), the
-		// fall-back of the clock adds its share: acceleration moves by less than 2000 /s^3 times the step.
+		// The largest third derivative of these submovements is 60 A / D^3 = 600 /s^3 (0.08 in 0.2 s), and a
+		// hesitation increases it: the acceleration changes by less than 2000 /s^3 times the step.
 		const double step_s = 1e-4;
 		double previous = 0.0;
 		for (const double t_s : instants(-0.1, 1.5, step_s)) {
@@ -159,7 +159,7 @@ TEST_SUITE("simulated movement") {
 		}
 	}
 
-	TEST_CASE("a hesitation all but stops the hand, never turns it back, and costs its own time") {
+	TEST_CASE("a hesitation almost stops the hand and delays the end by lost_s") {
 		const Progress steady(0.0, { { 0.0, 1.0, 1.0, 0.0 } }, {});
 		const Progress hesitant(0.0, { { 0.0, 1.0, 1.0, 0.0 } }, { { 0.4, 0.2 } });
 		CHECK(hesitant.at(0.4) == steady.at(0.4));
@@ -172,7 +172,7 @@ TEST_SUITE("simulated movement") {
 		CHECK(slowest < 0.15 * 1.875);
 	}
 
-	TEST_CASE("crossing and settling agree with a plain scan") {
+	TEST_CASE("crossing_s and settling_s agree with a scan") {
 		const Progress progress(0.02, { { 0.0, 1.0, 0.92, 0.3 }, { 0.95, 0.2, 0.06, 0.0 } }, {});
 		double crossed_s = 0.0;
 		while (progress.at(crossed_s) < 0.8) {
@@ -189,7 +189,7 @@ TEST_SUITE("simulated movement") {
 		CHECK(progress.stretched(3.0).settling_s(0.02) == test::near(3.0 * settled_s).epsilon(2e-5));
 	}
 
-	TEST_CASE("tremor has its deviation and stays in its band") {
+	TEST_CASE("tremor has the set deviation and frequency band") {
 		Random random(4);
 		const Oscillation tremor(8.0, 12.0, 1e-4, random);
 		double square = 0.0;
@@ -206,8 +206,8 @@ TEST_SUITE("simulated movement") {
 	}
 
 	TEST_CASE("durations over people and trials are the paper's") {
-		// 400 people, 3 trials each; deviation of the mean of a log-normal whose variance lies mostly between
-		// people.
+		// 400 people, 3 trials each. Standard deviation of the mean of a log-normal whose variance is mostly
+		// between people.
 		for (const auto &[name, mean_s, deviation_s] : { std::tuple{ "horizontal_drag", 1.26, 0.25 },
 					 { "zoom", 0.88, 0.12 }, { "tap", 0.35, 0.15 } }) {
 			const SimulatedGesture *const gesture = find_simulated_gesture(name);
@@ -229,7 +229,7 @@ TEST_SUITE("simulated movement") {
 		}
 	}
 
-	TEST_CASE("a forced duration is kept from onset to end, within the limits") {
+	TEST_CASE("a requested duration holds from onset to end, within the limits") {
 		for (const SimulatedGesture &gesture : simulated_gestures()) {
 			for (const double asked_s : { 0.01, 0.15, 0.5, 1.26, 4.0, 60.0 }) {
 				Random random(9);
@@ -244,7 +244,7 @@ TEST_SUITE("simulated movement") {
 		}
 	}
 
-	TEST_CASE("aimed gestures stay near their end, after it; striking ones go through and come back") {
+	TEST_CASE("aimed gestures stay at their end; strikes pass it and return") {
 		for (const SimulatedGesture &gesture : simulated_gestures()) {
 			for (std::uint32_t person = 0; person < 50; ++person) {
 				Random random(person);
@@ -273,7 +273,7 @@ TEST_SUITE("simulated movement") {
 		}
 	}
 
-	TEST_CASE("a drag runs along its axis, one way or the other") {
+	TEST_CASE("a drag moves along its axis in either direction") {
 		Random random(12);
 		const SimulatedGesture *const gesture = find_simulated_gesture("vertical_drag");
 		REQUIRE(gesture != nullptr);
@@ -295,7 +295,7 @@ TEST_SUITE("simulated movement") {
 		CHECK(find_simulated_gesture("wave") == nullptr);
 	}
 
-	TEST_CASE("motion that is no gesture keeps to its kind") {
+	TEST_CASE("other motions have the properties of their kinds") {
 		const Subject subject = draw_subject(Population::TUNE, 2);
 		for (const OtherMotion &kind : other_motions()) {
 			double way_m = 0.0;
@@ -337,7 +337,7 @@ TEST_SUITE("simulated movement") {
 		CHECK(find_other_motion("sleeping") == nullptr);
 	}
 
-	TEST_CASE("people of different populations are different people, and always the same ones") {
+	TEST_CASE("populations have different people, equal on every call") {
 		for (std::uint32_t i = 0; i < 20; ++i) {
 			const Subject train = draw_subject(Population::TRAIN, i);
 			const Subject evaluate = draw_subject(Population::EVALUATE, i);

@@ -69,7 +69,7 @@ double median_of(std::vector<double> sample) {
 	return *middle;
 }
 
-/// Number of events of a Poisson process with dead time, against 4 deviations of what is expected.
+/// Checks the number of events of a Poisson process with dead time, within 4 standard deviations.
 void check_count(int count, double per_s, double mean_length_s, double span_s) {
 	const double expected = per_s * span_s / (1.0 + per_s * mean_length_s);
 	CHECK(std::abs(count - expected) < 4.0 * std::sqrt(expected));
@@ -78,7 +78,7 @@ void check_count(int count, double per_s, double mean_length_s, double span_s) {
 } // namespace
 
 TEST_SUITE("simulated sensor") {
-	TEST_CASE("the Ornstein-Uhlenbeck process has its deviation and autocorrelation, whatever the steps") {
+	TEST_CASE("the Ornstein-Uhlenbeck process has deviation 1 and its autocorrelation for any step") {
 		Random random(3);
 		const double tau_s = 0.7;
 		OrnsteinUhlenbeck process(tau_s, random);
@@ -101,7 +101,7 @@ TEST_SUITE("simulated sensor") {
 		CHECK(std::abs(long_product - std::exp(-0.5 / tau_s)) < 2.0 * tolerance);
 	}
 
-	TEST_CASE("drift is unit strong, slow and without jitter from frame to frame") {
+	TEST_CASE("drift has deviation 1 and no jitter from frame to frame") {
 		Random random(5);
 		const double tau_s = 1.0;
 		const double low_pass_s = 0.1;
@@ -122,7 +122,7 @@ TEST_SUITE("simulated sensor") {
 			product += values[i] * values[i - lag] / count;
 			second_difference += std::pow(values[i] - 2.0 * values[i - 1] + values[i - 2], 2) / count;
 		}
-		// Autocovariance of exp(-t / a) behind a low pass of b, scaled to unit variance.
+		// Autocovariance of exp(-t / a) after a low pass of b, scaled to variance 1.
 		const double lag_s = lag * dt_s;
 		const double expected =
 				(tau_s * std::exp(-lag_s / tau_s) - low_pass_s * std::exp(-lag_s / low_pass_s)) /
@@ -130,12 +130,12 @@ TEST_SUITE("simulated sensor") {
 		const double tolerance = 4.0 * std::sqrt(2.0 * tau_s / (dt_s * count)) + dt_s / low_pass_s;
 		CHECK(std::abs(square - 1.0) < tolerance);
 		CHECK(std::abs(product - expected) < tolerance);
-		// 3 mm of it must hide in the 0.02 mm of white noise that resting fingers show (sqrt 6: second
-		// difference of it).
+		// At 3 mm, its second differences must be as small as those of the white noise of resting fingers,
+		// about 0.02 mm. The second difference of white noise has sqrt(6) times its deviation.
 		CHECK(3e-3 * std::sqrt(second_difference / 6.0) < 0.03e-3);
 	}
 
-	TEST_CASE("intervals: period, jitter and skipped frames are those of real recordings") {
+	TEST_CASE("simulated period, jitter and skipped frames equal those of real recordings") {
 		for (const std::string_view name : { "leap_stable", "leap_loaded" }) {
 			const SensorProfile profile = without_faults(profile_named(name));
 			for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -167,7 +167,7 @@ TEST_SUITE("simulated sensor") {
 		}
 	}
 
-	TEST_CASE("the Liberty reports three tips every 1/240 s, exactly where they are but for 5 um") {
+	TEST_CASE("the Liberty reports three tips at 240 Hz with 5 um noise") {
 		const TrueMotion motion = steady_motion({ 0.02, 0, 0 }, 0.0, 5.0); // within 25 cm
 		const Track track = record_track(motion, profile_named("liberty"), 1);
 		CHECK(track.frames.size() >= 1200);
@@ -184,7 +184,7 @@ TEST_SUITE("simulated sensor") {
 		CHECK(std::sqrt(square / static_cast<double>(track.frames.size())) == test::near(5e-6).epsilon(0.1));
 	}
 
-	TEST_CASE("noise is tiny, larger along y, doubled far from the sensor") {
+	TEST_CASE("noise is larger along y and doubles far from the sensor") {
 		const SensorProfile profile = without_faults(without_drift(profile_named("leap_stable")));
 		for (const double far : { 0.0, 1.0 }) {
 			TrueMotion motion = steady_motion({ 0, 0, 0 }, 0.0, 60.0);
@@ -207,7 +207,7 @@ TEST_SUITE("simulated sensor") {
 		}
 	}
 
-	TEST_CASE("lag: constant where tracking is good, up to 0.25 s where it is bad, content never runs back") {
+	TEST_CASE("lag is constant when stable, up to 0.25 s when unstable") {
 		for (const double severity : { 0.0, 1.0 }) {
 			double longest_s = 0.0;
 			for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -229,7 +229,7 @@ TEST_SUITE("simulated sensor") {
 		}
 	}
 
-	TEST_CASE("freezes, dropouts and jumps come as often and last as long as the profile says" *
+	TEST_CASE("freezes, dropouts and jumps have the profile's rates and durations" *
 			doctest::test_suite("figures")) {
 		const double span_s = 1500.0;
 		const SensorProfile profile = without_drift(profile_named("leap_unstable"));
@@ -290,8 +290,7 @@ TEST_SUITE("simulated sensor") {
 		}
 	}
 
-	TEST_CASE("drift is as strong as the profile says and grows with severity; confidence does not tell of "
-			  "it") {
+	TEST_CASE("drift has the profile's deviation and growth, independent of the confidence") {
 		const SensorProfile profile = without_faults(profile_named("leap_unstable"));
 		for (const double severity : { 0.0, 1.0 }) {
 			const TrueMotion motion = steady_motion({ 0, 0, 0 }, severity, 2000.0);
@@ -309,14 +308,14 @@ TEST_SUITE("simulated sensor") {
 				error_mean += error_m.norm() / count;
 				product += frame.confidence * error_m.norm() / count;
 			}
-			// Of the hand and of the joint, both times the growth; about 1500 independent values.
+			// Drift of the hand and of the joint, both times the growth; about 1500 independent values.
 			const double expected_m = (1.0 + 2.0 * severity) * std::hypot(6e-3, 1e-3);
 			CHECK(std::sqrt(square) == test::near(expected_m).epsilon(0.1));
 			CHECK(std::abs(product - confidence_mean * error_mean) < 0.1 * 0.15 * expected_m);
 		}
 	}
 
-	TEST_CASE("equal seeds give equal tracks, to the last bit; others do not") {
+	TEST_CASE("equal seeds give equal tracks to the last bit") {
 		for (const SensorProfile &profile : sensor_profiles()) {
 			const TrueMotion motion = steady_motion({ 0.1, 0, 0 }, 0.5, 3.0);
 			const std::string first = format_track_csv(record_track(motion, profile, 1));

@@ -61,7 +61,7 @@ double reference_at(const SyntheticTrial &trial, double t_s) {
 } // namespace
 
 TEST_SUITE("synthetic trial") {
-	TEST_CASE("a trial's times, start, axis and amplitude describe its reference") {
+	TEST_CASE("a trial's times, start, axis and amplitude match its reference") {
 		for (const SimulatedGesture &gesture : simulated_gestures()) {
 			if (gesture.is_example) {
 				continue; // its element is no stateless function of a frame
@@ -75,7 +75,7 @@ TEST_SUITE("synthetic trial") {
 				CHECK(trial.trial.start_s >= 0.5);
 				CHECK(trial.reference.frames.back().t_s - trial.trial.end_s > 0.75);
 				CHECK(trial.measured.frames.front().t_s < 0.1);
-				// Before the onset and at it the hand is at the start, but for sway and a start of its own.
+				// Up to the onset the hand is at the start, except for sway and the error of the start.
 				CHECK(std::abs(reference_at(trial, 0.1)) < 0.06);
 				CHECK(std::abs(reference_at(trial, trial.trial.start_s)) < 0.06);
 				const double level = reference_at(trial, trial.trial.end_s);
@@ -83,8 +83,7 @@ TEST_SUITE("synthetic trial") {
 				if (gesture.through_max_m == 0.0) {
 					CHECK(std::abs(reference_at(trial, trial.trial.end_s + 0.7) - level) < 0.05);
 				}
-				// The end is where the curve first reaches 95 % of its level at end_s. It lies within
-				// the span.
+				// The end is the first time at 95 % of the level at end_s. It is within the span.
 				double end_s = trial.trial.start_s;
 				while (reference_at(trial, end_s) < 0.95 * level) {
 					end_s += 1.0 / 240.0;
@@ -95,13 +94,13 @@ TEST_SUITE("synthetic trial") {
 		}
 	}
 
-	TEST_CASE("a circle goes once round its centre, counterclockwise as the user sees it") {
+	TEST_CASE("a circle goes once counterclockwise around its centre, seen by the user") {
 		for (std::uint64_t seed = 0; seed < 30; ++seed) {
 			SyntheticTrialRequest request = request_of("circle", seed);
 			request.position = seed % 2 == 0 ? HandPosition::STABLE : HandPosition::UNSTABLE;
 			const SyntheticTrial trial = made(request);
 			CHECK(trial.trial.amplitude_m == test::near(2.0 * std::numbers::pi * 0.06));
-			// It begins at the top, leftwards.
+			// It begins at the top, to the left.
 			CHECK(trial.trial.axis == Eigen::Vector3d(-1.0, 0.0, 0.0));
 			const Eigen::Vector2d centre = trial.trial.start_m.head<2>() - Eigen::Vector2d(0.0, 0.06);
 			double turned_rad = 0.0;
@@ -122,7 +121,7 @@ TEST_SUITE("synthetic trial") {
 		}
 	}
 
-	TEST_CASE("the rows and tracks of a set are files that read back") {
+	TEST_CASE("a set's rows and tracks read back from their files") {
 		SyntheticSetOptions options;
 		options.subjects = 2;
 		options.repetitions = 2;
@@ -144,7 +143,7 @@ TEST_SUITE("synthetic trial") {
 		CHECK(format_trials_csv(again.value().trials) == format_trials_csv(rows));
 	}
 
-	TEST_CASE("equal requests give equal trials to the last bit, whatever else is in the set") {
+	TEST_CASE("equal requests give equal trials to the last bit in any set") {
 		SyntheticSetOptions small;
 		small.subjects = 1;
 		small.repetitions = 1;
@@ -165,7 +164,7 @@ TEST_SUITE("synthetic trial") {
 		CHECK(format_track_csv(left.measured) != format_track_csv(made(other).measured));
 	}
 
-	TEST_CASE("a pace stretches the same movement") {
+	TEST_CASE("pace stretches the same movement") {
 		SyntheticSetOptions options;
 		options.subjects = 1;
 		options.repetitions = 2;
@@ -182,7 +181,7 @@ TEST_SUITE("synthetic trial") {
 		CHECK(duration_s(paced[1]) == test::near(0.5 * duration_s(natural[1])).epsilon(0.05));
 	}
 
-	TEST_CASE("after earlier rounds the hand does the same, and has come back each time, without a step") {
+	TEST_CASE("earlier rounds repeat the movement and return without a step") {
 		constexpr std::uint32_t ROUNDS = 3;
 		for (const char *gesture : { "horizontal_drag", "tap", "zoom" }) {
 			CAPTURE(gesture);
@@ -192,7 +191,7 @@ TEST_SUITE("synthetic trial") {
 			const SyntheticTrial last = made(request);
 			const double earlier_s = last.trial.start_s - once.trial.start_s;
 			CHECK(last.trial.end_s - once.trial.end_s == test::near(earlier_s));
-			// A round: half a second at either end, there and back.
+			// A round: movement, return, and half a second at each end.
 			const double gesture_s = once.trial.end_s - once.trial.start_s;
 			CHECK(earlier_s ==
 					test::near(ROUNDS * (1.0 + gesture_s + std::max(gesture_s, 0.4))).epsilon(0.02));
@@ -217,7 +216,7 @@ TEST_SUITE("synthetic trial") {
 		}
 	}
 
-	TEST_CASE("the sensor does not change what the hand did") {
+	TEST_CASE("the sensor does not change the reference") {
 		SyntheticTrialRequest request = request_of("horizontal_drag", 4);
 		const SyntheticTrial leap = made(request);
 		request.sensor = "openxr";
@@ -227,8 +226,7 @@ TEST_SUITE("synthetic trial") {
 		CHECK_FALSE(openxr.measured.has_confidence);
 	}
 
-	TEST_CASE("where tracking is stable the measured curve is near the reference, where it is not it is far "
-			  "off") {
+	TEST_CASE("the measured curve is near the reference only at stable positions") {
 		for (const SimulatedGesture &gesture : simulated_gestures()) {
 			if (gesture.is_example) {
 				continue; // its element is no stateless function of a frame
@@ -257,7 +255,7 @@ TEST_SUITE("synthetic trial") {
 		}
 	}
 
-	TEST_CASE("none has a kind, a span and no task") {
+	TEST_CASE("a trial of \"none\" has a kind, a span and no task") {
 		for (const OtherMotion &kind : other_motions()) {
 			SyntheticTrialRequest request = request_of("none", 2);
 			request.kind = kind.name;
@@ -272,7 +270,7 @@ TEST_SUITE("synthetic trial") {
 		}
 	}
 
-	TEST_CASE("a name in no table is an error that lists what there is") {
+	TEST_CASE("an unknown name is an error that lists the known names") {
 		CHECK(make_synthetic_trial(request_of("wave", 1)).error() ==
 				"no synthetic gesture 'wave', there are: horizontal_drag vertical_drag tap zoom "
 				"circle none");
@@ -289,7 +287,7 @@ TEST_SUITE("synthetic trial") {
 	}
 }
 
-TEST_CASE("a placed gesture is the sensor's own, turned and shifted") {
+TEST_CASE("a placed gesture is the unplaced one, turned and shifted") {
 	for (const char *const gesture : { "horizontal_drag", "vertical_drag", "tap" }) {
 		SyntheticTrialRequest request{ .name = "placed", .gesture = gesture };
 		request.subject = draw_subject(Population::EVALUATE, 3);
@@ -310,7 +308,7 @@ TEST_CASE("a placed gesture is the sensor's own, turned and shifted") {
 			}
 			const Eigen::Vector3d from_start = one.position(Joint::INDEX) - free.trial.start_m;
 			const Eigen::Vector3d placed_from_start = other.position(Joint::INDEX) - start_m;
-			// What a rigid motion keeps: the way along the axis, the distance, the hand's own shape.
+			// A rigid motion keeps the movement along the axis, distances and the shape of the hand.
 			REQUIRE(placed_from_start.dot(axis) ==
 					doctest::Approx(from_start.dot(free.trial.axis)).epsilon(1e-9));
 			REQUIRE(placed_from_start.norm() == doctest::Approx(from_start.norm()).epsilon(1e-9));
@@ -320,7 +318,7 @@ TEST_CASE("a placed gesture is the sensor's own, turned and shifted") {
 	}
 }
 
-TEST_CASE("a placed gesture has the length and the radius asked for") {
+TEST_CASE("a placed gesture has the requested amplitude and radius") {
 	SyntheticTrialRequest request{ .name = "placed", .gesture = "zoom" };
 	request.subject = draw_subject(Population::EVALUATE, 3);
 	request.place = { Eigen::Vector3d(1.0, 1.0, 1.0), Eigen::Vector3d::Zero(), 0.04, 0.02 };

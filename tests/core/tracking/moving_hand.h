@@ -8,8 +8,8 @@
 
 namespace steadyhand::test {
 
-/// A hand that goes to and fro between two places, each way a minimum jerk of its own (Flash & Hogan 1985),
-/// and rests in between, before a tracker of a constant rate with white noise and rounding.
+/// A hand that moves to and fro between two positions, with minimum-jerk movements (Flash & Hogan 1985) and
+/// rests between them, and a tracker with a constant rate, white noise and rounding.
 struct MovingHand {
 	double amplitude_m = 0.2;
 	double duration_s = 0.6; ///< of one way

@@ -1,4 +1,4 @@
-// Long lines take time in proportion to their length, and long cells give short messages.
+// The time for a line is proportional to its length, and long cells give short messages.
 
 #include "tracking/csv_text.h"
 #include "tracking/track_csv.h"
@@ -38,7 +38,7 @@ constexpr std::string_view TRIALS_HEADER =
 
 } // namespace
 
-// Quadratic work on these lines takes minutes to hours: the suite's kill time ends it.
+// A quadratic algorithm needs minutes to hours for these lines, and exceeds the time limit of the suite.
 TEST_SUITE("long tables") {
 	TEST_CASE("a line of two million open quotes is split at its commas") {
 		std::vector<std::string_view> cells;

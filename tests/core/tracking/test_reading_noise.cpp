@@ -48,9 +48,9 @@ TEST_CASE("a rare jump does not change the measured noise") {
 	CHECK(noise.deviation_m().maxCoeff() < 0.3e-3);
 }
 
-TEST_CASE("a tracker repeats a resting hand as often as two rounded readings agree" *
+TEST_CASE("a resting hand's repeated readings have the probability of equal rounding" *
 		doctest::test_suite("figures")) {
-	// Noise of two steps: brute force over drawn readings.
+	// Noise of two rounding steps: brute force over random readings.
 	constexpr double STEP_M = 0.1e-3;
 	Random random(6);
 	ReadingNoise noise;
@@ -68,11 +68,11 @@ TEST_CASE("a tracker repeats a resting hand as often as two rounded readings agr
 		noise.push(0.01 * i, place_m);
 		log_sum += i > 20 ? std::log(noise.repeat_probability()) : 0.0;
 	}
-	// The noise is known to a seventh, and its third power counts: the geometric mean is the fair one.
+	// The noise has an error of a seventh, and its third power is used: so the geometric mean is compared.
 	CHECK(std::exp(log_sum / READINGS) == near(static_cast<double>(same) / READINGS).epsilon(0.5));
 }
 
-TEST_CASE("without noise nothing is said of repeated readings") {
+TEST_CASE("repeat_probability() is 1 without noise") {
 	ReadingNoise noise;
 	for (int i = 0; i < 100; ++i) {
 		const double x_m = 0.1 * std::sin(0.05 * i);
@@ -81,7 +81,7 @@ TEST_CASE("without noise nothing is said of repeated readings") {
 	CHECK(noise.repeat_probability() == 1.0);
 }
 
-TEST_CASE("the step of rounding is found on a hand too quick for single steps") {
+TEST_CASE("the rounding step is found on a quick hand") {
 	for (const double step_m : { 1e-3, 0.5e-3, 0.1e-3 }) {
 		ReadingNoise rounded, exact;
 		for (int i = 0; i < 16; ++i) {

@@ -67,7 +67,7 @@ TEST_CASE("fingers bend evenly, to the inner side, and have their length") {
 	const HandSkeleton hand = infer_skeleton(frame);
 	const auto at = [&hand](SkeletonJoint joint) { return hand.position(joint); };
 	CHECK((at(SkeletonJoint::INDEX_PROXIMAL) - Eigen::Vector3d(-0.027, 1.0, -0.093)).norm() < 0.003);
-	// Ahead of both ends, as the arc goes out and comes back below.
+	// The arc passes beyond both ends, and returns below.
 	CHECK(at(SkeletonJoint::INDEX_INTERMEDIATE).z() < at(SkeletonJoint::INDEX_TIP).z());
 	CHECK(at(SkeletonJoint::INDEX_INTERMEDIATE).y() > at(SkeletonJoint::INDEX_TIP).y());
 	double length_m = 0.0;

@@ -20,7 +20,7 @@ HandFrame frame_at(double t_s) {
 
 } // namespace
 
-TEST_CASE("the rate is that of the frames, whatever some gaps") {
+TEST_CASE("dropouts do not change the measured frame rate") {
 	for (const double rate_hz : { 10.0, 60.0, 110.6, 240.0 }) {
 		StreamStatistics statistics;
 		for (int i = 0; i < 400; ++i) {
@@ -32,7 +32,7 @@ TEST_CASE("the rate is that of the frames, whatever some gaps") {
 	}
 }
 
-TEST_CASE("nothing is said of a few frames") {
+TEST_CASE("few frames have no statistics") {
 	StreamStatistics statistics;
 	statistics.add(frame_at(0.0));
 	statistics.add(frame_at(0.01));

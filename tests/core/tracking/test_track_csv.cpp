@@ -28,7 +28,7 @@ Track parsed(std::string_view text) {
 	return std::move(track).value();
 }
 
-/// Any finite double, each exponent as likely as any other.
+/// Random finite double with a uniform exponent.
 double any_double(std::mt19937_64 &r_engine, double magnitude_max) {
 	for (;;) {
 		const double number = std::bit_cast<double>(r_engine());
@@ -99,7 +99,7 @@ void check_same(const Track &left, const Track &right) {
 } // namespace
 
 TEST_SUITE("track CSV") {
-	TEST_CASE("columns come in any order, an empty cell is not tracked, a foreign column is carried along") {
+	TEST_CASE("columns may have any order; empty cells are untracked, unknown columns kept") {
 		const Track track = parsed("# subject: anna\n"
 								   "# sensor: leap: second unit\n"
 								   "#recorded at 12:30\n"
@@ -123,8 +123,7 @@ TEST_SUITE("track CSV") {
 		CHECK(track.unknown_columns[0].cells == std::vector<std::string>{ "yes", "" });
 	}
 
-	TEST_CASE(
-			"byte order mark, CRLF, spaces, a plus sign, no last line break and blank last lines are read") {
+	TEST_CASE("byte order mark, CRLF, spaces, plus signs and blank lines are read") {
 		const std::string expected =
 				format_track_csv(parsed("# a: b\nt,palm_x,palm_y,palm_z\n1,2,3,4\n2,,,\n"));
 		CHECK(expected == "# a: b\nt,palm_x,palm_y,palm_z\n1,2,3,4\n2,,,\n");
@@ -136,11 +135,11 @@ TEST_SUITE("track CSV") {
 		}
 	}
 
-	TEST_CASE("cells may be in quotes, as R and spreadsheets write them") {
+	TEST_CASE("quoted cells are read, as R and spreadsheets write them") {
 		const std::string text = "t,palm_x,palm_y,palm_z,note\n1,2,3,4,\"a,b\"\n2,,,,\n";
 		CHECK(format_track_csv(parsed("\"t\",\"palm_x\",\"palm_y\",\"palm_z\",\"note\"\n"
 									  "\"1\", \"2\" ,3,\"4\",\"a,b\"\n2,\"\",,\"\",\"\"\n")) == text);
-		// What is not closed before a comma, and a quote within a cell, is text.
+		// A quote within a cell, or one that is not closed before a comma, is text.
 		for (const std::string cell : { "\"", "\"a", "5\"", "a \"b\"", "\"a\" b", "\"\"a\"\"" }) {
 			const Track track = parsed("t,note\n1," + cell + "\n2,b\n");
 			CHECK(track.unknown_columns[0].cells[1] == "b");
@@ -179,12 +178,12 @@ TEST_SUITE("track CSV") {
 		}
 	}
 
-	TEST_CASE("a track without rows, and one with time alone, are tracks") {
+	TEST_CASE("a track without rows, or with only times, is valid") {
 		CHECK(parsed("t\n").frames.empty());
 		CHECK(parsed("t\n1\n1\n2").frames.size() == 3);
 	}
 
-	TEST_CASE("any track reads back as itself, to the last bit") {
+	TEST_CASE("any track reads back to the last bit") {
 		std::mt19937_64 engine(20261121);
 		for (int i = 0; i < 300; ++i) {
 			const Track track = any_track(engine);
@@ -205,7 +204,7 @@ TEST_SUITE("track CSV") {
 		}
 	}
 
-	TEST_CASE("what a live recorder wrote row by row is what the whole track is formatted as") {
+	TEST_CASE("rows written one by one equal the formatted track") {
 		std::mt19937_64 engine(7);
 		for (int i = 0; i < 50; ++i) {
 			Track track = any_track(engine);
@@ -219,7 +218,7 @@ TEST_SUITE("track CSV") {
 		}
 	}
 
-	TEST_CASE("what no file may hold is written so that the file can be read") {
+	TEST_CASE("invalid values are written so that the file can be read") {
 		HandFrame frame;
 		frame.set(Joint::INDEX, { 1.0, std::numeric_limits<double>::quiet_NaN(), 2.0 });
 		frame.confidence = std::numeric_limits<double>::quiet_NaN();
@@ -230,7 +229,7 @@ TEST_SUITE("track CSV") {
 		CHECK_FALSE(parsed(text).frames[0].has(Joint::INDEX));
 	}
 
-	TEST_CASE("a recording that was cut off keeps every frame before the cut") {
+	TEST_CASE("a truncated recording keeps every frame before the cut") {
 		const std::string whole = "t,index_x,index_y,index_z,note\n1,2,3,4,a\n2,3,4,5,b\n3,4,5,6,c\n";
 		const TrackReading reading = read_track_csv(whole.substr(0, whole.size() - 5), "a.csv");
 		CHECK(reading.track.frames.size() == 2);
@@ -243,7 +242,7 @@ TEST_SUITE("track CSV") {
 		CHECK_FALSE(read_track_csv("t,index_x", "a.csv").is_cut_off);
 	}
 
-	TEST_CASE("every cut of a recording gives either a track or one error, never more frames than it had") {
+	TEST_CASE("any truncated recording gives a track or one error") {
 		std::mt19937_64 engine(3);
 		Track track = any_track(engine);
 		while (track.frames.size() < 3) {
@@ -256,7 +255,7 @@ TEST_SUITE("track CSV") {
 		}
 	}
 
-	TEST_CASE("bad input gets one error that names file, line and column") {
+	TEST_CASE("bad input gives one error with file, line and column") {
 		const std::string header = "t,index_x,index_y,index_z,confidence\n";
 		CHECK(error_of("") == "a.csv:1: t: no header line");
 		CHECK(error_of("# only: metadata\n") == "a.csv:1: t: no header line");
@@ -305,7 +304,7 @@ TEST_SUITE("track CSV") {
 				"a.csv:2: index_x: '" + std::string(40, 'x') + "...' is not a number");
 	}
 
-	TEST_CASE("random bytes are an error or a track, never more") {
+	TEST_CASE("random bytes give an error or a track") {
 		std::mt19937_64 engine(11);
 		const std::string alphabet("t,index_xyz#: 0123456789.e-+\n\r\"\x00\xC3\xA4\xFF", 35);
 		for (int i = 0; i < 5000; ++i) {

@@ -1,4 +1,4 @@
-// By how far a tracker shows the hand beside where it is: jumps that it keeps.
+// Displacement of a tracker: lasting jumps.
 
 #include "base/random.h"
 #include "moving_hand.h"
@@ -17,14 +17,13 @@ namespace {
 constexpr double RATES_HZ[] = { 60.0, 90.0, 120.0 };
 constexpr double NOISE_M = 0.2e-3;
 
-/// Between the two times the tracker shows it beside the hand.
+/// A displacement of the tracker between two times.
 struct Aside {
 	Vector3d by_m;
 	double from_s, to_s;
 };
 
-/// The greatest distance of a position without its displacement from the hand's, of usable measurements
-/// since the time.
+/// Greatest distance between a corrected position and the hand, over usable measurements since a time.
 double furthest_off_m(double rate_hz, const Aside &aside, double since_s) {
 	Random random(3);
 	const MovingHand hand{ .rate_hz = rate_hz, .noise_m = NOISE_M };
@@ -45,10 +44,10 @@ double furthest_off_m(double rate_hz, const Aside &aside, double since_s) {
 
 } // namespace
 
-TEST_CASE("without the displacement a jump that stays leaves the hand where it is, within a fifth of it") {
+TEST_CASE("displacement_m corrects 80 % of a lasting jump") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double jump_m : { 0.06, 0.12, 0.3 }) {
-			// At rest, setting out, and halfway.
+			// At rest, at the onset, and halfway.
 			for (const double from_s : { 0.15, 0.3, 0.5 }) {
 				CAPTURE(rate_hz);
 				CAPTURE(jump_m);
@@ -59,7 +58,7 @@ TEST_CASE("without the displacement a jump that stays leaves the hand where it i
 	}
 }
 
-TEST_CASE("of a jump that is undone within 0.3 s no displacement is left") {
+TEST_CASE("a jump undone within 0.3 s leaves no displacement") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double lasts_s : { 0.05, 0.15, 0.25, 0.3 }) {
 			for (const double from_s : { 0.1, 0.3, 0.5 }) {
@@ -73,7 +72,7 @@ TEST_CASE("of a jump that is undone within 0.3 s no displacement is left") {
 	}
 }
 
-TEST_CASE("a tracker that shows a hand standing, and then where it has gone on to, is not displaced") {
+TEST_CASE("a freeze during a movement gives no displacement") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double lost_s : { 0.1, 0.2, 0.25 }) {
 			CAPTURE(rate_hz);

@@ -75,7 +75,7 @@ TEST_CASE("rounding counts as noise") {
 	}
 }
 
-TEST_CASE("a sound tracker of any rate, noise and task length has no fault") {
+TEST_CASE("a tracker without faults has none at any rate and noise") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double noise_m : { 0.0, 0.1e-3, 1e-3 }) {
 			for (const double amplitude_m : { 0.02, 0.2, 0.4 }) {
@@ -93,7 +93,7 @@ TEST_CASE("a sound tracker of any rate, noise and task length has no fault") {
 	}
 }
 
-TEST_CASE("a camera read more often than it looks repeats readings and has no fault") {
+TEST_CASE("a camera read faster than its frame rate has no fault") {
 	for (const double polled_hz : { 90.0, 144.0, 1000.0 }) {
 		Random random(3);
 		const MovingHand hand{ .rate_hz = 30.0, .noise_m = 0.1e-3 };
@@ -114,7 +114,7 @@ TEST_CASE("a camera read more often than it looks repeats readings and has no fa
 	}
 }
 
-TEST_CASE("frames that come in bursts are no dropouts and no jumps") {
+TEST_CASE("frames in bursts are no dropouts and no jumps") {
 	Random random(5);
 	const MovingHand hand{ .noise_m = 0.1e-3 };
 	TrackerMonitor monitor;
@@ -145,7 +145,8 @@ TEST_CASE("the last frame of a burst replaces those before it") {
 			used += measurement.is_usable() ? 1 - static_cast<int>(measurement.replaces_last) : 0;
 			kept = measurement.is_usable() ? measurement : kept;
 			if (i % FRAMES == FRAMES - 1) {
-				// Of the stamp, not of 10 to 30 ms before it: a hand at 0.6 m/s goes 18 mm in these.
+				// The position is that of the time stamp, not of 10 to 30 ms before: a hand at 0.6 m/s moves
+				// 18 mm.
 				CHECK((kept.position_m - hand.at(kept.t_s)).norm() < 1e-3);
 			}
 		}
@@ -164,7 +165,7 @@ TEST_CASE("no frame of a camera of up to 240 Hz replaces another") {
 	}
 }
 
-TEST_CASE("a clock that is set anew starts over and costs one fault at most") {
+TEST_CASE("a clock reset restarts the monitor with at most one fault") {
 	for (const double step_s : { 200000.0, -10.0 }) {
 		Random random(5);
 		const MovingHand hand{ .noise_m = 0.1e-3 };
@@ -190,14 +191,14 @@ TEST_CASE("a frame is overdue after 3.5 periods and 30 ms") {
 	CHECK_FALSE(TrackerMonitor().is_overdue(1e9));
 }
 
-TEST_CASE("what no hand and no clock does gives finite numbers") {
+TEST_CASE("impossible positions and times give finite results") {
 	for (const double far_m : { 1e-9, 1.0, 1e9 }) {
 		for (const double step_s : { 0.0, 1e-12, 0.01, 3600.0 }) {
 			Random random(8);
 			TrackerMonitor monitor;
 			double t_s = 0.0;
 			for (int i = 0; i < 3000; ++i) {
-				// Stamps in pairs; two places for the first half, then noise.
+				// Pairs of equal time stamps; two positions in the first half, then noise.
 				t_s += step_s * (i % 2);
 				const Vector3d place_m = i < 1500 ? Vector3d(i % 3 == 0 ? far_m : 0.1, 0.0, -0.3)
 												  : Vector3d(far_m * random.normal(), far_m * (i % 5), 0.0);

@@ -51,7 +51,7 @@ TEST_CASE("a dropout of 0.1 s is reported with its length") {
 
 TEST_CASE("a freeze with 0.1 mm of noise is found within 3.5 periods") {
 	for (const double rate_hz : RATES_HZ) {
-		// In motion and at rest, in a short task and a long one.
+		// Motion and rest, with a short and a long task.
 		for (const double amplitude_m : { 0.0, 0.02, 0.4 }) {
 			CAPTURE(rate_hz);
 			Random random(2);
@@ -81,7 +81,7 @@ TEST_CASE("a freeze with 0.1 mm of noise is found within 3.5 periods") {
 	}
 }
 
-TEST_CASE("a hand without noise that stops dead rests") {
+TEST_CASE("a hand without noise that stops is not frozen") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double length_m : { 0.05, 0.2 }) {
 			for (const double share : { 0.25, 0.5, 0.75 }) {
@@ -100,7 +100,7 @@ TEST_CASE("a hand without noise that stops dead rests") {
 	}
 }
 
-TEST_CASE("a quick hand rounded to 0.5 mm that stops dead rests") {
+TEST_CASE("a quick hand rounded to 0.5 mm that stops is not frozen") {
 	for (const double rate_hz : RATES_HZ) {
 		for (const double share : { 0.25, 0.5, 0.75 }) {
 			CAPTURE(rate_hz);
@@ -129,7 +129,7 @@ TEST_CASE("a mouse whose positions are rounded to pixels has no fault") {
 	CHECK(monitor.faults().jumps == 0);
 }
 
-TEST_CASE("six frames of the other hand are outliers, and a gap when they end") {
+TEST_CASE("six frames of the other hand are one jump, reported as a gap") {
 	for (const double rate_hz : { 60.0, 90.0, 120.0, 240.0 }) {
 		for (const double amplitude_m : { 0.02, 0.4 }) {
 			for (int first = 40; first < 140; first += 7) {
@@ -165,7 +165,7 @@ TEST_CASE("six frames of the other hand are outliers, and a gap when they end") 
 	}
 }
 
-TEST_CASE("a tracker that moves its origin is believed again within 0.1 s") {
+TEST_CASE("a tracker with a moved origin is accepted within 0.1 s") {
 	for (const double rate_hz : RATES_HZ) {
 		CAPTURE(rate_hz);
 		Random random(7);
@@ -184,7 +184,7 @@ TEST_CASE("a tracker that moves its origin is believed again within 0.1 s") {
 	}
 }
 
-TEST_CASE("a mouse that is set elsewhere and rests there is believed again") {
+TEST_CASE("a mouse that is set elsewhere and rests there is accepted") {
 	TrackerMonitor monitor;
 	Measurement measurement;
 	for (int i = 0; i < 200; ++i) {
@@ -194,7 +194,7 @@ TEST_CASE("a mouse that is set elsewhere and rests there is believed again") {
 	CHECK(monitor.faults().jumps == 1);
 }
 
-TEST_CASE("a shift that was accepted and is undone within 0.3 s was a gap") {
+TEST_CASE("an accepted shift undone within 0.3 s is reported as a gap") {
 	Random random(7);
 	const MovingHand hand{ .rate_hz = 100.0, .noise_m = 0.1e-3 };
 	TrackerMonitor monitor;
@@ -216,7 +216,7 @@ TEST_CASE("a hand that hits a surface at 1.5 m/s is no outlier") {
 		Random random(9);
 		for (int i = 0; i < 2 * rate_hz; ++i) {
 			const double t_s = i / rate_hz;
-			// Accelerates at 20 m/s^2 for 75 ms, goes on for 50 ms, and stands.
+			// The hand accelerates at 20 m/s^2 for 75 ms, moves on for 50 ms, and stops at once.
 			const double u_s = std::clamp(t_s - 1.0, 0.0, 0.125);
 			const double y_m = u_s < 0.075 ? 10.0 * u_s * u_s : 0.05625 + 1.5 * (u_s - 0.075);
 			const Measurement measurement =

@@ -21,7 +21,7 @@ namespace {
 
 const std::filesystem::path SHARED = "../shared";
 
-/// What the monitor made of the index tip of a track.
+/// Results of the monitor for the index tip of a track.
 struct Judged {
 	TrackerFaults faults;
 	double seconds = 0.0;
@@ -51,7 +51,7 @@ Track read(const std::filesystem::path &file) {
 	return parse_track_csv(text.str(), file.string()).value();
 }
 
-/// Sum over the tracks of a folder whose names end so.
+/// Sum over the tracks of a folder with this end of their names.
 Judged judged_folder(const std::filesystem::path &folder, const std::string &ending) {
 	Judged sum;
 	for (const auto &entry : std::filesystem::directory_iterator(folder)) {
@@ -75,7 +75,7 @@ bool is_here(const std::filesystem::path &folder) {
 
 } // namespace
 
-TEST_CASE("real hands before steady trackers have no jump and no freeze") {
+TEST_CASE("recordings of real hands with steady trackers have no jump or freeze") {
 	if (is_here(SHARED / "real/leap_qtm")) {
 		const Judged sum = judged_folder(SHARED / "real/leap_qtm", "_leap.csv");
 		CHECK(sum.seconds > 60.0);
@@ -85,7 +85,7 @@ TEST_CASE("real hands before steady trackers have no jump and no freeze") {
 	if (is_here(SHARED / "real/drags_train")) {
 		const Judged sum = judged_folder(SHARED / "real/drags_train", ".measured.csv");
 		CHECK(sum.seconds > 60.0);
-		// One frame is 46 mm on in 10 ms: those before it were late.
+		// One step is 46 mm in 10 ms: the frames before it were late.
 		CHECK(sum.faults.jumps <= 1);
 		CHECK(sum.faults.freezes == 0);
 		const Judged reference = judged_folder(SHARED / "real/drags_train", ".reference.csv");
@@ -94,7 +94,7 @@ TEST_CASE("real hands before steady trackers have no jump and no freeze") {
 	}
 }
 
-TEST_CASE("reported faults on real moves are found") {
+TEST_CASE("simulated faults in real movements are found") {
 	const std::filesystem::path cases = SHARED / "cases";
 	if (!is_here(cases)) {
 		return;
@@ -113,7 +113,7 @@ TEST_CASE("reported faults on real moves are found") {
 		CHECK(swap.faults.jumps == 1);
 		CHECK(swap.outliers == 6);
 		CHECK(swap.longest_gap_s == doctest::Approx(0.06).epsilon(0.05));
-		// FrameDoor takes these zeros out before; without it they are a jump.
+		// FrameDoor removes these zeros. Without it they are a jump.
 		CHECK(of("zero").faults.jumps == 1);
 		CHECK(of("curl").outliers > 0);
 		for (const char *slow : { "hz10", "burst" }) {
@@ -124,7 +124,7 @@ TEST_CASE("reported faults on real moves are found") {
 	}
 }
 
-TEST_CASE("synthetic people before trackers without faults have no jump and no freeze" *
+TEST_CASE("synthetic people with trackers without faults have no jump or freeze" *
 		doctest::test_suite("figures")) {
 	for (const SensorProfile &of_table : sensor_profiles()) {
 		CAPTURE(of_table.name);

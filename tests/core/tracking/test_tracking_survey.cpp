@@ -26,7 +26,7 @@ Vector3d swept(double t_s) {
 		-0.4 + 0.2 * std::sin(TWO_PI * 0.083 * t_s + 2.0) };
 }
 
-/// Tracking worsens from 0.3 m to 0.5 m away from the sensor.
+/// Severity: it grows from 0.3 m to 0.5 m from the sensor.
 double far_away(const Vector3d &place_m) {
 	return std::clamp((-place_m.z() - 0.3) / 0.2, 0.0, 1.0);
 }
@@ -37,7 +37,7 @@ double same_everywhere(const Vector3d & /*place_m*/) {
 
 using Severity = double (*)(const Vector3d &place_m);
 
-/// What the sensor saw is told from an origin that is at -origin_m of its own space.
+/// Positions are relative to an origin at -origin_m of the sensor's space.
 TrackingSurvey surveyed(
 		Severity severity, double span_s, std::uint64_t seed, const Vector3d &origin_m = Vector3d::Zero()) {
 	TrueMotion motion;
@@ -49,7 +49,7 @@ TrackingSurvey surveyed(
 		return frame;
 	};
 	motion.severity = [severity](double t_s) { return severity(swept(t_s)); };
-	// Some faults a minute where it is easy, one or two a second where it is not, as leap_unstable has them.
+	// Some faults a minute at easy positions, one or two a second at hard ones, as in leap_unstable.
 	SensorProfile profile = *find_sensor_profile("leap_unstable");
 	for (double *per_s : { &profile.freeze_per_s, &profile.dropout_per_s, &profile.jump_per_s }) {
 		*per_s /= 5.0;
@@ -64,7 +64,7 @@ TrackingSurvey surveyed(
 	return survey;
 }
 
-/// Half a minute at each of two places; at the other one every second brings a gap of 0.2 s.
+/// Half a minute at each of two positions. The second one has a dropout of 0.2 s each second.
 TrackingSurvey surveyed_at_two(
 		const Vector3d &first_m, const Vector3d &other_m, double first_noise_m, double other_noise_m) {
 	TrackingSurvey survey;
@@ -81,8 +81,7 @@ TrackingSurvey surveyed_at_two(
 
 } // namespace
 
-TEST_CASE("a practice run of two minutes finds where the sensor is good and where it is not" *
-		doctest::test_suite("figures")) {
+TEST_CASE("two minutes of practice find a stable and an unstable position" * doctest::test_suite("figures")) {
 	int distinct = 0;
 	double stable_severity = 0.0;
 	double unstable_severity = 0.0;
@@ -96,7 +95,7 @@ TEST_CASE("a practice run of two minutes finds where the sensor is good and wher
 		CHECK(far_away(stable.position_m) < 0.25);
 		CHECK(far_away(unstable.position_m) > 0.5);
 		CHECK((stable.position_m - unstable.position_m).norm() >= TrackingSurvey::APART_M);
-		// Within the reach: no further than the sweep and the sensor's own error.
+		// The positions are within the sweep and the sensor's error.
 		for (const TrackingSurvey::Place *place : { &stable, &unstable }) {
 			CHECK((place->position_m - Vector3d(0, 0, -0.4)).cwiseAbs().maxCoeff() < 0.28);
 		}
@@ -109,8 +108,8 @@ TEST_CASE("a practice run of two minutes finds where the sensor is good and wher
 	CHECK(distinct >= RUNS * 17 / 20);
 }
 
-TEST_CASE("a practice run finds the same wherever the origin is") {
-	// A headset's hands in world space: 1.6 m up, anywhere in the room, or far away in a large world.
+TEST_CASE("the survey does not depend on the origin") {
+	// Hands of a headset in world space: 1.6 m up, anywhere in the room, or far away in a large world.
 	for (const Vector3d &origin_m : { Vector3d(5.0, 1.6, -3.0), Vector3d(-40000.0, 120.0, 7000.0) }) {
 		CAPTURE(origin_m);
 		const TrackingSurvey::Proposal here = surveyed(far_away, 120.0, 1).propose().value();
@@ -119,12 +118,12 @@ TEST_CASE("a practice run finds the same wherever the origin is") {
 		CHECK((there.value().stable.position_m - origin_m - here.stable.position_m).norm() < 1e-6);
 		CHECK((there.value().unstable.position_m - origin_m - here.unstable.position_m).norm() < 1e-6);
 		CHECK(there.value().unstable.lost_share == test::near(here.unstable.lost_share));
-		// What is on the border of two cells may be counted to either.
+		// A position on the border of two cells may be in either.
 		CHECK(there.value().contrast == test::near(here.contrast).epsilon(0.01));
 	}
 }
 
-TEST_CASE("a hand that is first seen at one end of its reach is followed to the other") {
+TEST_CASE("the survey covers a hand's whole reach from any first position") {
 	const Vector3d near_m(4.8, 1.35, -3.0), far_m(6.4, 1.35, -3.0);
 	const Result<TrackingSurvey::Proposal> proposal = surveyed_at_two(near_m, far_m, 1e-4, 1e-4).propose();
 	REQUIRE_MESSAGE(proposal.ok(), proposal.error());
@@ -132,7 +131,7 @@ TEST_CASE("a hand that is first seen at one end of its reach is followed to the 
 	CHECK((proposal.value().unstable.position_m - far_m).norm() < 1e-3);
 }
 
-TEST_CASE("a sensor that is alike everywhere has no two positions" * doctest::test_suite("figures")) {
+TEST_CASE("a uniform sensor has no stable and unstable position" * doctest::test_suite("figures")) {
 	int distinct = 0;
 	for (int seed = 1; seed <= RUNS; ++seed) {
 		const Result<TrackingSurvey::Proposal> proposal =
@@ -143,7 +142,7 @@ TEST_CASE("a sensor that is alike everywhere has no two positions" * doctest::te
 	CHECK(distinct <= RUNS * 2 / 20);
 }
 
-TEST_CASE("lost time counts at the place where a fault begins, noise where it is") {
+TEST_CASE("lost time counts where a fault begins, noise where it occurs") {
 	const Vector3d left_m(-0.35, 0.05, -0.35), right_m(0.35, 0.05, -0.35);
 	const TrackingSurvey::Proposal proposal = surveyed_at_two(left_m, right_m, 1e-4, 1e-3).propose().value();
 	CHECK((proposal.stable.position_m - left_m).norm() < 1e-3);
@@ -154,7 +153,7 @@ TEST_CASE("lost time counts at the place where a fault begins, noise where it is
 	CHECK(proposal.unstable.noise_m == test::near(1e-3).epsilon(0.3));
 }
 
-TEST_CASE("where the hand is lost for long is worse than where it is lost often for a moment") {
+TEST_CASE("long dropouts are worse than frequent short ones") {
 	for (const bool freezes : { false, true }) {
 		CAPTURE(freezes);
 		TrackingSurvey survey;
@@ -198,7 +197,7 @@ TEST_CASE("where the hand is lost for long is worse than where it is lost often 
 	CHECK(away.duration_s() == 0.0);
 }
 
-TEST_CASE("a run too short, or in one place, says what is missing") {
+TEST_CASE("a run too short, or in one place, reports the cause") {
 	for (const double short_s : { 10.0, 16.0 }) {
 		CHECK(surveyed(far_away, short_s, 1).propose().error().find("too short") != std::string::npos);
 	}
@@ -211,7 +210,7 @@ TEST_CASE("a run too short, or in one place, says what is missing") {
 	CHECK(TrackingSurvey().propose().error().find("too short") != std::string::npos);
 }
 
-TEST_CASE("two positions are further apart than a hand is wide, and those of a reach of 40 cm are found") {
+TEST_CASE("two positions are farther apart than a hand within a 40 cm reach") {
 	for (const double reach_m : { 0.1, 0.19, 0.4, 0.6 }) {
 		CAPTURE(reach_m);
 		TrackingSurvey survey;
@@ -223,7 +222,7 @@ TEST_CASE("two positions are further apart than a hand is wide, and those of a r
 	}
 }
 
-TEST_CASE("places that no hand reaches and stamps that stand still do no harm") {
+TEST_CASE("unreachable positions and equal time stamps are ignored") {
 	TrackingSurvey survey;
 	for (int i = 0; i < 5000; ++i) {
 		const double far_m = i % 7 == 0 ? 1e9 : std::numeric_limits<double>::max();
@@ -240,7 +239,7 @@ TEST_CASE("places that no hand reaches and stamps that stand still do no harm") 
 	CHECK(std::isfinite(proposal.unstable.noise_m));
 }
 
-TEST_CASE("a tracker that shows the hand all over the world takes no place from where it was before") {
+TEST_CASE("later wild positions do not displace earlier cells of the survey") {
 	TrackingSurvey survey;
 	Random random(5);
 	double t_s = 0.0;
@@ -263,7 +262,7 @@ TEST_CASE("a tracker that shows the hand all over the world takes no place from 
 	}
 }
 
-TEST_CASE("a mouse, whose positions are rounded to pixels, has no two positions" *
+TEST_CASE("a mouse with rounded positions has no stable and unstable position" *
 		doctest::test_suite("figures")) {
 	for (const double pixel_m : { 0.0005, 0.001, 0.002 }) {
 		for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -60,7 +60,7 @@ TEST_SUITE("trial set") {
 		CHECK(trials[3].end_s == 0.0);
 	}
 
-	TEST_CASE("a gesture of any name is described by the cells it fills") {
+	TEST_CASE("a gesture of any name is described by its filled cells") {
 		const std::vector<Trial> trials = parsed(HEADER +
 				"c1,circle,stable,s1,0,1,0,0,0,0,0,1,0.1\n"
 				"c2,squeeze,stable,s1,0,1,0.03,,,,,,0.02\n"
@@ -70,7 +70,7 @@ TEST_SUITE("trial set") {
 		CHECK(trials[2].amplitude_m == 0.0);
 	}
 
-	TEST_CASE("columns come in any order and others are ignored") {
+	TEST_CASE("columns may have any order; unknown columns are ignored") {
 		const std::vector<Trial> trials =
 				parsed("note,amplitude_m,trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_"
 					   "z,axis_x,"
@@ -81,7 +81,7 @@ TEST_SUITE("trial set") {
 		CHECK(trials[0].axis == Eigen::Vector3d(0, 0, -1));
 	}
 
-	TEST_CASE("cells may be in quotes, as R writes them: a name's comma is kept") {
+	TEST_CASE("quoted cells are read, and keep their commas") {
 		std::string header = HEADER;
 		for (std::size_t i = header.find(','); i != std::string::npos; i = header.find(',', i + 3)) {
 			header.replace(i, 1, "\",\"");
@@ -94,7 +94,7 @@ TEST_SUITE("trial set") {
 		CHECK(format_trials_csv(trials) == HEADER + "t1,tap,stable,\"Doe, J\",0,1.5,1,2,3,0,0,-1,0.15\n");
 	}
 
-	TEST_CASE("any set reads back as itself, to the last bit") {
+	TEST_CASE("any set reads back to the last bit") {
 		std::mt19937_64 engine(5);
 		std::uniform_real_distribution<double> uniform(-1.0, 1.0);
 		std::vector<Trial> trials;
@@ -131,7 +131,7 @@ TEST_SUITE("trial set") {
 		}
 	}
 
-	TEST_CASE("bad rows get one error that names file, line and column") {
+	TEST_CASE("bad rows give one error with file, line and column") {
 		const std::string task = "0,1,1,2,3,0,0,-1,0.15\n";
 		CHECK(error_of("t1,tap,stable,s," + task) == "no error");
 		CHECK(error_of("../t1,tap,stable,s," + task) ==
@@ -175,7 +175,7 @@ TEST_SUITE("trial set") {
 		CHECK(parse_trials_csv("", "x").error() == "x:1: trial: no header line");
 	}
 
-	TEST_CASE("a bad row costs no other row") {
+	TEST_CASE("a bad row does not invalidate other rows") {
 		const Result<TrialTable> table = parse_trials_csv(HEADER +
 						"t1,tap,stable,s,0,1,1,2,3,0,0,-1,0.15\n"
 						"t2,tap,stable,s,0,1,1,2,3,0,0,-1,-0.15\n"
@@ -190,7 +190,7 @@ TEST_SUITE("trial set") {
 						"trials.csv:5: subject: the row ends after 3 cells of 13" });
 	}
 
-	TEST_CASE("an axis that was rounded is a unit vector") {
+	TEST_CASE("a rounded axis is normalised") {
 		const std::vector<Trial> trials = parsed(HEADER +
 				"t1,tap,stable,s,0,1,1,2,3,0.94,0,-0.34,0.15\n"
 				"t2,tap,stable,s,0,1,1,2,3,0.93969,0,-0.34202,0.15\n"
@@ -201,14 +201,14 @@ TEST_SUITE("trial set") {
 		CHECK(std::abs(trials[2].axis.norm() - 1.0) < 1e-15);
 	}
 
-	TEST_CASE("a trial may be named as a comment begins, which stands before the header alone") {
+	TEST_CASE("a trial's name may begin with #; comments precede the header only") {
 		const std::vector<Trial> trials =
 				parsed("# made by hand\n" + HEADER + "#1,tap,stable,s,0,1,1,2,3,0,0,-1,0.15\n");
 		REQUIRE(trials.size() == 1);
 		CHECK(trials[0].trial == "#1");
 	}
 
-	TEST_CASE("real trial sets are read, and each trial's tracks are there") {
+	TEST_CASE("real trial sets are read, with each trial's tracks") {
 		for (const std::filesystem::path folder : { "../shared/real/drags", "../shared/real/drags_train" }) {
 			if (!std::filesystem::exists(folder)) {
 				MESSAGE("skipped: no " << folder.string() << " here");

@@ -9,21 +9,21 @@ static func share(passed: float) -> float:
 	return p * p * p * (10.0 + p * (6.0 * p - 15.0))
 
 
-## No hand stands to the last bit.
+## A hand at rest is never exactly still.
 static func tremor(time_s: float) -> Vector3:
 	return 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
 
 
-## `said` is emptied, and gets "started", "aborted" and "ended" from then on.
-static func listen(hmm: GestureHMM, said: Array[String]) -> void:
-	said.clear()
+## Empties `events`, and from then on appends "started", "aborted" and "ended".
+static func listen(hmm: GestureHMM, events: Array[String]) -> void:
+	events.clear()
 	hmm.gesture_started.connect(
-		func(_gesture: StringName, _task: GestureTask) -> void: said.append("started")
+		func(_gesture: StringName, _task: GestureTask) -> void: events.append("started")
 	)
 	hmm.gesture_aborted.connect(
-		func(_gesture: StringName, _task: GestureTask) -> void: said.append("aborted")
+		func(_gesture: StringName, _task: GestureTask) -> void: events.append("aborted")
 	)
 	hmm.gesture_ended.connect(
 		func(_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
-			said.append("ended")
+			events.append("ended")
 	)

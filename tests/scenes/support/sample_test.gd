@@ -7,12 +7,12 @@ const FOLDER := "res://addons/steadyhand/samples/%s.tscn"
 
 var _scene: Node = null
 var _hmm: GestureHMM = null
-var _said: Array[String] = []
+var _events: Array[String] = []
 
 
 ## A sample with a simulated hand that has just come.
 func _open(sample: String) -> GestureTestHand:
-	_said.clear()
+	_events.clear()
 	_scene = (load(FOLDER % sample) as PackedScene).instantiate()
 	root.add_child(_scene)
 	_hmm = _scene.get_node("GestureHMM")

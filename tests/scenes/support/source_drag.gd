@@ -10,7 +10,7 @@ const STEP_S := 1.0 / 90.0
 
 var player: TaskPlayer = null
 var tracker: HandTracker = null
-## What the tracker and the GestureHMM said.
+## Failures that the tracker and the GestureHMM reported.
 var failures: Array[String] = []
 var losses := 0
 var ends := 0
