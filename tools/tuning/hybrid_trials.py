@@ -1,11 +1,10 @@
-"""Recorded hands seen through recorded tracker errors: the trial set that `phase` mode's numbers were set on.
+"""Makes a trial set of recorded hands with recorded tracker errors: `phase` mode was tuned on it.
 
     python tools/tuning/hybrid_trials.py --real ../shared/real --out DIR [--seed N] [--corrections]
 
-The hands are those of drags_train, scaled to the scenes' 20 cm, each once as recorded (stable) and once (unstable)
-with errors of leap_qtm times 2 to 6, late content, freezes, gaps and jumps, all growing along the way. With
---corrections each hand also makes a share of its way by later submovements, and may hesitate.
-Equal arguments give equal files.
+The hands are those of drags_train, scaled to 20 cm. Each one is used as recorded (stable), and with tracker faults
+(unstable): the errors of leap_qtm times 2 to 6, lag, freezes, dropouts and jumps, which grow along the path. With
+--corrections each hand also has later submovements, and may hesitate. Equal arguments give equal files.
 """
 
 import argparse
@@ -21,7 +20,7 @@ from gesture_end import END_LEVEL
 AXES = ("x", "y", "z")
 SCENE_AMPLITUDE_M = 0.2
 ERROR_RATE_HZ = 200.0
-LARGEST_ERROR_M = 0.06  # a pair of recordings that differs by more was not matched well
+LARGEST_ERROR_M = 0.06  # with a larger error, the pair of recordings does not match
 
 
 def read_track(path: Path) -> tuple[list[str], np.ndarray]:
@@ -35,7 +34,7 @@ def joint(header: list[str], rows: np.ndarray, name: str) -> np.ndarray:
 
 
 def tracker_errors(folder: Path) -> list[np.ndarray]:
-    """Leap minus motion capture, m, at ERROR_RATE_HZ without its mean: one array (n, 3) a fingertip."""
+    """Leap minus motion capture, m, at ERROR_RATE_HZ, without the mean: one array (n, 3) per fingertip."""
     errors = []
     for path in sorted(folder.glob("*_leap.csv")):
         leap_header, leap = read_track(path)
@@ -59,37 +58,37 @@ def minimum_jerk(s: np.ndarray) -> np.ndarray:
     return s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
 
 
-def corrected(way: np.ndarray, t: np.ndarray, end_s: float, rng: np.random.Generator) -> np.ndarray:
-    """The way (1: the amplitude) with submovements, perhaps a hesitation, and a start beside the start."""
-    onset_s = t[np.argmax(way > 0.05)]
+def corrected(values: np.ndarray, t: np.ndarray, end_s: float, rng: np.random.Generator) -> np.ndarray:
+    """The values (in amplitudes) with submovements, perhaps a hesitation, and an error of the start."""
+    onset_s = t[np.argmax(values > 0.05)]
     duration_s = max(end_s - onset_s, 0.3)
     later, total = np.zeros(len(t)), 0.0
     for _ in range(rng.integers(0, 5)):
         share = rng.normal(0.0, 0.2)
         later += share * minimum_jerk((t - onset_s - duration_s * rng.uniform(0.1, 1.0)) / rng.uniform(0.15, 0.4))
         total += share
-    way = (1.0 - total) * way + later
+    values = (1.0 - total) * values + later
     if rng.random() < 0.4:
         centre_s, width_s = onset_s + duration_s * rng.uniform(0.2, 0.9), rng.uniform(0.05, 0.15)
         pace = 1.0 - rng.uniform(0.5, 1.2) * np.exp(-0.5 * ((t - centre_s) / width_s) ** 2)
         own_t = t[0] + np.concatenate([[0.0], np.cumsum(0.5 * (pace[1:] + pace[:-1]) * np.diff(t))])
-        way = np.interp(own_t, t, way)
-    return way + rng.normal(0.0, 0.04) * (1.0 - np.clip(way, 0.0, 1.0))
+        values = np.interp(own_t, t, values)
+    return values + rng.normal(0.0, 0.04) * (1.0 - np.clip(values, 0.0, 1.0))
 
 
 def spoiled(
     t: np.ndarray,
     hand: np.ndarray,
-    way: np.ndarray,
+    values: np.ndarray,
     span: tuple[float, float],
     errors: list[np.ndarray],
     rng: np.random.Generator,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What a bad tracker makes of a hand (n, 3), m: its own stamps, and positions."""
+    """The time stamps of a bad tracker, s, and its positions of the hand (n, 3), m."""
     period_s = rng.choice([1 / 72, 1 / 90, 1 / 110])
     stamps = t[0] + period_s * np.arange(int((t[-1] - t[0]) / period_s)) + 0.0
     stamps = np.maximum.accumulate(np.maximum(stamps + rng.normal(0.0, 1e-4, len(stamps)), t[0]))
-    bad = np.interp(stamps, t, np.clip(way, 0.0, 1.0) ** rng.uniform(0.7, 2.0))
+    bad = np.interp(stamps, t, np.clip(values, 0.0, 1.0) ** rng.uniform(0.7, 2.0))
     lag_s = np.convolve(np.pad(rng.uniform(0.0, 0.2) * bad, 10, "edge"), np.full(21, 1 / 21), "valid")
     seen = np.stack([np.interp(stamps - lag_s, t, hand[:, k]) for k in range(3)], axis=1)
 
@@ -120,7 +119,7 @@ def spoiled(
 
 
 def write_track(path: Path, t: np.ndarray, places: np.ndarray, joints: tuple[str, ...] = ("index",)) -> None:
-    """places: (n, 3) of the one joint, or (n, joints, 3), m."""
+    """places: (n, 3) of one joint, or (n, joints, 3), m."""
     lines = [",".join(["t", *(f"{name}_{axis}" for name in joints for axis in AXES)])]
     lines += [",".join(f"{number:.6f}" for number in row) for row in np.column_stack([t, places.reshape(len(t), -1)])]
     path.write_text("\n".join(lines) + "\n")
@@ -132,33 +131,33 @@ def main() -> None:
     parser.add_argument("--out", type=Path, required=True)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--corrections", action="store_true")
-    given = parser.parse_args()
-    rng = np.random.default_rng(given.seed)
-    errors = tracker_errors(given.real / "leap_qtm")
-    given.out.mkdir(parents=True, exist_ok=True)
-    with (given.real / "drags_train" / "trials.csv").open() as source:
+    options = parser.parse_args()
+    rng = np.random.default_rng(options.seed)
+    errors = tracker_errors(options.real / "leap_qtm")
+    options.out.mkdir(parents=True, exist_ok=True)
+    with (options.real / "drags_train" / "trials.csv").open() as source:
         trials = list(csv.DictReader(source))
     written = []
     for trial in trials:
-        header, reference = read_track(given.real / "drags_train" / f"{trial['trial']}.reference.csv")
+        header, reference = read_track(options.real / "drags_train" / f"{trial['trial']}.reference.csv")
         t, hand = reference[:, 0], joint(header, reference, "index")
         start = np.array([float(trial[f"start_{axis}"]) for axis in AXES])
         direction = np.array([float(trial[f"axis_{axis}"]) for axis in AXES])
         amplitude_m = float(trial["amplitude_m"])
         span = (float(trial["start_s"]), float(trial["end_s"]))
-        way = (hand - start) @ direction / amplitude_m
-        if given.corrections:
-            other = corrected(way, t, span[1], rng)
-            hand = hand + ((other - way) * amplitude_m)[:, None] * direction
+        values = (hand - start) @ direction / amplitude_m
+        if options.corrections:
+            other = corrected(values, t, span[1], rng)
+            hand = hand + ((other - values) * amplitude_m)[:, None] * direction
             level = END_LEVEL * other[np.argmin(np.abs(t - span[1]))]
             reached_s = t[np.argmax((other >= level) & (t > span[0]))]
-            way, span = other, (span[0], min(t[-1] - 0.05, max(span[1], reached_s + 0.05)))
+            values, span = other, (span[0], min(t[-1] - 0.05, max(span[1], reached_s + 0.05)))
         hand = start + (hand - start) * (SCENE_AMPLITUDE_M / amplitude_m)
         for position in ("stable", "unstable"):
             name = trial["trial"].replace("_stable", f"_{position}")
-            seen = (t[::3], hand[::3]) if position == "stable" else spoiled(t, hand, way, span, errors, rng)
-            write_track(given.out / f"{name}.measured.csv", *seen)
-            write_track(given.out / f"{name}.reference.csv", t, hand)
+            seen = (t[::3], hand[::3]) if position == "stable" else spoiled(t, hand, values, span, errors, rng)
+            write_track(options.out / f"{name}.measured.csv", *seen)
+            write_track(options.out / f"{name}.reference.csv", t, hand)
             written.append(
                 trial
                 | {
@@ -168,11 +167,11 @@ def main() -> None:
                     "amplitude_m": f"{SCENE_AMPLITUDE_M:.4f}",
                 }
             )
-    with (given.out / "trials.csv").open("w", newline="") as target:
+    with (options.out / "trials.csv").open("w", newline="") as target:
         writer = csv.DictWriter(target, written[0].keys())
         writer.writeheader()
         writer.writerows(written)
-    print(f"{len(written)} trials in {given.out}")
+    print(f"{len(written)} trials in {options.out}")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
-"""What GestureHMM.min_confidence gives and costs, as a table: trial sets with nothing given, at several values of it.
+"""Prints the effect of GestureHMM.min_confidence: trial sets without a task, at several values of it.
 
     python tools/tuning/min_confidence.py --out DIR SET...
 
-Of a set's gestures the mean R2 at no lag, stable and unstable, and how many are recognised; of its other motion how
-many gestures are begun a minute, in which share of the time one is under way, and how many end.
+For the gestures of a set: mean zero-lag R2, stable and unstable, and detection rate. For its other motion: starts per
+minute, fraction of time with an active gesture, and false alarms per minute.
 """
 
 import argparse
@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 VALUES = (0.0, 0.02, 0.2, 0.5, 0.8)
 NONE = "none"
 HEADER = """\
-| trials | at least | stable | unstable | recognised | begun a minute | under way | ended a minute |
+| trials | min_confidence | stable | unstable | detected | starts per minute | active | false alarms per minute |
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"""
 
 
@@ -51,11 +51,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("trials", type=Path, nargs="+", metavar="SET")
     parser.add_argument("--out", type=Path, required=True, help="for the evaluations")
-    given = parser.parse_args()
+    options = parser.parse_args()
     print(HEADER, flush=True)
-    for number, trials in enumerate(given.trials):
+    for number, trials in enumerate(options.trials):
         for value in VALUES:
-            summary = evaluate(trials, value, given.out / f"{number}_{value:g}")
+            summary = evaluate(trials, value, options.out / f"{number}_{value:g}")
             name = trials.parent.name if trials.name == "trials" else trials.name
             cells = [name, f"{value:g}", *gestures(summary), *other_motion(summary)]
             print(f"| {' | '.join(cells)} |", flush=True)

@@ -1,13 +1,13 @@
-"""What could be had at all: three oracles beside the synthesised curve, from what `./steadyhand evaluate` left.
+"""Compares the synthesised curve with three oracles, from the files of `./steadyhand evaluate`.
 
     python tools/tuning/oracle.py --trials DIR --evaluation DIR
 
-shape:  the minimum-jerk movement that fits the reference best, its onset, duration and length known.
-faults: the measured curve with each freeze or gap of more than 50 ms bridged by a straight line from before to
-        after, as if the future were known, at the constant lag that fits the reference best.
-late:   the reference itself, as late as the lag of one tracker differs from the next one's: normal, LATE_MS.
-Mean R2 over the gesture's span and 0.25 s on either side, and T_diff with a missed end at the record's, as in
-extension/core/metrics/curve_comparison.h.
+shape:  the minimum-jerk movement with the best fit to the reference in onset, duration and length.
+faults: the measured curve with a straight line over each freeze or dropout of more than 50 ms, which uses later
+        frames, at the constant lag with the best fit to the reference.
+late:   the reference with a random lag: normal, standard deviation LATE_MS, as the lags of trackers differ.
+Mean R2 over the gesture and 0.25 s before and after it, and T_diff, with a missed end at the end of the record, as
+in extension/core/metrics/curve_comparison.h.
 """
 
 import argparse
@@ -28,9 +28,9 @@ from gesture_end import END_LEVEL
 MARGIN_S = 0.25
 HELD_MS = 50
 LAGS_MS = range(-500, 501, 5)
-LATE_MS = 30.0  # what the lags of simulated trackers differ by from trial to trial at the unstable position
+LATE_MS = 30.0  # standard deviation of the lag of simulated trackers at the unstable position
 LATENESSES_MS = [round(LATE_MS * NormalDist().inv_cdf((i + 0.5) / 9)) for i in range(9)]  # equally likely
-T_DIFF_S = {"stable": (-0.05, 0.015), "unstable": (-0.1, 0.1)}  # what counts as inside, from late to early
+T_DIFF_S = {"stable": (-0.05, 0.015), "unstable": (-0.1, 0.1)}  # limits of "inside": latest, earliest
 CURVES = ("measured", "synthesised", "measured, best lag", "faults")
 
 
@@ -49,7 +49,7 @@ def best_shape(t: np.ndarray, reference: np.ndarray) -> float:
 
 
 def bridged(x: np.ndarray) -> np.ndarray:
-    """x, 1 kHz, with every value that is held for longer than HELD_MS replaced by a line to the next one."""
+    """x, at 1 kHz, with a line instead of each value that is constant for longer than HELD_MS."""
     changes = np.flatnonzero(np.diff(x)) + 1
     x = x.copy()
     for before, after in itertools.pairwise(changes):
@@ -59,17 +59,17 @@ def bridged(x: np.ndarray) -> np.ndarray:
 
 
 def r2_at(reference: np.ndarray, x: np.ndarray, window: np.ndarray, lag_ms: int) -> float:
-    """Over the samples of window, of x, 1 kHz, put earlier by lag_ms."""
+    """R2 over the samples of window, of x, at 1 kHz, shifted earlier by lag_ms."""
     return r2(reference[window], x[np.clip(window + lag_ms, 0, len(x) - 1)])
 
 
 def best_lag(reference: np.ndarray, x: np.ndarray, window: np.ndarray) -> tuple[float, int]:
-    """R2 there, and the lag, ms: positive, x is late."""
+    """The greatest R2, and its lag, ms; positive if x is late."""
     return max((r2_at(reference, x, window, ms), ms) for ms in LAGS_MS)
 
 
 def end_ms(x: np.ndarray, start: int, level: float) -> int:
-    """The first sample from start on at the level; the record's last one where there is none."""
+    """The first sample from start on at the level; the last sample of the record if there is none."""
     reached = np.flatnonzero(x[start:] >= level)
     return start + reached[0] if reached.size else len(x) - 1
 
@@ -80,7 +80,7 @@ def is_inside(t_diff_s: float, position: str) -> bool:
 
 
 def window_of(t: np.ndarray, start_s: float, end_s: float) -> np.ndarray:
-    """The samples that R2 is taken over."""
+    """The samples for R2."""
     return np.flatnonzero((t >= start_s - MARGIN_S) & (t <= end_s + MARGIN_S))
 
 
@@ -89,22 +89,22 @@ def span_of(trial: dict[str, str]) -> tuple[float, float]:
 
 
 def read_rows(trials: Path, evaluation: Path) -> list[tuple[dict[str, str], dict[str, str]]]:
-    """Of each trial of a gesture, its row of trials.csv and that of results.csv."""
+    """The rows of trials.csv and of results.csv for each trial of a gesture."""
     with (trials / "trials.csv").open() as source:
-        told = {trial["trial"]: trial for trial in csv.DictReader(source)}
+        by_name = {trial["trial"]: trial for trial in csv.DictReader(source)}
     with (evaluation / "results.csv").open() as source:
-        return [(told[row["trial"]], row) for row in csv.DictReader(source) if row["gesture"] != "none"]
+        return [(by_name[row["trial"]], row) for row in csv.DictReader(source) if row["gesture"] != "none"]
 
 
 @dataclass
 class Trial:
-    r2s: tuple[float, ...]  # of CURVES at no lag, but for "best lag" and faults; of shape and late
+    r2s: tuple[float, ...]  # of CURVES, zero-lag except "best lag" and faults; then of shape and late
     t_diffs_ms: tuple[float, ...]  # of CURVES
     lag_ms: int  # of faults
 
     @classmethod
     def read(cls, row: dict[str, str], curves_path: Path, start_s: float, end_s: float) -> "Trial":
-        """row: the trial's in results.csv, which has what is no oracle's."""
+        """row: of the trial in results.csv, with the values of the measured and synthesised curves."""
         curves = np.genfromtxt(curves_path, delimiter=",", names=True)
         t, reference, faults = curves["t"], curves["reference"], bridged(curves["measured"])
         window = window_of(t, start_s, end_s)
@@ -128,10 +128,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--trials", type=Path, required=True)
     parser.add_argument("--evaluation", type=Path, required=True)
-    given = parser.parse_args()
+    options = parser.parse_args()
     groups = defaultdict(list)
-    for trial, row in read_rows(given.trials, given.evaluation):
-        curves_path = given.evaluation / f"{row['trial']}.curves.csv"
+    for trial, row in read_rows(options.trials, options.evaluation):
+        curves_path = options.evaluation / f"{row['trial']}.curves.csv"
         group = groups[row["gesture"].replace("_", " "), row["position"]]
         group.append(Trial.read(row, curves_path, *span_of(trial)))
     columns = ("trials", *CURVES, "shape", "late", "lag of faults")

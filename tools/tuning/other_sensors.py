@@ -1,4 +1,4 @@
-"""A trial set as each of the other sensors of docs/results.md would have measured it, all in one set.
+"""Makes one trial set with the errors of each of the other sensors of docs/results.md.
 
 python tools/tuning/other_sensors.py --trials DIR --out DIR
 """
@@ -18,20 +18,20 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--trials", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
-    given = parser.parse_args()
-    with (given.trials / "trials.csv").open(newline="") as file:
+    options = parser.parse_args()
+    with (options.trials / "trials.csv").open(newline="") as file:
         header, *trials = csv.reader(file)
-    given.out.mkdir(parents=True)
+    options.out.mkdir(parents=True)
     rows = [header]
     for number, (name, sensor) in enumerate(list(SENSORS.items())[1:]):
         with tempfile.TemporaryDirectory() as place:
-            write_trials(given.trials, Path(place) / "set", sensor)
+            write_trials(options.trials, Path(place) / "set", sensor)
             for trial, *rest in trials:
                 for track in ("measured", "reference"):
-                    shutil.move(Path(place) / f"set/{trial}.{track}.csv", given.out / f"{trial}_{number}.{track}.csv")
+                    shutil.move(Path(place) / f"set/{trial}.{track}.csv", options.out / f"{trial}_{number}.{track}.csv")
                 rows.append([f"{trial}_{number}", *rest])
         print(f"{number}: {name}")
-    with (given.out / "trials.csv").open("w", newline="") as file:
+    with (options.out / "trials.csv").open("w", newline="") as file:
         csv.writer(file, lineterminator="\n").writerows(rows)
 
 

@@ -1,11 +1,11 @@
-"""A floor to compare with: a plain Bayesian grid beside the synthesised curve, on what `./steadyhand evaluate` left.
+"""Compares the synthesised curve with a plain Bayesian grid, on the files of `./steadyhand evaluate`.
 
     python tools/tuning/plain_grid.py --trials DIR --evaluation DIR [--lag-ms MEAN] [--lag-deviation-ms SD] [--every N]
 
-The grid is over onset, duration and lag of the sensor, of one minimum-jerk curve of the task's length; the residuals
-of the frames are of a Student t, each trial's task is given, and what is put out at a time is the mean of the
-hypotheses as of the last frame. Mean R2 at no lag, and the median of T_diff with a missed end at the record's, as in
-tools/tuning/oracle.py. Drags and taps, not the zoom; with --every one in N of each gesture and position.
+The grid is over the onset, duration and sensor lag of one minimum-jerk curve of the task's length. Residuals have a
+Student t distribution. The output is the mean of the hypotheses as of the last frame, with each trial's task. Prints
+the mean zero-lag R2, and the median of T_diff, with a missed end at the end of the record, as in
+tools/tuning/oracle.py. For drags and taps; with --every for one in N of each gesture and position.
 """
 
 import argparse
@@ -27,11 +27,11 @@ EARLIEST_ONSET_S = -0.05  # from the first frame
 
 RESIDUAL = 0.03  # scale, in shares of the amplitude
 FREEDOM = 3.0  # of the Student t
-CORRELATION_S = 0.05  # of the residuals: frames count by how much of it is between them
-LONGEST_S = 0.03  # that a frame counts for
-FIRST_S = 0.01  # that the first one does
-OUTPUT_STEP = 4  # samples of 1 kHz; straight lines between
-NEGLIGIBLE = 1e-4  # weight of a hypothesis, of the likeliest one's
+CORRELATION_S = 0.05  # of the residuals: the weight of a frame is its interval / this
+LONGEST_S = 0.03  # greatest interval for this weight
+FIRST_S = 0.01  # interval of the first frame
+OUTPUT_STEP = 4  # samples at 1 kHz, with straight lines between
+NEGLIGIBLE = 1e-4  # weight of a hypothesis, relative to the likeliest one
 
 
 @dataclass(frozen=True)
@@ -50,13 +50,13 @@ class Grid:
         self.log_weight = -0.5 * (np.log(self.duration_s / usual_duration_s) / DURATION_DEVIATION) ** 2
         self.log_weight -= 0.5 * ((self.lag_s - lag_s[0]) / lag_s[1]) ** 2
 
-    def see(self, t_s: float, value: float, counts_for_s: float) -> None:
+    def update(self, t_s: float, value: float, interval_s: float) -> None:
         expected = minimum_jerk((t_s - self.lag_s - self.onset_s) / self.duration_s)
         surprise = np.log1p(((value - expected) / RESIDUAL) ** 2 / FREEDOM)
-        self.log_weight -= counts_for_s / CORRELATION_S * 0.5 * (FREEDOM + 1.0) * surprise
+        self.log_weight -= interval_s / CORRELATION_S * 0.5 * (FREEDOM + 1.0) * surprise
 
     def values(self, t: np.ndarray) -> np.ndarray:
-        """The hand's, at these times."""
+        """Estimated values of the hand at these times."""
         weight = np.exp(self.log_weight - self.log_weight.max())
         kept = weight > NEGLIGIBLE
         curves = minimum_jerk((t[:, None] - self.onset_s[kept]) / self.duration_s[kept])
@@ -64,7 +64,7 @@ class Grid:
 
 
 def read_frames(path: Path, trial: dict[str, str]) -> tuple[np.ndarray, np.ndarray]:
-    """Stamps of the frames that have the index, and how far along the task it is, in shares of the amplitude."""
+    """Times of the frames with the index tip, and its values along the task, in amplitudes."""
     start, axis = (np.array([float(trial[f"{what}_{k}"]) for k in AXES]) for what in ("start", "axis"))
     header, rows = read_track(path)
     gone = (joint(header, rows, "index") - start) @ axis / float(trial["amplitude_m"])
@@ -73,12 +73,12 @@ def read_frames(path: Path, trial: dict[str, str]) -> tuple[np.ndarray, np.ndarr
 
 
 def estimate(t: np.ndarray, frames_s: np.ndarray, gone: np.ndarray, grid: Grid) -> np.ndarray:
-    """What the grid puts out at t, 1 kHz: 0 before the first frame."""
+    """Output of the grid at t, at 1 kHz; 0 before the first frame."""
     out = np.zeros(len(t))
-    counts_for_s = np.minimum(np.diff(frames_s, prepend=frames_s[0] - FIRST_S), LONGEST_S)
+    intervals_s = np.minimum(np.diff(frames_s, prepend=frames_s[0] - FIRST_S), LONGEST_S)
     bounds = np.append(np.searchsorted(t, frames_s), len(t))
-    for i, frame in enumerate(zip(frames_s, gone, counts_for_s, strict=True)):
-        grid.see(*frame)
+    for i, frame in enumerate(zip(frames_s, gone, intervals_s, strict=True)):
+        grid.update(*frame)
         until_next = t[bounds[i] : bounds[i + 1]]
         if until_next.size:
             some = until_next[::OUTPUT_STEP]
@@ -87,7 +87,7 @@ def estimate(t: np.ndarray, frames_s: np.ndarray, gone: np.ndarray, grid: Grid) 
 
 
 def run(job: Job) -> tuple[float, float]:
-    """R2 at no lag, and T_diff, ms."""
+    """Zero-lag R2, and T_diff, ms."""
     name = job.trial["trial"]
     frames_s, gone = read_frames(job.trials / f"{name}.measured.csv", job.trial)
     curves = np.genfromtxt(job.evaluation / f"{name}.curves.csv", delimiter=",", names=True)
@@ -106,18 +106,18 @@ def main() -> None:
     parser.add_argument("--lag-ms", type=float, default=30.0)
     parser.add_argument("--lag-deviation-ms", type=float, default=30.0)
     parser.add_argument("--every", type=int, default=1)
-    given = parser.parse_args()
+    options = parser.parse_args()
     groups = defaultdict(list)
-    for trial, row in read_rows(given.trials, given.evaluation):
+    for trial, row in read_rows(options.trials, options.evaluation):
         if trial["gesture"] in USUAL_DURATION_S:
             groups[trial["gesture"], trial["position"]].append((trial, row))
-    lag_s = given.lag_ms / 1000.0, given.lag_deviation_ms / 1000.0
+    lag_s = options.lag_ms / 1000.0, options.lag_deviation_ms / 1000.0
     columns = ("gesture, position", "trials", "measured", "synthesised", "grid", "T_diff of grid")
     print(f"| {' | '.join(columns)} |\n| --- {'| ---: ' * (len(columns) - 1)}|")
     with ProcessPoolExecutor(2) as executor:
         for (gesture, position), pairs in sorted(groups.items()):
-            pairs = pairs[:: given.every]
-            jobs = [Job(given.trials, given.evaluation, trial, lag_s) for trial, _ in pairs]
+            pairs = pairs[:: options.every]
+            jobs = [Job(options.trials, options.evaluation, trial, lag_s) for trial, _ in pairs]
             r2s, t_diffs_ms = zip(*executor.map(run, jobs), strict=True)
             known = ([float(row[f"r2_zero_{curve}"]) for _, row in pairs] for curve in ("measured", "synthesised"))
             means = " | ".join(f"{np.mean(values):.3f}" for values in (*known, r2s))

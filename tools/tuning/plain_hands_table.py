@@ -1,10 +1,10 @@
-"""The table of the trackers of tools/tuning/plain_hands.py, from what `./steadyhand evaluate` left in both contexts.
+"""Prints the table of the trackers of tools/tuning/plain_hands.py, from `./steadyhand evaluate` in both contexts.
 
     python tools/tuning/plain_hands_table.py --scene DIR --open DIR [--gesture NAME]...
 
-Mean R2 at no lag of what was measured, counted from the task's start, and of the synthesised curve with each trial's
-task given and with nothing given, where no curve moves before a gesture is found; and how many gestures were lost
-(none recognised, or another one), with the task given and with nothing given. Of all gestures, or of those named.
+Columns: mean zero-lag R2 of the measured curve, and of the synthesised one with and without a task; number of gestures
+that were not detected, or as another one, with and without a task. Without a task the curve is 0 before a gesture is
+detected. For all gestures, or the named ones.
 """
 
 import argparse
@@ -31,23 +31,23 @@ def lost(rows: list[dict[str, str]]) -> int:
     return sum(row["recognised"] != row["gesture"] for row in rows)
 
 
-def line(tracker: str, task_given: list[dict[str, str]], nothing_given: list[dict[str, str]]) -> str:
-    r2s = mean_r2(task_given, "measured"), mean_r2(task_given, "synthesised"), mean_r2(nothing_given, "synthesised")
-    cells = [tracker, str(len(task_given)), *(f"{r2:.3f}" for r2 in r2s)]
-    return f"| {' | '.join(cells)} | {lost(task_given)}, {lost(nothing_given)} |"
+def line(tracker: str, with_task: list[dict[str, str]], without_task: list[dict[str, str]]) -> str:
+    r2s = mean_r2(with_task, "measured"), mean_r2(with_task, "synthesised"), mean_r2(without_task, "synthesised")
+    cells = [tracker, str(len(with_task)), *(f"{r2:.3f}" for r2 in r2s)]
+    return f"| {' | '.join(cells)} | {lost(with_task)}, {lost(without_task)} |"
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--scene", type=Path, required=True, help="evaluated with --context scene")
+    parser.add_argument("--scene", type=Path, required=True, help="evaluation with --context scene")
     parser.add_argument("--open", type=Path, required=True, help="the same set with --context open")
     parser.add_argument("--gesture", action="append", default=[])
-    given = parser.parse_args()
-    task_given, nothing_given = (results_by_tracker(folder, given.gesture) for folder in (given.scene, given.open))
-    print("| tracker | trials | measured | task given | nothing given | lost |")
+    options = parser.parse_args()
+    with_task, without_task = (results_by_tracker(folder, options.gesture) for folder in (options.scene, options.open))
+    print("| tracker | trials | measured | with a task | without a task | lost |")
     print("| --- | ---: | ---: | ---: | ---: | ---: |")
-    for tracker, rows in task_given.items():
-        print(line(tracker.replace("_", " "), rows, nothing_given[tracker]))
+    for tracker, rows in with_task.items():
+        print(line(tracker.replace("_", " "), rows, without_task[tracker]))
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
-"""Which gesture HMMs would name by their likelihoods alone, of the hand's position and velocity as vectors.
+"""Classifies gestures by HMMs over position and velocity vectors, by their likelihoods only.
 
     python tools/tuning/vector_hmm.py --train DIR --trials DIR
 
-The other reading of the paper (docs/method.md, "Recognition without a task"): one codebook for all gestures over the
-index tip's place and the radius of the three tips' circle, both counted from where the hand is at start_s, and their
-velocities. A left-right HMM of four states for each gesture is trained on the first trial set (`./steadyhand train`
-leaves build/train); each gesture of the second is cut out by its true start and end, and named by the greatest forward
-likelihood. `./steadyhand results` leaves build/results/trials.
+The other reading of the paper (docs/method.md, "Recognition without a task"). One codebook for all gestures is over
+the position of the index tip and the radius of the three tips' circle, relative to the hand at start_s, and over
+their velocities. Each gesture has a left-right HMM of four states. They are trained on the first trial set
+(build/train of `./steadyhand train`). Each gesture of the second one (build/results/trials of `./steadyhand results`)
+is cut by its true start and end, and gets the name of the greatest forward likelihood.
 """
 
 import argparse
@@ -19,8 +19,8 @@ from hmmlearn.hmm import CategoricalHMM
 from sklearn.cluster import KMeans
 
 SYMBOLS, STATES = 16, 4
-PERIOD_S, VELOCITY_S = 0.01, 0.06  # of a symbol; what a velocity is the slope of
-WAY_M, GROWTH_M, DURATION_S = 0.2, 0.04, 0.8  # by which places, radii and velocities are normalised
+PERIOD_S, VELOCITY_S = 0.01, 0.06  # of a symbol; window of the slope of a velocity
+LENGTH_M, GROWTH_M, DURATION_S = 0.2, 0.04, 0.8  # scales of positions, radii and velocities
 PSEUDO_COUNT = 0.1
 TIPS = ("thumb", "index", "middle")
 
@@ -34,18 +34,18 @@ def circumradius(tips: np.ndarray) -> np.ndarray:
 
 
 def places(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Times, s, and index tip and radius, normalised, of the frames that hold all three tips."""
+    """Times, s, and scaled index tip and radius, of the frames with all three tips."""
     rows = [row for row in path.read_text().splitlines() if not row.startswith("#")]
     frames = list(csv.DictReader(rows))
     columns = [f"{tip}_{axis}" for tip in TIPS for axis in "xyz"]
     held = [frame for frame in frames if all(frame[column] for column in columns)]
     t = np.array([float(frame["t"]) for frame in held])
     tips = np.array([[float(frame[column]) for column in columns] for frame in held]).reshape(-1, 3, 3)
-    return t, np.column_stack([tips[:, 1] / WAY_M, circumradius(tips[:, :, :2]) / GROWTH_M])
+    return t, np.column_stack([tips[:, 1] / LENGTH_M, circumradius(tips[:, :, :2]) / GROWTH_M])
 
 
 def observations(folder: Path, trial: dict[str, str]) -> np.ndarray:
-    """N x 8: every PERIOD_S from start to end at which a frame is new, places and velocities."""
+    """N x 8: positions and velocities at each PERIOD_S from start to end with a new frame."""
     t, x = places(folder / f"{trial['trial']}.measured.csv")
     start_s, end_s = float(trial["start_s"]), float(trial["end_s"])
     origin = x[max(np.searchsorted(t, start_s) - 1, 0)]
