@@ -55,8 +55,8 @@ STEADYHAND_PARAMETER FREE_TO_HOLD_PER_S = 2.0, HOLD_TO_FREE_PER_S = 0.3;
 
 // motion/: the tracker.
 
-/// LAGGING: prior probability, switching rate, and least probability during a gesture, because trackers begin
-/// to lag at any time.
+/// LAGGING: prior probability, rate of the reversion to it, and least probability during a gesture, because
+/// trackers begin to lag at any time.
 STEADYHAND_PARAMETER LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
 /// Lag at the end of a long movement: mean and standard deviation. It builds up over LAG_SETTLING_S.
 STEADYHAND_PARAMETER LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;

@@ -54,8 +54,8 @@ public:
 
 	/// A frame with an earlier or non-finite time, or equal to the last one, is ignored.
 	void push(const HandFrame &frame);
-	/// Advances to t_s; ignored if it is not later than time_s(). The shown gesture changes only here and in
-	/// push(). A gesture that starts and ends between two calls is not shown.
+	/// Advances to t_s; ignored if it is not later than time_s(). The shown gesture changes only in push(),
+	/// advance() and expect(). A gesture that starts and ends between two calls is not shown.
 	void advance(double t_s);
 
 	/// Motion at time_s().

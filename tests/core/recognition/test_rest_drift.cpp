@@ -11,25 +11,25 @@ namespace {
 
 /// Mean deviation over a minute at 100 Hz, for a first-order autoregression with standard deviation 1.
 /// lasts_s: time constant.
-double mean_wander(double lasts_s) {
+double mean_drift(double lasts_s) {
 	constexpr double DT_S = 0.01;
 	std::mt19937_64 random(7);
 	std::normal_distribution<double> noise;
-	RestDrift wander;
+	RestDrift drift;
 	const double kept = std::exp(-DT_S / lasts_s);
 	double x = noise(random), sum = 0.0;
 	int n = 0;
 	for (int i = 0; i < 6200; ++i) {
-		wander.push(i * DT_S, 0.5 + x);
+		drift.push(i * DT_S, 0.5 + x);
 		x = kept * x + std::sqrt(1.0 - kept * kept) * noise(random);
-		sum += i >= 200 ? wander.deviation(i * DT_S) : 0.0;
+		sum += i >= 200 ? drift.deviation(i * DT_S) : 0.0;
 		n += i >= 200 ? 1 : 0;
 	}
 	return sum / n;
 }
 
 /// Standard deviation of this autoregression's second differences over 0.1 s, relative to white noise.
-double bends(double lasts_s) {
+double second_differences(double lasts_s) {
 	const double r = std::exp(-0.1 / lasts_s);
 	return std::sqrt((6.0 - 8.0 * r + 2.0 * r * r) / 6.0);
 }
@@ -39,19 +39,19 @@ double bends(double lasts_s) {
 TEST_CASE("rest drift is the standard deviation of noise over 0.1 s") {
 	for (const double lasts_s : { 1e-6, 0.1, 1.0 }) {
 		CAPTURE(lasts_s);
-		CHECK(std::abs(mean_wander(lasts_s) / bends(lasts_s) - 1.0) < 0.07);
+		CHECK(std::abs(mean_drift(lasts_s) / second_differences(lasts_s) - 1.0) < 0.07);
 	}
 }
 
 TEST_CASE("constant velocity, arrival and onset do not add to rest drift") {
-	RestDrift wander;
+	RestDrift drift;
 	for (int i = 0; i < 100; ++i) {
 		const double t_s = 0.01 * i;
 		const double came = t_s < 0.2 ? 25.0 * (t_s - 0.2) * (t_s - 0.2) : 0.0;
 		const double begins = t_s > 0.9 ? 25.0 * (t_s - 0.9) * (t_s - 0.9) : 0.0;
-		wander.push(t_s, 0.1 * t_s + came + begins);
+		drift.push(t_s, 0.1 * t_s + came + begins);
 	}
-	CHECK(wander.deviation(1.0) < 1e-9);
+	CHECK(drift.deviation(1.0) < 1e-9);
 }
 
 TEST_CASE("a rest below 0.4 s or with dropouts gives the default") {
@@ -69,10 +69,10 @@ TEST_CASE("a rest below 0.4 s or with dropouts gives the default") {
 }
 
 TEST_CASE("frames with equal time stamps count once") {
-	RestDrift wander;
+	RestDrift drift;
 	for (int i = 0; i < 100; ++i) {
-		wander.push(0.01 * i, 0.0);
-		wander.push(0.01 * i, 1.0);
+		drift.push(0.01 * i, 0.0);
+		drift.push(0.01 * i, 1.0);
 	}
-	CHECK(wander.deviation(1.0) == 0.0);
+	CHECK(drift.deviation(1.0) == 0.0);
 }
