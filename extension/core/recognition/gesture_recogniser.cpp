@@ -250,16 +250,8 @@ bool GestureRecogniser::may_lose(std::size_t best) const {
 
 void GestureRecogniser::decide_ends() {
 	const auto likeliest_if = [this](bool comes_back) {
-		int best = -1;
-		double best_odds = -INFINITY;
-		for (std::size_t i = 0; i < sessions_.size(); ++i) {
-			const double odds = comparable_log_odds(i, sessions_[i]->log_odds_if(comes_back));
-			if (sessions_[i]->may_end() && odds > best_odds) {
-				best = static_cast<int>(i);
-				best_odds = odds;
-			}
-		}
-		return best;
+		return likeliest([&](std::size_t i) { return sessions_[i]->may_end(); },
+				[&](std::size_t i) { return comparable_log_odds(i, sessions_[i]->log_odds_if(comes_back)); });
 	};
 	const int best = likeliest_if(true);
 	if (best < 0 || best != likeliest_if(false) || may_lose(static_cast<std::size_t>(best))) {

@@ -132,8 +132,8 @@ private:
 	[[nodiscard]] double log_odds(std::size_t session) const {
 		return comparable_log_odds(session, sessions_[session]->log_odds());
 	}
-	/// log_odds of the session, reduced if the motion is a part of another gesture. A strike that another
-	/// active gesture may beat is also reduced by its strike_log_odds().
+	/// log_odds of the session, reduced if the motion is a part of another gesture. A strike whose
+	/// path another gesture shares is also reduced by its strike_log_odds().
 	[[nodiscard]] double comparable_log_odds(std::size_t session, double log_odds) const;
 	/// Nats against a gesture whose motion is a part of another gesture, which needs more joints.
 	[[nodiscard]] double part_penalty(std::size_t session) const;
@@ -146,8 +146,13 @@ private:
 	void abort_parts();
 	/// The hand returns from the end of another gesture of the same feature.
 	[[nodiscard]] bool returns_from_other(std::size_t session) const;
-	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate: f(index).
-	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
+	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate, odds_of:
+	/// f(index).
+	template <class Predicate, class Odds>
+	[[nodiscard]] int likeliest(Predicate is_candidate, Odds odds_of) const;
+	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const {
+		return likeliest(is_candidate, [this](std::size_t i) { return log_odds(i); });
+	}
 	/// Both have tasks with a straight path, and the end of `other` is beside the path of `one`: its distance
 	/// from the end of `one` is greater across that path than along it.
 	[[nodiscard]] bool ends_off_path(std::size_t one, std::size_t other) const;
@@ -163,14 +168,15 @@ private:
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 
-template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
+template <class Predicate, class Odds>
+int GestureRecogniser::likeliest(Predicate is_candidate, Odds odds_of) const {
 	int best = -1;
 	double best_odds = -INFINITY;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (!is_candidate(i)) {
 			continue;
 		}
-		if (const double odds = log_odds(i); odds > best_odds) {
+		if (const double odds = odds_of(i); odds > best_odds) {
 			best = static_cast<int>(i);
 			best_odds = odds;
 		}

@@ -95,11 +95,8 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 
 /// Finds the end, and then whether the hand comes back. The recogniser decides on it.
 void StrokeSession::watch_end(double t_s, const StrokeFinder &strokes) {
-	if (!end_ || end_->is_predicted) {
-		look_for_end(t_s, strokes);
-		return;
-	}
-	const bool goes_on = element_m_ > end_->value_m + SHORTEST * task().amplitude_m;
+	const bool goes_on =
+			!end_ || end_->is_predicted || element_m_ > end_->value_m + SHORTEST * task().amplitude_m;
 	if (goes_on) {
 		look_for_end(t_s, strokes);
 		return;
