@@ -1,6 +1,6 @@
 extends "support/scene_test.gd"
-## What scripts change while a gesture is under way: what it does not concern goes on to the last
-## bit, what ends it is told, and a stream begun anew is followed from its first frame on.
+## Scripts change tracker, models and tasks during a gesture. Other gestures continue to the last
+## bit, an aborted one emits its signal, and a new stream is followed from its first frame.
 
 const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
@@ -119,7 +119,7 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 			while runs[0] == run + 1 and frame < 300:
 				tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
 				frame += 1
-			check_equal(runs[0], run + 2, "run %d is told of" % (run + 1))
+			check_equal(runs[0], run + 2, "run %d has its signal" % (run + 1))
 		check_equal(_events.count("started"), 4, "with a second one: %s" % with_second)
 		second.free()
 		_free(hmm)

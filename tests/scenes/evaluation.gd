@@ -181,7 +181,9 @@ func test_wrong_recordings_are_reported() -> void:
 		var said: String = "trial %s: %s" % [trials.get_trial(0)["trial"], told[wrong]]
 		check_equal(run.missing([said]), "", wrong)
 		var sound := "trial %s:" % trials.get_trial(1)["trial"]
-		check(not run.output.contains(sound), "%s: nothing is told of the other trial" % wrong)
+		check(
+			not run.output.contains(sound), "%s: the report does not name the other trial" % wrong
+		)
 
 
 func test_a_gesture_of_minutes_is_left_out() -> void:

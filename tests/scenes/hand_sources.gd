@@ -180,7 +180,7 @@ func test_a_source_in_gdscript() -> void:
 	var reasons: Array[String] = []
 	tracker.failed.connect(func(reason: String) -> void: reasons.append(reason))
 	root.add_child(tracker)
-	check_equal(reasons, ["plug it in"] as Array[String], "a refusal is told")
+	check_equal(reasons, ["plug it in"] as Array[String], "the signal gives the reason")
 	source.refusal = ""
 	tracker.start()
 	await process_frame

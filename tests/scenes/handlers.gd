@@ -59,7 +59,7 @@ func test_a_tracker_that_is_freed_leaves_no_gesture() -> void:
 	rig.tracker.free()
 	check_equal(hmm.gesture, &"", "none without a tracker")
 	check_equal(hmm.state, -1, "nor a state")
-	check_equal(states[-1], -1, "which is told")
+	check_equal(states[-1], -1, "the signal has state -1")
 	hmm.free()
 	rig.task.free()
 

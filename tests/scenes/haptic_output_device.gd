@@ -11,7 +11,7 @@ const IN_IT := "with ALSA"
 const FREQUENCY_HZ := 180.0
 const OTHER_RATE_HZ := 22050.0
 const LEVEL := 0.5
-## Beyond what is told of the motion the vibration fades, and these devices take it at once.
+## The vibration fades after the last motion, and these devices play it at once.
 const HEARD_FROM := 0.1
 const ENOUGH_PERIODS := 10
 const ATTEMPTS := 200

@@ -72,7 +72,7 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 	check_equal(pulses[0]["tracker"], &"right_hand", "the tracker")
 	check_near(pulses[0]["frequency"], 180.0, 1e-6, "the frequency")
 	check(pulses[0]["duration"] <= 0.1, "it ends by itself")
-	check_equal(pulses[-1]["amplitude"], 0.0, "the end is told")
+	check_equal(pulses[-1]["amplitude"], 0.0, "the last pulse is silent")
 	var most: int = ceili(played["seconds"] / 0.02) + 2
 	check(pulses.size() <= most, "%d pulses in %s s" % [pulses.size(), played["seconds"]])
 	var each := func(synth: HapticSynth, value: float) -> void:

@@ -85,7 +85,9 @@ func test_the_key_that_begins_the_comparison_ends_it_and_so_does_a_condition_of_
 		player.press(KEY_R)
 		await process_frame
 		await process_frame
-		check_equal(readout.text, "conditions in a random order", "key %d: it is told" % ends)
+		check_equal(
+			readout.text, "conditions in a random order", "key %d: the readout says it" % ends
+		)
 		player.press(ends)
 		await process_frame
 		await process_frame

@@ -1,6 +1,5 @@
 extends "support/scene_test.gd"
-## What is wrong with a file that an evaluation or the demo meets is told in one line, with its
-## place.
+## An evaluation and the demo report a fault of a file in one line, with file and line.
 
 const Rig := preload("support/rig.gd")
 const ToolRun := preload("support/tool_run.gd")

@@ -25,7 +25,7 @@ func test_training_is_repeatable() -> void:
 	var first_run := reports.slice(0, reports.size() / 2)
 	var sorted := first_run.duplicate()
 	sorted.sort()
-	check(first_run.size() > 20 and first_run[-1] == 1.0, "progress is told up to the end")
+	check(first_run.size() > 20 and first_run[-1] == 1.0, "progress reaches 1")
 	check_equal(first_run, sorted, "and never goes back")
 
 
@@ -130,7 +130,7 @@ func test_r2_threshold_drops_outlier_recordings() -> void:
 	var of := _trials.get_count()
 	check(kept < of, "%d of %d are kept" % [kept, of])
 	var told := "train: %d of %d are less like the mean of all than R2 0.999: " % [of - kept, of]
-	check_equal(run.missing([told]), "", "those that are not are told of")
+	check_equal(run.missing([told]), "", "the report names the others")
 	check_equal(model.get_provenance()["r2_threshold"], 0.999, "and the model says so")
 	check_equal(ToolRun.new("train", options + ["--r2-threshold", "2"]).exit_code, 2, "a share")
 
