@@ -62,9 +62,8 @@ STEADYHAND_PARAMETER LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_A
 STEADYHAND_PARAMETER LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
 /// Further latency of a LAGGING tracker after a fault.
 STEADYHAND_PARAMETER FAULTY_LATENCY_S = 0.03;
-/// Error of a LAGGING tracker: critically damped noise. Standard deviation at the start, its growth until the
-/// end, and rate.
-STEADYHAND_PARAMETER LAGGING_ERROR = 0.02, LAGGING_ERROR_ON_WAY = 0.06, LAGGING_ERROR_RATE_PER_S = 8.0;
+/// Error of a LAGGING tracker: critically damped noise, standard deviation and rate.
+STEADYHAND_PARAMETER LAGGING_ERROR = 0.05, LAGGING_ERROR_RATE_PER_S = 8.0;
 /// Log of the ratio of the fault rates, LAGGING to SOUND: dropouts and freezes; jumps.
 STEADYHAND_PARAMETER LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 /// Growth of that log ratio while a fault lasts, per s, and its limit. Faults of a sound tracker have a mean
@@ -126,11 +125,9 @@ STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
 STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
 /// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
 STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
-/// Detour = length of the path / distance - 1. Mean for gestures: a constant, and the tracker's error, m, and
-/// its growth, m/s, per distance.
-STEADYHAND_PARAMETER DETOUR = 0.03, DETOUR_M = 0.01, DETOUR_M_S = 0.003;
-/// Fraction of gestures with a larger detour, by the tracker's errors, and the ratio of the means.
-STEADYHAND_PARAMETER LARGE_DETOUR_SHARE = 0.1, LARGE_DETOUR = 3.0;
+/// Detour = length of the path / distance - 1. Mean for gestures: this length, by hand and tracker, m, per
+/// distance.
+STEADYHAND_PARAMETER DETOUR_M = 0.015;
 /// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may be about 0.
 STEADYHAND_PARAMETER OTHER_DETOUR = 1.7;
 /// Standard deviation of the motion before the onset: of a hand at rest, of the tracker's error, m, and of
@@ -158,10 +155,10 @@ STEADYHAND_PARAMETER SEVERAL_STROKES = 0.5;
 STEADYHAND_PARAMETER SLOWING_SHARE = 0.85, FURTHER = 2.0, GOES_ON_SHARE = 0.003;
 /// Standard deviation of a gesture's start about the task's start.
 STEADYHAND_PARAMETER START = 0.12;
-/// Log of that normal density at its peak over the null model's: a ball of 1.5 amplitudes.
-STEADYHAND_PARAMETER LOG_STARTS = 6.25;
-/// Longest part of the movement before the hand comes into view, and the log density ratio of its start.
-STEADYHAND_PARAMETER UNSEEN_PART = 0.45, LOG_UNSEEN_STARTS = 5.85;
+/// The null model's strokes with a task start within this radius.
+STEADYHAND_PARAMETER OTHER_STARTS = 1.5;
+/// Longest part of the movement before the hand comes into view.
+STEADYHAND_PARAMETER UNSEEN_PART = 0.45;
 
 } // namespace steadyhand::parameters::strokes
 
@@ -170,10 +167,12 @@ namespace steadyhand::parameters::sessions {
 // All sessions. Values are in amplitudes, speeds in amplitudes / mean duration: a minimum-jerk movement peaks
 // at 1.875.
 
-/// Phase from which on a gesture is at its end, and the remaining phase of a hand that has almost stopped.
-STEADYHAND_PARAMETER END_PHASE = 0.97, STILL_PHASE = 0.03;
-/// A gesture at less than this value has returned.
-STEADYHAND_PARAMETER RETURNED = 0.15;
+/// Phase from which on a gesture is at its end, and its hand has almost stopped.
+STEADYHAND_PARAMETER END_PHASE = 0.97;
+/// Cosine of the largest angle between directions that are the same: 45 degrees.
+STEADYHAND_PARAMETER PARALLEL = 0.7;
+/// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
+STEADYHAND_PARAMETER RETURNED = 0.15, TURNED_BACK = 0.08;
 /// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
 
@@ -183,7 +182,7 @@ STEADYHAND_PARAMETER NEAR_END = 0.75;
 STEADYHAND_PARAMETER START_VALUE = 0.03, START_SPEED = 0.1, START_DRIFTS = 7.0;
 /// Drift at rest: time of its second differences, and its value until it is measured.
 STEADYHAND_PARAMETER DRIFT_S = 0.1, UNKNOWN_DRIFT = 0.02;
-/// P(gesture) above which a gesture starts, and below which it is aborted near the start.
+/// Probability of the gesture above which it starts, and below which it is aborted.
 STEADYHAND_PARAMETER START_PROBABILITY = 0.7, ABORT_PROBABILITY = 0.1;
 /// Beyond this value a gesture starts at any probability.
 STEADYHAND_PARAMETER HALFWAY = 0.5;
@@ -195,8 +194,6 @@ STEADYHAND_PARAMETER ABORT_AFTER = 3.0;
 STEADYHAND_PARAMETER STOP_PROBABILITY = 0.7, STOP_S = 0.2;
 /// Log odds by strokes for an end before the target: hands that do something else stop anywhere.
 STEADYHAND_PARAMETER STOP_LOG_ODDS = 9.0;
-/// A hand that goes back by this value has turned.
-STEADYHAND_PARAMETER TURNED_BACK = 0.08;
 /// A gesture does not start farther from its start. A hand that stays farther for this time is not followed.
 STEADYHAND_PARAMETER ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
 /// Least distance, m, to the start of a gesture that may start anywhere.
@@ -204,26 +201,18 @@ STEADYHAND_PARAMETER ANYWHERE_M = 0.1;
 /// Distance from the path beyond which the hand has left the task: of a circle and of a straight path.
 STEADYHAND_PARAMETER OFF_CIRCLE = 0.3, OFF_STRAIGHT = 1.0;
 /// Greatest age of a measurement of the hand's position.
-STEADYHAND_PARAMETER RECENT_S = 0.1, MISSING_S = 0.05;
-/// Strokes along a task: least length of a start, cosine of the greatest angle, and least length with a clear
-/// direction.
-STEADYHAND_PARAMETER SMALLEST_MOVE = 0.02, ALONG = 0.64, LONG_ENOUGH = 0.5;
+STEADYHAND_PARAMETER RECENT_S = 0.1;
 
 // Without a task.
 
 /// Lengths of strokes: least one with a direction, and least one that a doubtful stroke needs.
 STEADYHAND_PARAMETER SHORTEST = 0.12, UNDER_WAY = 0.3;
-/// Least length of a stroke with a direction, in standard deviations of the noise.
-STEADYHAND_PARAMETER NOISE_TIMES = 10.0;
-/// A stroke whose upper bound of the log odds is lower is no gesture, and is aborted after this time. If it
-/// was longer than BARELY_BEGUN while it was likely, it must first be longer than UNDER_WAY.
-STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0, REJECT_AFTER_S = 0.1, BARELY_BEGUN = 0.2;
+/// A stroke whose upper bound of the log odds is lower is no gesture.
+STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0;
 /// Least log odds of a predicted end.
 STEADYHAND_PARAMETER END_LOG_ODDS = 1.5;
 /// Tolerance of the speed at an end, relative to the peak, for people who slow down less.
 STEADYHAND_PARAMETER SLOWED_LESS = 0.25;
-/// A shorter stroke after an end is no gesture.
-STEADYHAND_PARAMETER TAIL = 0.25;
 /// A hand has returned from its end at this fraction of its greatest distance.
 STEADYHAND_PARAMETER HALF_BACK = 0.5;
 /// Time before an onset in which the movement may have started, and time of the means that suppress noise.
@@ -231,10 +220,8 @@ STEADYHAND_PARAMETER BEFORE_ONSET_S = 0.15, MEAN_S = 0.05;
 
 // By HMM.
 
-/// Posterior of a start, an abort and an end, and probability of the end.
-STEADYHAND_PARAMETER BEGINS = 0.9, ABORTED = 0.1, CERTAIN = 0.99, LAST_STATE = 0.5;
-/// Cosine between a gesture and its return, and between two gestures of one path: 45 degrees.
-STEADYHAND_PARAMETER OPPOSITE = -0.7, SAME_DIRECTION = 0.7;
+/// Posterior of a start and an end.
+STEADYHAND_PARAMETER BEGINS = 0.9, CERTAIN = 0.99;
 
 // Several gestures.
 

@@ -16,26 +16,15 @@ double lag_fraction(double duration_s) {
 
 } // namespace
 
-DampedTransition::DampedTransition(double a, double dt_s) {
-	const double fading = std::exp(-a * dt_s);
+DampedTransition::DampedTransition(double deviation, double a, double dt_s) {
+	const double fading = std::exp(-a * dt_s), variance = deviation * deviation;
 	xx = fading * (1.0 + a * dt_s);
 	xv = fading * dt_s;
 	vx = -fading * a * a * dt_s;
 	vv = fading * (1.0 - a * dt_s);
-	noise_xx = 1.0 - (xx * xx + xv * xv * a * a);
-	noise_xv = -(xx * vx + xv * vv * a * a);
-	noise_vv = a * a - (vx * vx + vv * vv * a * a);
-}
-
-double GestureFilter::deviation(TrackerMode tracker, double progress) {
-	return tracker == TrackerMode::SOUND
-			? parameters::DEVIATION
-			: parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY * std::clamp(progress, 0.0, 1.0);
-}
-
-double GestureFilter::deviation_rate_per_s(TrackerMode tracker) {
-	return tracker == TrackerMode::SOUND ? parameters::DEVIATION_RATE_PER_S
-										 : parameters::LAGGING_ERROR_RATE_PER_S;
+	noise_xx = variance * (1.0 - (xx * xx + xv * xv * a * a));
+	noise_xv = -variance * (xx * vx + xv * vv * a * a);
+	noise_vv = variance * (a * a - (vx * vx + vv * vv * a * a));
 }
 
 GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const HandState &from) :
@@ -52,31 +41,30 @@ GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const Hand
 	if (tracker == TrackerMode::LAGGING) {
 		set(LAG, parameters::LAG_S, parameters::LAG_SPREAD_S);
 	}
-	const double unit = 1.0 / deviation(tracker, 0.0);
-	mean_(DEVIATION) = unit * from.x;
-	mean_(DEVIATION_RATE) = unit * from.v;
-	covariance_(DEVIATION, DEVIATION) = unit * unit * from.xx;
-	covariance_(DEVIATION, DEVIATION_RATE) = covariance_(DEVIATION_RATE, DEVIATION) = unit * unit * from.xv;
-	covariance_(DEVIATION_RATE, DEVIATION_RATE) = unit * unit * from.vv;
+	mean_(DEVIATION) = from.x;
+	mean_(DEVIATION_VELOCITY) = from.v;
+	covariance_(DEVIATION, DEVIATION) = from.xx;
+	covariance_(DEVIATION, DEVIATION_VELOCITY) = covariance_(DEVIATION_VELOCITY, DEVIATION) = from.xv;
+	covariance_(DEVIATION_VELOCITY, DEVIATION_VELOCITY) = from.vv;
 }
 
 void GestureFilter::predict(const DampedTransition &by, double dt_s, double t_s) {
 	cached_s_ = NAN;
-	const double x = mean_(DEVIATION), v = mean_(DEVIATION_RATE);
+	const double x = mean_(DEVIATION), v = mean_(DEVIATION_VELOCITY);
 	mean_(DEVIATION) = by.xx * x + by.xv * v;
-	mean_(DEVIATION_RATE) = by.vx * x + by.vv * v;
-	Vector column_x = by.xx * covariance_.col(DEVIATION) + by.xv * covariance_.col(DEVIATION_RATE);
-	Vector column_v = by.vx * covariance_.col(DEVIATION) + by.vv * covariance_.col(DEVIATION_RATE);
-	const double xx = by.xx * column_x(DEVIATION) + by.xv * column_x(DEVIATION_RATE) + by.noise_xx;
-	const double xv = by.vx * column_x(DEVIATION) + by.vv * column_x(DEVIATION_RATE) + by.noise_xv;
-	const double vv = by.vx * column_v(DEVIATION) + by.vv * column_v(DEVIATION_RATE) + by.noise_vv;
+	mean_(DEVIATION_VELOCITY) = by.vx * x + by.vv * v;
+	Vector column_x = by.xx * covariance_.col(DEVIATION) + by.xv * covariance_.col(DEVIATION_VELOCITY);
+	Vector column_v = by.vx * covariance_.col(DEVIATION) + by.vv * covariance_.col(DEVIATION_VELOCITY);
+	const double xx = by.xx * column_x(DEVIATION) + by.xv * column_x(DEVIATION_VELOCITY) + by.noise_xx;
+	const double xv = by.vx * column_x(DEVIATION) + by.vv * column_x(DEVIATION_VELOCITY) + by.noise_xv;
+	const double vv = by.vx * column_v(DEVIATION) + by.vv * column_v(DEVIATION_VELOCITY) + by.noise_vv;
 	column_x(DEVIATION) = xx;
-	column_x(DEVIATION_RATE) = column_v(DEVIATION) = xv;
-	column_v(DEVIATION_RATE) = vv;
+	column_x(DEVIATION_VELOCITY) = column_v(DEVIATION) = xv;
+	column_v(DEVIATION_VELOCITY) = vv;
 	covariance_.col(DEVIATION) = column_x;
-	covariance_.col(DEVIATION_RATE) = column_v;
+	covariance_.col(DEVIATION_VELOCITY) = column_v;
 	covariance_.row(DEVIATION) = column_x;
-	covariance_.row(DEVIATION_RATE) = column_v;
+	covariance_.row(DEVIATION_VELOCITY) = column_v;
 	// A change e of the log duration changes the onset by -(t - onset) e. The phase at t stays the same.
 	const double shift = -std::max(t_s - mean_(ONSET), 0.0);
 	const double walk = parameters::PACE_WALK * parameters::PACE_WALK * std::min(dt_s, 1.0);
@@ -98,24 +86,20 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	const Polynomial::Point jerk = minimum_jerk(shown_phase);
 	const double amplitude = 1.0 + mean_(GAIN), f = own.value + mean_(SHAPE) * (jerk.value - own.value);
 	const double slope = amplitude * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
-	const double unit = deviation(tracker_, progress);
 	Prediction p;
-	p.x = amplitude * f + unit * mean_(DEVIATION);
+	p.x = amplitude * f + mean_(DEVIATION);
 	p.velocity = rate * own.slope;
-	// d x / d phase. The lag and the size of the tracker's error depend on the phase too.
-	double by_phase = slope;
-	if (is_lagging) {
-		by_phase *= progress > 0.0 ? 1.0 - mean_(LAG) * lag_slope / progress * progress_slope : 1.0;
-		by_phase += parameters::LAGGING_ERROR_ON_WAY * progress_slope * mean_(DEVIATION);
-	}
+	// d x / d phase. The lag depends on the phase too.
+	const double by_phase =
+			slope * (progress > 0.0 ? 1.0 - mean_(LAG) * lag_slope / progress * progress_slope : 1.0);
 	p.slope(ONSET) = -by_phase * rate;
 	p.slope(LOG_DURATION) = -by_phase * phase +
 			slope * mean_(LAG) * lag_slope * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
 	p.slope(GAIN) = f;
 	p.slope(SHAPE) = amplitude * (jerk.value - own.value);
 	p.slope(LAG) = -slope * lag_slope;
-	p.slope(DEVIATION) = unit;
-	p.covariance.noalias() = covariance_.leftCols<DEVIATION_RATE>() * p.slope.head<DEVIATION_RATE>();
+	p.slope(DEVIATION) = 1.0;
+	p.covariance.noalias() = covariance_.leftCols<DEVIATION_VELOCITY>() * p.slope.head<DEVIATION_VELOCITY>();
 	p.variance = p.covariance.dot(p.slope);
 	return p;
 }
@@ -139,14 +123,6 @@ void GestureFilter::correct(const Prediction &prediction, const ElementReading &
 	cached_s_ = NAN;
 }
 
-void GestureFilter::widen_error(double deviation) {
-	const double unit = deviation / GestureFilter::deviation(tracker_, 0.0);
-	const double rate = deviation_rate_per_s(tracker_);
-	covariance_(DEVIATION, DEVIATION) += unit * unit;
-	covariance_(DEVIATION_RATE, DEVIATION_RATE) += rate * rate;
-	cached_s_ = NAN;
-}
-
 GestureFilter::Hand GestureFilter::hand(
 		const ReferenceTable &curve, double t_s, double since_s, double fading) const {
 	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
@@ -158,9 +134,8 @@ GestureFilter::Hand GestureFilter::hand(
 		amplitude * rate * rate * (own.curvature + shape * (jerk.second - own.curvature)),
 		std::clamp(phase, 0.0, 1.0) };
 	if (tracker_ == TrackerMode::SOUND) {
-		const double unit = deviation(tracker_, 0.0);
-		const CriticallyDamped d = critically_damped(unit * mean_(DEVIATION), unit * mean_(DEVIATION_RATE),
-				deviation_rate_per_s(tracker_), since_s, fading);
+		const CriticallyDamped d = critically_damped(
+				mean_(DEVIATION), mean_(DEVIATION_VELOCITY), deviation_rate_per_s(tracker_), since_s, fading);
 		hand.value += d.value;
 		hand.velocity += d.velocity;
 		hand.acceleration += d.acceleration;

@@ -15,17 +15,17 @@ enum class TrackerMode : std::uint8_t {
 	LAGGING ///< has a lag that grows with the hand's progress, and a slow error
 };
 
-/// Transition over dt_s of critically damped noise with variance 1: x'' = -2 a x' - a^2 x + white noise.
-/// a: rate_per_s.
+/// Transition over dt_s of critically damped noise, x'' = -2 a x' - a^2 x + white noise. deviation:
+/// stationary standard deviation of x. a: rate_per_s.
 struct DampedTransition {
 	double xx, xv, vx, vv;               ///< transition matrix of [x, x']
 	double noise_xx, noise_xv, noise_vv; ///< covariance that the noise adds
 
-	DampedTransition(double rate_per_s, double dt_s);
+	DampedTransition(double deviation, double rate_per_s, double dt_s);
 };
 
 /// One hypothesis of an active gesture: an extended Kalman filter. Its state is onset, log duration, gain,
-/// shape, the tracker's lag, and a slow deviation d with its rate. With a SOUND tracker d is the hand's
+/// shape, the tracker's lag, and a slow deviation d with its velocity. With a SOUND tracker d is the hand's
 /// deviation from the curve; with a LAGGING tracker it is the tracker's error.
 ///
 ///     hand(t)    = (1 + gain) f(p) + d(t)                        p = (t - onset) / duration
@@ -37,7 +37,16 @@ struct DampedTransition {
 class GestureFilter {
 public:
 	/// SIZE is one more than the number of states, so that a column fills whole SIMD registers.
-	enum Index : std::uint8_t { ONSET, LOG_DURATION, GAIN, SHAPE, LAG, DEVIATION, DEVIATION_RATE, SIZE = 8 };
+	enum Index : std::uint8_t {
+		ONSET,
+		LOG_DURATION,
+		GAIN,
+		SHAPE,
+		LAG,
+		DEVIATION,
+		DEVIATION_VELOCITY,
+		SIZE = 8
+	};
 	using Vector = Eigen::Matrix<double, SIZE, 1>;
 	using Matrix = Eigen::Matrix<double, SIZE, SIZE>;
 
@@ -77,17 +86,18 @@ public:
 	const Prediction &cached_prediction(const ReferenceTable &curve, double t_s);
 	/// Kalman update. Multiplies the weight by the likelihood of the reading.
 	void correct(const Prediction &prediction, const ElementReading &reading);
-	/// Raises the variance of d after a jump of the tracker. deviation: standard deviation of the added
-	/// error, amplitudes.
-	void widen_error(double deviation);
 	/// The hand at t_s. since_s: t_s minus the time of the last predict(). fading: exp(-rate since_s), with
 	/// the rate of the deviation.
 	[[nodiscard]] Hand hand(const ReferenceTable &curve, double t_s, double since_s, double fading) const;
 
-	/// Stationary standard deviation of d. progress: value of the curve; a LAGGING tracker's error grows with
-	/// it.
-	[[nodiscard]] static double deviation(TrackerMode tracker, double progress);
-	[[nodiscard]] static double deviation_rate_per_s(TrackerMode tracker);
+	/// Of d: stationary standard deviation, and rate.
+	[[nodiscard]] static double deviation(TrackerMode tracker) {
+		return tracker == TrackerMode::SOUND ? parameters::DEVIATION : parameters::LAGGING_ERROR;
+	}
+	[[nodiscard]] static double deviation_rate_per_s(TrackerMode tracker) {
+		return tracker == TrackerMode::SOUND ? parameters::DEVIATION_RATE_PER_S
+											 : parameters::LAGGING_ERROR_RATE_PER_S;
+	}
 
 private:
 	TrackerMode tracker_ = TrackerMode::SOUND;

@@ -141,10 +141,11 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 			before_last_ = now_;
 		}
 		predict(t_s);
-		const bool jumps = measurement.status == MeasurementStatus::OUTLIER;
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
-		if (jumps || reappears || measurement.status == MeasurementStatus::FROZEN) {
-			count_fault(jumps);
+		if (measurement.status == MeasurementStatus::OUTLIER) {
+			count_fault(parameters::LOG_JUMPS);
+		} else if (reappears || measurement.status == MeasurementStatus::FROZEN) {
+			count_fault(parameters::LOG_FAULTS);
 		}
 		if (!measurement.is_usable()) {
 			return;
@@ -177,7 +178,7 @@ void SwitchingEstimator::wait(double t_s, bool is_overdue) {
 	change(t_s, [&] {
 		predict(t_s);
 		if (is_overdue) {
-			count_fault(false);
+			count_fault(parameters::LOG_FAULTS);
 		}
 	});
 }
@@ -202,7 +203,8 @@ void SwitchingEstimator::step(double t_s) {
 	hold_process_.predict(now_.hold.hand, dt_s);
 	free_process_.predict(now_.free.hand, dt_s);
 	for (const TrackerMode tracker : TRACKERS) {
-		const DampedTransition transition(GestureFilter::deviation_rate_per_s(tracker), dt_s);
+		const DampedTransition transition(
+				GestureFilter::deviation(tracker), GestureFilter::deviation_rate_per_s(tracker), dt_s);
 		for (GestureFilter &gesture : now_.gestures) {
 			if (gesture.tracker() == tracker) {
 				gesture.predict(transition, dt_s, t_s);
@@ -277,26 +279,20 @@ void SwitchingEstimator::update_tracker_modes(double log_ratio) {
 }
 
 /// Applies the evidence of a fault once. While the fault lasts, step() adds more.
-void SwitchingEstimator::count_fault(bool is_jump) {
+void SwitchingEstimator::count_fault(double log_ratio) {
 	if (now_.log_fault == 0.0) {
-		now_.log_fault = is_jump ? parameters::LOG_JUMPS : parameters::LOG_FAULTS;
+		now_.log_fault = log_ratio;
 		update_tracker_modes(now_.log_fault);
-		if (is_jump) {
-			for (GestureFilter &gesture : now_.gestures) {
-				if (gesture.tracker() == TrackerMode::LAGGING) {
-					gesture.widen_error(parameters::LAGGING_ERROR + parameters::LAGGING_ERROR_ON_WAY);
-				}
-			}
-		}
 	}
 	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
 }
 
 /// Likelihood that a hand at rest in this position begins a gesture, relative to a hand at the start. The
-/// onset may be off the start (START_SPREAD), and the tracker may deviate.
+/// onset may be off the start, and the tracker may deviate.
 double SwitchingEstimator::start_likelihood(TrackerMode tracker) const {
-	const double x = now_.hold.hand.x, unit = GestureFilter::deviation(tracker, 0.0);
-	return std::exp(-0.5 * x * x / (parameters::START_SPREAD * parameters::START_SPREAD + unit * unit));
+	const double z =
+			now_.hold.hand.x / std::hypot(parameters::START_SPREAD, GestureFilter::deviation(tracker));
+	return std::exp(-0.5 * z * z);
 }
 
 void SwitchingEstimator::add(
@@ -333,20 +329,21 @@ void SwitchingEstimator::spawn_unseen_gestures(const ElementReading &reading, do
 	}
 	const double phase = curve_.phase_of(reading.x), slope = curve_.at(phase).slope;
 	for (const TrackerMode tracker : TRACKERS) {
+		const double deviation = GestureFilter::deviation(tracker);
+		const double velocity = GestureFilter::deviation_rate_per_s(tracker) * deviation;
+		const double error = std::sqrt(deviation * deviation + reading.variance);
 		for (std::size_t k = 0; k < effort_.durations; ++k) {
 			const double duration_s = std::exp(log_durations_[k]), elapsed_s = phase * duration_s;
-			const double speed = slope / duration_s, unit = GestureFilter::deviation(tracker, reading.x);
+			const double speed = slope / duration_s;
 			if (elapsed_s > gap_s + parameters::BIRTH_PERIOD_S || speed <= 0.0) {
 				continue;
 			}
-			const double error = std::sqrt(unit * unit + reading.variance);
-			const double rate = GestureFilter::deviation_rate_per_s(tracker) * unit;
 			add(tracker,
 					now_.hold.weight * start_likelihood(tracker) * parameters::ONSETS_PER_S *
 							mode_probability(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
 					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
 							gain_spread_ },
-					{ 0.0, 0.0, unit * unit, 0.0, rate * rate });
+					{ 0.0, 0.0, deviation * deviation, 0.0, velocity * velocity });
 		}
 	}
 }
@@ -400,7 +397,7 @@ void SwitchingEstimator::prune() {
 MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	MotionEstimate estimate;
 	const double ahead_s = t_s + latency_s_, since_s = std::max(ahead_s - now_.time_s, 0.0);
-	const double fading = std::exp(-GestureFilter::deviation_rate_per_s(TrackerMode::SOUND) * since_s);
+	const double fading = std::exp(-parameters::DEVIATION_RATE_PER_S * since_s);
 	double total = now_.hold.weight + now_.free.weight, unseen = 0.0;
 	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;

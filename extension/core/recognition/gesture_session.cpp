@@ -119,7 +119,7 @@ bool GestureSession::is_at_end(double t_s) const {
 }
 
 bool GestureSession::is_still_at_end(double t_s) const {
-	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < STILL_PHASE);
+	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < 1.0 - END_PHASE);
 }
 
 void GestureSession::reset_frames() {

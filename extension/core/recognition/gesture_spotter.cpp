@@ -55,17 +55,17 @@ GestureSpotter::News GestureSpotter::find_start() {
 }
 
 bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
-	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < OPPOSITE;
+	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < -PARALLEL;
 }
 
 GestureSpotter::News GestureSpotter::follow() {
 	const GestureCandidate &now = classifier_.candidates()[index_];
-	if (now.posterior < ABORTED) {
+	if (now.posterior < ABORT_PROBABILITY) {
 		is_active_ = false;
 		return News::ABORTED;
 	}
 	candidate_ = now;
-	if (now.posterior > CERTAIN && now.end_probability > LAST_STATE) {
+	if (now.posterior > CERTAIN && now.end_probability > 0.5) {
 		ended_s_ = classifier_.time_s();
 		ended_axis_ = now.axis;
 		drop();

@@ -115,31 +115,13 @@ double StrokeSession::amplitudes(const Stroke &stroke) const {
 	return (stroke.to - stroke.from).norm() / task().amplitude_m;
 }
 
-/// Upper bound of the log odds that the stroke can reach. It costs little.
-double StrokeSession::max_log_odds(const Stroke &stroke) const {
-	return LOG_PRIOR_NO_TASK + max_evidence(stroke, model_direction(stroke), task().amplitude_m);
-}
-
-/// One of the strokes cannot become the gesture.
-bool StrokeSession::has_impossible_stroke(const StrokeFinder &strokes) const {
-	return std::ranges::any_of(strokes.strokes(), [this](const Stroke &stroke) {
-		return stroke.onset_s >= not_before_s_ && max_log_odds(stroke) < REJECT_LOG_ODDS;
-	});
-}
-
 void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 	start_ = last_place();
 	direction_ = feature().direction(task());
-	const double noise = NOISE_TIMES * strokes.noise_m() / task().amplitude_m;
-	const double shortest = std::clamp(noise, SHORTEST, UNDER_WAY);
 	for (const Stroke &stroke : strokes.strokes()) {
 		const bool is_slow = strike_evidence(stroke, usual_) < 0.0;
-		const double least = stroke.onset_s < rejected_s_ || is_slow ? UNDER_WAY : shortest;
+		const double least = stroke.onset_s < rejected_s_ || is_slow ? UNDER_WAY : SHORTEST;
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < least || !stroke.is_from_rest) {
-			continue;
-		}
-		if (max_log_odds(stroke) < 0.0 ||
-				(amplitudes(stroke) < UNDER_WAY && has_impossible_stroke(strokes))) {
 			continue;
 		}
 		const FeaturePlace direction = model_direction(stroke);
@@ -170,8 +152,7 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 		}
 	});
 	begin(t_s, along(last_place()) / task().amplitude_m);
-	likely_s_ = moved_s_ = t_s;
-	max_length_ = 0.0;
+	moved_s_ = t_s;
 	element_m_ = max_element_m_ = along(last_place());
 	blend_from(before, t_s, START_BLEND_PER_S);
 }

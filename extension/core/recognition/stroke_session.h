@@ -55,10 +55,8 @@ private:
 
 	std::optional<End> end_;
 	double best_odds_ = 0.0, strike_odds_ = 0.0; ///< best_log_odds(), strike_log_odds()
-	double likely_s_ = 0.0;                      ///< last time at which a stroke could be the gesture
 	double moved_s_ = 0.0;                   ///< last motion of such a stroke; after the end, of any stroke
 	double not_before_s_ = -INFINITY;        ///< earlier onsets belong to earlier gestures
-	double max_length_ = 0.0;                ///< greatest length of such a stroke, amplitudes
 	double rejected_s_ = -INFINITY;          ///< last time at which a stroke was rejected
 	double returned_s_ = -INFINITY;          ///< last return of the hand after a gesture
 	bool may_repeat_ = false;                ///< after a return, the next gesture needs no rest before it
@@ -73,8 +71,6 @@ private:
 	void watch_end(double t_s, const StrokeFinder &strokes);
 	void look_for_return(double t_s, const StrokeFinder &strokes);
 	[[nodiscard]] bool is_next(const Stroke &stroke, const StrokeFinder &strokes) const;
-	[[nodiscard]] double max_log_odds(const Stroke &stroke) const;
-	[[nodiscard]] bool has_impossible_stroke(const StrokeFinder &strokes) const;
 	void go_idle(double t_s);
 
 	/// Motion element, m.

@@ -46,7 +46,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 	double best_ended = IMPOSSIBLE, ongoing = IMPOSSIBLE; // log odds
 	Stroke last;
 	best_odds_ = IMPOSSIBLE;
-	bool is_rejected = false;
+	bool is_likely = false, is_rejected = false;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
@@ -55,16 +55,14 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		const double path = LOG_PRIOR_NO_TASK + evidence.without_size(), best = best_odds(evidence);
 		update_direction(stroke.to);
 		if (best > 0.0) {
-			likely_s_ = t_s;
-			max_length_ = std::max(max_length_, amplitudes(stroke));
+			is_likely = true;
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			strike_odds_ = path > ongoing ? strike_evidence(stroke, usual_) : strike_odds_;
 			ongoing = std::max(ongoing, path);
 			best_odds_ = std::max(best_odds_, best + return_evidence(usual_, usual_.is_strike));
 			set_log_odds(ongoing);
-		} else if (best < REJECT_LOG_ODDS && (max_length_ < BARELY_BEGUN || amplitudes(stroke) > UNDER_WAY)) {
-			is_rejected = true;
 		}
+		is_rejected = is_rejected || best < REJECT_LOG_ODDS;
 		const double ended =
 				LOG_PRIOR_NO_TASK + evidence.sum() + (is_dropout ? strike_evidence(stroke, usual_) : 0.0);
 		const bool is_end = is_dropout ? amplitudes(stroke) > NEAR_END : strokes.ended();
@@ -87,7 +85,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > PAUSE_S) {
 		abort(t_s); // the hand has stopped halfway; its return is no gesture either
-	} else if (is_rejected && t_s - likely_s_ > REJECT_AFTER_S) {
+	} else if (is_rejected && !is_likely) {
 		rejected_s_ = t_s;
 		go_idle(t_s);
 	}
@@ -152,7 +150,7 @@ void StrokeSession::look_for_return(double t_s, const StrokeFinder &strokes) {
 /// longer pause.
 bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) const {
 	const double hold_s = PAUSE_S + SLOWS_DOWN * (stopped_s_ - started_s());
-	if (amplitudes(stroke) < TAIL || stroke.onset_s < stopped_s_ + hold_s) {
+	if (stroke.onset_s < stopped_s_ + hold_s) {
 		return false;
 	}
 	const StrokeEvidence evidence = evidence_of(stroke, strokes, model_direction(stroke));
@@ -161,14 +159,14 @@ bool StrokeSession::is_next(const Stroke &stroke, const StrokeFinder &strokes) c
 
 bool StrokeSession::shares_path(const GestureSession &other) const {
 	return !usual_.is_strike && std::ranges::any_of(directions_, [&other](const FeaturePlace &direction) {
-		return direction.dot(other.axis()) > SAME_DIRECTION;
+		return direction.dot(other.axis()) > PARALLEL;
 	});
 }
 
 bool StrokeSession::is_return(const Stroke &stroke) const {
 	const FeaturePlace chord = stroke.to - stroke.from;
 	return stage() == Stage::ENDED && stroke.onset_s > started_s() &&
-			chord.dot(direction_) < OPPOSITE * chord.norm();
+			chord.dot(direction_) < -PARALLEL * chord.norm();
 }
 
 void StrokeSession::end_gesture(double t_s) {

@@ -165,7 +165,7 @@ bool TaskSession::has_aborted(double t_s) {
 bool TaskSession::is_end_observed(double t_s, const StrokeFinder &strokes) const {
 	const double unseen_s =
 			t_s - (feature().place != nullptr ? strokes.last_measurement_s() : hand_.last_s());
-	const bool may_be_there = value() > HALFWAY || unseen_s > MISSING_S;
+	const bool may_be_there = value() > HALFWAY || unseen_s > RECENT_S;
 	const bool is_followed = unseen_s < DROPOUTS_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }

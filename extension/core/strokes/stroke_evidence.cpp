@@ -48,26 +48,10 @@ double straightness(const Stroke &stroke, double length_m) {
 	return bow_evidence((off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m);
 }
 
-double detour(const Stroke &stroke, double length_m) {
-	return std::max(stroke.path_m / length_m - 1.0, 0.0);
-}
-
-/// Mean detour of a gesture of this length and duration.
-double usual_detour(const Stroke &stroke, double length_m) {
-	return DETOUR + (DETOUR_M + DETOUR_M_S * (stroke.now_s - stroke.onset_s)) / length_m;
-}
-
-/// Log ratio, gesture's large detours to null model, in nats, relative to the ratio at detour 0. mean: of
-/// the gesture's small detours.
-double large_detour_evidence(double detour, double mean) {
-	return 3.0 * std::log1p(detour / OTHER_DETOUR) - detour / (LARGE_DETOUR * mean);
-}
-
-double detour_evidence(double detour, double mean) {
-	// The slower one of two exponentials is factored out: otherwise both underflow at long detours.
-	const double plain = (1.0 - LARGE_DETOUR_SHARE) * std::exp(-detour / mean * (1.0 - 1.0 / LARGE_DETOUR));
-	return std::log((plain + LARGE_DETOUR_SHARE / LARGE_DETOUR) / mean * 0.5 * OTHER_DETOUR) +
-			large_detour_evidence(detour, mean);
+/// Log ratio of the gesture's density of detours, which is exponential, to that of the null model.
+double detour_evidence(const Stroke &stroke, double length_m) {
+	const double detour = std::max(stroke.path_m / length_m - 1.0, 0.0), mean = DETOUR_M / length_m;
+	return std::log(0.5 * OTHER_DETOUR / mean) + 3.0 * std::log1p(detour / OTHER_DETOUR) - detour / mean;
 }
 
 double rest_evidence(const Stroke &stroke, double amplitude_m) {
@@ -119,8 +103,13 @@ FeaturePlace start_error(
 }
 
 double start_evidence(const Stroke &stroke, const FeaturePlace &start_error_m, double amplitude_m) {
-	return (stroke.is_from_rest ? LOG_STARTS : LOG_UNSEEN_STARTS - REST_UNSEEN) -
-			0.5 * start_error_m.squaredNorm() / (START * START * amplitude_m * amplitude_m);
+	// Normal about the task's start, or about a path of length UNSEEN_PART. The null model's starts are
+	// uniform in a ball.
+	const double variance = START * START, across = 2.0 * std::numbers::pi * variance;
+	const double along = stroke.is_from_rest ? std::sqrt(across) : UNSEEN_PART;
+	const double ball = 4.0 / 3.0 * std::numbers::pi * OTHER_STARTS * OTHER_STARTS * OTHER_STARTS;
+	return std::log(ball / (across * along)) - (stroke.is_from_rest ? 0.0 : REST_UNSEEN) -
+			0.5 * start_error_m.squaredNorm() / (variance * amplitude_m * amplitude_m);
 }
 
 /// Unit vector from the stroke's start to the task's end. Hands aim at the end also from beside the start.
@@ -147,8 +136,7 @@ StrokeEvidence stroke_evidence(
 	const double now = direction_evidence(off);
 	StrokeEvidence evidence;
 	evidence.path = now + straightness(stroke, length_m);
-	evidence.detour = detour_evidence(detour(stroke, length_m), usual_detour(stroke, length_m)) -
-			(stroke.is_joined ? SEVERAL_STROKES : 0.0);
+	evidence.detour = detour_evidence(stroke, length_m) - (stroke.is_joined ? SEVERAL_STROKES : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / usual.duration_s));
 	evidence.max_remaining = direction_evidence(least_direction_error(off, length_m, amplitude_m)) - now +
@@ -179,23 +167,6 @@ double slowing_evidence(const Stroke &stroke, double speed_m_s, double amplitude
 	const double longest_m = FURTHER * (stroke.to - stroke.from).norm() / path_fraction_at_speed(share);
 	const double z = std::min(std::log(longest_m / amplitude_m), 0.0) / LOG_SHORTER;
 	return std::log((1.0 - GOES_ON_SHARE) * std::exp(-0.5 * z * z) + GOES_ON_SHARE);
-}
-
-double max_evidence(const Stroke &stroke, const FeaturePlace &direction, double amplitude_m) {
-	const double at_most = bow_evidence(0.0) + detour_evidence(0.0, DETOUR) +
-			std::log((1.0 - NO_REST_SHARE) * std::hypot(1.0, OTHER_MOTION_PER_S * REST_S / REST_MOTION) +
-					NO_REST_SHARE) +
-			size_evidence(0.0, 0.0);
-	const FeaturePlace chord = stroke.to - stroke.from;
-	const double length_m = chord.norm();
-	if (!has_direction(length_m)) {
-		return IMPOSSIBLE;
-	}
-	const double off = (chord / length_m - direction).norm();
-	// For a detour much longer than the tracker's error, the null model's density may be the smaller one.
-	const double more = large_detour_evidence(detour(stroke, length_m), usual_detour(stroke, length_m));
-	return direction_evidence(least_direction_error(off, length_m, amplitude_m)) + std::max(more, 0.0) +
-			at_most;
 }
 
 double task_evidence(

@@ -55,8 +55,6 @@ public:
 	/// Displacement of the tracker in the newest frame.
 	[[nodiscard]] const FeaturePlace &displacement_m() const { return displacement_m_; }
 	[[nodiscard]] double speed_m_s() const { return speed_m_s_; }
-	/// Measurement::noise_m of the newest frame.
-	[[nodiscard]] double noise_m() const { return noise_m_; }
 	/// Time of the last used measurement; -infinity before the first one.
 	[[nodiscard]] double last_measurement_s() const { return past_.empty() ? -INFINITY : past_.newest().t_s; }
 
@@ -100,7 +98,7 @@ private:
 
 	/// End and length of the last dropout.
 	double found_s_ = -INFINITY, dropout_s_ = 0.0;
-	double noise_m_ = 0.0;
+	double noise_m_ = 0.0; ///< of the newest measurement
 	FeaturePlace displacement_m_ = FeaturePlace::Zero();
 	double speed_m_s_ = 0.0;
 	double peak_m_s_ = 0.0;

@@ -27,9 +27,10 @@ void TaskStrokes::update(const StrokeFinder &strokes) {
 	has_onset_ = is_along_axis_ = without_stroke_.has_onset;
 	for (const Stroke &stroke : counted(strokes)) {
 		const double along_m = (stroke.to - stroke.from).dot(direction_);
-		const bool is_onset = along_m > SMALLEST_MOVE * amplitude_m_ && may_begin(stroke);
+		const bool is_onset = along_m > START_VALUE * amplitude_m_ && may_begin(stroke);
 		has_onset_ = has_onset_ || is_onset;
-		is_along_axis_ = is_along_axis_ || (is_onset && along_m > ALONG * (stroke.to - stroke.from).norm());
+		is_along_axis_ =
+				is_along_axis_ || (is_onset && along_m > PARALLEL * (stroke.to - stroke.from).norm());
 	}
 }
 
@@ -77,7 +78,7 @@ double TaskStrokes::judge(const StrokeFinder &strokes) {
 	for (const Stroke &stroke : counted(strokes)) {
 		const double of_this = log_odds(stroke);
 		best = std::max(best, of_this);
-		if ((stroke.to - stroke.from).norm() > LONG_ENOUGH * amplitude_m_) {
+		if ((stroke.to - stroke.from).norm() > UNDER_WAY * amplitude_m_) {
 			best_of_one_ = std::max(best_of_one_, of_this);
 		}
 	}

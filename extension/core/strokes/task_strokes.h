@@ -25,7 +25,7 @@ public:
 	void update(const StrokeFinder &strokes);
 	/// One of the strokes moves along the task's axis from near its start.
 	[[nodiscard]] bool has_onset() const { return has_onset_; }
-	/// has_onset(), by a stroke whose direction is near the axis (parameters::sessions::ALONG).
+	/// has_onset(), by a stroke whose direction is near the axis (parameters::sessions::PARALLEL).
 	[[nodiscard]] bool is_along_axis() const { return is_along_axis_; }
 
 	/// Distance, m, of a hand from the start of the gesture; for features with a position.

@@ -15,6 +15,7 @@ namespace {
 using Index = GestureFilter::Index;
 
 constexpr double ONSET_S = 1.0, DURATION_S = 0.8;
+constexpr double DEVIATION = 0.1;
 
 const ReferenceTable &curve() {
 	static const ReferenceTable table(test::drag_model());
@@ -44,7 +45,7 @@ GestureFilter gesture(TrackerMode tracker) {
 	double then_s = ONSET_S;
 	for (const double t_s : { ONSET_S + 0.2, ONSET_S + 0.3 }) {
 		const double dt_s = t_s - then_s;
-		filter.predict({ GestureFilter::deviation_rate_per_s(tracker), dt_s }, dt_s, t_s);
+		filter.predict({ DEVIATION, GestureFilter::deviation_rate_per_s(tracker), dt_s }, dt_s, t_s);
 		const GestureFilter::Prediction p = filter.predict_measurement(curve(), t_s);
 		filter.correct(p, { .t_s = t_s, .x = p.x + 0.05, .variance = 1e-4 });
 		then_s = t_s;
@@ -72,9 +73,9 @@ GestureFilter::Vector finite_differences(const GestureFilter &filter, double t_s
 GestureFilter::Matrix dense_transition(const DampedTransition &by) {
 	GestureFilter::Matrix f = GestureFilter::Matrix::Identity();
 	f(Index::DEVIATION, Index::DEVIATION) = by.xx;
-	f(Index::DEVIATION, Index::DEVIATION_RATE) = by.xv;
-	f(Index::DEVIATION_RATE, Index::DEVIATION) = by.vx;
-	f(Index::DEVIATION_RATE, Index::DEVIATION_RATE) = by.vv;
+	f(Index::DEVIATION, Index::DEVIATION_VELOCITY) = by.xv;
+	f(Index::DEVIATION_VELOCITY, Index::DEVIATION) = by.vx;
+	f(Index::DEVIATION_VELOCITY, Index::DEVIATION_VELOCITY) = by.vv;
 	return f;
 }
 
@@ -122,16 +123,16 @@ TEST_CASE("a gesture filter predicts as dense Kalman matrices do") {
 	for (const TrackerMode tracker : { TrackerMode::SOUND, TrackerMode::LAGGING }) {
 		const GestureFilter before = gesture(tracker);
 		GestureFilter after = before;
-		const DampedTransition by(GestureFilter::deviation_rate_per_s(tracker), DT_S);
+		const DampedTransition by(DEVIATION, GestureFilter::deviation_rate_per_s(tracker), DT_S);
 		after.predict(by, DT_S, T_S);
 		const GestureFilter::Matrix f = dense_transition(by);
 		CHECK((after.mean() - f * before.mean()).norm() < 1e-12);
 
 		GestureFilter::Matrix added = after.covariance() - f * before.covariance() * f.transpose();
 		added(Index::DEVIATION, Index::DEVIATION) -= by.noise_xx;
-		added(Index::DEVIATION, Index::DEVIATION_RATE) -= by.noise_xv;
-		added(Index::DEVIATION_RATE, Index::DEVIATION) -= by.noise_xv;
-		added(Index::DEVIATION_RATE, Index::DEVIATION_RATE) -= by.noise_vv;
+		added(Index::DEVIATION, Index::DEVIATION_VELOCITY) -= by.noise_xv;
+		added(Index::DEVIATION_VELOCITY, Index::DEVIATION) -= by.noise_xv;
+		added(Index::DEVIATION_VELOCITY, Index::DEVIATION_VELOCITY) -= by.noise_vv;
 		// The rest is the random walk of the pace. It has rank 1, and does not change the phase at T_S.
 		const double pace = added(Index::LOG_DURATION, Index::LOG_DURATION);
 		CHECK(pace > 0.0);
@@ -232,7 +233,7 @@ TEST_CASE("the transition of damped noise equals the numerical integral") {
 				integral += 4.0 * a * a * a * share * h / 3.0 * response * response.transpose();
 				transition = i < PIECES ? Eigen::Matrix2d(small * transition) : transition;
 			}
-			const DampedTransition exact(a, dt_s);
+			const DampedTransition exact(1.0, a, dt_s);
 			CHECK((matrix(exact) - transition).norm() < 1e-9 * transition.norm());
 			CHECK((noise(exact) - integral).norm() < 1e-6 * integral.norm());
 		}
@@ -243,7 +244,8 @@ TEST_CASE("two transitions of damped noise equal one over both times") {
 	constexpr double A = 4.6;
 	for (const double first_s : { 0.0, 0.003, 0.2 }) {
 		for (const double second_s : { 0.001, 0.05, 1.0 }) {
-			const DampedTransition first(A, first_s), second(A, second_s), whole(A, first_s + second_s);
+			const DampedTransition first(1.0, A, first_s), second(1.0, A, second_s),
+					whole(1.0, A, first_s + second_s);
 			CHECK((matrix(second) * matrix(first) - matrix(whole)).norm() < 1e-12);
 			const Eigen::Matrix2d both =
 					matrix(second) * noise(first) * matrix(second).transpose() + noise(second);
@@ -252,11 +254,11 @@ TEST_CASE("two transitions of damped noise equal one over both times") {
 	}
 }
 
-TEST_CASE("stationary damped noise keeps variance 1 and rate variance a^2") {
-	constexpr double A = 8.0;
-	const Eigen::Matrix2d stationary = (Eigen::Matrix2d() << 1.0, 0.0, 0.0, A * A).finished();
+TEST_CASE("stationary damped noise keeps the variances of position and velocity") {
+	constexpr double A = 8.0, X = 0.3;
+	const Eigen::Matrix2d stationary = (Eigen::Matrix2d() << X * X, 0.0, 0.0, X * X * A * A).finished();
 	for (const double dt_s : { 0.0, 1e-4, 0.1, 5.0 }) {
-		const DampedTransition by(A, dt_s);
+		const DampedTransition by(X, A, dt_s);
 		CHECK((matrix(by) * stationary * matrix(by).transpose() + noise(by) - stationary).norm() < 1e-11);
 	}
 }

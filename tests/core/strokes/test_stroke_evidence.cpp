@@ -130,27 +130,6 @@ TEST_CASE("with a task the evidence adds direction, bow and start") {
 	CHECK(evidence_at(late) == test::near(of_task).epsilon(1e-12));
 }
 
-TEST_CASE("no stroke exceeds max_evidence, a perfect stroke comes within 2 nats") {
-	std::mt19937_64 random(1);
-	std::uniform_real_distribution<double> uniform(0.0, 1.0);
-	for (int i = 0; i < 5000; ++i) {
-		Stroke stroke = straight(0.5 * std::pow(uniform(random), 3.0));
-		const double turned = 2.0 * std::pow(uniform(random), 2.0);
-		stroke.to = stroke.to.x() * FeaturePlace(std::cos(turned), std::sin(turned), 0.0, 0.0);
-		stroke.middle = 0.5 * stroke.to + FeaturePlace(0.0, 0.0, 0.02 * uniform(random), 0.0);
-		stroke.path_m *= 1.0 + 10.0 * std::pow(uniform(random), 4.0);
-		stroke.now_s = 0.1 + 3.0 * uniform(random);
-		stroke.motion_before_m = 0.2 * std::pow(uniform(random), 3.0);
-		stroke.tracked_before_s = parameters::strokes::REST_S * uniform(random);
-		const StrokeEvidence come = evidence(stroke);
-		const double most = max_evidence(stroke, FeaturePlace::UnitX(), 0.2);
-		REQUIRE(come.without_size() + come.max_remaining <= most + 1e-12);
-		REQUIRE(come.sum() <= most + 1e-12);
-	}
-	CHECK(evidence(straight(0.2)).sum() > max_evidence(straight(0.2), FeaturePlace::UnitX(), 0.2) - 2.0);
-	CHECK(max_evidence(Stroke{}, FeaturePlace::UnitX(), 0.2) < -100.0);
-}
-
 TEST_CASE("evidence grows with the tracked rest before a stroke") {
 	const auto rest = [](double tracked_before_s) {
 		Stroke stroke = straight(0.2);
