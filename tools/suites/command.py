@@ -68,18 +68,21 @@ def refusals(folder: Path) -> Iterator[Outcome]:
     (folder / "file").touch()
     evaluate = ["evaluate", "--out", folder / "out", "--trials"]
     train = ["train", "--trials", folder / "set", "--gesture", "tap", "--out"]
+    no_folder = f"cannot make the folder {folder}/{{}}: {folder}/file is a file"
     for given, told in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
-        (["evaluate", "--trials", folder / "set", "--out", folder / "file"], f"cannot make the folder {folder}/file"),
+        (["evaluate", "--trials", folder / "set", "--out", folder / "file"], no_folder.format("file")),
         (
             ["train", "--trials", folder, "--gesture", "tap", "--out", folder / "a.gesture"],
             f"no trials.csv in {folder}",
         ),
         ([*train, folder / "set"], f"--out is a folder, {folder}/set: name a file in it, as NAME.gesture"),
-        ([*train, folder / "file/a.gesture"], f"cannot make the folder {folder}/file"),
-        (["results", "--out", folder / "file"], f"cannot make the folder {folder}/file"),
-        (["demo", "--out", folder / "file/demo"], f"cannot make the folder {folder}/file/demo"),
+        ([*train, folder / "file/a.gesture"], no_folder.format("file")),
+        (["results", "--out", folder / "file"], no_folder.format("file")),
+        (["demo", "--out", folder / "file/demo"], no_folder.format("file/demo")),
+        (["docs", "--out", folder / "file"], no_folder.format("file")),
+        (["docs", "--out", folder / "set"], f"{folder}/set is not empty, and is no earlier site: name a new folder"),
         (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
         (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
         (["evaluate", "--out", folder / "a=b"], "evaluate wants --trials (./steadyhand --help)"),
