@@ -2,7 +2,7 @@
 
 import argparse
 import json
-import shutil
+import tempfile
 from pathlib import Path
 
 from peers.comparison import compare_all
@@ -21,10 +21,14 @@ def main() -> None:
     parser.add_argument("--subjects", type=int, default=12, metavar="N", help="simulated people, where no set is given")
     parser.add_argument("--out", type=Path, default=ROOT / "build/predictors", metavar="DIR", help="for the tables")
     given = parser.parse_args()
-    work = given.out / "work"
-    shutil.rmtree(work, ignore_errors=True)
-    work.mkdir(parents=True)
+    out = given.out.resolve()  # Godot runs in another folder
+    out.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix="work_", dir=out) as work:
+        text = compare(parser, given, Path(work), out)
+    print(f"\n{text}\nwrote {out / 'predictors.md'} and predictors.csv")
 
+
+def compare(parser: argparse.ArgumentParser, given: argparse.Namespace, work: Path, out: Path) -> str:
     folders = [folder.resolve() for folder in given.trials or recorded_and_synthetic(work, given.subjects)]
     for folder in folders:
         if not (folder / "trials.csv").is_file():
@@ -39,10 +43,9 @@ def main() -> None:
     sets = {name: compare_all(of.trials, of.out, trained) for name, of in evaluations.items()}
 
     text = as_markdown(sets, trained.source)
-    (given.out / "predictors.md").write_text(text)
-    write_csv(given.out / "predictors.csv", sets)
-    shutil.rmtree(work)
-    print(f"\n{text}\nwrote {given.out / 'predictors.md'} and predictors.csv")
+    (out / "predictors.md").write_text(text)
+    write_csv(out / "predictors.csv", sets)
+    return text
 
 
 def recorded_and_synthetic(work: Path, subjects: int) -> list[Path]:

@@ -165,12 +165,17 @@ def is_prefix(
 
 
 def refusal() -> Outcome:
+    """The folder of the tables is the user's: what is in it stays."""
     with tempfile.TemporaryDirectory(prefix="steadyhand_predictors") as folder:
-        (Path(folder) / "trials.csv").touch()
-        command = [sys.executable, "-m", "peers", "--trials", folder, "--train", folder, "--out", f"{folder}/out"]
+        own = [Path(folder, "trials.csv"), Path(folder, "work/mine.txt")]
+        for path in own:
+            path.parent.mkdir(exist_ok=True)
+            path.touch()
+        command = [sys.executable, "-m", "peers", "--trials", folder, "--train", folder, "--out", folder]
         status, output = run(command, PYTHONPATH=str(ROOT / "tools"))
-    good = status == 2 and "is what ridge and ProMP are trained on" in output
-    return Outcome.of("predictors/bench predictors: a set to train on is not evaluated", good, f"{status}\n{output}")
+        kept = [path for path in Path(folder).rglob("*") if path.is_file()]
+    good = status == 2 and "is what ridge and ProMP are trained on" in output and sorted(kept) == own
+    return Outcome.of("predictors/bench predictors: refuses to evaluate its training set", good, f"{kept}\n{output}")
 
 
 def unreadable() -> Outcome:
