@@ -47,6 +47,7 @@ TIDY_ANSWERS = [
     Column("practice", "", FLAG, "1: the trial before was a practice trial; empty: it has no row"),
     *ANSWERS[4:],
 ]
+CODEBOOK = ["file", "column", "unit", "type", "values", "meaning"]
 TYPES = {COUNT: "whole number", NUMBER: "number", FLAG: "0 or 1"}
 
 
@@ -56,18 +57,45 @@ def beside(out: Path, ending: str) -> Path:
 
 
 def write_tidy(sessions: list[Session], out: Path) -> list[Path]:
-    """The files that it wrote. OSError: one cannot be written."""
-    tables = {out: (TIDY, trial_rows(sessions)), beside(out, "answers"): (TIDY_ANSWERS, answer_rows(sessions))}
+    """The files that it wrote. ValueError: it would replace a file of another kind. OSError: one cannot be written."""
+    if out.suffix != ".csv":
+        raise ValueError(f"--tidy {out}: the name of a table ends in .csv")
+    answers = beside(out, "answers")
+    columns = {out: TIDY, answers: TIDY_ANSWERS}
+    files = {
+        out: (names(TIDY), trial_rows(sessions)),
+        answers: (names(TIDY_ANSWERS), answer_rows(sessions)),
+        beside(out, "codebook"): (CODEBOOK, codebook_rows(columns)),
+    }
+    for path, (header, _) in files.items():
+        refuse_foreign(path, header)
     out.parent.mkdir(parents=True, exist_ok=True)
-    for path, (columns, rows) in tables.items():
-        write(path, [column.name for column in columns], rows)
-    codebook = [
-        [path.name, column.name, column.unit, TYPES.get(column.kind, column.kind), values(column), column.meaning]
-        for path, (columns, _) in tables.items()
-        for column in columns
-    ]
-    write(beside(out, "codebook"), ["file", "column", "unit", "type", "values", "meaning"], codebook)
-    return [*tables, beside(out, "codebook")]
+    for path, (header, rows) in files.items():
+        write(path, header, rows)
+    return list(files)
+
+
+def names(columns: list[Column]) -> list[str]:
+    return [column.name for column in columns]
+
+
+def refuse_foreign(path: Path, header: list[str]) -> None:
+    """A wrong name must not replace the raw data of a participant: only an earlier table may be replaced."""
+    if path.is_dir():
+        raise ValueError(f"{path}: this is a folder. Name a file in it")
+    if not path.exists():
+        return
+    with path.open("rb") as file:
+        first = file.readline().strip()
+    if first != ",".join(header).encode():
+        raise ValueError(f"{path}: this file is no earlier export. Name another file")
+
+
+def codebook_rows(columns: dict[Path, list[Column]]) -> Iterator[list[str]]:
+    for path, of in columns.items():
+        for column in of:
+            kind = TYPES.get(column.kind, column.kind)
+            yield [path.name, column.name, column.unit, kind, values(column), column.meaning]
 
 
 def values(column: Column) -> str:

@@ -13,7 +13,7 @@ from pathlib import Path
 from study_export.columns import CURVES, JOINTS
 from suites.outcome import Outcome
 from suites.process import ROOT, run
-from suites.study_export_faults import faults
+from suites.study_export_faults import contents, faults
 from suites.study_sample import TRACK, write_study
 
 NAME = "study_export"
@@ -219,10 +219,6 @@ def read(path: Path, delimiter: str = ",") -> list[dict[str, str]]:
 
 def lines(path: Path) -> list[list[str]]:
     return [line.split("\t") for line in path.read_text().splitlines()]
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def near(found: str, expected: str) -> bool:

@@ -129,6 +129,17 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
     status, output = export(folder / "study", "--bids", folder / "taken")
     kept = [path.name for path in (folder / "taken").iterdir()] == ["mine.txt"]
     yield Outcome.of(f"{NAME}: a folder that is not empty stays as it is", status == 2 and kept, output)
+    raw = folder / "study/sub-ann/ses-01/trials.csv"
+    for path, told in (
+        (raw, "this file is no earlier export"),
+        (folder / "taken", "the name of a table ends in .csv"),
+        (folder / "folder.csv", "this is a folder"),
+    ):
+        (folder / "folder.csv").mkdir(exist_ok=True)
+        before = contents(folder)
+        status, output = export(folder / "study", "--tidy", path)
+        good = status == 2 and f"{path}: {told}" in output and contents(folder) == before
+        yield Outcome.of(f"{NAME}: --tidy {path.name}: {told}", good, output)
     status, output = export(folder / "taken", "--tidy", folder / "none.csv")
     good = status == 2 and "no finished trial" in output and not (folder / "none.csv").exists()
     yield Outcome.of(f"{NAME}: a folder without sessions is an error", good, output)
@@ -137,6 +148,10 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
     status, output = export(folder / "study", "--bids", folder / "bids")
     good = status == 2 and "BIDS label 'tAp'" in output and not list(folder.glob("bids*"))
     yield Outcome.of(f"{NAME}: two gestures with one BIDS label are an error", good, output)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def rows(path: Path) -> list[dict[str, str]]:
