@@ -72,6 +72,10 @@ def refusals(folder: Path) -> Iterator[Outcome]:
     for given, told in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
+        (
+            ["evaluate", "--trials", folder / "set", "--out", folder / "set"],
+            "--out is the folder of the trials: name another folder",
+        ),
         (["evaluate", "--trials", folder / "set", "--out", folder / "file"], no_folder.format("file")),
         (
             ["train", "--trials", folder, "--gesture", "tap", "--out", folder / "a.gesture"],
