@@ -1,5 +1,5 @@
 class_name Questionnaire
-extends Resource
+extends "checked_resource.gd"
 ## Statements or scales that the participant answers between trials.
 
 enum Kind {
@@ -29,7 +29,7 @@ enum Kind {
 
 ## What is wrong, and how to mend it. Empty when all is well.
 func problems() -> PackedStringArray:
-	var found := PackedStringArray()
+	var found := unknown_properties()
 	var where := "Questionnaire '%s'" % name
 	if name.strip_edges().is_empty():
 		found.append("A questionnaire has no name: set 'name'.")

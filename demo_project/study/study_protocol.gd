@@ -1,5 +1,5 @@
 class_name StudyProtocol
-extends Resource
+extends "checked_resource.gd"
 ## What a study asks of each participant. Edit it in the inspector and save it as a *.tres file. The
 ## defaults are those of the paper ("Procedure").
 
@@ -71,7 +71,7 @@ func count_trials() -> int:
 
 ## What is wrong, and how to mend it. Empty when all is well.
 func problems() -> PackedStringArray:
-	var found := PackedStringArray()
+	var found := unknown_properties()
 	if study_name.strip_edges().is_empty():
 		found.append("The study has no name: set 'study_name'.")
 	_check_names(found, "gestures", gestures, Tasks.SCENES.keys())

@@ -146,6 +146,24 @@ func test_problems_say_what_to_change() -> void:
 		check(text in told, "a problem says: %s" % text)
 
 
+func test_a_misspelt_property_of_a_file_is_a_problem() -> void:
+	var folder := DirAccess.create_temp("steadyhand_study_plan")
+	var protocol := StudyProtocol.paper()
+	protocol.questionnaires = [Questionnaire.new()]
+	var path := folder.get_current_dir().path_join("pilot.tres")
+	check_equal(ResourceSaver.save(protocol, path), OK, "a protocol is saved")
+	var text := FileAccess.get_file_as_string(path)
+	text = (
+		text.replace("\n[resource]", 'itemz = ["a"]\n\n[resource]') + '\nconditons = ["measured"]\n'
+	)
+	FileAccess.open(path, FileAccess.WRITE).store_string(text)
+	var told := "\n".join((load(path) as StudyProtocol).problems())
+	check(
+		"%s: unknown property 'conditons'" % path in told, "the protocol's is named with its file"
+	)
+	check("unknown property 'itemz'" in told, "its questionnaire's is named")
+
+
 func test_questionnaires_survive_json() -> void:
 	for path: String in ["three_statements", "task_load"]:
 		var asked := load("res://study/questionnaires/%s.tres" % path) as Questionnaire
