@@ -32,6 +32,9 @@ func work(arguments: PackedStringArray) -> void:
 	if not options.error.is_empty():
 		fail(options.error, EXIT_BAD_INPUT)
 		return
+	if not protocol_path.is_empty() and not FileAccess.file_exists(protocol_path):
+		fail("--protocol is '%s': there is no such file" % protocol_path, EXIT_BAD_INPUT)
+		return
 	var protocol := _load(protocol_path)
 	if protocol == null:
 		fail("--protocol is '%s': this is no StudyProtocol" % protocol_path, EXIT_BAD_INPUT)
@@ -51,7 +54,7 @@ func work(arguments: PackedStringArray) -> void:
 func _load(path: String) -> StudyProtocol:
 	if path.is_empty():
 		return StudyProtocol.paper()
-	return ResourceLoader.load(path) as StudyProtocol if FileAccess.file_exists(path) else null
+	return ResourceLoader.load(path) as StudyProtocol
 
 
 func _run_participant(

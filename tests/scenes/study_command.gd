@@ -19,7 +19,8 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 		"--participants is '0'; it must be a number of participants": ["--participants", "0"],
 		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
 		"'gestures' is empty: add one of": ["--protocol", empty_path],
-		"this is no StudyProtocol": ["--protocol", out.path_join("none.tres")],
+		"none.tres': there is no such file": ["--protocol", out.path_join("none.tres")],
+		"this is no StudyProtocol": ["--protocol", "res://study/panel_style.tres"],
 	}
 	for said in mistakes:
 		var arguments := mistakes[said].duplicate()
