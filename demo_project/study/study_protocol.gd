@@ -105,6 +105,26 @@ func problems() -> PackedStringArray:
 	return found
 
 
+## What can spoil the answers of a study that can be run. Empty when all is well.
+func warnings() -> PackedStringArray:
+	var found := PackedStringArray()
+	for asked in questionnaires:
+		if asked != null and asked.after_trials > 0 and block_size % asked.after_trials != 0:
+			(
+				found
+				. append(
+					(
+						(
+							"Questionnaire '%s': 'after_trials' is %d, and does not divide 'block_size' (%d): "
+							% [asked.name, asked.after_trials, block_size]
+						)
+						+ "its answers are about several conditions, and count for the last one."
+					)
+				)
+			)
+	return found
+
+
 func to_dictionary() -> Dictionary:
 	return {
 		study_name = study_name,

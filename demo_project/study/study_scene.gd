@@ -244,4 +244,6 @@ func _folder() -> String:
 
 func _show_what_comes() -> void:
 	var id := _participant.text.strip_edges()
-	_message.text = StudySession.id_problem(id) if not id.is_empty() else ""
+	_message.text = (
+		"\n".join(protocol.warnings()) if id.is_empty() else StudySession.id_problem(id)
+	)

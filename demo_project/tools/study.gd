@@ -44,6 +44,8 @@ func work(arguments: PackedStringArray) -> void:
 			fail("--seed is '%s'; it must be a whole number" % seed_text, EXIT_BAD_INPUT)
 			return
 		protocol.seed = seed_text.to_int()
+	for warning in protocol.warnings():
+		printerr("study: %s" % warning)
 	exit_code = 0
 	for index in count:
 		if not _run_participant(index, protocol, out_folder, resumes):

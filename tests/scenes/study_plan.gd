@@ -146,6 +146,19 @@ func test_problems_say_what_to_change() -> void:
 		check(text in told, "a problem says: %s" % text)
 
 
+func test_answers_about_several_conditions_give_a_warning() -> void:
+	var protocol := StudyProtocol.paper()
+	for block_size: int in [5, 10]:
+		protocol.block_size = block_size
+		check_equal(
+			protocol.warnings(), PackedStringArray(), "a question after 5 of %d" % block_size
+		)
+	for block_size: int in [1, 2]:
+		protocol.block_size = block_size
+		var told := "'after_trials' is 5, and does not divide 'block_size' (%d)" % block_size
+		check(told in "".join(protocol.warnings()), told)
+
+
 func test_a_misspelt_property_of_a_file_is_a_problem() -> void:
 	var folder := DirAccess.create_temp("steadyhand_study_plan")
 	var protocol := StudyProtocol.paper()

@@ -1,5 +1,6 @@
 """docs/study.md, word by word: its protocol saved, its commands run in their order in an empty folder."""
 
+import csv
 import os
 import re
 import shlex
@@ -58,6 +59,9 @@ def follow(folder: Path) -> Iterator[Outcome]:
         count += 1
     missing = [name for name in MADE if not (folder / name).is_file()]
     yield Outcome.of("command/study page: its files are there", not missing and count >= 7, f"{missing}, {count}")
+    with (folder / "dry_run/sub-p01/ses-01/answers.csv").open(newline="") as file:
+        rated = {row["condition"] for row in csv.DictReader(file)}
+    yield Outcome.of("command/study page: both conditions are rated", rated == {"measured", "synthesised"}, f"{rated}")
     session = (folder / "dry_run/sub-p01/ses-01/session.json").read_text()
     good = '"study": "pilot"' in session and '"three_statements"' in session
     yield Outcome.of("command/study page: its protocol is the one that was run", good, session)
