@@ -14,6 +14,7 @@ extends "tool.gd"
 ## Leaves in --report for each gesture GESTURE.recordings.csv, what the model's picture is drawn
 ## from: a row a recording, `trial,kept,r2,` and its normalised curve.
 
+const NextStep := preload("res://addons/steadyhand/editor/gestures/next_step.gd")
 const OwnModels := preload("own_models.gd")
 const Progress := preload("progress.gd")
 const Repository := preload("repository.gd")
@@ -119,6 +120,13 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 		)
 	)
 	_tell_of_unlike(recordings, kept)
+	if kept < NextStep.ENOUGH_TAKES:
+		printerr(
+			(
+				"train: %d recordings are too few to learn how much hands differ: record %d or more"
+				% [kept, NextStep.ENOUGH_TAKES]
+			)
+		)
 	return true
 
 

@@ -135,6 +135,18 @@ func test_r2_threshold_drops_outlier_recordings() -> void:
 	check_equal(ToolRun.new("train", options + ["--r2-threshold", "2"]).exit_code, 2, "a share")
 
 
+func test_few_recordings_give_a_note() -> void:
+	var note := "are too few to learn how much hands differ: record 8 or more"
+	for subjects: int in [1, 8]:
+		var set_name := "of_%d" % subjects
+		var trials := Rig.write_trials(_path(set_name), subjects)
+		var out := _path(set_name + ".gesture")
+		var options := ["--trials", trials.get_path(), "--gesture", String(GESTURE), "--out", out]
+		var run := ToolRun.new("train", options)
+		check_equal(run.exit_code, 0, "%d people: a model is trained" % subjects)
+		check_equal(note in run.output, subjects == 1, "%d people: the note" % subjects)
+
+
 func test_provenance() -> void:
 	var trainer := GestureTrainer.new()
 	var model := trainer.train(_trials, GESTURE)
