@@ -51,8 +51,9 @@ def read_table(
     read: Sessions, session: Session, name: str, columns: list[str], parse: Callable, into: list[StudyTrial | Answer]
 ) -> None:
     path = session.folder / name
-    if not path.exists():
-        return  # no trial is finished, or no question was shown
+    if not path.exists():  # it is there from the start of a session, with its header line
+        read.faults.append(f"{path}: this file is missing: copy the whole folder of the session")
+        return
     try:
         lines = list(read_lines(path))
         is_cut = not path.read_bytes().endswith(b"\n")

@@ -133,9 +133,8 @@ def read_about(path: Path) -> dict:
 def read_rows(session: Session, found: Findings) -> None:
     def rows(name: str, columns: list[Column]) -> list[Row]:
         path = session.folder / name
-        if not path.exists():
-            if name != "answers.csv" or session.about.get("questionnaires"):
-                found.notes.append(f"{path}: not there")
+        if not path.exists():  # it is there from the start of a session, with its header line
+            found.faults.append(f"{path}: this file is missing. Copy the whole folder of the session")
             return []
         return read_table(path, [column.name for column in columns], partial(parse, session, columns), found)
 

@@ -107,12 +107,15 @@ def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
     about.write_text(about.read_text().replace('"synthetic"', '"robot"'))
     (folder / "a/sub-sim1/ses-02/session.json").write_text("{")
     (folder / "a/sub-ann/ses-01/trial_0002.reference.csv").unlink()
+    answers = folder / "a/sub-ann/ses-02/answers.csv"
+    answers.unlink()
     status, output = export(folder, "--bids", folder / "bids")
     told = [
         f"{about}: origin: 'robot' is none of person, mouse",
         f"{folder}/a/sub-sim1/ses-02/session.json: ",
         f"participant 'ann', session 1 is also in {folder}/a/sub-ann/ses-01",
         "trial_0002.reference.csv: not there",
+        f"{answers}: this file is missing. Copy the whole folder of the session",
     ]
     missing = [text for text in told if text not in output]
     yield Outcome.of(

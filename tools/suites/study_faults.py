@@ -107,3 +107,10 @@ def bad_session_files(folder: Path) -> Iterator[Outcome]:
     status, output = report(folder / "study", folder / "out")
     good = status == 1 and f"{path.parent}: session.json is missing: copy the whole folder" in output
     yield Outcome.of("command/study report: a session without session.json is named", good, output)
+    write_study(folder / "incomplete", 4, **SMALL)
+    for name in ("trials.csv", "answers.csv"):
+        path = folder / "incomplete/drags/sub-p04/ses-01" / name
+        path.unlink()
+        status, output = report(folder / "incomplete", folder / "out")
+        good = status == 1 and f"{path}: this file is missing: copy the whole folder" in output
+        yield Outcome.of(f"command/study report: a session without {name} is named", good, output)
