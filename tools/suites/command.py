@@ -96,6 +96,9 @@ def refusals(folder: Path) -> Iterator[Outcome]:
             good = status == 2 and output == f"steadyhand: {told}\n"
             form = " ".join(str(word) for word in arguments).replace(str(folder), "DIR")
             yield Outcome.of(f"command/{form}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
+    status, output = run(["./steadyhand", "train", "--trials", "--gesture", "circle", "--out", "x.gesture"])
+    good = (status, output) == (2, "steadyhand: --trials wants a value (./steadyhand --help)\n")
+    yield Outcome.of("command/train --trials --gesture: --trials wants a value", good, f"{status}\n{output}")
     status, output = run(["./steadyhand", "study", folder, f"--out={folder}/none"])
     yield Outcome.of("command/study --out=DIR", status == 2 and "no trial was read" in output, f"{status}\n{output}")
 
