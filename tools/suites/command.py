@@ -88,6 +88,7 @@ def refusals(folder: Path) -> Iterator[Outcome]:
         (["docs", "--out", folder / "file"], no_folder.format("file")),
         (["docs", "--out", folder / "set"], f"{folder}/set is not empty, and is no earlier site: name a new folder"),
         (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
+        (["train", "--trials", "-none", "--gesture", "tap", "--out", "a"], f"no trials.csv in {ROOT}/-none"),
         (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
         (["evaluate", "--out", folder / "a=b"], "evaluate wants --trials (./steadyhand --help)"),
     ):
