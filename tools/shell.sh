@@ -1,9 +1,7 @@
 # shellcheck shell=bash
 # Sourced by ./steadyhand and the set-up scripts: the cache folder, words to the user, apt-get.
 
-CACHE=${STEADYHAND_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/steadyhand}
-mkdir -p "$CACHE/log" || exit 1
-CACHE=$(cd "$CACHE" && pwd)
+CACHE=$(realpath -m -- "${STEADYHAND_CACHE:-${XDG_CACHE_HOME:-${HOME:-}/.cache}/steadyhand}")
 
 say() { printf '== %s\n' "$*" >&2; }
 
@@ -23,6 +21,9 @@ done_with() {
 
 # Two set-ups at once (a demo and a test, say) wait for each other rather than write the same files.
 lock_cache() {
+	if ! mkdir -p "$CACHE/log" 2>/dev/null || [[ ! -w $CACHE ]]; then
+		fail "cannot write to the cache $CACHE: set \$STEADYHAND_CACHE to a folder that you can write to"
+	fi
 	exec 9>"$CACHE/lock"
 	flock -n 9 || { say "waiting for another set-up that uses $CACHE" && flock 9; }
 }

@@ -59,6 +59,13 @@ def helps() -> Iterator[Outcome]:
         link.symlink_to(ROOT / "steadyhand")
         status, output = run([link, "--help"])
     yield Outcome.of("command/by a symbolic link from elsewhere", (status, output) == (0, whole), output)
+    status, output = run(["./steadyhand", "--help"], STEADYHAND_CACHE="/dev/null/cache")
+    good = status == 0 and output.startswith("SteadyHand: ")
+    yield Outcome.of("command/--help needs no cache", good, f"{status}\n{output}")
+    status, output = run(["tools/setup_python.sh", "plots"], STEADYHAND_CACHE="/dev/null/cache")
+    told = "cannot write to the cache /dev/null/cache: set $STEADYHAND_CACHE to a folder that you can write to"
+    good = (status, output) == (1, f"steadyhand: {told}\n")
+    yield Outcome.of("command/setup: a cache that cannot be written is named", good, f"{status}\n{output}")
 
 
 def refusals(folder: Path) -> Iterator[Outcome]:
