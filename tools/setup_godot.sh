@@ -20,13 +20,17 @@ new_enough() {
 	printf '%s\n%s\n' "$MINIMUM" "$version" | sort --version-sort --check=quiet
 }
 
+# find_own: an own Godot. If there is none in $GODOT, nothing else is taken in its place.
 find_own() {
 	local candidate path
-	for candidate in "${GODOT:-}" godot godot4; do
-		if ! path=$(command -v "$candidate"); then
-			[[ -n ${GODOT:-} && $candidate == "$GODOT" ]] && say "\$GODOT, $GODOT, is no program: left alone"
-			continue
-		fi
+	if [[ -n ${GODOT:-} ]]; then
+		path=$(command -v "$GODOT") || fail "\$GODOT is no program: $GODOT"
+		new_enough "$path" || fail "\$GODOT is no Godot $MINIMUM or later: $GODOT"
+		printf '%s\n' "$path"
+		return 0
+	fi
+	for candidate in godot godot4; do
+		path=$(command -v "$candidate") || continue
 		[[ $path -ef $WRAPPER ]] && continue
 		if new_enough "$path"; then
 			printf '%s\n' "$path"

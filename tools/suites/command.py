@@ -24,6 +24,7 @@ def outcomes() -> Iterator[Outcome]:
     with tempfile.TemporaryDirectory(prefix="steadyhand_refusals") as folder:
         yield from refusals(Path(folder))
         yield from emptied_cache(Path(folder))
+        yield from other_godots(Path(folder))
     yield from study_logs.outcomes()
     yield from study_report.outcomes()
     yield from study_crash.outcomes()
@@ -129,6 +130,16 @@ def emptied_cache(folder: Path) -> Iterator[Outcome]:
     status, output = run(["tools/setup_python.sh", "plots"], **environment)
     good = status == 1 and "python3 -m venv failed" in output
     yield Outcome.of("command/setup: a stamp without its folder is not believed", good, f"{status}\n{output}")
+
+
+def other_godots(folder: Path) -> Iterator[Outcome]:
+    """A Godot that the user names is used, or nothing is done."""
+    old = folder / "old_godot"
+    write_program(old, "3.5.stable\n", 0)
+    for named, told in ((folder / "none", "is no program"), (old, "is no Godot 4.4 or later")):
+        status, output = run(["./steadyhand", "build"], GODOT=str(named))
+        good = (status, output) == (1, f"steadyhand: $GODOT {told}: {named}\n")
+        yield Outcome.of(f"command/build: a $GODOT that {told} ends it", good, f"{status}\n{output}")
 
 
 def training(folder: Path) -> Iterator[Outcome]:
