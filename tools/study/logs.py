@@ -73,20 +73,26 @@ def read_file(path: Path, is_named: bool, logs: Logs) -> None:
         logs.faults.append(f"{path}: {fault.strerror or fault}")
         return
     header, fault = (lines[0].cells, lines[0].fault) if lines else ([], "")
-    missing = [name for name in COLUMNS if name not in header]
-    # As spreadsheets write it where numbers have a decimal comma, and as they copy it.
-    separators = [name for mark, name in ((";", "';'"), ("\t", "tabs")) if len(header) == 1 and mark in header[0]]
-    if separators:
-        fault = f"cells are separated by {separators[0]}: they must be by ',', and numbers have a '.'"
-    elif missing and not is_named and set(header) >= SET_COLUMNS:
+    fault = fault or header_fault(header, COLUMNS)
+    if fault and not is_named and set(header) >= SET_COLUMNS:
         logs.notes.append(f"{path} is left out: it is a trial set's, no log")
         return
-    elif missing and not fault:
-        fault = f"no column {', '.join(missing)} (no study log, or of an earlier version)"
     if fault:
         logs.faults.append(f"{path}:1: {fault}")
     else:
         read_rows(path, header, lines[1:], logs)
+
+
+def header_fault(header: list[str], columns: list[str]) -> str:
+    """Why a table cannot be read. Empty: it has all columns."""
+    if not header:
+        return "no header line"
+    # As spreadsheets write it where numbers have a decimal comma, and as they copy it.
+    for mark, name in ((";", "';'"), ("\t", "tabs")):
+        if len(header) == 1 and mark in header[0]:
+            return f"cells are separated by {name}: they must be by ',', and numbers have a '.'"
+    missing = [name for name in columns if name not in header]
+    return f"no column {', '.join(missing)}" if missing else ""
 
 
 def read_rows(path: Path, header: list[str], lines: list[Line], logs: Logs) -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from study.folders import SESSION_FILE, session_files, sessions_without_json
-from study.logs import read_lines
+from study.logs import header_fault, read_lines
 from study.session_file import Session, read_session
 from study.session_rows import ANSWER_COLUMNS, TRIAL_COLUMNS, Answer, StudyTrial, parse_answer, parse_trial
 
@@ -61,8 +61,7 @@ def read_table(
         read.faults.append(f"{path}: {fault.strerror or fault}")
         return
     header = lines[0].cells if lines else []
-    if missing := [column for column in columns if column not in header]:
-        problem = (lines[0].fault if lines else "") or f"no column {', '.join(missing)}"
+    if problem := (lines[0].fault if lines else "") or header_fault(header, columns):
         read.faults.append(f"{path}:1: {problem}: see docs/study_files.md")
         return
     doubles: dict[str, list[tuple[int, str]]] = {}

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
 
+from study.logs import header_fault
+
 Item = TypeVar("Item")
 
 
@@ -34,9 +36,10 @@ def read_table(
         if not header:
             if cells and cells[0].startswith("#"):
                 continue  # metadata of a track
-            missing = [name for name in columns if name not in cells]
-            if fault or missing or len(set(cells)) < len(cells):
-                reason = fault or (f"no column {', '.join(missing)}" if missing else "two columns have the same name")
+            reason = fault or header_fault(cells, columns)
+            if not reason and len(set(cells)) < len(cells):
+                reason = "two columns have the same name"
+            if reason:
                 found.faults.append(f"{path}:{line}: {reason}. The file is left out: restore its header line")
                 return []
             header = cells

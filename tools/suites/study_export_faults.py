@@ -70,7 +70,7 @@ def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
         f"{path}:2: amplitude_m: 'nan' is no finite number",
         f"{path}:3: condition: 'steady' is none of measured, average",
         f"{path}:4: participant: 'sim2' differs from 'sim1' in session.json",
-        f"{spreadsheet}:1: no column trial, block",
+        f"{spreadsheet}:1: cells are separated by ';'",
         f"{binary}:2: this is no UTF-8 text",
     ]
     missing = [text for text in told if text not in output]

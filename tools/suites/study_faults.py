@@ -79,6 +79,13 @@ def bad_rows(folder: Path) -> Iterator[Outcome]:
         good = len(found.faults) == 1 and f"{path}:4: {told}" in found.faults[0] and len(found.trials) == 41
         yield Outcome.of(f"command/study report: bad row: {told}", good, f"{found.faults}")
     rewrite(path, good_rows)
+    text = path.read_text()
+    for change, told in ((text.replace(",", ";"), "cells are separated by ';'"), ("", "no header line")):
+        path.write_text(change)
+        faults = read_sessions([folder / "study"], []).faults
+        good = len(faults) == 1 and faults[0].startswith(f"{path}:1: {told}")
+        yield Outcome.of(f"command/study report: bad table: {told}", good, f"{faults}")
+    path.write_text(text)
     rows = read(answers)
     rows[0]["value"] = "7"
     rewrite(answers, rows)
