@@ -48,12 +48,15 @@ func choice(option: String, allowed: Array) -> String:
 func number(option: String, lowest: float, highest: float, what: String) -> float:
 	var value := _values[option].to_float()
 	if not _values[option].is_valid_float() or value < lowest or value > highest:
-		_report(
-			(
-				"--%s is '%s'; it must be a %s from %s to %s"
-				% [option, _values[option], what, lowest, highest]
-			)
-		)
+		_report_range(option, what, lowest, highest)
+	return value
+
+
+## A whole number within the bounds.
+func whole_number(option: String, lowest: int, highest: int) -> int:
+	var value := _values[option].to_int()
+	if not _values[option].is_valid_int() or value < lowest or value > highest:
+		_report_range(option, "whole number", lowest, highest)
 	return value
 
 
@@ -76,6 +79,15 @@ func optional_path(option: String) -> String:
 	if not value.is_empty() and not value.is_absolute_path():
 		_report("--%s is '%s', which is no absolute path" % [option, value])
 	return value
+
+
+func _report_range(option: String, what: String, lowest: Variant, highest: Variant) -> void:
+	_report(
+		(
+			"--%s is '%s'; it must be a %s from %s to %s"
+			% [option, _values[option], what, lowest, highest]
+		)
+	)
 
 
 func _report(message: String) -> void:

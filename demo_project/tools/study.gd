@@ -25,7 +25,7 @@ func work(arguments: PackedStringArray) -> void:
 	}
 	var options := CommandLine.new(arguments, defaults)
 	var out_folder := options.path("out")
-	var count := int(options.number("participants", 1, MOST_PARTICIPANTS, "number of participants"))
+	var count := options.whole_number("participants", 1, MOST_PARTICIPANTS)
 	var protocol_path := options.optional_path("protocol")
 	var resumes := options.choice("resume", ["true", "false"]) == "true"
 	var seed_text := options.text("seed")

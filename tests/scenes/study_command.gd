@@ -16,7 +16,8 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 	check_equal(ResourceSaver.save(empty, empty_path), OK, "a protocol without gestures is saved")
 	var mistakes: Dictionary[String, PackedStringArray] = {
 		"--out is missing": [],
-		"--participants is '0'; it must be a number of participants": ["--participants", "0"],
+		"--participants is '0'; it must be a whole number from 1 to 999": ["--participants", "0"],
+		"--participants is '2.5'; it must be a whole number": ["--participants", "2.5"],
 		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
 		"'gestures' is empty: add one of": ["--protocol", empty_path],
 		"none.tres': there is no such file": ["--protocol", out.path_join("none.tres")],
