@@ -82,7 +82,7 @@ def read_table(
             doubles.setdefault(first.rpartition(":")[0], []).append((line.number, first))
     for rows in doubles.values():
         number, first = rows[0]
-        others = f", and {len(rows) - 1} more rows of these files," if len(rows) > 1 else ""
+        others = f", and {len(rows) - 1} more rows of these files" if len(rows) > 1 else ""
         read.faults.append(
             f"{path}:{number}: the same participant, session and trial as {first}{others}: the first counts;"
             " remove the copy, or give the session its own number"

@@ -43,7 +43,9 @@ SESSIONS = [
 
 def write_dataset(sessions: list[Session], out: Path, found: Findings) -> None:
     """`out` is there whole or not at all. ValueError: the study cannot be a BIDS dataset. OSError: as of the disk."""
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
+    if out.exists() and not out.is_dir():
+        raise ValueError(f"{out}: this is a file. Name a new folder")
+    if out.exists() and any(out.iterdir()):
         raise ValueError(f"{out}: it is not empty. Name a new folder, or delete this one")
     tasks = task_labels(sessions)
     part = out.with_name(out.name + ".part")

@@ -132,6 +132,9 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
     status, output = export(folder / "study", "--bids", folder / "taken")
     kept = [path.name for path in (folder / "taken").iterdir()] == ["mine.txt"]
     yield Outcome.of(f"{NAME}: a folder that is not empty stays as it is", status == 2 and kept, output)
+    status, output = export(folder / "study", "--bids", folder / "taken/mine.txt")
+    good = status == 2 and f"{folder}/taken/mine.txt: this is a file. Name a new folder" in output
+    yield Outcome.of(f"{NAME}: --bids with the name of a file is an error", good, output)
     raw = folder / "study/sub-ann/ses-01/trials.csv"
     for path, told in (
         (raw, "this file is no earlier export"),

@@ -26,7 +26,7 @@ def doubles(folder: Path) -> Iterator[Outcome]:
     copy = folder / "study/copy/sub-p02/ses-01"
     shutil.copytree(path.parent, copy)
     status, output = report(folder / "study", folder / "third")
-    more = f"{len(lines) - 2} more rows of these files"
+    more = f"{len(lines) - 2} more rows of these files: the first counts"
     good = status == 1 and output.count("the same participant, session and trial") == 2 and more in output
     yield Outcome.of("command/study report: a copied session is named once a file", good, output)
 
