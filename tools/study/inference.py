@@ -1,4 +1,4 @@
-"""Statistical tests on participants' means, computed by pingouin: a test that the design does not allow is refused.
+"""Statistical tests on participants' means, by pingouin and SciPy: a test that the design does not allow is refused.
 
 Each test takes the cells of one measure and one gesture. It returns rows of results, or raises Refused with a reason.
 """
@@ -149,15 +149,15 @@ def paired_t(design: Design, a: tuple[str, str], b: tuple[str, str], comparisons
     differences = matrix[:, 0] - matrix[:, 1]
     if is_constant(differences, np.max(np.abs(matrix))):
         raise Refused("All participants have the same difference: its variance is zero.")
-    found = pg.ttest(matrix[:, 0], matrix[:, 1], paired=True).iloc[0]
-    p = float(found["p_val"])
+    found = stats.ttest_rel(matrix[:, 0], matrix[:, 1])
+    p = float(found.pvalue)
     return {
         "a": " ".join(filter(None, a)),
         "b": " ".join(filter(None, b)),
         "people": len(matrix),
         "difference": differences.mean(),
-        "t": float(found["T"]),
-        "df": int(found["dof"]),
+        "t": float(found.statistic),
+        "df": int(found.df),
         "p": p,
         "comparisons": comparisons,
         "p_bonferroni": min(1.0, p * comparisons),

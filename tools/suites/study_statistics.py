@@ -1,6 +1,7 @@
 """The tests of ./steadyhand study against a textbook, against other computations, and on data of known effect."""
 
 import itertools
+import warnings
 from collections.abc import Iterator
 
 import numpy as np
@@ -158,6 +159,11 @@ def pairs() -> Iterator[Outcome]:
     good = np.isclose(row["t"], 4.242641, atol=1e-6) and np.isclose(row["cohen_dz"], 1.897367, atol=1e-6)
     good = good and row["df"] == 4 and np.isclose(row["p_bonferroni"], 9 * row["p"])
     yield Outcome.of("command/study report: a t-test as by hand, p times 9", good, f"{row}")
+    values = {(f"p{i}", *first): 0.999 + 1e-3 * i for i in range(3)} | {(f"p{i}", *second): 0.0 for i in range(3)}
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        row = paired_t(Design(values), first, second, 9)
+    yield Outcome.of("command/study report: a t-test of nearly equal differences is silent", not said, f"{said}, {row}")
     results = tests("curve", "r2", "tap", design(textbook_matrix()))
     good = len(results.post_hoc) == 9 and all(one["comparisons"] == 9 for one in results.post_hoc)
     yield Outcome.of("command/study report: 6 pairs of motions and 3 of positions", good, f"{results.post_hoc}")
