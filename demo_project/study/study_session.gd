@@ -291,6 +291,16 @@ func _open() -> Error:
 	for asked: Dictionary in protocol["questionnaires"]:
 		_questionnaires[asked["name"]] = Questionnaire.from_dictionary(asked)
 	_trials_table = StudyTable.new(folder.path_join("trials.csv"), Columns.TRIALS)
+	if not FileAccess.file_exists(_trials_table.path) and _has_trials():
+		return _fail(
+			(
+				(
+					"%s is missing, but trials were made: restore it from a back-up. "
+					% _trials_table.path
+				)
+				+ "Otherwise new trials would replace them"
+			)
+		)
 	_answers_table = StudyTable.new(folder.path_join("answers.csv"), Columns.ANSWERS)
 	_events_table = StudyTable.new(folder.path_join("events.csv"), Columns.EVENTS)
 	for table: StudyTable in [_trials_table, _answers_table, _events_table]:
@@ -313,6 +323,12 @@ func _open() -> Error:
 	for row in _events_table.read():
 		run = maxi(run, row["run"].to_int() + 1)
 	return OK
+
+
+## Whether the folder has files of a trial.
+func _has_trials() -> bool:
+	var files := Array(DirAccess.get_files_at(folder))
+	return files.any(func(file: String) -> bool: return file.begins_with("trial_"))
 
 
 ## The highest number of a session that has a session.json: a folder without it holds nothing.

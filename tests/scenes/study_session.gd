@@ -140,6 +140,16 @@ func test_a_cut_session_file_is_refused() -> void:
 	check(StudySession.new().resume(_root.path_join("half"), "ann") != OK, "refused")
 
 
+func test_a_session_that_lost_its_trials_table_is_refused() -> void:
+	# expects one error: trials.csv is missing, but trials were made: restore it from a back-up
+	var session := _start("lost", "ann")
+	session.add_file(session.folder.path_join("trial_0001.motion.csv"), "t\n")
+	session.finish_trial(1, {})
+	DirAccess.remove_absolute(session.folder.path_join("trials.csv"))
+	check(StudySession.new().resume(_root.path_join("lost"), "ann") != OK, "not resumed")
+	check(not FileAccess.file_exists(session.folder.path_join("trials.csv")), "nothing is written")
+
+
 func test_a_table_that_a_spreadsheet_saved_is_read_or_refused() -> void:
 	# expects one error: trials.csv: the first line is not this table's header
 	var session := _start("sheet", "ann")
