@@ -4,6 +4,7 @@ import shutil
 from collections import defaultdict
 from pathlib import Path
 
+from study.logs import NO_STUDY
 from study_export.bids_curves import write_curves
 from study_export.bids_events import sidecars, write_events, write_session_tables
 from study_export.bids_files import MISSING, described, header, write_json, write_tsv
@@ -143,6 +144,9 @@ def write_root(sessions: list[Session], root: Path, tasks: dict[str, str]) -> No
     )
     (root / "README").write_text(README.format(name=", ".join(studies)), encoding="utf-8")
     (root / "CHANGES").write_text(f"1.0.0 {dates[-1] or '1970-01-01'}\n  - First export.\n", encoding="utf-8")
+    (root / "sourcedata").mkdir()
+    text = "Copies of session.json, without their tables. ./steadyhand study leaves them out.\n"
+    (root / "sourcedata" / NO_STUDY).write_text(text, encoding="utf-8")
     by_participant: dict[str, list[Session]] = defaultdict(list)
     for session in sessions:
         by_participant[session.participant].append(session)

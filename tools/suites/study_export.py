@@ -45,6 +45,10 @@ def outcomes() -> Iterator[Outcome]:
         export(study, "--bids", folder / "again")
         same = contents(dataset) == contents(folder / "again")
         yield Outcome.of(f"{NAME}: the same study gives the same bytes", same)
+        export(study, "--bids", study / "bids")
+        status, output = export(study, "--tidy", folder / "after.csv")
+        good = status == 0 and (folder / "after.csv").read_bytes() == table.read_bytes()
+        yield Outcome.of(f"{NAME}: a dataset in the study's folder is no session", good, output)
         yield from faults(folder, export)
 
 
