@@ -118,9 +118,8 @@ STEADYHAND_PARAMETER SMALLEST_STROKE = 0.06;
 
 /// Log prior odds of the gesture against none, without a task and with one.
 STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
-/// Width of the directions of a gesture without a task, and the turn that a new stroke may still make,
-/// radians.
-STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
+/// Width of the directions of a gesture without a task, radians.
+STEADYHAND_PARAMETER DIRECTION = 0.35;
 /// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
 STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
 /// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
@@ -173,6 +172,9 @@ STEADYHAND_PARAMETER END_PHASE = 0.97;
 STEADYHAND_PARAMETER PARALLEL = 0.7;
 /// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
 STEADYHAND_PARAMETER RETURNED = 0.15, TURNED_BACK = 0.08;
+/// A hand beyond this value is under way: a doubtful stroke needs this length, and the return is another
+/// movement.
+STEADYHAND_PARAMETER UNDER_WAY = 0.3;
 /// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
 
@@ -186,8 +188,6 @@ STEADYHAND_PARAMETER DRIFT_S = 0.1, UNKNOWN_DRIFT = 0.02;
 STEADYHAND_PARAMETER START_PROBABILITY = 0.7, ABORT_PROBABILITY = 0.1;
 /// Beyond this value a gesture starts at any probability.
 STEADYHAND_PARAMETER HALFWAY = 0.5;
-/// Beyond this value the hand has left the start, and its return is another movement.
-STEADYHAND_PARAMETER LEFT_START = 0.25;
 /// `paper` mode: near the start, a gesture is aborted after this many mean durations of the first state.
 STEADYHAND_PARAMETER ABORT_AFTER = 3.0;
 /// The hand has stopped if P(HOLD) is greater for this time.
@@ -205,8 +205,8 @@ STEADYHAND_PARAMETER RECENT_S = 0.1;
 
 // Without a task.
 
-/// Lengths of strokes: least one with a direction, and least one that a doubtful stroke needs.
-STEADYHAND_PARAMETER SHORTEST = 0.12, UNDER_WAY = 0.3;
+/// Least length of a stroke with a direction.
+STEADYHAND_PARAMETER SHORTEST = 0.12;
 /// A stroke whose upper bound of the log odds is lower is no gesture.
 STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0;
 /// Least log odds of a predicted end.

@@ -127,7 +127,7 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 		const FeaturePlace direction = model_direction(stroke);
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, direction);
 		const double remaining =
-				evidence.max_remaining + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
+				max_size_evidence() + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
 		if (LOG_PRIOR_NO_TASK + evidence.without_size() + remaining > 0.0) {
 			set_log_odds(LOG_PRIOR_NO_TASK + evidence.without_size());
 			from_ = stroke.from;

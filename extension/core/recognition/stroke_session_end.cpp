@@ -16,7 +16,7 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 
 /// Upper bound of the log odds during the stroke.
 double best_odds(const StrokeEvidence &evidence) {
-	return LOG_PRIOR_NO_TASK + evidence.without_size() + evidence.max_remaining;
+	return LOG_PRIOR_NO_TASK + evidence.without_size() + max_size_evidence();
 }
 
 /// Time at which the hand will stop if the stroke ends now.

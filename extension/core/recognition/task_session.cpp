@@ -205,7 +205,7 @@ void TaskSession::try_end(double t_s) {
 }
 
 void TaskSession::go_idle(double t_s) {
-	const bool had_left = stage() == Stage::ENDED || max_value_ > LEFT_START;
+	const bool had_left = stage() == Stage::ENDED || max_value_ > UNDER_WAY;
 	enter_idle(t_s);
 	if (had_left) {
 		strokes_.ignore_before(beyond_s_ - DETECTION_S);
