@@ -5,6 +5,8 @@ const TaskScene := preload("res://scripts/task_scene.gd")
 
 const STEP_S := 1e-3
 const SOON_S := 0.05
+## A track may end before the vibration does.
+const AFTER_TRACK_S := 0.5
 
 ## Wall-clock time that was spent on playing, s.
 var taken_s := 0.0
@@ -55,6 +57,8 @@ func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> D
 		)
 		_scene.haptic_synth.wav_path = wav_path
 		_play(trial_set, index)
+		for step in roundi(AFTER_TRACK_S / STEP_S):
+			_scene.tracker.advance(STEP_S)
 		_scene.haptic_synth.stop_wav()
 		played["cue_s"] = _cue_s()
 	return played

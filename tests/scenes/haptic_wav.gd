@@ -67,6 +67,12 @@ func test_a_scene_tells_when_its_wav_begins_and_its_cue() -> void:
 	var leap_s := rows[header + 1 + leap].to_float()
 	var is_cue: bool = absf(leap_s - played["cue_s"]) < 0.062
 	check(is_cue, "cue at %.3f s, a leap at %.3f s" % [played["cue_s"], leap_s])
+	var samples := Waveform.read_wav(wav_path, RATE_HZ)
+	var wav_end_s: float = played["wav_start_s"] + float(samples.size()) / RATE_HZ
+	check(
+		wav_end_s > played["cue_s"] + 0.4, "the file goes on after the cue, to %.2f s" % wav_end_s
+	)
+	check_near(Array(samples.slice(-RATE_HZ / 10)).max(), 0.0, 1e-3, "the vibration has stopped")
 
 
 func test_switching_the_condition_does_not_click() -> void:

@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, plt, save
 
-MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived
+MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived, or the end cue
 LEFT = 0.02  # share of the amplitude
 
 
@@ -69,14 +69,15 @@ def read_wav(path: Path) -> tuple[np.ndarray, np.ndarray]:
         return np.arange(len(samples)) / file.getframerate(), samples[:, 0] / 32768.0
 
 
-def shown_span(curves: dict[str, np.ndarray]) -> tuple[float, float]:
-    """From the reference's departure to the last curve's arrival, with a margin."""
+def shown_span(curves: dict[str, np.ndarray], cue_s: float | None = None) -> tuple[float, float]:
+    """From the reference's departure to the last curve's arrival, and to the end cue, with a margin."""
     t = curves["t"]
     reference = curves.get("reference", curves["measured"])
     leaves = t[np.argmax(reference > LEFT)]
     motions = [curve for name, curve in curves.items() if name != "t"]
     arrivals = [t[np.argmax(motion >= END_LEVEL)] for motion in motions if max(motion) >= END_LEVEL]
-    return max(leaves - MARGIN_S, t[0]), min(max(arrivals, default=t[-1]) + MARGIN_S, t[-1])
+    end = min(max(arrivals, default=t[-1]) + MARGIN_S, t[-1])
+    return max(leaves - MARGIN_S, t[0]), max(end, cue_s + MARGIN_S) if cue_s else end
 
 
 def marks(curves: dict[str, np.ndarray], played: dict) -> list[Mark]:
@@ -148,7 +149,7 @@ def main() -> None:
         draw_vibration(axes[1, 0], t + (played["wav_start_s"] if played else curves["t"][0]), samples)
         draw_marks(axes[1, 0], marked)
     axes[0, 0].set_title(title_of(played) if played else "", size=11)
-    axes[0, 0].set_xlim(*shown_span(curves))
+    axes[0, 0].set_xlim(*shown_span(curves, played["cue_s"] if played else None))
     axes[-1, 0].set_xlabel("time (s)")
     save(figure, given.out)
 

@@ -16,7 +16,7 @@ from whole_file import whole
 SLOWER = 2.0  # than the hand: a drag is over in a second
 FRAMES_PER_S = 15
 LAST_FRAME_S = 1.5
-MARGIN_S = 0.2  # shown before the gesture and after the end cue
+MARGIN_S = 0.2  # shown before the gesture
 COLOURS = 48
 DPI = 80
 LANES = {"reference": "the hand", "measured": "tracker", "synthesised": "SteadyHand"}
@@ -34,8 +34,7 @@ def main() -> None:
     t, samples = read_wav(given.wav)
     played = json.loads(given.of.read_text())
     shown = {name: curves[name] for name in ("t", *LANES)}
-    _, end = shown_span(shown)
-    end = min(max(end, (played["cue_s"] or 0.0) + MARGIN_S), shown["t"][-1])
+    _, end = shown_span(shown, played["cue_s"])
     span = (played["start_s"] - MARGIN_S, end)
     save(frames(shown, t + played["wav_start_s"], samples, span), given.out)
 
@@ -57,7 +56,7 @@ def frames(
     lanes.text(1.0, 2.75, "target", ha="center")
     lanes.set(xlim=(-0.1, 1.15), ylim=(-0.6, 2.6), yticks=[], xticks=[])
     lanes.spines[:].set_visible(False)
-    motion.set(xlim=(begin, end), ylim=(-0.08, 1.12), ylabel="distance (target: 1)", xticklabels=[])
+    motion.set(xlim=(begin, end), ylim=(-0.08, 1.12), ylabel="share of the amplitude", xticklabels=[])
     (wave,) = vibration.plot([], [], color=STYLES["synthesised"].colour, lw=0.5)
     vibration.set(xlim=(begin, end), ylim=(-1.05, 1.05), yticks=[], ylabel="vibration", xlabel="time (s)")
     drawn = []
