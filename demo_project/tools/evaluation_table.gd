@@ -4,7 +4,7 @@ extends RefCounted
 const Conditions := preload("res://scripts/conditions.gd")
 const ResultTable := preload("result_table.gd")
 
-const HEAD := "%-16s %-9s %6s %10s  %-15s"
+const HEAD := "%-16s %-9s %6s %10s  %-16s"
 
 
 ## `groups`: as of evaluation_report.gd.

@@ -10,7 +10,7 @@ const PAPER := "paper"
 const PHASE := "phase"
 ## What is synthesised, in the order of the table.
 const MODES: Array[String] = [PAPER, PHASE]
-const FIGURE_ROWS: Array[String] = ["mean R2", "mean R2, no lag", "median T_diff", "missed"]
+const FIGURE_ROWS: Array[String] = ["mean R2", "mean zero-lag R2", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
 const CELL := " %12s"
 const T_DIFF := "T_diff: end(reference) - end(curve); positive: the curve ends early."
@@ -49,7 +49,7 @@ func show() -> void:
 	print("paper, phase: synthesised, by the paper's rule and by ours.\n%s\n" % T_DIFF)
 
 
-## R2 at no lag, median T_diff and missed ends of each condition, for a page.
+## Zero-lag R2, median T_diff and missed ends of each condition, for a page.
 func save_markdown(path: String) -> void:
 	var title := "| tracks | trials |"
 	for i in Conditions.NAMES.size():
@@ -92,7 +92,7 @@ static func cell(summary: Dictionary, row: String) -> String:
 	match row:
 		"mean R2":
 			return "%.4f" % summary["r2"]["mean"]
-		"mean R2, no lag":
+		"mean zero-lag R2":
 			return "%.4f" % summary["r2_zero"]["mean"]
 		"median T_diff":
 			return "%+.0f ms" % (1000.0 * summary["t_diff"]["median"])

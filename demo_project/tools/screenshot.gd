@@ -47,7 +47,7 @@ func _draw_all(arguments: PackedStringArray) -> void:
 	else:
 		exit_code = 0
 		await _draw_effects(out_folder)
-		await _draw_overlay(trials_folder, out_folder)
+		await _draw_overlay(out_folder)
 		for gesture in Tasks.SCENES:
 			await _draw(gesture, trials_folder, out_folder)
 		for gesture in Tasks.SCENES:
@@ -72,8 +72,8 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 
 
 ## A simulated hand before an unsteady tracker, so that the two points are apart.
-func _draw_overlay(trials_folder: String, out_folder: String) -> void:
-	var scene := _open_task(Tasks.SCENES.keys()[0], trials_folder, out_folder)
+func _draw_overlay(out_folder: String) -> void:
+	var scene := _open_task(Tasks.SCENES.keys()[0], "", out_folder)
 	(scene.get_node("Readout") as CanvasLayer).visible = false
 	var overlay := (load(OVERLAY) as PackedScene).instantiate() as DebugOverlay
 	overlay.gesture_hmm = scene.gesture_hmm

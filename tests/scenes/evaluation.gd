@@ -258,7 +258,7 @@ func test_the_result_is_printed() -> void:
 		if group["gesture"] == "none":
 			check_equal(run.missing(["none", "no figures"]), "", "none has no figures")
 			continue
-		var means := PackedStringArray(["mean R2, no lag"])
+		var means := PackedStringArray(["mean zero-lag R2"])
 		for condition in CONDITIONS:
 			means.append("%.4f" % own[condition]["r2_zero"]["mean"])
 		check_equal(run.missing(means), "", "the means of all conditions")

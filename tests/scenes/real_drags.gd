@@ -37,7 +37,7 @@ func _check_group(group: Dictionary) -> void:
 	var synthesised: Dictionary = group["conditions"]["synthesised"]
 	check_equal(synthesised["n"], group["trials"], "%s: figures for each" % name)
 	var r2: Array[float] = [synthesised["r2_zero"]["mean"], average["r2_zero"]["mean"]]
-	check(r2[0] > r2[1], "%s: mean R2 at no lag %.3f over %.3f" % [name, r2[0], r2[1]])
+	check(r2[0] > r2[1], "%s: mean zero-lag R2 %.3f over %.3f" % [name, r2[0], r2[1]])
 	var t_diff: Array[float] = [synthesised["t_diff"]["median"], average["t_diff"]["median"]]
 	check(
 		absf(t_diff[0]) < absf(t_diff[1]),

@@ -44,14 +44,14 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
         marker = {"filter": "^", "viterbi": "o" if row["lag"] == "0" else "v"}[row["decoder"]]
         axes.plot(cost, accuracy, marker, color=colour, ms=8 if name else 5 if marker in "^v" else 4)
         if name:
-            # On the side that the others leave free.
-            above, side = (24 * sign, "left") if name == "paper" else (-10 * sign, "right" if sign > 0 else "left")
+            # On the side that the others leave free, and away from the right edge.
+            above, side = (24 * sign, "left") if name == "paper" else (-10 * sign, "right")
             axes.annotate(
                 name,
                 (cost, accuracy),
                 textcoords="offset points",
                 xytext=(10 if name == "paper" else 0, above),
-                rotation=30,
+                rotation=30 * sign,
                 ha=side,
                 va="top" if sign > 0 else "bottom",
                 size=9,

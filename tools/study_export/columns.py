@@ -101,7 +101,7 @@ TRIALS = [
         for curve in CURVES
         for name, unit, meaning in (
             ("r2", "", "R^2 against the reference at the lag that fits best"),
-            ("r2_zero", "", "R^2 against the reference at no lag"),
+            ("r2_zero", "", "zero-lag R^2 against the reference"),
             ("lag", "s", "that lag; positive: the curve is late"),
             ("t_diff", "s", "end of the reference minus end of the curve; positive: the curve ends early"),
         )

@@ -36,7 +36,7 @@ TIDY = [
     Column("curve", "", TEXT, "the motion that the next columns are about: " + ", ".join(CURVES)),
     Column("drives", "", FLAG, "1: this curve drove the vibration and the scene (curve equals condition)"),
     Column("r2", "", NUMBER, "R^2 of the curve against the reference at the lag that fits best"),
-    Column("r2_zero", "", NUMBER, "R^2 of the curve against the reference at no lag"),
+    Column("r2_zero", "", NUMBER, "zero-lag R^2 of the curve against the reference"),
     Column("lag_s", "s", NUMBER, "that lag; positive: the curve is late"),
     Column("t_diff_s", "s", NUMBER, "end of the reference minus end of the curve; positive: the curve ends early"),
     BY_NAME["finished"],

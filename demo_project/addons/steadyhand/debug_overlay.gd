@@ -1,6 +1,6 @@
 extends CanvasLayer
 ## Shows in a running game how a HandTracker does, what a GestureHMM makes of it, and why no gesture
-## starts; and in the scene the measured fingertip beside the motion that is put out. Add
+## starts; and in the scene the measured fingertip beside the output motion. Add
 ## debug_overlay.tscn to a scene. It shows `gesture_hmm`, or `tracker` alone; if neither is set, the
 ## first GestureHMM of the tree.
 

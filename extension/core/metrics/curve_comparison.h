@@ -15,7 +15,7 @@ struct GestureSpan {
 /// How a curve x follows the reference. Every field is finite, whatever the input.
 struct CurveComparison {
 	double r2 = 0.0; ///< 1 - sum (ref - x)^2 / sum (ref - mean ref)^2 at the lag that fits best; not clipped
-	double r2_zero = 0.0;  ///< the same at no lag
+	double r2_zero = 0.0;  ///< the same at zero lag
 	double lag_s = 0.0;    ///< that lag; positive: x is late
 	double t_diff_s = 0.0; ///< end(ref) - end(x); positive: x ends early
 	double sparc = 0.0;    ///< of x's speed over the gesture's span, see spectral_arc_length()

@@ -1,9 +1,9 @@
 extends Control
-## The measured motion and the one that is put out, over the last seconds.
+## The measured and the output motion, over the last seconds.
 
 const SHOWN_S := 4.0
 const MEASURED := Color(1.0, 0.75, 0.3)
-const PUT_OUT := Color(0.34, 0.71, 0.91)
+const OUTPUT := Color(0.34, 0.71, 0.91)
 const FAINT := Color(0.5, 0.5, 0.5, 0.5)
 const FONT_SIZE := 12
 ## m
@@ -11,7 +11,7 @@ const LEAST_SPAN := 0.02
 
 var _times := PackedFloat64Array()
 var _measured := PackedFloat64Array()
-var _put_out := PackedFloat64Array()
+var _output := PackedFloat64Array()
 
 
 ## Called once a frame.
@@ -20,16 +20,16 @@ func note(hmm: GestureHMM) -> void:
 	if not _times.is_empty() and time_s < _times[-1]:
 		_times.clear()
 		_measured.clear()
-		_put_out.clear()
+		_output.clear()
 	if _times.is_empty() or time_s > _times[-1]:
 		_times.append(time_s)
 		_measured.append(hmm.get_motion_value(GestureHMM.MOTION_MEASURED))
-		_put_out.append(hmm.value)
+		_output.append(hmm.value)
 	if _times.size() > 1 and _times[-1] - _times[0] > 2.0 * SHOWN_S:
 		var from := _times.bsearch(_times[-1] - SHOWN_S)
 		_times = _times.slice(from)
 		_measured = _measured.slice(from)
-		_put_out = _put_out.slice(from)
+		_output = _output.slice(from)
 	queue_redraw()
 
 
@@ -38,22 +38,22 @@ func _draw() -> void:
 	var font := get_theme_default_font()
 	for i in 2:
 		var at := Vector2(6.0 + 80.0 * i, FONT_SIZE + 2.0)
-		var text: String = ["measured", "put out"][i]
-		draw_string(font, at, text, 0, -1, FONT_SIZE, [MEASURED, PUT_OUT][i])
+		var text: String = ["measured", "output"][i]
+		draw_string(font, at, text, 0, -1, FONT_SIZE, [MEASURED, OUTPUT][i])
 	if _times.size() < 2:
 		return
 	var first := maxi(_times.bsearch(_times[-1] - SHOWN_S) - 1, 0)
 	var low := INF
 	var high := -INF
 	for i in range(first, _times.size()):
-		low = minf(low, minf(_measured[i], _put_out[i]))
-		high = maxf(high, maxf(_measured[i], _put_out[i]))
+		low = minf(low, minf(_measured[i], _output[i]))
+		high = maxf(high, maxf(_measured[i], _output[i]))
 	var middle := 0.5 * (low + high)
 	var span := maxf(1.2 * (high - low), LEAST_SPAN)
-	for curve: PackedFloat64Array in [_measured, _put_out]:
+	for curve: PackedFloat64Array in [_measured, _output]:
 		var points := PackedVector2Array()
 		for i in range(first, _times.size()):
 			var x := size.x * (1.0 - (_times[-1] - _times[i]) / SHOWN_S)
 			points.append(Vector2(maxf(x, 0.0), size.y * (0.5 - (curve[i] - middle) / span)))
-		var is_put_out := curve == _put_out
-		draw_polyline(points, PUT_OUT if is_put_out else MEASURED, 2.0 if is_put_out else 1.0, true)
+		var is_output := curve == _output
+		draw_polyline(points, OUTPUT if is_output else MEASURED, 2.0 if is_output else 1.0, true)

@@ -1,5 +1,5 @@
 extends Control
-## In front of the scene: the measured fingertip, and where the motion that is put out has it at the
+## In front of the scene: the measured fingertip, and where the output motion has it at the
 ## task, as the camera sees them.
 
 const MotionStrip := preload("motion_strip.gd")
@@ -8,7 +8,7 @@ const RADIUS := 9.0
 const WIDTH := 2.0
 
 var _measured := Vector3.INF
-var _put_out := Vector3.INF
+var _output := Vector3.INF
 ## Start and end of the task.
 var _way: PackedVector3Array = []
 
@@ -20,11 +20,11 @@ func show_motion(hmm: GestureHMM) -> void:
 	)
 	_measured = tracker.get_joint_position(HandTracker.JOINT_INDEX) if is_tracked else Vector3.INF
 	var task := hmm.current_task if hmm.current_task != null else hmm.task
-	_put_out = Vector3.INF
+	_output = Vector3.INF
 	_way = []
 	if is_instance_valid(task) and task.is_inside_tree() and _is_straight(hmm, task):
 		_way = [task.get_start(), task.get_start() + task.amplitude * task.get_axis()]
-		_put_out = task.get_start() + hmm.value * task.get_axis()
+		_output = task.get_start() + hmm.value * task.get_axis()
 	queue_redraw()
 
 
@@ -41,13 +41,13 @@ func _draw() -> void:
 		return
 	if _way.size() == 2 and _is_seen(camera, _way[0]) and _is_seen(camera, _way[1]):
 		var from := camera.unproject_position(_way[0])
-		draw_line(from, camera.unproject_position(_way[1]), Color(MotionStrip.PUT_OUT, 0.4), WIDTH)
+		draw_line(from, camera.unproject_position(_way[1]), Color(MotionStrip.OUTPUT, 0.4), WIDTH)
 	if _is_seen(camera, _measured):
 		var at := camera.unproject_position(_measured)
 		draw_arc(at, RADIUS, 0.0, TAU, 32, MotionStrip.MEASURED, WIDTH, true)
-	if _is_seen(camera, _put_out):
-		var at := camera.unproject_position(_put_out)
-		draw_circle(at, 0.6 * RADIUS, MotionStrip.PUT_OUT)
+	if _is_seen(camera, _output):
+		var at := camera.unproject_position(_output)
+		draw_circle(at, 0.6 * RADIUS, MotionStrip.OUTPUT)
 
 
 func _is_seen(camera: Camera3D, place: Vector3) -> bool:

@@ -11,8 +11,8 @@ const TakeView := preload("take_view.gd")
 const TrackCurves := preload("track_curves.gd")
 
 const VIEW_WIDTH := 140.0
-const TITLES: Array[String] = ["Take", "Time (s)", "Way (cm)", "R²"]
-const WIDTHS: Array[float] = [70.0, 58.0, 64.0, 60.0]
+const TITLES: Array[String] = ["Take", "Time (s)", "Amplitude (cm)", "R²"]
+const WIDTHS: Array[float] = [70.0, 62.0, 104.0, 60.0]
 const SCROLL_BAR_WIDTH := 14.0
 
 var view := TakeView.new()
