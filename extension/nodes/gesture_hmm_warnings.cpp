@@ -162,19 +162,24 @@ void GestureHMM::watch_tracker_anew() {
 	}
 }
 
-/// Of a tracker that never shows what a task's gesture, or the only one, is measured by, nor what the start
-/// condition is judged by; once for each such joint. Where several are waited for anywhere, that some cannot
-/// come may be meant.
+/// Of a tracker that never shows what a task's gesture is measured by, nor what the start condition is judged
+/// by; once for each such joint. Without a task, a tracker of the index tip alone may be given all models: it
+/// is told only where none of them can come.
 void GestureHMM::watch_joints(uint8_t p_tracked) {
 	joints_seen_ |= p_tracked;
 	if (p_tracked == 0 || ++frames_with_hand_ != FRAMES_WATCHED) {
 		return;
 	}
+	const auto joints_of = [](const Expected &one) {
+		return steadyhand::find_feature(one.model->feature)->joints;
+	};
+	const bool is_any_possible = std::ranges::any_of(
+			expected_, [&](const Expected &one) { return (joints_of(one) & ~joints_seen_) == 0; });
 	for (const Expected &one : expected_) {
-		if (one.place.has_value() || expected_.size() == 1) {
+		if (one.place.has_value() || !is_any_possible) {
 			warn_of_missing_joints(
 					String("'") + String(one.gesture) + String("' is not recognised. It needs "),
-					steadyhand::find_feature(one.model->feature)->joints);
+					joints_of(one));
 		}
 	}
 	warn_of_missing_joints(

@@ -252,6 +252,18 @@ func test_joints_that_no_frame_holds_are_named() -> void:
 	rig.free_nodes()
 
 
+func test_joints_of_no_model_without_a_task_are_named() -> void:
+	# expects one warning: 'horizontal_drag' is not recognised. It needs index; no frame had index
+	var rig := _make_rig(STABLE)
+	rig.tracker.source = ScriptSource.new()
+	rig.gesture_hmm.models = [load(Rig.MODEL % "horizontal_drag"), load(Rig.MODEL % "tap")]
+	rig.gesture_hmm.tasks = []
+	rig.tracker.start()
+	for i in 1000:
+		rig.tracker.push_frame(0.01 * i, {HandTracker.JOINT_PALM: Vector3(0.001 * i, 0, 0)})
+	rig.free_nodes()
+
+
 func test_warnings_name_what_prevents_recognition() -> void:
 	# expects warning: because "models" is empty
 	# expects warning: because all "models" are empty
