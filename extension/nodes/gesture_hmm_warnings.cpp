@@ -34,7 +34,7 @@ constexpr double LONGEST_WITHOUT_HAND_S = 20.0;
 /// Of a frame of the game: one that loads for long says nothing of the device.
 constexpr double LONGEST_WAIT_S = 0.1;
 
-/// m; a length beyond it is of another unit.
+/// m; a length or a distance beyond it is of another unit.
 constexpr double LONGEST_WAY_M = 10.0;
 /// Cosine of 60 degrees.
 constexpr double AS_TRAINED = 0.5;
@@ -224,7 +224,10 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 	if (doubt->kind == steadyhand::TaskDoubt::Kind::FAR) {
 		reason += String(": the fingertip has come no nearer to its start than ") +
 				String::num(doubt->distance_m, 2) +
-				String(" m. Move the GestureTask, or set the space of the source to that of the task");
+				String(doubt->distance_m > LONGEST_WAY_M
+								? " m. Give the source's positions in metres, or move the GestureTask"
+								: " m. Move the GestureTask, or set the space of the source to that of the "
+								  "task");
 	} else {
 		reason += String(": the hand leaves its start towards ") +
 				Variant(to_godot(doubt->direction)).stringify() + String(", but its direction is ") +

@@ -23,20 +23,6 @@ bool is_main_thread() {
 	return os->get_thread_caller_id() == os->get_main_thread_id();
 }
 
-String explain(steadyhand::StreamDoubt p_doubt) {
-	switch (p_doubt) {
-		case steadyhand::StreamDoubt::EQUAL_TIME_STAMPS:
-			return "the hand moves, but the time does not. Give each frame its own time";
-		case steadyhand::StreamDoubt::TOO_RARE:
-			return "frames are more than a second apart. Push times in seconds";
-		case steadyhand::StreamDoubt::TOO_FAST:
-			return "the hand has been faster than 10 m/s for long. Push positions in metres, in a space that "
-				   "moves "
-				   "with the player";
-	}
-	return String();
-}
-
 String type_of(const Variant &p_value) {
 	return Variant::get_type_name(p_value.get_type());
 }
@@ -153,7 +139,7 @@ void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
 	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(*doubt));
 	if ((doubted_ & this_one) == 0) {
 		doubted_ |= this_one;
-		WARN_PRINT(node_label(*this) + String(": push_frame: ") + explain(*doubt));
+		WARN_PRINT(node_label(*this) + String(": push_frame: ") + to_godot(steadyhand::explain(*doubt)));
 	}
 }
 

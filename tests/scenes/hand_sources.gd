@@ -316,12 +316,14 @@ func test_live_sources_keep_pace_in_physics_frames_and_pauses() -> void:
 func test_a_task_without_a_hand_is_warned_of_once() -> void:
 	# expects one warning: the fingertip has come no nearer to its start than 0.5
 	# expects one warning: the hand leaves its start towards (0.0, 1.0, 0.0)
-	for is_far: bool in [true, false]:
+	# expects one warning: m. Give the source's positions in metres, or move the GestureTask
+	for distance_m: float in [0.5, 50.0, 0.0]:
+		var is_far := distance_m > 0.0
 		var tracker := _tracker(ScriptSource.new())
 		tracker.start()
 		var task := GestureTask.new()
 		task.gesture = &"horizontal_drag"
-		task.position = PLACE + (Vector3(-0.5, 0, 0) if is_far else Vector3.ZERO)
+		task.position = PLACE + distance_m * Vector3.LEFT
 		var hmm := GestureHMM.new()
 		hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
 		hmm.tracker = tracker

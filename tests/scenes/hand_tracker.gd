@@ -112,8 +112,8 @@ func test_script_source() -> void:
 
 func test_frames_of_wrong_units_are_warned_of_once() -> void:
 	# expects one warning: the hand moves, but the time does not
-	# expects one warning: Push times in seconds
-	# expects one warning: Push positions in metres
+	# expects one warning: Give times in seconds
+	# expects one warning: Give positions in metres
 	for scale: Vector2 in [Vector2(0.0, 1.0), Vector2(1000.0, 1.0), Vector2(1.0, 1000.0)]:
 		var tracker := _make_tracker(ScriptSource.new())
 		tracker.start()

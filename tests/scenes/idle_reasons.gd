@@ -72,6 +72,23 @@ func test_a_frozen_tracker() -> void:
 	check(said.contains("it is frozen") or not _hmm.gesture.is_empty(), said)
 
 
+func test_a_recording_in_milliseconds() -> void:
+	var folder := DirAccess.create_temp("steadyhand_idle")
+	var recorded := RecordedSource.new()
+	recorded.track = folder.get_current_dir().path_join("track.csv")
+	var file := FileAccess.open(recorded.track, FileAccess.WRITE)
+	file.store_string("t,index_x,index_y,index_z\n0,0,0,-0.3\n11000,0,0,-0.3\n")
+	file.close()
+	# expects one warning: times must be in seconds
+	_tracker.source = recorded
+	_tracker.start()
+	await create_timer(0.7).timeout
+	var said := _overlay.describe_gesture()
+	check(said.contains("are the times of the recording in seconds?"), said)
+	_tracker.source = ScriptSource.new()
+	_tracker.start()
+
+
 func test_an_active_gesture_is_shown() -> void:
 	_hmm.task = _task
 	_push(_task.position, 90)

@@ -18,6 +18,19 @@ std::optional<double> step_m(const HandFrame &from, const HandFrame &to) {
 
 } // namespace
 
+std::string_view explain(StreamDoubt doubt) {
+	switch (doubt) {
+		case StreamDoubt::EQUAL_TIME_STAMPS:
+			return "the hand moves, but the time does not. Give each frame its own time";
+		case StreamDoubt::TOO_RARE:
+			return "frames are more than a second apart. Give times in seconds";
+		case StreamDoubt::TOO_FAST:
+			return "the hand has been faster than 10 m/s for long. Give positions in metres, in a space that "
+				   "moves with the player";
+	}
+	return {};
+}
+
 std::optional<StreamDoubt> StreamDoubts::push(const HandFrame &frame) {
 	const std::optional<double> moved_m = last_ ? step_m(*last_, frame) : std::nullopt;
 	const double step_s = last_ ? frame.t_s - last_->t_s : 0.0;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 namespace steadyhand {
 
@@ -14,6 +15,9 @@ enum class StreamDoubt : std::uint8_t {
 	TOO_RARE,          ///< seconds between frames: the unit may be milliseconds
 	TOO_FAST           ///< faster than any hand: the unit may be millimetres, or the space itself moves
 };
+
+/// What is wrong, and what to do.
+std::string_view explain(StreamDoubt doubt);
 
 /// Checks a stream of frames whose stamps do not decrease.
 class StreamDoubts {

@@ -2,6 +2,7 @@
 
 #include "tracking/clock_jumps.h"
 #include "tracking/csv_text.h"
+#include "tracking/stream_doubts.h"
 
 #include <algorithm>
 #include <array>
@@ -85,12 +86,29 @@ public:
 			reading_.is_cut_off = reading_.error && ends_in_line_ && lines_.are_over();
 		}
 		reading_.warnings = close_clock_jumps(reading_.track.frames, source_, header_line_ + 1);
+		if (reading_.warnings.empty()) {
+			doubt_units();
+		}
 		return std::move(reading_);
 	}
 
 private:
 	[[nodiscard]] Error error(std::string_view column, std::string_view what) const {
 		return error_at(source_, lines_.line_number(), column, what);
+	}
+
+	/// Warns of the first doubt: others often have the same cause.
+	void doubt_units() {
+		StreamDoubts doubts;
+		const std::vector<HandFrame> &frames = reading_.track.frames;
+		for (std::size_t i = 0; i < frames.size(); ++i) {
+			if (const std::optional<StreamDoubt> doubt = doubts.push(frames[i])) {
+				const std::string_view column = *doubt == StreamDoubt::TOO_FAST ? "positions" : "t";
+				reading_.warnings.push_back(
+						error_at(source_, header_line_ + 1 + i, column, explain(*doubt)).message);
+				return;
+			}
+		}
 	}
 
 	std::optional<Error> read_metadata_and_header() {

@@ -356,4 +356,26 @@ TEST_SUITE("track CSV") {
 		}
 		CHECK(count > 0);
 	}
+
+	TEST_CASE("times in milliseconds and positions in millimetres each give a warning") {
+		const auto warnings_of = [](double per_s, double per_m) {
+			std::string text = "t,index_x,index_y,index_z\n";
+			for (int i = 0; i < 200; ++i) {
+				const double t_s = i / 90.0;
+				text += std::to_string(per_s * t_s) + ',' +
+						std::to_string(per_m * 0.2 * std::sin(3.0 * t_s)) + ",0,0\n";
+			}
+			return read_track_csv(text, "a.csv").warnings;
+		};
+		CHECK(warnings_of(1.0, 1.0).empty());
+		const std::vector<std::string> times = warnings_of(1e3, 1.0);
+		REQUIRE(times.size() == 1);
+		CHECK(times.front() == "a.csv:32: t: frames are more than a second apart. Give times in seconds");
+		for (const double per_m : { 1e2, 1e3 }) {
+			const std::vector<std::string> lengths = warnings_of(1.0, per_m);
+			REQUIRE(lengths.size() == 1);
+			CHECK(lengths.front().find(": positions: the hand has been faster than 10 m/s") !=
+					std::string::npos);
+		}
+	}
 }

@@ -63,7 +63,10 @@ func of(hmm: GestureHMM) -> String:
 	if reason.is_empty() and tracker.is_finished():
 		reason = "The recording has ended: call start() to play it again."
 	if reason.is_empty() and _silent_s > SILENT_S:
-		reason = "No frame for %.1f s: is the device connected?" % _silent_s
+		var question := "is the device connected?"
+		if tracker.source is RecordedSource:
+			question = "are the times of the recording in seconds?"
+		reason = "No frame for %.1f s: %s" % [_silent_s, question]
 	if reason.is_empty() and not tracker.is_hand_tracked():
 		reason = "No hand in view."
 	if reason.is_empty():
