@@ -118,6 +118,32 @@ func test_a_hand_without_a_tracker_is_an_error() -> void:
 	check(true, "it returns")
 
 
+func test_a_hand_without_a_place_is_an_error() -> void:
+	# expects one error: GestureTestHand: attach() needs a HandTracker, is null
+	# expects one error: : add the HandTracker to the scene tree before GestureTestHand.attach()
+	check(GestureTestHand.attach(null) != null, "without a tracker")
+	var tracker := HandTracker.new()
+	GestureTestHand.attach(tracker)
+	check(not tracker.is_running(), "outside the tree")
+	tracker.free()
+
+
+func test_a_gesture_that_no_hand_makes_is_an_error() -> void:
+	# expects one error: GestureTestHand: make_gesture() needs a GestureTask, is null
+	# expects one error: GestureTestHand: reach() needs a GestureTask, is null
+	# expects one error: and fraction 0..1, are -1.0 and 1.0
+	# expects one error: and fraction 0..1, are 0.0 and 7.0
+	# expects one error: and fraction 0..1, are 0.0 and -1.0
+	var hand := _make_nodes()
+	await hand.make_gesture(null)
+	await hand.reach(null)
+	await hand.make_gesture(_hmm.task, -1.0)
+	await hand.make_gesture(_hmm.task, 0.0, 7.0)
+	await hand.make_gesture(_hmm.task, 0.0, -1.0)
+	check_equal(hand.get_place(), Vector3.ZERO, "the hand stays")
+	_free_nodes()
+
+
 func test_a_hand_with_equal_time_stamps_is_an_error() -> void:
 	# expects one error: its time does not advance, because HandTracker 'Paused' is paused
 	# expects one error: because HandTracker 'Manual' is in UPDATE_MANUAL. Set another update_mode

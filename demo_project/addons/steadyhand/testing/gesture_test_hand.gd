@@ -57,6 +57,9 @@ func _init() -> void:
 ## the tracking at random. For single faults see drop_out(), freeze() and jump().
 static func attach(tracker: HandTracker, faults: DegradedSource = null) -> GestureTestHand:
 	var hand := GestureTestHand.new()
+	if tracker == null:
+		push_error("GestureTestHand: attach() needs a HandTracker, is null.")
+		return hand
 	if faults != null:
 		faults.source = hand
 	tracker.source = hand if faults == null else faults
@@ -76,6 +79,9 @@ func place_at(place: Vector3) -> void:
 
 ## Goes to the start of `task` and rests there. A hand that has not been seen yet appears there.
 func reach(task: GestureTask) -> void:
+	if task == null:
+		push_error("GestureTestHand: reach() needs a GestureTask, is null.")
+		return
 	if is_nan(_first_s):
 		place_at(task.get_start())
 	_place.go(task.get_start(), _time_s, DURATION_S)
@@ -84,9 +90,16 @@ func reach(task: GestureTask) -> void:
 
 
 ## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: as people do) and rests
-## again. `fraction`: of the task's amplitude, where the hand stops.
+## again. `fraction`: of the task's amplitude, 0 to 1, where the hand stops. Farther: move_to().
 func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void:
-	if duration_s <= 0.0:
+	if task == null:
+		push_error("GestureTestHand: make_gesture() needs a GestureTask, is null.")
+		return
+	if duration_s < 0.0 or fraction < 0.0 or fraction > 1.0:
+		var rule := "duration_s must be 0 or more, and fraction 0..1"
+		push_error("GestureTestHand: %s, are %s and %s." % [rule, duration_s, fraction])
+		return
+	if duration_s == 0.0:
 		duration_s = DURATIONS_S.get(task.gesture, DURATION_S)
 	var way := fraction * task.amplitude
 	is_busy = true
@@ -166,6 +179,8 @@ static func _note(awaited: Signal, seen: Array[bool]) -> void:
 
 
 func _start(tracker: HandTracker) -> String:
+	if not tracker.is_inside_tree():
+		return "add the HandTracker to the scene tree before GestureTestHand.attach()"
 	_tracker = tracker
 	_tree = tracker.get_tree()
 	_tree.process_frame.connect(frame_passed.emit)
