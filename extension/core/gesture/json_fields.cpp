@@ -137,7 +137,9 @@ void require_format(const Json &document, const char *format, int version) {
 		throw Fault(document, std::string("format: not a ") + format + " file");
 	}
 	if (number(document, "version") != version) {
-		throw Fault(document["version"], "version: this program reads version " + std::to_string(version));
+		throw Fault(document["version"],
+				"version: must be " + std::to_string(version) +
+						". Update SteadyHand, or make the file again");
 	}
 }
 
@@ -163,6 +165,8 @@ double within(const Json &object, const char *key, double smallest, double large
 		append_number(message, smallest);
 		message += " .. ";
 		append_number(message, largest);
+		message += ", is ";
+		append_number(message, value);
 		throw Fault(object[key], message);
 	}
 	return value;

@@ -123,7 +123,7 @@ TEST_CASE("a bad .ahap file gets one error with its line") {
 			"a.ahap:4: EventDuration: missing");
 	CHECK(error_of(pattern_of("{ \"Event\": {} }")) == "a.ahap:4: EventType: missing");
 	CHECK(error_of(pattern_of("\n{ \"Event\": { \"EventType\": \"HapticTransient\", \"Time\": 61 } }")) ==
-			"a.ahap:5: Time: not within 0 .. 60");
+			"a.ahap:5: Time: not within 0 .. 60, is 61");
 	CHECK(error_of(pattern_of("{}")) ==
 			"a.ahap:3: Pattern: it has no HapticTransient and no HapticContinuous event");
 	CHECK(error_of(pattern_of(R"({ "Event": { "Time": 59, "EventType": "HapticContinuous",

@@ -73,13 +73,13 @@ TEST_CASE("a bad .haptic file gets one error with its line") {
 	CHECK(error_of(with(DOOR, "\"major\": 1", "\"major\": 2")) ==
 			"door.haptic:2: version: this program reads .haptic files of version 1");
 	CHECK(error_of(with(DOOR, "0.3, \"emph", "1.3, \"emph")) ==
-			"door.haptic:7: amplitude: not within 0 .. 1");
+			"door.haptic:7: amplitude: not within 0 .. 1, is 1.3");
 	CHECK(error_of(with(DOOR, "0.3, \"emph", "NaN, \"emph")) == "door.haptic:7: not valid JSON");
 	CHECK(error_of(with(DOOR, "0.75", "\"high\"")) == "door.haptic:7: frequency: not a number");
 	CHECK(error_of(with(DOOR, "\"time\": 0.5", "\"time\": 0.2")) ==
 			"door.haptic:8: time: before that of the breakpoint ahead of it; sort them by time");
 	CHECK(error_of(with(DOOR, "\"time\": 0.5", "\"time\": 1e6")) ==
-			"door.haptic:8: time: not within 0 .. 60");
+			"door.haptic:8: time: not within 0 .. 60, is 1e+06");
 	CHECK(error_of(with(DOOR, "\"time\": 0.5", "\"time\": 1e999")).starts_with("door.haptic:8: "));
 	CHECK(error_of(with(DOOR, "\"envelopes\"", "\"envelope\"")) == "door.haptic:4: envelopes: missing");
 	CHECK(error_of(with(with(DOOR, "0.25", "0"), "\"time\": 0.5", "\"time\": 0")) ==
