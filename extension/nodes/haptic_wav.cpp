@@ -1,5 +1,6 @@
 #include "haptic_wav.h"
 
+#include "node_label.h"
 #include "text_file.h"
 
 #include "haptics/wav.h"
@@ -36,7 +37,8 @@ Error HapticWav::open(const Node &p_owner, const String &p_path) {
 	path_ = p_path;
 	file_ = FileAccess::open(p_path, FileAccess::WRITE);
 	ERR_FAIL_COND_V_MSG(file_.is_null(), FileAccess::get_open_error(),
-			String("HapticSynth cannot write to ") + cannot_open(p_path, FileAccess::get_open_error()));
+			node_label(p_owner) + String(": cannot write to ") +
+					cannot_open(p_path, FileAccess::get_open_error()));
 	written_.emplace(p_owner, p_path);
 	write_header();
 	return OK;

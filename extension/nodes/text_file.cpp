@@ -12,9 +12,13 @@ String cannot_open(const String &p_path, Error p_error) {
 	if (DirAccess::dir_exists_absolute(p_path)) {
 		return p_path + String(": this is a folder, not a file");
 	}
+	const String folder = p_path.get_base_dir();
+	if (!folder.is_empty() && !DirAccess::dir_exists_absolute(folder)) {
+		return p_path + String(": there is no folder ") + folder;
+	}
 	switch (p_error) {
 		case ERR_FILE_NOT_FOUND:
-			return p_path + String(": there is no such file or folder");
+			return p_path + String(": there is no such file");
 		case ERR_FILE_NO_PERMISSION:
 		case ERR_UNAUTHORIZED:
 			return p_path + String(": no permission to open this file");

@@ -1,5 +1,6 @@
 #include "track_recorder.h"
 
+#include "node_label.h"
 #include "text_file.h"
 
 #include "tracking/track_csv.h"
@@ -20,7 +21,8 @@ Error TrackRecorder::open(const Node &p_owner, const String &p_path) {
 	path_ = p_path;
 	file_ = FileAccess::open(p_path, FileAccess::WRITE);
 	ERR_FAIL_COND_V_MSG(file_.is_null(), FileAccess::get_open_error(),
-			String("HandTracker cannot record to ") + cannot_open(p_path, FileAccess::get_open_error()));
+			node_label(p_owner) + String(": cannot record to ") +
+					cannot_open(p_path, FileAccess::get_open_error()));
 	written_.emplace(p_owner, p_path);
 	rows_.reserve(CAPACITY_BYTES + ROW_BYTES_MAX);
 	rows_ = steadyhand::track_csv_header(COLUMNS, { { "origin", "SteadyHand HandTracker" } });

@@ -36,7 +36,7 @@ func test_a_file_loads_as_an_effect() -> void:
 func test_a_bad_file_gets_one_error_with_its_line() -> void:
 	# expects error: bad.haptic:3: amplitude: not within 0 .. 1
 	# expects error: cut.ahap:2: not valid JSON: the file ends here
-	# expects error: there is no such file or folder
+	# expects error: there is no such file
 	check(HapticClip.load_file(_write("bad.haptic", CLIP % "1.5")) == null, "a bad number")
 	check(HapticClip.load_file(_write("cut.ahap", PATTERN.left(90))) == null, "a cut file")
 	check(HapticClip.load_file(_path("none.haptic")) == null, "no file")
