@@ -66,8 +66,9 @@ String joint_list(uint8_t p_joints) {
 void GestureHMM::warn_of_silence() {
 	String warning;
 	if (models_.is_empty()) {
-		warning = "no gesture is recognised, because \"models\" is empty. Add a *.gesture file of "
-				  "res://addons/steadyhand/models";
+		warning = "no gesture is recognised, because \"models\" is empty. Set it to an array of *.gesture "
+				  "files "
+				  "of res://addons/steadyhand/models. append() changes only a copy of the array";
 	}
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
@@ -101,9 +102,9 @@ void GestureHMM::warn_of_silence() {
 		}
 	}
 	if (warning == String() && tasks == 0 && !tasks_.is_empty()) {
-		warning = "no gesture is recognised, because all of its \"tasks\" were freed. Set \"tasks\" to "
-				  "others, or "
-				  "to an empty array for gestures anywhere";
+		warning = "no gesture is recognised, because all of its \"tasks\" are null or were freed. Set "
+				  "\"tasks\" "
+				  "to others, or to an empty array for gestures anywhere";
 	}
 	if (warning == String()) {
 		warning = taskless_fault();

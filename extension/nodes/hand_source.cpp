@@ -62,7 +62,7 @@ std::unique_ptr<HandStream> HandSource::make_stream(HandTracker &p_tracker) {
 }
 
 String HandSource::silence_advice() const {
-	return "call push_frame() of the HandTracker with each frame of the device";
+	return "Call push_frame() of the HandTracker with each frame of the device";
 }
 
 void HandSource::_bind_methods() {

@@ -192,6 +192,9 @@ void HapticSynth::build_effects() {
 		const Ref<HapticEffect> effect = effects_[i];
 		if (effect.is_valid()) {
 			wanted.add(effect->to_core(tables));
+		} else {
+			WARN_PRINT(node_label(*this) + String(": \"effects\"[") + itos(i) +
+					String("] is null and plays nothing. Remove it, or set it to a HapticEffect"));
 		}
 	}
 	core_effects_ = {};

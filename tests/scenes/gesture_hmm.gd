@@ -265,7 +265,7 @@ func test_joints_of_no_model_without_a_task_are_named() -> void:
 
 
 func test_warnings_name_what_prevents_recognition() -> void:
-	# expects warning: because "models" is empty
+	# expects warning: because "models" is empty. Set it to an array of *.gesture files
 	# expects warning: because all "models" are empty
 	# expects warning: because "models" has none of 'tap'
 	# expects warning: Set "direction" of GestureTask

@@ -163,7 +163,7 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		if are_others:
 			tasks.append(other)
 		var hmm := _hmm(tasks)
-		# expects one warning: all of its "tasks" were freed
+		# expects one warning: all of its "tasks" are null or were freed
 		hmm.tracker.frame_received.connect(
 			func(_frame: HandFrame) -> void: task.free(), CONNECT_ONE_SHOT
 		)
