@@ -247,9 +247,10 @@ bool HandTracker::is_joint_inferred(Joint p_joint) const {
 }
 
 Error HandTracker::start_recording(const String &p_path) {
-	ERR_FAIL_COND_V_MSG(p_path.is_empty(), ERR_FILE_BAD_PATH,
-			node_label(*this) +
-					String(": start_recording() needs the path of a file, for example user://hand.csv"));
+	// A mistyped path must not overwrite another file.
+	ERR_FAIL_COND_V_MSG(p_path.get_extension().to_lower() != String("csv"), ERR_FILE_BAD_PATH,
+			refusal(*this, "start_recording: the path must end with .csv, for example user://hand.csv",
+					p_path));
 	const bool is_played = stream_ && is_same_file(p_path, stream_->played_file());
 	const bool will_be_played = source_.is_valid() && is_same_file(p_path, source_->played_file());
 	ERR_FAIL_COND_V_MSG(is_played || will_be_played, ERR_FILE_ALREADY_IN_USE,

@@ -327,6 +327,9 @@ void HapticSynth::warn_of_silence() {
 }
 
 void HapticSynth::set_wav_path(const String &p_path) {
+	// A mistyped path must not overwrite another file.
+	ERR_FAIL_COND_MSG(!p_path.is_empty() && p_path.get_extension().to_lower() != String("wav"),
+			refusal(*this, "wav_path must end with .wav", p_path));
 	stop_wav();
 	wav_path_ = p_path;
 	wav_wanted_ = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();

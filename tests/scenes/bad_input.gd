@@ -84,12 +84,17 @@ func test_a_synthetic_set_by_options_that_are_none() -> void:
 
 func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
-	# expects one error: start_recording() needs the path of a file
+	# expects error: start_recording: the path must end with .csv
 	var tracker := _make_tracker()
 	tracker.source = ScriptSource.new()
 	tracker.start()
 	check(tracker.start_recording(_path("no_folder/track.csv")) != OK, "refused")
 	check(tracker.start_recording("") != OK, "and none as well")
+	var file := FileAccess.open(_path("precious.txt"), FileAccess.WRITE)
+	file.store_string("precious")
+	file.close()
+	check(tracker.start_recording(_path("precious.txt")) != OK, "and no recording's file")
+	check_equal(FileAccess.get_file_as_string(_path("precious.txt")), "precious", "which is kept")
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
 	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the tracker goes on")
 	tracker.free()

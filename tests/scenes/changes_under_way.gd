@@ -227,7 +227,9 @@ func test_a_recording_goes_on_if_another_cannot_begin() -> void:
 	check_equal(tracker.start_recording(path), OK, "one is begun")
 	tracker.push_frame(0.0, _hand(0.0))
 	# expects one error: this is a folder, not a file
-	check(tracker.start_recording(folder.get_current_dir()) != OK, "another cannot be")
+	folder.make_dir("folder.csv")
+	var other := folder.get_current_dir().path_join("folder.csv")
+	check(tracker.start_recording(other) != OK, "another cannot be")
 	tracker.push_frame(1.0, _hand(1.0))
 	tracker.stop_recording()
 	var rows := FileAccess.get_file_as_string(path).split("\n", false)

@@ -146,6 +146,22 @@ func test_two_synths_do_not_write_one_file() -> void:
 	check_equal(bytes, FileAccess.get_file_as_bytes(alone_path), "what one writes is whole")
 
 
+func test_a_path_where_no_wav_can_be_is_refused() -> void:
+	# expects one error: wav_path must end with .wav, is user://precious.txt
+	# expects one error: there is no folder
+	# expects one error: HapticSynth '/root/Lost': cannot write to
+	# expects one warning: "effects"[0] is null and plays nothing
+	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
+	var synth := _make_synth(rig, _folder.get_current_dir().path_join("no_folder/a.wav"))
+	synth.name = &"Lost"
+	synth.effects = [null]
+	synth.wav_path = "user://precious.txt"
+	check(synth.wav_path.ends_with("a.wav"), "the path is kept")
+	rig.record(_first_step(rig), 10)
+	synth.free()
+	rig.free_nodes()
+
+
 ## The vibration begins with the first control instant after the first frame.
 func _first_step(rig: Rig) -> int:
 	rig.tracker.start()
