@@ -4,7 +4,9 @@
 #include <godot_cpp/core/class_db.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <span>
+#include <thread>
 
 namespace godot {
 
@@ -13,6 +15,19 @@ static_assert(sizeof(AudioFrame) == 2 * sizeof(float), "two channels, interleave
 void HapticStreamPlayback::follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link) {
 	const double rate_hz = static_cast<double>(AudioServer::get_singleton()->get_mix_rate());
 	vibration_ = std::make_unique<steadyhand::LiveVibration>(p_link, rate_hz, 2);
+}
+
+void HapticStreamPlayback::wait_for_last_mix() {
+	if (alive_ == 0) {
+		return;
+	}
+	constexpr int LONGEST_MS = 200; // twice the period of Godot's Dummy audio driver, the longest
+	for (int ms = 0; ms < LONGEST_MS && mixes_ == mixes_at_stop_; ++ms) {
+		std::this_thread::sleep_for(std::chrono::milliseconds(1));
+	}
+	AudioServer *const server = AudioServer::get_singleton();
+	server->lock(); // until the mix that may be under way is over
+	server->unlock();
 }
 
 void HapticStreamPlayback::_start(double) {
@@ -30,6 +45,7 @@ int32_t HapticStreamPlayback::_mix(AudioFrame *p_buffer, float, int32_t p_frames
 	} else {
 		std::fill(samples.begin(), samples.end(), 0.0F);
 	}
+	++mixes_;
 	return p_frames;
 }
 

@@ -7,6 +7,7 @@
 #include <godot_cpp/classes/audio_stream_playback.hpp>
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 
 namespace godot {
@@ -15,6 +16,10 @@ namespace godot {
 class HapticStreamPlayback : public AudioStreamPlayback {
 	GDCLASS(HapticStreamPlayback, AudioStreamPlayback)
 
+	static inline std::atomic<int> alive_ = 0;
+	static inline std::atomic<std::uint32_t> mixes_ = 0; ///< of all playbacks
+	static inline std::uint32_t mixes_at_stop_ = 0;
+
 	std::unique_ptr<steadyhand::LiveVibration> vibration_;
 	std::atomic<bool> playing_ = false;
 
@@ -22,7 +27,16 @@ protected:
 	static void _bind_methods() {}
 
 public:
+	HapticStreamPlayback() { ++alive_; }
+	~HapticStreamPlayback() override { --alive_; }
+
 	void follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link);
+
+	/// A player was stopped.
+	static void note_stop() { mixes_at_stop_ = mixes_; }
+	/// The audio thread mixes a stopped playback once more, to fade it out. The library must not be unloaded
+	/// before.
+	static void wait_for_last_mix();
 
 	void _start(double p_from_pos) override;
 	void _stop() override;

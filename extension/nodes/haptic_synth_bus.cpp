@@ -95,6 +95,7 @@ void HapticSynth::make_player() {
 void HapticSynth::drop_player() {
 	player_->set_autoplay(false); // where its parent is about to bring it into the tree
 	player_->stop();
+	HapticStreamPlayback::note_stop();
 	player_->queue_free();
 	player_ = nullptr;
 	bus_sink_.reset();

@@ -118,6 +118,7 @@ void initialise(ModuleInitializationLevel p_level) {
 
 void terminate(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		HapticStreamPlayback::wait_for_last_mix();
 		remove_formats();
 	}
 }
