@@ -47,9 +47,9 @@ void GestureHMM::reset() {
 
 void GestureHMM::give_up_shown(const StringName &p_gesture, GestureTask *p_task) {
 	const Watch watch(listeners_);
-	const steadyhand::GestureShown before = std::exchange(shown_, {});
-	const bool is_told = !std::exchange(is_start_untold_, false);
-	const bool has_ended = before.arrived && !std::exchange(is_end_untold_, false);
+	const steadyhand::ShownGesture before = std::exchange(shown_, {});
+	const bool is_told = !std::exchange(is_start_unreported_, false);
+	const bool has_ended = before.has_ended && !std::exchange(is_end_unreported_, false);
 	if (before.gesture >= 0 && !has_ended && is_told) {
 		emit_signal(names_.gesture_aborted, p_gesture, p_task);
 	}
@@ -147,47 +147,47 @@ void GestureHMM::on_time_advanced(double p_time_s) {
 }
 
 void GestureHMM::publish() {
-	const steadyhand::GestureShown before = std::exchange(shown_, steadyhand::shown_by(*recogniser_));
-	const steadyhand::GestureNews news = steadyhand::news(before, shown_);
-	gestures_started_ += news.started ? 1 : 0;
-	if (news.started) {
+	const steadyhand::ShownGesture before = std::exchange(shown_, steadyhand::shown_gesture(*recogniser_));
+	const steadyhand::GestureChanges changes = steadyhand::changes_between(before, shown_);
+	gestures_started_ += changes.started ? 1 : 0;
+	if (changes.started) {
 		task_watch_.gesture_started();
 	}
-	task_changes_ = news.ended ? 0 : task_changes_;
+	task_changes_ = changes.ended ? 0 : task_changes_;
 	// The scripts that are told may change all of this.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
-	const double reached = news.ended ? fraction() : 0.0;
-	const StringName gesture = news.started || news.ended ? gesture_name(shown_.gesture) : StringName();
-	GestureTask *const aborted_task = news.aborted ? task_of(before.gesture) : nullptr;
-	const StringName aborted_gesture = news.aborted ? gesture_name(before.gesture) : StringName();
-	if (news.ended) {
+	const double reached = changes.ended ? fraction() : 0.0;
+	const StringName gesture = changes.started || changes.ended ? gesture_name(shown_.gesture) : StringName();
+	GestureTask *const aborted_task = changes.aborted ? task_of(before.gesture) : nullptr;
+	const StringName aborted_gesture = changes.aborted ? gesture_name(before.gesture) : StringName();
+	if (changes.ended) {
 		recognised_ = gesture;
 	}
 	if (!listeners_.empty()) {
 		listeners_.call(&MotionListener::on_motion, motion_at(instant_s));
 	}
-	// What was recognised before a script changed settings is no news after that.
+	// What was recognised before a script changed settings no longer counts after that.
 	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
 	// Other models or tasks are taken up after this instant.
 	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
 	++telling_;
-	is_start_untold_ = news.started;
-	is_end_untold_ = news.ended;
-	if (news.aborted) {
+	is_start_unreported_ = changes.started;
+	is_end_unreported_ = changes.ended;
+	if (changes.aborted) {
 		emit_signal(names_.gesture_aborted, aborted_gesture, aborted_task);
 	}
-	if (news.started && is_valid()) {
-		is_start_untold_ = false;
+	if (changes.started && is_valid()) {
+		is_start_unreported_ = false;
 		emit_signal(names_.gesture_started, gesture, task_of(shown_.gesture));
 	}
-	if (news.state_changed && is_valid()) {
+	if (changes.state_changed && is_valid()) {
 		told_state_ = state;
 		emit_signal(names_.state_changed, state);
 	}
-	if (news.ended && is_valid()) {
-		is_end_untold_ = false;
+	if (changes.ended && is_valid()) {
+		is_end_unreported_ = false;
 		emit_signal(names_.gesture_ended, gesture, instant_s, task_of(shown_.gesture), reached);
 	}
 	if (is_valid() && has_connections(names_.motion_updated)) {
@@ -216,7 +216,7 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 	const double per_amplitude = 1.0 / amplitude_m();
 	return { p_time_s, motion.value_m * per_amplitude, motion.velocity_m_s * per_amplitude,
 		motion.acceleration_m_s2 * per_amplitude, motion.correction_m_s2 * per_amplitude, amplitude_m(),
-		shown_.gesture >= 0 ? gestures_started_ : 0, shown_.arrived && motion_ == MOTION_SYNTHESISED };
+		shown_.gesture >= 0 ? gestures_started_ : 0, shown_.has_ended && motion_ == MOTION_SYNTHESISED };
 }
 
 /// Of the motion that is shown, which at rest is that of the nearest task.

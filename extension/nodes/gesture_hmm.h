@@ -8,7 +8,7 @@
 #include "gesture/task.h"
 #include "gesture/task_watch.h"
 #include "motion/motion.h"
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 #include "recognition/start_condition.h"
 
 #include <godot_cpp/classes/node.hpp>
@@ -160,10 +160,10 @@ private:
 	uint64_t stream_ = 0;
 	int64_t next_instant_ = 0; ///< in control periods on the frames' clock
 	double time_s_ = 0.0;
-	steadyhand::GestureShown shown_; ///< of expected_, as of the last control instant
+	steadyhand::ShownGesture shown_; ///< of expected_, as of the last control instant
 	StringName recognised_;
 	/// Of the gesture in shown_, while a signal of the same instant is told.
-	bool is_start_untold_ = false, is_end_untold_ = false;
+	bool is_start_unreported_ = false, is_end_unreported_ = false;
 	int told_state_ = -1; ///< of the last state_changed
 	uint32_t gestures_started_ = 0;
 	String warned_;

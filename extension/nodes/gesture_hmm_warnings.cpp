@@ -67,8 +67,7 @@ void GestureHMM::warn_of_silence() {
 	String warning;
 	if (models_.is_empty()) {
 		warning = "no gesture is recognised, because \"models\" is empty. Set it to an array of *.gesture "
-				  "files "
-				  "of res://addons/steadyhand/models. append() changes only a copy of the array";
+				  "files of res://addons/steadyhand/models. append() changes only a copy of the array";
 	}
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];
@@ -103,8 +102,7 @@ void GestureHMM::warn_of_silence() {
 	}
 	if (warning == String() && tasks == 0 && !tasks_.is_empty()) {
 		warning = "no gesture is recognised, because all of its \"tasks\" are null or were freed. Set "
-				  "\"tasks\" "
-				  "to others, or to an empty array for gestures anywhere";
+				  "\"tasks\" to others, or to an empty array for gestures anywhere";
 	}
 	if (warning == String()) {
 		warning = taskless_fault();
@@ -227,8 +225,7 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 				String::num(doubt->distance_m, 2) +
 				String(doubt->distance_m > LONGEST_WAY_M
 								? " m. Give the source's positions in metres, or move the GestureTask"
-								: " m. Move the GestureTask, or set the space of the source to that of the "
-								  "task");
+								: " m. Move the GestureTask, or set the source's space to that of the task");
 	} else {
 		reason += String(": the hand leaves its start towards ") +
 				Variant(to_godot(doubt->direction)).stringify() + String(", but its direction is ") +

@@ -191,8 +191,8 @@ void HandTracker::report_failure(const String &p_reason) {
 }
 
 void HandTracker::update_processing() {
-	const bool has_news = stream_ && (stream_->clock() == StreamClock::GAME || stream_->is_polled());
-	const bool goes_by_itself = has_news && !finished_;
+	const bool is_new = stream_ && (stream_->clock() == StreamClock::GAME || stream_->is_polled());
+	const bool goes_by_itself = is_new && !finished_;
 	set_process_internal(goes_by_itself && update_mode_ == UPDATE_IDLE);
 	set_physics_process_internal(goes_by_itself && update_mode_ == UPDATE_PHYSICS);
 }

@@ -5,7 +5,7 @@
 //
 // MODELS: folder of the models (default: models). FOLDER: has track CSV of hands that make no gesture.
 
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 #include "trials.h"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 	if (frames.empty()) {
 		return counts;
 	}
-	GestureShown shown;
+	ShownGesture shown;
 	std::size_t next = 0;
 	const double first_s = frames.front().t_s, last_s = frames.back().t_s;
 	for (int look = 0; first_s + LOOK_S * look <= last_s; ++look) {
@@ -63,8 +63,8 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 		}
 		recogniser.advance(t_s);
 		counts.met_minutes += recogniser.start_condition().is_met() ? LOOK_S / 60.0 : 0.0;
-		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews changes = news(before, shown);
+		const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
+		const GestureChanges changes = changes_between(before, shown);
 		counts.begun += changes.started ? 1 : 0;
 		if (changes.ended) {
 			++counts.ended;

@@ -69,9 +69,9 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	filtered_.reserve(gestures_.size());
 	starts_.reserve(gestures_.size());
 	expect_spotted();
-	std::uint32_t begun = 0;
+	std::uint32_t number = 0;
 	for (const std::unique_ptr<GestureSession> &session : sessions_before) {
-		begun = std::max(begun, session->gestures_started());
+		number = std::max(number, session->gestures_started());
 	}
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		std::size_t old = 0;
@@ -86,7 +86,7 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 		} else {
 			sessions_.push_back(session_for(gestures_[i], synthesis_, spotter_.get()));
 			sessions_.back()->set_completion(completion_);
-			sessions_.back()->set_gestures_started(begun);
+			sessions_.back()->set_gestures_started(number);
 			filtered_.emplace_back();
 			starts_.emplace_back();
 		}

@@ -181,7 +181,7 @@ void GestureRecogniser::judge_starts() {
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		GestureSession &session = *sessions_[i];
 		Start &start = starts_[i];
-		if (session.gestures_started() != start.begun) {
+		if (session.gestures_started() != start.number) {
 			start = { session.gestures_started(), start_condition_.may_begin(session.started_s()) };
 		} else if (start.is_allowed && start_condition_.is_released() &&
 				session.stage() == GestureSession::Stage::ACTIVE) {

@@ -105,7 +105,7 @@ private:
 	StartCondition start_condition_;
 	/// The last start of a session: its number, and whether the start condition was met.
 	struct Start {
-		std::uint32_t begun = 0;
+		std::uint32_t number = 0;
 		bool is_allowed = true;
 	};
 	std::vector<Start> starts_; ///< one per session

@@ -66,7 +66,7 @@ public:
 	/// Number of gestures so far, with the active one.
 	[[nodiscard]] std::uint32_t gestures_started() const { return gestures_started_; }
 	/// Sets the first number of a new session. A recogniser keeps the numbers of its sessions apart.
-	void set_gestures_started(std::uint32_t begun) { gestures_started_ = begun; }
+	void set_gestures_started(std::uint32_t number) { gestures_started_ = number; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
 	/// log of the posterior odds of the gesture against none so far, nats. Gestures are compared by it.
 	/// Before count_end() it lacks length and duration of the movement.

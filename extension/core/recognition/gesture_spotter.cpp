@@ -30,48 +30,48 @@ void GestureSpotter::drop() {
 	classifier_.forget_before(classifier_.time_s());
 }
 
-GestureSpotter::News GestureSpotter::push(const HandFrame &frame) {
+GestureSpotter::Event GestureSpotter::push(const HandFrame &frame) {
 	classifier_.push(frame);
-	news_ = is_active_ ? follow() : find_start();
-	return news_;
+	event_ = is_active_ ? follow() : find_start();
+	return event_;
 }
 
-GestureSpotter::News GestureSpotter::find_start() {
+GestureSpotter::Event GestureSpotter::find_start() {
 	const auto candidates = classifier_.candidates();
 	const auto found = std::ranges::find_if(
 			candidates, [](const GestureCandidate &candidate) { return candidate.posterior > BEGINS; });
 	if (found == candidates.end()) {
-		return News::NOTHING;
+		return Event::NONE;
 	}
 	if (is_return(*found)) {
 		drop();
-		return News::NOTHING;
+		return Event::NONE;
 	}
 	index_ = static_cast<std::size_t>(found - candidates.begin());
 	gesture_ = classifier_.gestures()[index_];
 	candidate_ = *found;
 	is_active_ = true;
-	return News::BEGUN;
+	return Event::STARTED;
 }
 
 bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
 	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < -PARALLEL;
 }
 
-GestureSpotter::News GestureSpotter::follow() {
+GestureSpotter::Event GestureSpotter::follow() {
 	const GestureCandidate &now = classifier_.candidates()[index_];
 	if (now.posterior < ABORT_PROBABILITY) {
 		is_active_ = false;
-		return News::ABORTED;
+		return Event::ABORTED;
 	}
 	candidate_ = now;
 	if (now.posterior > CERTAIN && now.end_probability > 0.5) {
 		ended_s_ = classifier_.time_s();
 		ended_axis_ = now.axis;
 		drop();
-		return News::ENDED;
+		return Event::ENDED;
 	}
-	return News::NOTHING;
+	return Event::NONE;
 }
 
 } // namespace steadyhand

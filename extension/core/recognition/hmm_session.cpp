@@ -10,7 +10,7 @@ namespace {
 using namespace parameters;
 using namespace parameters::sessions;
 
-using News = GestureSpotter::News;
+using Event = GestureSpotter::Event;
 
 constexpr double LEAST_COMPLEMENT = 1e-12; ///< keeps log odds finite
 
@@ -38,7 +38,7 @@ bool HmmSession::can_follow(const GestureModel &model, const ClassifierModel &hm
 std::optional<double> HmmSession::measure(
 		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
 	may_end_ = false;
-	const bool has_started = spotter_->news() == News::BEGUN;
+	const bool has_started = spotter_->event() == Event::STARTED;
 	if (has_started && is_spotted()) {
 		begin_at_onset(frame.t_s, strokes);
 	} else if (stage() == Stage::ACTIVE) {
@@ -91,7 +91,7 @@ void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 void HmmSession::look_for_end(double t_s) {
 	if (is_spotted()) {
 		update_direction();
-	} else if (spotter_->news() == News::ENDED) {
+	} else if (spotter_->event() == Event::ENDED) {
 		update_direction();
 		may_end_ = true;
 	} else {

@@ -31,11 +31,11 @@ struct Measurement {
 	double jump_m = 0.0; ///< OUTLIER: distance from the nearest possible position of the hand
 
 	/// Whether the reading is new data.
-	[[nodiscard]] bool has_news() const {
+	[[nodiscard]] bool is_new() const {
 		return status != MeasurementStatus::REPEATED && status != MeasurementStatus::FROZEN;
 	}
 	/// Whether the reading is new data and no outlier.
-	[[nodiscard]] bool is_usable() const { return has_news() && status != MeasurementStatus::OUTLIER; }
+	[[nodiscard]] bool is_usable() const { return is_new() && status != MeasurementStatus::OUTLIER; }
 };
 
 /// Numbers of faults of a tracker.

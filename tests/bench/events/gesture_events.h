@@ -1,7 +1,7 @@
 #pragma once
 
 #include "performance.h"
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 #include "tracking/frame.h"
 
 #include <cstddef>
@@ -27,7 +27,7 @@ inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gest
 	GestureRecogniser recogniser(gestures, mode, estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
 	recogniser.set_min_confidence(min_confidence);
 	std::vector<GestureEvent> events;
-	GestureShown shown;
+	ShownGesture shown;
 	std::size_t next = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
 		const double t_s = ms / 1000.0;
@@ -35,8 +35,8 @@ inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gest
 			recogniser.push(frames[next++]);
 		}
 		recogniser.advance(t_s);
-		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews changes = news(before, shown);
+		const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
+		const GestureChanges changes = changes_between(before, shown);
 		if (changes.aborted) {
 			events.push_back({ EventKind::ABORTED, before.gesture, t_s });
 		}

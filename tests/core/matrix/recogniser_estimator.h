@@ -1,7 +1,7 @@
 #pragma once
 
 #include "estimator.h"
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 #include "tracking/frame_door.h"
 
 #include <memory>
@@ -25,8 +25,8 @@ public:
 
 	Output advance(double t_s) override {
 		recogniser_.advance(t_s);
-		const GestureShown now = shown_by(recogniser_);
-		const GestureNews happened = news(std::exchange(shown_, now), now);
+		const ShownGesture now = shown_gesture(recogniser_);
+		const GestureChanges happened = changes_between(std::exchange(shown_, now), now);
 		const Motion motion = recogniser_.motion(MotionSource::SYNTHESISED);
 		return { motion.value_m, motion.velocity_m_s, happened.started, happened.ended, happened.aborted };
 	}
@@ -34,7 +34,7 @@ public:
 private:
 	FrameDoor door_;
 	GestureRecogniser recogniser_;
-	GestureShown shown_;
+	ShownGesture shown_;
 };
 
 } // namespace steadyhand::matrix

@@ -41,7 +41,7 @@ inline std::vector<HandFrame> frames_of(const Reach &reach) {
 }
 
 struct Spotted {
-	GestureSpotter::News news;
+	GestureSpotter::Event event;
 	std::string gesture;
 	double t_s;
 	GestureCandidate candidate;
@@ -50,8 +50,8 @@ struct Spotted {
 inline std::vector<Spotted> spot(GestureSpotter &r_spotter, const std::vector<HandFrame> &frames) {
 	std::vector<Spotted> spotted;
 	for (const HandFrame &frame : frames) {
-		if (r_spotter.push(frame) != GestureSpotter::News::NOTHING) {
-			spotted.push_back({ r_spotter.news(), r_spotter.gesture(), frame.t_s, r_spotter.candidate() });
+		if (r_spotter.push(frame) != GestureSpotter::Event::NONE) {
+			spotted.push_back({ r_spotter.event(), r_spotter.gesture(), frame.t_s, r_spotter.candidate() });
 		}
 	}
 	return spotted;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "overlapping_drags.h"
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -133,7 +133,7 @@ inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double 
 	Events events;
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> noise;
-	GestureShown shown;
+	ShownGesture shown;
 	std::string name;
 	const GestureSession *session = nullptr;
 	double last_value_m = 0.0;
@@ -153,13 +153,13 @@ inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double 
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
-		const GestureShown now = shown_by(recogniser);
+		const ShownGesture now = shown_gesture(recogniser);
 		const std::string left =
 				std::exchange(name, now.gesture < 0 ? "" : recogniser.session()->model().gesture);
 		// A path may call expect(), which changes indices.
 		const GestureSession *before = std::exchange(session, recogniser.session());
 		shown.gesture = before == session ? now.gesture : shown.gesture;
-		const GestureNews changes = news(std::exchange(shown, now), now);
+		const GestureChanges changes = changes_between(std::exchange(shown, now), now);
 		if (changes.aborted) {
 			events.names.push_back("aborted " + left);
 		}

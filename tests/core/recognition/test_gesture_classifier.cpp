@@ -9,13 +9,13 @@ using namespace steadyhand::test;
 
 namespace {
 
-using News = GestureSpotter::News;
+using Event = GestureSpotter::Event;
 
 /// Checks that a gesture begins and ends once, and that there is no other event.
 void check_one(const std::vector<Spotted> &spotted, const std::string &gesture) {
 	REQUIRE(spotted.size() == 2);
-	CHECK(spotted[0].news == News::BEGUN);
-	CHECK(spotted[1].news == News::ENDED);
+	CHECK(spotted[0].event == Event::STARTED);
+	CHECK(spotted[1].event == Event::ENDED);
 	CHECK(spotted[0].gesture == gesture);
 	CHECK(spotted[1].gesture == gesture);
 }
@@ -54,8 +54,8 @@ TEST_CASE("a movement between two axes is no gesture") {
 }
 
 TEST_CASE("a movement of a third of the amplitude ends no gesture") {
-	CHECK(std::ranges::count(spot(frames_of({ .displacement_m = { 0.07, 0.0, 0.0 } })), News::ENDED,
-				  &Spotted::news) == 0);
+	CHECK(std::ranges::count(spot(frames_of({ .displacement_m = { 0.07, 0.0, 0.0 } })), Event::ENDED,
+				  &Spotted::event) == 0);
 }
 
 TEST_CASE("position and time of a gesture do not change the result") {
@@ -167,8 +167,8 @@ TEST_CASE("expect() during a gesture does not change its end") {
 	GestureSpotter spotter(GestureClassifier(own_classifier(), { "tap", "horizontal_drag" }));
 	std::vector<Spotted> spotted;
 	for (const HandFrame &frame : frames) {
-		if (spotter.push(frame) != News::NOTHING) {
-			spotted.push_back({ spotter.news(), spotter.gesture(), frame.t_s, spotter.candidate() });
+		if (spotter.push(frame) != Event::NONE) {
+			spotted.push_back({ spotter.event(), spotter.gesture(), frame.t_s, spotter.candidate() });
 			spotter.expect(FOUR_GESTURES);
 		}
 	}

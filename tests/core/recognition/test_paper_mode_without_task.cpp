@@ -36,11 +36,11 @@ TEST_CASE("paper mode without a task ends 90 % of synthetic gestures") {
 		}
 		GestureRecogniser recogniser = paper(four_models());
 		std::string first;
-		GestureShown shown;
+		ShownGesture shown;
 		for (const HandFrame &frame : measured.frames) {
 			recogniser.push(frame);
-			const GestureShown before = std::exchange(shown, shown_by(recogniser));
-			if (news(before, shown).ended && first.empty()) {
+			const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
+			if (changes_between(before, shown).ended && first.empty()) {
 				first = recogniser.session()->model().gesture;
 			}
 		}

@@ -19,7 +19,7 @@ EventNames event_names(const StartSettings &settings, const std::optional<Task> 
 	recogniser.set_start_condition(settings);
 	Tremor tremor(1e-4, 7);
 	EventNames names;
-	GestureShown shown;
+	ShownGesture shown;
 	const TestPath path = along(X, { { .onset_s = 1.0, .duration_s = 1.0, .amplitude_m = 0.2 } });
 	for (int ms = 0; ms < 3500; ++ms) {
 		const double t_s = ms / 1000.0;
@@ -31,8 +31,8 @@ EventNames event_names(const StartSettings &settings, const std::optional<Task> 
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
-		const GestureShown before = std::exchange(shown, shown_by(recogniser));
-		const GestureNews changes = news(before, shown);
+		const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
+		const GestureChanges changes = changes_between(before, shown);
 		for (const auto &[has_happened, what] : { std::pair{ changes.aborted, "aborted" },
 					 { changes.started, "started" }, { changes.ended, "ended" } }) {
 			if (has_happened) {

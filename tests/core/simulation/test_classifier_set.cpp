@@ -69,7 +69,7 @@ TEST_CASE("90 % of new people's steady gestures are found, also taps down") {
 	const auto trials = make_turned_trials(set).value();
 	for (const SyntheticTrial &trial : trials) {
 		const std::vector<Spotted> spotted = spot(trial.measured.frames);
-		const auto first = std::ranges::find(spotted, GestureSpotter::News::ENDED, &Spotted::news);
+		const auto first = std::ranges::find(spotted, GestureSpotter::Event::ENDED, &Spotted::event);
 		const bool has_ended = first != spotted.end();
 		if (trial.trial.gesture == NO_GESTURE) {
 			alarms += has_ended ? 1 : 0;

@@ -98,7 +98,7 @@ TEST_CASE("a camera read faster than its frame rate has no fault") {
 		Random random(3);
 		const MovingHand hand{ .rate_hz = 30.0, .noise_m = 0.1e-3 };
 		TrackerMonitor monitor;
-		int news = 0;
+		int new_readings = 0;
 		Vector3d seen = hand.seen(0.0, random);
 		double looked_s = 0.0;
 		for (double t_s = 0.0; t_s < 10.0; t_s += 1.0 / polled_hz) {
@@ -106,9 +106,9 @@ TEST_CASE("a camera read faster than its frame rate has no fault") {
 				looked_s += 1.0 / 30.0;
 				seen = hand.seen(looked_s, random);
 			}
-			news += monitor.push(t_s, seen).has_news() ? 1 : 0;
+			new_readings += monitor.push(t_s, seen).is_new() ? 1 : 0;
 		}
-		CHECK(news == 300);
+		CHECK(new_readings == 300);
 		CHECK(all_faults(monitor) == 0);
 		CHECK(monitor.period_s() == near(1.0 / 30.0).epsilon(0.1));
 	}

@@ -92,7 +92,7 @@ TEST_CASE("a hand without noise that stops is not frozen") {
 					const Measurement measurement = monitor.push(t_s, { x_m, 0.2, -0.4 });
 					CHECK(measurement.status != MeasurementStatus::FROZEN);
 					CHECK(measurement.status != MeasurementStatus::OUTLIER);
-					CHECK((t_s < 1.5 || measurement.has_news()));
+					CHECK((t_s < 1.5 || measurement.is_new()));
 				}
 				CHECK(monitor.faults().freezes == 0);
 			}

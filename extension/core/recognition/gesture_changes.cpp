@@ -1,8 +1,8 @@
-#include "recognition/gesture_news.h"
+#include "recognition/gesture_changes.h"
 
 namespace steadyhand {
 
-GestureShown shown_by(const GestureRecogniser &recogniser) {
+ShownGesture shown_gesture(const GestureRecogniser &recogniser) {
 	const GestureSession *const session = recogniser.session();
 	if (session == nullptr) {
 		return {};
@@ -11,14 +11,14 @@ GestureShown shown_by(const GestureRecogniser &recogniser) {
 		session->stage() == GestureSession::Stage::ENDED };
 }
 
-GestureNews news(const GestureShown &before, const GestureShown &now) {
-	const bool is_other = now.gesture != before.gesture || now.begun != before.begun;
+GestureChanges changes_between(const ShownGesture &before, const ShownGesture &now) {
+	const bool is_other = now.gesture != before.gesture || now.number != before.number;
 	const bool started = now.gesture >= 0 && is_other;
 	return {
-		.aborted = before.gesture >= 0 && !before.arrived && is_other,
+		.aborted = before.gesture >= 0 && !before.has_ended && is_other,
 		.started = started,
 		.state_changed = started || now.state != before.state,
-		.ended = now.arrived && (started || !before.arrived),
+		.ended = now.has_ended && (started || !before.has_ended),
 	};
 }
 

@@ -10,7 +10,7 @@ const Tasks := preload("res://scripts/tasks.gd")
 
 const TRACK := "t,index_x,index_y,index_z\n0,0,0,0\n1,0,0,0\n2,0,zero,0\n"
 
-var _folder := DirAccess.create_temp("steadyhand_told_once")
+var _folder := DirAccess.create_temp("steadyhand_file_faults")
 
 
 func test_a_broken_track_in_an_evaluation() -> void:

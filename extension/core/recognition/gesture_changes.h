@@ -1,0 +1,35 @@
+#pragma once
+
+#include "recognition/gesture_recogniser.h"
+
+#include <cstdint>
+
+namespace steadyhand {
+
+/// The shown gesture of a recogniser at an instant.
+struct ShownGesture {
+	int gesture = -1;         ///< index of the active or ended gesture; -1: none
+	std::uint32_t number = 0; ///< GestureSession::gestures_started
+	int state = -1;           ///< of its HMM
+	bool has_ended = false;   ///< the gesture has ended
+
+	bool operator==(const ShownGesture &) const = default;
+};
+
+[[nodiscard]] ShownGesture shown_gesture(const GestureRecogniser &recogniser);
+
+/// Events from one instant to the next, in this order: the gesture shown before was aborted, another one
+/// started, its state changed, it ended.
+struct GestureChanges {
+	bool aborted = false;
+	bool started = false;
+	bool state_changed = false;
+	bool ended = false;
+
+	bool operator==(const GestureChanges &) const = default;
+};
+
+/// A different ShownGesture::number is a different gesture, also with the same model.
+[[nodiscard]] GestureChanges changes_between(const ShownGesture &before, const ShownGesture &now);
+
+} // namespace steadyhand
