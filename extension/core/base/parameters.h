@@ -118,15 +118,16 @@ STEADYHAND_PARAMETER SMALLEST_STROKE = 0.06;
 
 /// Log prior odds of the gesture against none, without a task and with one.
 STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
-/// Width of the directions of a gesture without a task, radians.
-STEADYHAND_PARAMETER DIRECTION = 0.35;
+/// Width of the directions of a gesture without a task, and the turn that a new stroke may still make,
+/// radians.
+STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
 /// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
 STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
 /// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
 STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
 /// Detour = length of the path / distance - 1. Mean for gestures: this length, by hand and tracker, m, per
 /// distance.
-STEADYHAND_PARAMETER DETOUR_M = 0.015;
+STEADYHAND_PARAMETER DETOUR_M = 0.025;
 /// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may be about 0.
 STEADYHAND_PARAMETER OTHER_DETOUR = 1.7;
 /// Standard deviation of the motion before the onset: of a hand at rest, of the tracker's error, m, and of
@@ -207,8 +208,8 @@ STEADYHAND_PARAMETER RECENT_S = 0.1;
 
 /// Least length of a stroke with a direction.
 STEADYHAND_PARAMETER SHORTEST = 0.12;
-/// A stroke whose upper bound of the log odds is lower is no gesture.
-STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0;
+/// A stroke whose upper bound of the log odds is lower is no gesture, and is aborted after this time.
+STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0, REJECT_AFTER_S = 0.1;
 /// Least log odds of a predicted end.
 STEADYHAND_PARAMETER END_LOG_ODDS = 1.5;
 /// Tolerance of the speed at an end, relative to the peak, for people who slow down less.

@@ -143,7 +143,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		predict(t_s);
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (measurement.status == MeasurementStatus::OUTLIER) {
-			count_fault(parameters::LOG_JUMPS);
+			count_jump();
 		} else if (reappears || measurement.status == MeasurementStatus::FROZEN) {
 			count_fault(parameters::LOG_FAULTS);
 		}
@@ -276,6 +276,17 @@ void SwitchingEstimator::update_tracker_modes(double log_ratio) {
 		gesture.weight *= gesture.tracker() == TrackerMode::SOUND ? factor : 1.0;
 	}
 	normalise();
+}
+
+/// After a jump the error of a LAGGING tracker is unknown.
+void SwitchingEstimator::count_jump() {
+	const bool is_new = now_.log_fault == 0.0;
+	count_fault(parameters::LOG_JUMPS);
+	for (GestureFilter &gesture : now_.gestures) {
+		if (is_new && gesture.tracker() == TrackerMode::LAGGING) {
+			gesture.widen_error(parameters::DEVIATION);
+		}
+	}
 }
 
 /// Applies the evidence of a fault once. While the fault lasts, step() adds more.

@@ -127,7 +127,7 @@ void StrokeSession::look_for_start(double t_s, const StrokeFinder &strokes) {
 		const FeaturePlace direction = model_direction(stroke);
 		const StrokeEvidence evidence = evidence_of(stroke, strokes, direction);
 		const double remaining =
-				max_size_evidence() + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
+				evidence.max_remaining + slowing_evidence(stroke, strokes.speed_m_s(), task().amplitude_m);
 		if (LOG_PRIOR_NO_TASK + evidence.without_size() + remaining > 0.0) {
 			set_log_odds(LOG_PRIOR_NO_TASK + evidence.without_size());
 			from_ = stroke.from;
@@ -152,7 +152,7 @@ void StrokeSession::start_from(double t_s, const Stroke &stroke, const StrokeFin
 		}
 	});
 	begin(t_s, along(last_place()) / task().amplitude_m);
-	moved_s_ = t_s;
+	likely_s_ = moved_s_ = t_s;
 	element_m_ = max_element_m_ = along(last_place());
 	blend_from(before, t_s, START_BLEND_PER_S);
 }

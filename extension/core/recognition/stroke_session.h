@@ -55,6 +55,7 @@ private:
 
 	std::optional<End> end_;
 	double best_odds_ = 0.0, strike_odds_ = 0.0; ///< best_log_odds(), strike_log_odds()
+	double likely_s_ = 0.0;                      ///< last time at which a stroke could be the gesture
 	double moved_s_ = 0.0;                   ///< last motion of such a stroke; after the end, of any stroke
 	double not_before_s_ = -INFINITY;        ///< earlier onsets belong to earlier gestures
 	double rejected_s_ = -INFINITY;          ///< last time at which a stroke was rejected

@@ -16,7 +16,7 @@ constexpr double SLOWS_DOWN = 0.146 / 0.708;
 
 /// Upper bound of the log odds during the stroke.
 double best_odds(const StrokeEvidence &evidence) {
-	return LOG_PRIOR_NO_TASK + evidence.without_size() + max_size_evidence();
+	return LOG_PRIOR_NO_TASK + evidence.without_size() + evidence.max_remaining;
 }
 
 /// Time at which the hand will stop if the stroke ends now.
@@ -46,7 +46,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 	double best_ended = IMPOSSIBLE, ongoing = IMPOSSIBLE; // log odds
 	Stroke last;
 	best_odds_ = IMPOSSIBLE;
-	bool is_likely = false, is_rejected = false;
+	bool is_rejected = false;
 	for (const Stroke &stroke : strokes.strokes()) {
 		if (stroke.onset_s < not_before_s_ || amplitudes(stroke) < SHORTEST) {
 			continue;
@@ -55,7 +55,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		const double path = LOG_PRIOR_NO_TASK + evidence.without_size(), best = best_odds(evidence);
 		update_direction(stroke.to);
 		if (best > 0.0) {
-			is_likely = true;
+			likely_s_ = t_s;
 			moved_s_ = std::max(moved_s_, stroke.moved_s);
 			strike_odds_ = path > ongoing ? strike_evidence(stroke, usual_) : strike_odds_;
 			ongoing = std::max(ongoing, path);
@@ -85,7 +85,7 @@ void StrokeSession::look_for_end(double t_s, const StrokeFinder &strokes, bool i
 		stopped_s_ = moved_s_ = will_stop_s(t_s, strokes.strokes().front());
 	} else if (t_s - moved_s_ > PAUSE_S) {
 		abort(t_s); // the hand has stopped halfway; its return is no gesture either
-	} else if (is_rejected && !is_likely) {
+	} else if (is_rejected && t_s - likely_s_ > REJECT_AFTER_S) {
 		rejected_s_ = t_s;
 		go_idle(t_s);
 	}

@@ -75,6 +75,12 @@ double path_fraction_at_speed(double speed_share) {
 	return minimum_jerk(0.5 + 0.5 * std::sqrt(1.0 - std::sqrt(speed_share))).value;
 }
 
+/// Least distance from the axis that the direction of the stroke can have at its end. off: present distance.
+double least_direction_error(double off, double length_m, double amplitude_m) {
+	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
+	return std::max(off - LATER_TURN * to_go * to_go, 0.0);
+}
+
 /// Vector, m, from the nearest position where the gesture may begin to the start of the stroke. A gesture
 /// begins at the task's start. If the hand came into view while it moved, the gesture may have begun in the
 /// first part of the path; beyond it the result is infinite. The tracker may be displaced at the onset or
@@ -127,16 +133,15 @@ StrokeEvidence stroke_evidence(
 		return { .path = IMPOSSIBLE };
 	}
 	const double off = (chord / length_m - direction).norm();
+	const double now = direction_evidence(off);
 	StrokeEvidence evidence;
-	evidence.path = direction_evidence(off) + straightness(stroke, length_m);
+	evidence.path = now + straightness(stroke, length_m);
 	evidence.detour = detour_evidence(stroke, length_m) - (stroke.is_joined ? SEVERAL_STROKES : 0.0);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / usual.duration_s));
+	evidence.max_remaining = direction_evidence(least_direction_error(off, length_m, amplitude_m)) - now +
+			size_evidence(0.0, 0.0);
 	return evidence;
-}
-
-double max_size_evidence() {
-	return size_evidence(0.0, 0.0);
 }
 
 double strike_evidence(const Stroke &stroke, const UsualStroke &usual) {

@@ -65,6 +65,7 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "with a task: gestures that enter the view", { { &s::UNSEEN_PART, 0.0 } } },
 
 		{ "strokes: direction", { { &s::DIRECTION, NEVER } }, true },
+		{ "strokes: later turn", { { &s::LATER_TURN, 0.0 } }, true },
 		{ "strokes: bow", { { &s::BOW, 0.55 } }, true },
 		{ "strokes: detour", { { &s::OTHER_DETOUR, NEVER }, { &s::DETOUR_M, 0.1 * NEVER } }, true },
 		{ "strokes: rest before", { { &s::NO_REST_SHARE, 1.0 - NONE }, { &s::REST_UNSEEN, 0.0 } }, true },
