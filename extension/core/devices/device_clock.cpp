@@ -7,7 +7,7 @@
 namespace steadyhand {
 namespace {
 
-/// Beyond, a double no longer tells microseconds apart.
+/// Beyond this, a double cannot represent single microseconds.
 constexpr double FARTHEST_CLOCK_S = 1e9;
 /// Five times the drift of a poor quartz, 200 ppm, so that the offset follows it.
 constexpr double RISE_S_PER_S = 1e-3;
@@ -28,7 +28,7 @@ void DeviceClock::start(double device_s, double arrival_s) {
 }
 
 void DeviceClock::add(double offset_s, double arrival_s) {
-	// No more than BUCKETS rounds: map() starts anew after a longer gap.
+	// At most BUCKETS iterations: map() restarts after a longer gap.
 	while (arrival_s >= bucket_end_s_) {
 		bucket_ = (bucket_ + 1) % BUCKETS;
 		offsets_s_[bucket_] = std::numeric_limits<double>::infinity();

@@ -6,9 +6,9 @@
 
 namespace steadyhand {
 
-/// Finds jumps of one sensor to the mirror image of its position through the source, and mirrors back. A
-/// magnetic tracker cannot tell the two apart: a sensor that leaves the tracker's half space appears at -p.
-/// Positions in metres from the source, in the source frame or in any turned one.
+/// Finds jumps of one sensor to the mirror image of its position through the source, and undoes them. A
+/// magnetic tracker cannot distinguish the two: a sensor that leaves the tracker's half space appears at -p.
+/// Positions are in metres from the source, in the source frame or any rotated one.
 class HemisphereGuard {
 public:
 	struct Answer {
@@ -17,11 +17,12 @@ public:
 		bool has_flipped = false;                             ///< is_mirrored changed with this position
 	};
 
-	/// A position at `t_s`, s. A flip is a jump to within NEAR_M of the last position's mirror image, and
-	/// farther than FAR_M from the last position. Positions nearer to the source than half of FAR_M, and
-	/// after more than GAP_S without any, are believed as they are: there the two cases cannot be told apart.
+	/// Adds a position at `t_s`, s. A flip is a jump to within NEAR_M of the last position's mirror image,
+	/// and farther than FAR_M from the last position. Positions nearer to the source than half of FAR_M, or
+	/// after more than GAP_S without any, are accepted unchanged: there the two cases cannot be
+	/// distinguished.
 	[[nodiscard]] Answer update(const Eigen::Vector3d &reported_m, double t_s) {
-		const bool is_after_gap = !(t_s - last_s_ <= GAP_S); // so too for the first
+		const bool is_after_gap = !(t_s - last_s_ <= GAP_S); // also true for the first position
 		if (is_after_gap) {
 			is_mirrored_ = false;
 		}
@@ -37,10 +38,10 @@ public:
 		return { position_m, is_mirrored_, has_flipped };
 	}
 
-	/// The next position is believed as it is, as after a reconnection.
+	/// Accepts the next position unchanged. Call it after a reconnection.
 	void reset() { *this = HemisphereGuard(); }
 
-	/// m. A hand moves 5 m/s at most: 2 cm between frames at 240 Hz, this after two lost ones.
+	/// m. A hand moves 5 m/s at most: 2 cm between frames at 240 Hz, NEAR_M after two lost frames.
 	static constexpr double NEAR_M = 0.06;
 	/// m. Three times NEAR_M: no hand jumps that far between frames.
 	static constexpr double FAR_M = 0.18;

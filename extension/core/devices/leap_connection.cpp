@@ -30,7 +30,7 @@ std::optional<int> next_version(int requested, int close_code, bool got_version)
 }
 
 double reconnect_delay_s(int attempt) {
-	constexpr double FIRST_S = 0.5; // Leap's own client waits that long each time
+	constexpr double FIRST_S = 0.5; // Leap's own client waits this long before each attempt
 	constexpr double LONGEST_S = 8.0;
 	return std::min(LONGEST_S, std::ldexp(FIRST_S, std::clamp(attempt, 0, 10)));
 }

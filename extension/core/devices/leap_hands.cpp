@@ -9,8 +9,8 @@ namespace steadyhand {
 namespace {
 
 constexpr double US_PER_S = 1e6;
-/// For this long a hand's last place counts, s: longer than the dropout between a hand and its mistaken
-/// double.
+/// How long a lost hand's last position is kept, s: longer than the dropout before a service mislabels a
+/// hand.
 constexpr double PLACE_KEPT_S = 0.5;
 /// Hands in recordings move at up to 2 m/s. A step that is faster, and SAME_PLACE_M longer, is a jump.
 constexpr double FASTEST_M_S = 3.0;
@@ -62,7 +62,7 @@ const LeapHandChooser::Known *LeapHandChooser::find(std::int64_t id) const {
 	return nullptr;
 }
 
-bool LeapHandChooser::is_where_another_was(const LeapHand &hand, const LeapFrame &frame) const {
+bool LeapHandChooser::is_at_lost_hand(const LeapHand &hand, const LeapFrame &frame) const {
 	const auto is_near = [](const Eigen::Vector3d &a, const Eigen::Vector3d &b) {
 		return (a - b).norm() < SAME_PLACE_M;
 	};
@@ -83,30 +83,30 @@ bool LeapHandChooser::is_where_another_was(const LeapHand &hand, const LeapFrame
 	return false;
 }
 
-bool LeapHandChooser::is_doubtful(const LeapHand &hand, const Known *known, const LeapFrame &frame) const {
+bool LeapHandChooser::is_mislabelled(const LeapHand &hand, const Known *known, const LeapFrame &frame) const {
 	if (known != nullptr && known->is_left != hand.is_left) {
 		return true;
 	}
-	if (known != nullptr && !known->in_doubt_since_us) {
+	if (known != nullptr && !known->mislabelled_since_us) {
 		const double step_s = seconds_between(known->seen_us, frame.timestamp_us);
 		if ((palm_m(hand) - known->palm_m).norm() <= SAME_PLACE_M + FASTEST_M_S * step_s) {
 			return false;
 		}
 	}
-	return is_where_another_was(hand, frame);
+	return is_at_lost_hand(hand, frame);
 }
 
 LeapHandChooser::Known LeapHandChooser::judge(const LeapHand &hand, const LeapFrame &frame) const {
 	Known now{ hand.id, hand.is_left, palm_m(hand), frame.timestamp_us, std::nullopt };
 	const Known *known = find(hand.id);
-	if (!is_doubtful(hand, known, frame)) {
+	if (!is_mislabelled(hand, known, frame)) {
 		return now;
 	}
-	// A new hand in doubt is taken for the one that was there, of the other side.
+	// A new mislabelled hand counts as the lost hand of the other side.
 	Known before = known != nullptr ? *known : now;
 	before.is_left = known != nullptr ? known->is_left : !hand.is_left;
-	before.in_doubt_since_us = before.in_doubt_since_us.value_or(frame.timestamp_us);
-	return seconds_between(*before.in_doubt_since_us, frame.timestamp_us) < DOUBT_S ? before : now;
+	before.mislabelled_since_us = before.mislabelled_since_us.value_or(frame.timestamp_us);
+	return seconds_between(*before.mislabelled_since_us, frame.timestamp_us) < MISLABELLED_S ? before : now;
 }
 
 const LeapHand *LeapHandChooser::choose(const LeapFrame &frame) {
@@ -127,7 +127,7 @@ const LeapHand *LeapHandChooser::choose(const LeapFrame &frame) {
 	const LeapHand *chosen = nullptr;
 	for (const LeapHand &hand : frame.hands) {
 		next.push(judge(hand, frame));
-		if (next.newest().in_doubt_since_us || hand.is_left != (side_ == HandSide::LEFT)) {
+		if (next.newest().mislabelled_since_us || hand.is_left != (side_ == HandSide::LEFT)) {
 			continue;
 		}
 		const bool has_last = chosen != nullptr && chosen_id_ == chosen->id;

@@ -11,19 +11,18 @@
 namespace steadyhand {
 namespace {
 
-// Its objects are sorted maps: many keys take no quadratic time, as in nlohmann::ordered_json.
+// Its objects are sorted maps. Objects of nlohmann::ordered_json would need quadratic time for many keys.
 using Json = nlohmann::json;
 using J = SkeletonJoint;
 
 constexpr double M_PER_MM = 0.001;
-/// Whole numbers up to here are exact as double. No clock of microseconds counts further: these are 285
-/// years.
+/// Integers up to this are exact as double. In microseconds it is 285 years.
 constexpr std::int64_t LARGEST_WHOLE = 1LL << 53;
-/// How far a basis may be from unit length and right angles. Services print six decimals or more; what is
-/// further off is damaged.
+/// How far a basis may be from unit length and right angles. Services print six decimals or more; a basis
+/// beyond this is damaged.
 constexpr double BASIS_TOLERANCE = 0.05;
 
-/// The member of that name, null where `object` is no object or has none.
+/// The member with that name; null if there is none, or if `object` is no object.
 const Json *find(const Json &object, const char *key) {
 	if (!object.is_object()) {
 		return nullptr;
@@ -132,7 +131,7 @@ void set_position(HandSkeleton &r_skeleton, J joint, const std::optional<Eigen::
 	}
 }
 
-/// A joint of a finger: where its position stands, and which of the four bases is that of its bone.
+/// A joint of a finger: the key of its position, and the index of its bone among the four bases.
 struct FingerJoint {
 	const char *position;
 	std::size_t basis;
@@ -141,9 +140,10 @@ struct FingerJoint {
 constexpr std::size_t LEAP_BONES = 4; // metacarpal, proximal, intermediate, distal
 constexpr std::array<FingerJoint, 5> FINGER{ { { "carpPosition", 0 }, { "mcpPosition", 1 },
 		{ "pipPosition", 2 }, { "dipPosition", 3 }, { "tipPosition", 3 } } };
-/// A thumb has one bone less. Leap keeps four by a metacarpal of length zero at the wrist's side (carp = mcp)
-/// and names the others one further: its "proximal" bone, mcp to pip, is the anatomical metacarpal, its
-/// "intermediate" one the proximal. So the joints of OpenXR's thumb are FINGER without the first.
+/// A thumb has three bones. Leap reports four: a metacarpal of length zero at the wrist's side (carp = mcp),
+/// and names that are shifted by one. Its "proximal" bone, mcp to pip, is the anatomical metacarpal, its
+/// "intermediate" bone the anatomical proximal one. So the joints of OpenXR's thumb are FINGER without the
+/// first.
 constexpr std::size_t THUMB_FROM = 1;
 
 /// Reads the finger number 0 thumb .. 4 pinky.
@@ -190,7 +190,7 @@ std::optional<LeapHand> hand_of(const Json &object) {
 	return hand;
 }
 
-/// Null where there is none.
+/// Null if there is none.
 LeapHand *hand_with(LeapFrame &r_frame, std::int64_t id) {
 	const auto found = std::find_if(
 			r_frame.hands.begin(), r_frame.hands.end(), [id](const LeapHand &hand) { return hand.id == id; });
@@ -265,7 +265,7 @@ LeapMessage event_of(const Json &event) {
 }
 
 LeapMessage version_of(const Json &message) {
-	constexpr std::int64_t LARGEST = 1000; // services are at 6 or 7
+	constexpr std::int64_t LARGEST = 1000; // services have 6 or 7
 	const std::optional<std::int64_t> version = whole_number(message, "version");
 	if (!version || *version < 1 || *version > LARGEST) {
 		return Error{ "'version' is not a number of 1..1000" };

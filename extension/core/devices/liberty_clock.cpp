@@ -19,7 +19,7 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 			frames_ += static_cast<std::uint64_t>(step);
 			answer.lost = static_cast<std::uint32_t>(step) - 1;
 		} else {
-			// The host's clock says how long the reset took.
+			// The host's clock measures the duration of the reset.
 			const double passed = std::max((host_s - last_host_s_) * count_hz_, 1.0);
 			frames_ += static_cast<std::uint64_t>(std::lround(passed));
 			answer.has_restarted = true;
@@ -34,7 +34,7 @@ LibertyClock::Answer LibertyClock::update(std::uint32_t frame_count, double host
 	return answer;
 }
 
-/// Counts a frame. True where it ends a window with a rate fault that the window before did not have.
+/// Counts a frame. True if it ends a window with a rate fault, and the window before had none.
 bool LibertyClock::measure_rate(double host_s) {
 	++arrived_;
 	const double span_s = host_s - window_start_s_;

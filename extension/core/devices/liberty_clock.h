@@ -7,7 +7,7 @@
 namespace steadyhand {
 
 /// The tracker's time from its frame count, which is more exact than its time stamps of whole milliseconds.
-/// Also watches the rate at which frames arrive.
+/// Also measures the rate at which frames arrive.
 class LibertyClock {
 public:
 	/// `rate_hz` is the rate that the tracker was set to.
@@ -22,23 +22,23 @@ public:
 	};
 
 	/// A record's frame count and its arrival on the host's clock, s. The stations of one cycle share a count
-	/// and get the same time. Time is frame count / rate. A count that runs at another rate than the tracker
-	/// was set to is divided by its measured rate, from the end of the first window on.
+	/// and get the same time. Time is frame count / rate. If the count runs at another rate than the
+	/// configured one, it is divided by its measured rate, from the end of the first window on.
 	[[nodiscard]] Answer update(std::uint32_t frame_count, double host_s);
 
-	/// Frames a second on the host's clock, over the last complete WINDOW_S. Not a number before.
+	/// Frames a second on the host's clock, over the last complete WINDOW_S. NaN before the first one.
 	[[nodiscard]] double measured_rate_hz() const { return measured_hz_; }
 	/// The measured rate differs by more than RATE_TOLERANCE from the configured one.
 	[[nodiscard]] bool rate_fault() const { return has_rate_fault_; }
 	/// rate_fault() as a sentence for the user, with what to do.
 	[[nodiscard]] std::string rate_fault_text() const;
 
-	/// s. Arrivals vary by 20 ms, which is a hundredth of it.
+	/// s. A hundred times the variation of arrivals, 20 ms.
 	static constexpr double WINDOW_S = 2.0;
-	/// Of the configured rate. Both rates of the tracker differ by far more, crystals by far less.
+	/// Of the configured rate. The tracker's two rates differ by far more, quartz clocks by far less.
 	static constexpr double RATE_TOLERANCE = 0.05;
-	/// Of the configured rate, for the count itself. No delay of the computer changes a window by so much,
-	/// and the tracker's other rate is half or double.
+	/// Of the configured rate, for the count itself. Delays of the computer change a window by less, and the
+	/// tracker's other rate is half or double.
 	static constexpr double COUNT_TOLERANCE = 0.25;
 
 private:
@@ -54,8 +54,8 @@ private:
 	bool has_frame_ = false;
 	std::uint32_t last_count_ = 0;
 	std::uint64_t frames_ = 0;      ///< the count without rollover and resets
-	std::uint64_t base_frames_ = 0; ///< since then the count has run at count_hz_
-	double base_s_ = 0.0;           ///< the tracker's time then
+	std::uint64_t base_frames_ = 0; ///< the count has run at count_hz_ since this frame
+	double base_s_ = 0.0;           ///< the tracker's time at base_frames_
 	double last_host_s_ = 0.0;
 	double window_start_s_ = 0.0;
 	std::uint64_t window_frames_ = 0; ///< frames_ at the window's start

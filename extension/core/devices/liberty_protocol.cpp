@@ -16,20 +16,20 @@ constexpr std::size_t FAULT = 4;
 constexpr std::size_t BODY_SIZE = 6;
 
 constexpr std::uint8_t NO_FAULT = 0x00;
-constexpr std::uint8_t NO_FAULT_ASCII = 0x20;      // in ASCII mode a blank stands for no error
+constexpr std::uint8_t NO_FAULT_ASCII = 0x20;      // no error, in ASCII mode
 constexpr std::uint8_t CODE_MAX = 24;              // the manual lists codes 1 to 24
 constexpr std::uint8_t STATION_MAP_COMMAND = 0x15; // ^U
 constexpr std::size_t STATION_MAP_SIZE = 4;
 
 constexpr double M_PER_CM = 0.01; // the start-up sequence switches the tracker to centimetres
 
-/// m. The largest source reaches 4.6 m; a position beyond this is a misread number.
+/// m. The largest source reaches 4.6 m; a position beyond this is a damaged record.
 constexpr double REACH_M = 20.0;
 
-/// The tracker rounds quaternions to five digits; a length that differs from 1 by this is a misread one.
+/// The tracker rounds quaternions to five digits; a length that differs from 1 by more is a damaged record.
 constexpr double QUATERNION_TOLERANCE = 0.01;
 
-/// Shorter runs of printable characters occur by chance among garbage.
+/// Shorter runs of printable characters occur in damaged data by chance.
 constexpr std::size_t TEXT_SIZE_MIN = 6;
 
 /// Bytes of a header that cannot be the end of a pose by chance: the tag and the station.
@@ -69,7 +69,7 @@ double read_float(const std::uint8_t *bytes) {
 	return std::bit_cast<float>(read_u32(bytes));
 }
 
-/// A body of the output list. Returns false where the quaternion has not length 1: the bytes are damaged.
+/// A body of the output list. Returns false if the quaternion's length is not 1: the bytes are damaged.
 bool read_pose(const std::uint8_t *body, LibertyRecord &r_record) {
 	r_record.device_time_ms = read_u32(body);
 	r_record.frame_count = read_u32(body + 4);
@@ -78,16 +78,17 @@ bool read_pose(const std::uint8_t *body, LibertyRecord &r_record) {
 	const double w = read_float(body + 24), x = read_float(body + 28), y = read_float(body + 32),
 				 z = read_float(body + 36);
 	const double length = std::sqrt(w * w + x * x + y * y + z * z);
-	const bool is_sound = std::abs(length - 1.0) <= QUATERNION_TOLERANCE; // false for not a number, too
+	const bool is_unit_length = std::abs(length - 1.0) <= QUATERNION_TOLERANCE; // false for NaN
 
-	// A sensor cannot be inside the source: all zeros stand for no measurement.
-	r_record.is_tracked = is_sound && cm.allFinite() && cm.norm() * M_PER_CM <= REACH_M && !cm.isZero(0.0);
+	// A sensor cannot be inside the source: all zeros mean no measurement.
+	r_record.is_tracked =
+			is_unit_length && cm.allFinite() && cm.norm() * M_PER_CM <= REACH_M && !cm.isZero(0.0);
 	if (r_record.is_tracked) {
 		r_record.source_position_m = cm * M_PER_CM;
 		r_record.position_m = Eigen::Vector3d(cm.y(), -cm.z(), -cm.x()) * M_PER_CM;
 		r_record.rotation = Eigen::Quaterniond(w, y, -z, -x).normalized();
 	}
-	return is_sound;
+	return is_unit_length;
 }
 
 } // namespace
@@ -121,7 +122,7 @@ bool LibertyParser::next(LibertyMessage &r_message) {
 				if (record == end_) {
 					return false;
 				}
-				skip(record - begin_); // what waits was cut short
+				skip(record - begin_); // the incomplete record was cut off
 				continue;
 			}
 			if (read_frame(r_message, body_size)) {
@@ -140,7 +141,7 @@ bool LibertyParser::next(LibertyMessage &r_message) {
 	return false;
 }
 
-/// Whether a header starts at `offset`. NEEDS_MORE where the bytes before `end` fit as far as they go.
+/// Whether a header starts at `offset`. NEEDS_MORE if the bytes before `end` are the begin of a header.
 LibertyParser::Verdict LibertyParser::header_at(std::size_t offset, std::size_t end) const {
 	const std::uint8_t *const bytes = &buffer_[offset];
 	const std::size_t size = std::min(end - offset, HEADER_SIZE);
@@ -154,7 +155,7 @@ LibertyParser::Verdict LibertyParser::header_at(std::size_t offset, std::size_t 
 	return size < HEADER_SIZE ? Verdict::NEEDS_MORE : Verdict::HEADER;
 }
 
-/// As header_at(), but only for a record of the right size, which chance does not produce inside a body.
+/// As header_at(), but only for a record of the right size, which does not occur inside a body by chance.
 LibertyParser::Verdict LibertyParser::record_header_at(std::size_t offset, std::size_t end) const {
 	const std::uint8_t *const bytes = &buffer_[offset];
 	const std::size_t size = std::min(end - offset, HEADER_SIZE);
@@ -164,7 +165,7 @@ LibertyParser::Verdict LibertyParser::record_header_at(std::size_t offset, std::
 	return fits ? header_at(offset, end) : Verdict::NO_HEADER;
 }
 
-/// Where the first record header starts of which at least `prefix` bytes are there; `end` where none does.
+/// Offset of the first record header of which at least `prefix` bytes are received; `end` if there is none.
 std::size_t LibertyParser::next_record(std::size_t from, std::size_t end, std::size_t prefix) const {
 	for (std::size_t i = from; i + prefix <= end; ++i) {
 		if (record_header_at(i, end) != Verdict::NO_HEADER) {
@@ -174,7 +175,7 @@ std::size_t LibertyParser::next_record(std::size_t from, std::size_t end, std::s
 	return end;
 }
 
-/// Reads the complete frame at `begin_`. False where it makes no message; its bytes are gone in both cases.
+/// Reads the complete frame at `begin_`. False if it is no message. Its bytes are removed in both cases.
 bool LibertyParser::read_frame(LibertyMessage &r_message, std::size_t body_size) {
 	const std::uint8_t *const header = &buffer_[begin_];
 	const std::size_t body = begin_ + HEADER_SIZE, end = body + body_size;
@@ -221,10 +222,10 @@ bool LibertyParser::read_frame(LibertyMessage &r_message, std::size_t body_size)
 		r_message.stations = (halves >> 16U) & halves & 0xFFFFU;
 		return true;
 	}
-	return false; // an answer that nothing here asks for
+	return false; // an answer to a command that this program does not send
 }
 
-/// Reads a line of text at `begin_`, where no header is, or skips what is none.
+/// Reads a line of text at `begin_`, which is no header, or skips other bytes.
 bool LibertyParser::read_text(LibertyMessage &r_message, bool &r_needs_more) {
 	std::size_t stop = begin_;
 	Verdict verdict = Verdict::NO_HEADER;

@@ -17,7 +17,7 @@ namespace steadyhand {
 /// The tracker has 16 stations at most; each is a socket for one sensor, counted from 1.
 inline constexpr int LIBERTY_STATION_COUNT = 16;
 
-/// What a record holds, in this order: time stamp, frame count, distortion level, position and quaternion.
+/// Fields of a record, in this order: time stamp, frame count, distortion level, position and quaternion.
 inline constexpr std::string_view LIBERTY_OUTPUT_LIST = "O*,8,9,11,3,7";
 /// Its size in bytes: 4 + 4 + 4 + 12 + 16.
 inline constexpr std::size_t LIBERTY_RECORD_SIZE = 40;
@@ -25,16 +25,16 @@ inline constexpr std::size_t LIBERTY_RECORD_SIZE = 40;
 /// One pose of one sensor.
 struct LibertyRecord {
 	int station = 0;                  ///< 1..16
-	char command = 'C';               ///< 'C': streamed; 'P': asked for
+	char command = 'C';               ///< 'C': streamed; 'P': requested
 	std::uint32_t frame_count = 0;    ///< of the measuring cycle; all stations of a cycle have the same
-	std::uint32_t device_time_ms = 0; ///< the same moment on the tracker's own clock, in whole milliseconds
+	std::uint32_t device_time_ms = 0; ///< time of the cycle on the tracker's own clock
 	std::int32_t distortion = 0;      ///< 0 none, 1 some, 2 strong: metal is near
 	char fault = '\0';                ///< a letter of liberty_error_text(); 0: none
 	bool is_tracked = false;          ///< the pose is finite, within reach and not all zeros
 	Eigen::Vector3d source_position_m = Eigen::Vector3d::Zero(); ///< source frame: x forward, y right, z down
 	Eigen::Vector3d position_m = Eigen::Vector3d::Zero();        ///< Godot's axes: x right, y up, -z forward
 	Eigen::Quaterniond rotation =
-			Eigen::Quaterniond::Identity(); ///< of the sensor, in Godot's axes; of unit length where tracked
+			Eigen::Quaterniond::Identity(); ///< of the sensor, in Godot's axes; of unit length if tracked
 };
 
 /// One answer of the tracker.
@@ -44,7 +44,7 @@ struct LibertyMessage {
 		WRONG_RECORD, ///< a record of `body_size` bytes, which is not LIBERTY_RECORD_SIZE
 		REFUSAL,      ///< the tracker refused `command` with `code`; `text` is its own message
 		STATION_MAP,  ///< `stations`, the answer to ^U0
-		TEXT          ///< `text` without a header, as the tracker sends it in ASCII mode
+		TEXT          ///< `text` without a header; sent in ASCII mode
 	};
 	Kind kind = Kind::TEXT;
 	LibertyRecord record;
@@ -58,36 +58,35 @@ struct LibertyMessage {
 /// What error byte `code` means: 1 to 24, or a letter that comes with a record.
 [[nodiscard]] std::string_view liberty_error_text(std::uint8_t code);
 
-/// True where a record with error byte `code` still holds a pose: letters 'a' to 'g', 'A' to 'G', 'I' and
-/// 'u'.
+/// Whether a record with error byte `code` has a pose: letters 'a' to 'g', 'A' to 'G', 'I' and 'u'.
 [[nodiscard]] bool is_liberty_record_fault(std::uint8_t code);
 
 /// A refusal, a wrong record or a text as one sentence for the user, with what to do. Empty for other kinds.
 [[nodiscard]] std::string liberty_message_text(const LibertyMessage &message);
 
-/// Puts messages together from the bytes of USB transfers, however these are cut. Bytes that belong to no
-/// message are skipped one by one until the next header. Never allocates.
+/// Reads messages from the bytes of USB transfers, which may be cut anywhere. Skips bytes that belong to no
+/// message, until the next header. Does not allocate.
 class LibertyParser {
 public:
-	/// Adds received bytes. Call next() until it is false before the next feed(): where more than CAPACITY
-	/// bytes wait, the oldest are skipped.
+	/// Adds received bytes. Call next() until it returns false before the next feed(): of more than CAPACITY
+	/// unread bytes, the oldest are skipped.
 	void feed(std::span<const std::uint8_t> bytes);
 
-	/// Takes out the next complete message. False where the rest waits for more bytes.
+	/// Gets the next complete message. False if more bytes are needed.
 	bool next(LibertyMessage &r_message);
 
-	/// Forgets all bytes that wait, as after a reconnection.
+	/// Drops all unread bytes. Call it after a reconnection.
 	void clear() { begin_ = end_ = 0; }
 
 	/// Bytes that belonged to no message, since construction.
 	[[nodiscard]] std::uint64_t skipped_bytes() const { return skipped_bytes_; }
-	/// Bytes that wait for the rest of their message.
+	/// Bytes of an incomplete message.
 	[[nodiscard]] std::size_t waiting_bytes() const { return end_ - begin_; }
 
-	/// Eight times the longest message, so that whole transfers fit beside an incomplete one.
+	/// Eight times the longest message, so that whole transfers fit after an incomplete message.
 	static constexpr std::size_t CAPACITY = 8192;
 	static constexpr std::size_t HEADER_SIZE = 8;
-	/// The manual's limit for one record. A header that says more is none.
+	/// The manual's limit for one record. A header with more is no header.
 	static constexpr std::size_t BODY_SIZE_MAX = 1000;
 
 private:

@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 7> SOURCE_AND_TEST_TEXTS = {
 	"the source fails in all axes and the start-up self-test failed"
 };
 
-/// The command as a user can look it up: "'O'", "'^U'", "byte 0".
+/// The command in readable form: "'O'", "'^U'", "byte 0".
 std::string command_name(char command) {
 	const auto byte = static_cast<unsigned char>(command);
 	if (byte > 0x20 && byte < 0x7F) {
