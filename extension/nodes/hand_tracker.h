@@ -5,8 +5,8 @@
 #include "listener_list.h"
 #include "track_recorder.h"
 
-#include "tracking/frame_door.h"
-#include "tracking/stream_doubts.h"
+#include "tracking/frame_filter.h"
+#include "tracking/stream_check.h"
 #include "tracking/stream_statistics.h"
 
 #include <godot_cpp/classes/node3d.hpp>
@@ -149,11 +149,11 @@ private:
 	std::optional<double> refused_from_s_; ///< the first stamp of those refused as older since the last frame
 	/// Bit i: of a pushed frame, by Refusal i, in this run; threads that may not push are told by it too.
 	std::atomic<uint8_t> complained_ = 0;
-	steadyhand::FrameDoor door_;
+	steadyhand::FrameFilter door_;
 	uint8_t door_faults_ = 0; ///< bit i: FrameFault i has been told in this run
 	steadyhand::StreamStatistics statistics_;
-	steadyhand::StreamDoubts doubts_;
-	uint8_t doubted_ = 0; ///< bit i: StreamDoubt i has been told in this run
+	steadyhand::StreamCheck doubts_;
+	uint8_t doubted_ = 0; ///< bit i: StreamFault i has been told in this run
 
 	/// What is told of a frame may free this node.
 	using Watch = ListenerList<FrameListener>::Watch;

@@ -132,7 +132,7 @@ Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
 
 /// Said once a run, as of such frames nothing is ever recognised.
 void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::StreamDoubt> doubt = doubts_.push(p_frame);
+	const std::optional<steadyhand::StreamFault> doubt = doubts_.push(p_frame);
 	if (!doubt) {
 		return;
 	}

@@ -2,7 +2,7 @@
 
 #include "tracking/clock_jumps.h"
 #include "tracking/csv_text.h"
-#include "tracking/stream_doubts.h"
+#include "tracking/stream_check.h"
 
 #include <algorithm>
 #include <array>
@@ -87,7 +87,7 @@ public:
 		}
 		reading_.warnings = close_clock_jumps(reading_.track.frames, source_, header_line_ + 1);
 		if (reading_.warnings.empty()) {
-			doubt_units();
+			check_units();
 		}
 		return std::move(reading_);
 	}
@@ -97,15 +97,15 @@ private:
 		return error_at(source_, lines_.line_number(), column, what);
 	}
 
-	/// Warns of the first doubt: others often have the same cause.
-	void doubt_units() {
-		StreamDoubts doubts;
+	/// Warns of the first fault only: others often have the same cause.
+	void check_units() {
+		StreamCheck check;
 		const std::vector<HandFrame> &frames = reading_.track.frames;
 		for (std::size_t i = 0; i < frames.size(); ++i) {
-			if (const std::optional<StreamDoubt> doubt = doubts.push(frames[i])) {
-				const std::string_view column = *doubt == StreamDoubt::TOO_FAST ? "positions" : "t";
+			if (const std::optional<StreamFault> fault = check.push(frames[i])) {
+				const std::string_view column = *fault == StreamFault::TOO_FAST ? "positions" : "t";
 				reading_.warnings.push_back(
-						error_at(source_, header_line_ + 1 + i, column, explain(*doubt)).message);
+						error_at(source_, header_line_ + 1 + i, column, explain(*fault)).message);
 				return;
 			}
 		}

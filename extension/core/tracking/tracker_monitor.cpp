@@ -198,7 +198,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double dt_s = t_s - r_jump.track.t_s();
 	const Eigen::Vector3d noise_m = reading_noise_m();
 	const double stamp_error_s = dt_s < BURST_S ? period_s_ : 0.0;
-	const Eigen::Vector3d goes_on_m = r_jump.track.position_m() + dt_s * r_jump.velocity_m_s;
+	const Eigen::Vector3d continued_m = r_jump.track.position_m() + dt_s * r_jump.velocity_m_s;
 	const bool is_second = r_jump.readings == 1;
 	hand_.predict(t_s, stamp_error_s);
 	r_jump.track.predict(t_s, stamp_error_s);
@@ -208,9 +208,10 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double hand = hand_.log_likelihood(off_m, noise_m);
 	const double jumped = r_jump.track.log_likelihood(off_jumped_m, noise_m);
 	const double elsewhere = hand_.log_likelihood(off_m, noise_m, JUMP_M);
-	// A hand that made the jump continues with its velocity. After a tracker's jump the hand's own is seen.
+	// A hand that made the jump continues with its velocity. After a jump of the tracker, the readings show
+	// the hand's own velocity.
 	const bool is_motion = is_second && r_jump.velocity_m_s.norm() < 3.0 * SPEED_M_S &&
-			(r_measurement.position_m - goes_on_m).norm() <
+			(r_measurement.position_m - continued_m).norm() <
 					(r_measurement.position_m - r_jump.track.position_m()).norm();
 	if (is_motion) { // the hand moved here while it was not tracked
 		r_measurement.status = MeasurementStatus::REAPPEARED;

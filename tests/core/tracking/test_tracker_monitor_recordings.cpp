@@ -113,7 +113,7 @@ TEST_CASE("simulated faults in real movements are found") {
 		CHECK(swap.faults.jumps == 1);
 		CHECK(swap.outliers == 6);
 		CHECK(swap.longest_gap_s == doctest::Approx(0.06).epsilon(0.05));
-		// FrameDoor removes these zeros. Without it they are a jump.
+		// FrameFilter removes these zeros. Without it they are a jump.
 		CHECK(of("zero").faults.jumps == 1);
 		CHECK(of("curl").outliers > 0);
 		for (const char *slow : { "hz10", "burst" }) {

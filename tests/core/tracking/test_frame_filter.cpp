@@ -1,4 +1,4 @@
-#include "tracking/frame_door.h"
+#include "tracking/frame_filter.h"
 
 #include <doctest/doctest.h>
 
@@ -29,11 +29,11 @@ DeviceFrame hand_at(const Eigen::Vector3d &place_m) {
 TEST_CASE("joints that are not finite are not tracked") {
 	for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
 				 std::numeric_limits<double>::infinity(), -2.0 * FARTHEST_M }) {
-		FrameDoor door;
+		FrameFilter filter;
 		DeviceFrame frame = hand_at(PLACE);
 		frame.hand.positions_m[static_cast<std::size_t>(Joint::INDEX)].y() = bad;
 		frame.skeleton.set(SkeletonJoint::INDEX_DISTAL, { bad, 0.0, 0.0 });
-		CHECK(door.clean(frame) == NOT_FINITE);
+		CHECK(filter.clean(frame) == NOT_FINITE);
 		CHECK_FALSE(frame.hand.has(Joint::INDEX));
 		CHECK(frame.hand.has(Joint::PALM));
 		CHECK_FALSE(frame.skeleton.has(SkeletonJoint::INDEX_DISTAL));
@@ -41,33 +41,33 @@ TEST_CASE("joints that are not finite are not tracked") {
 }
 
 TEST_CASE("a hand whose joints are all exactly zero is lost") {
-	FrameDoor door;
+	FrameFilter filter;
 	DeviceFrame frame = hand_at(PLACE);
-	CHECK(door.clean(frame) == 0);
+	CHECK(filter.clean(frame) == 0);
 	CHECK(frame.hand.tracked != 0);
 	for (int i = 0; i < 20; ++i) {
 		frame = hand_at(Eigen::Vector3d::Zero());
-		CHECK(door.clean(frame) == ZERO);
+		CHECK(filter.clean(frame) == ZERO);
 		CHECK(frame.hand.tracked == 0);
 	}
 	frame = hand_at(PLACE);
-	CHECK(door.clean(frame) == 0);
+	CHECK(filter.clean(frame) == 0);
 	CHECK(frame.hand.tracked != 0);
 }
 
 TEST_CASE("a single point that jumps to zero is lost") {
-	FrameDoor door;
+	FrameFilter filter;
 	DeviceFrame frame = frame_at(PLACE);
-	CHECK(door.clean(frame) == 0);
+	CHECK(filter.clean(frame) == 0);
 	frame = frame_at(Eigen::Vector3d::Zero());
-	CHECK(door.clean(frame) == ZERO);
+	CHECK(filter.clean(frame) == ZERO);
 }
 
 TEST_CASE("a single point may start at the origin and pass through it") {
-	FrameDoor door;
+	FrameFilter filter;
 	for (const double x : { 0.0, 0.0, 0.01, 0.02, 0.01, 0.0, -0.01 }) {
 		DeviceFrame frame = frame_at({ x, 0.0, 0.0 });
-		CHECK(door.clean(frame) == 0);
+		CHECK(filter.clean(frame) == 0);
 		CHECK(frame.hand.has(Joint::INDEX));
 	}
 }

@@ -1,4 +1,4 @@
-#include "tracking/frame_door.h"
+#include "tracking/frame_filter.h"
 
 #include <algorithm>
 #include <bit>
@@ -19,7 +19,7 @@ double reach_m(const HandFrame &hand) {
 
 } // namespace
 
-std::uint8_t FrameDoor::clean(DeviceFrame &r_frame) {
+std::uint8_t FrameFilter::clean(DeviceFrame &r_frame) {
 	unsigned faults = 0;
 	HandFrame &hand = r_frame.hand;
 	for (std::size_t i = 0; i < JOINT_COUNT; ++i) {

@@ -1,4 +1,4 @@
-#include "tracking/stream_doubts.h"
+#include "tracking/stream_check.h"
 
 #include <algorithm>
 
@@ -18,20 +18,20 @@ std::optional<double> step_m(const HandFrame &from, const HandFrame &to) {
 
 } // namespace
 
-std::string_view explain(StreamDoubt doubt) {
-	switch (doubt) {
-		case StreamDoubt::EQUAL_TIME_STAMPS:
+std::string_view explain(StreamFault fault) {
+	switch (fault) {
+		case StreamFault::EQUAL_TIME_STAMPS:
 			return "the hand moves, but the time does not. Give each frame its own time";
-		case StreamDoubt::TOO_RARE:
+		case StreamFault::TOO_RARE:
 			return "frames are more than a second apart. Give times in seconds";
-		case StreamDoubt::TOO_FAST:
+		case StreamFault::TOO_FAST:
 			return "the hand has been faster than 10 m/s for long. Give positions in metres, in a space that "
 				   "moves with the player";
 	}
 	return {};
 }
 
-std::optional<StreamDoubt> StreamDoubts::push(const HandFrame &frame) {
+std::optional<StreamFault> StreamCheck::push(const HandFrame &frame) {
 	const std::optional<double> moved_m = last_ ? step_m(*last_, frame) : std::nullopt;
 	const double step_s = last_ ? frame.t_s - last_->t_s : 0.0;
 	if (!moved_m) {
@@ -42,7 +42,7 @@ std::optional<StreamDoubt> StreamDoubts::push(const HandFrame &frame) {
 	last_ = frame;
 	if (step_s == 0.0) {
 		equal_stamps_ += *moved_m > 0.0 ? 1 : 0;
-		return equal_stamps_ >= FRAMES ? std::optional(StreamDoubt::EQUAL_TIME_STAMPS) : std::nullopt;
+		return equal_stamps_ >= FRAMES ? std::optional(StreamFault::EQUAL_TIME_STAMPS) : std::nullopt;
 	}
 	equal_stamps_ = 0;
 	rare_ = step_s > RAREST_S ? rare_ + 1 : 0;
@@ -50,10 +50,10 @@ std::optional<StreamDoubt> StreamDoubts::push(const HandFrame &frame) {
 	fast_ = is_fast ? fast_ + 1 : 0;
 	fast_for_s_ = is_fast ? fast_for_s_ + step_s : 0.0;
 	if (rare_ >= FRAMES) {
-		return StreamDoubt::TOO_RARE;
+		return StreamFault::TOO_RARE;
 	}
 	const bool is_lasting = fast_ >= FAST_FRAMES && fast_for_s_ >= FAST_S;
-	return is_lasting ? std::optional(StreamDoubt::TOO_FAST) : std::nullopt;
+	return is_lasting ? std::optional(StreamFault::TOO_FAST) : std::nullopt;
 }
 
 } // namespace steadyhand

@@ -10,20 +10,20 @@ namespace steadyhand {
 
 /// Signs of wrong units, or of a clock that does not run. Each frame alone is valid, but no gesture can be
 /// found.
-enum class StreamDoubt : std::uint8_t {
+enum class StreamFault : std::uint8_t {
 	EQUAL_TIME_STAMPS, ///< a hand moves, but all frames have the same stamp
 	TOO_RARE,          ///< seconds between frames: the unit may be milliseconds
 	TOO_FAST           ///< faster than any hand: the unit may be millimetres, or the space itself moves
 };
 
 /// What is wrong, and what to do.
-std::string_view explain(StreamDoubt doubt);
+std::string_view explain(StreamFault fault);
 
 /// Checks a stream of frames whose stamps do not decrease.
-class StreamDoubts {
+class StreamCheck {
 public:
-	/// Returns a doubt at the newest frame, and again at each further frame while it lasts.
-	std::optional<StreamDoubt> push(const HandFrame &frame);
+	/// Returns the fault of the newest frame, at each frame while it lasts.
+	std::optional<StreamFault> push(const HandFrame &frame);
 
 private:
 	/// Number of frames in a row. A tracker's faults are shorter.
