@@ -210,7 +210,7 @@ void GestureHMM::watch_tasks_anew() {
 
 /// Of a task where no hand comes, or that points where no hand goes; once.
 void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::TaskDoubt> doubt = task_watch_.push(p_frame);
+	const std::optional<steadyhand::TaskFault> doubt = task_watch_.push(p_frame);
 	if (!doubt) {
 		return;
 	}
@@ -220,7 +220,7 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 		return;
 	}
 	String reason = String("no gesture starts at ") + node_label(*task);
-	if (doubt->kind == steadyhand::TaskDoubt::Kind::FAR) {
+	if (doubt->kind == steadyhand::TaskFault::Kind::FAR) {
 		reason += String(": the fingertip has come no nearer to its start than ") +
 				String::num(doubt->distance_m, 2) +
 				String(doubt->distance_m > LONGEST_WAY_M

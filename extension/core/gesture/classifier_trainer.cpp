@@ -15,8 +15,8 @@ namespace {
 
 /// Sequences of a gesture begin at these times before its onset.
 constexpr int LATEST_REST = 5, EARLIEST_REST = 20, REST_STEP = 5; // symbols
-/// Time from the end to the last state. A hand that strikes has turned by then, and a hand that continues is
-/// elsewhere. AFTER: length of the sequences from there.
+/// Time from the end to the last state. By then a hand that strikes has reversed, and a hand that continues
+/// has moved away. AFTER: length of the sequences from there.
 constexpr double SETTLED_S = 0.12;
 constexpr int AFTER = 15; // symbols
 /// Other motion: interval of the assumed onsets, and length of the sequences from there.

@@ -15,7 +15,7 @@ void TaskWatch::expect(const std::vector<Task> &tasks) {
 	moved_m_ = 0.0;
 }
 
-bool TaskWatch::leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m) {
+bool TaskWatch::leaves_in_other_direction(Watched &r_task, const Eigen::Vector3d &tip_m) {
 	const Eigen::Vector3d displacement_m = tip_m - r_task.task.start_m;
 	const double distance_m = displacement_m.norm();
 	if (distance_m < 0.25 * r_task.task.amplitude_m) {
@@ -27,7 +27,8 @@ bool TaskWatch::leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m) 
 	r_task.is_at_start = false;
 	const Eigen::Vector3d direction = displacement_m / distance_m;
 	const bool is_other = direction.dot(r_task.task.axis) < SAME_DIRECTION;
-	const bool agrees = r_task.departures == 0 || direction.dot(r_task.direction_sum.normalized()) > AGREE;
+	const bool agrees =
+			r_task.departures == 0 || direction.dot(r_task.direction_sum.normalized()) > SAME_DEPARTURE;
 	if (!is_other || !agrees) {
 		r_task.departures = 0;
 		r_task.direction_sum.setZero();
@@ -39,7 +40,7 @@ bool TaskWatch::leaves_otherwise(Watched &r_task, const Eigen::Vector3d &tip_m) 
 	return r_task.departures >= DEPARTURES;
 }
 
-std::optional<TaskDoubt> TaskWatch::push(const HandFrame &frame) {
+std::optional<TaskFault> TaskWatch::push(const HandFrame &frame) {
 	if (is_over_ || tasks_.empty() || !frame.has(Joint::INDEX)) {
 		return std::nullopt;
 	}
@@ -51,13 +52,13 @@ std::optional<TaskDoubt> TaskWatch::push(const HandFrame &frame) {
 	for (std::size_t i = 0; i < tasks_.size(); ++i) {
 		Watched &one = tasks_[i];
 		one.nearest_m = std::min(one.nearest_m, (tip_m - one.task.start_m).norm());
-		if (leaves_otherwise(one, tip_m)) {
+		if (leaves_in_other_direction(one, tip_m)) {
 			is_over_ = true;
-			return TaskDoubt{ TaskDoubt::Kind::OTHER_DIRECTION, i, one.nearest_m,
+			return TaskFault{ TaskFault::Kind::OTHER_DIRECTION, i, one.nearest_m,
 				one.direction_sum.normalized() };
 		}
 	}
-	if (frame.t_s - *first_s_ < PATIENCE_S || moved_m_ < MOVED_M) {
+	if (frame.t_s - *first_s_ < WATCHED_S || moved_m_ < MOVED_M) {
 		return std::nullopt;
 	}
 	const auto nearest = std::min_element(tasks_.begin(), tasks_.end(),
@@ -66,7 +67,7 @@ std::optional<TaskDoubt> TaskWatch::push(const HandFrame &frame) {
 		return std::nullopt;
 	}
 	is_over_ = true;
-	return TaskDoubt{ TaskDoubt::Kind::FAR, static_cast<std::size_t>(nearest - tasks_.begin()),
+	return TaskFault{ TaskFault::Kind::FAR, static_cast<std::size_t>(nearest - tasks_.begin()),
 		nearest->nearest_m };
 }
 

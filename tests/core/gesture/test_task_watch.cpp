@@ -11,8 +11,8 @@ namespace {
 constexpr double FRAME_S = 0.01;
 
 /// Number of reports. The hand moves from `from_m` by `move_m` and back within 3 s, for `duration_s`.
-int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &move_m,
-		double duration_s, std::optional<TaskDoubt> &r_last) {
+int reports(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vector3d &move_m,
+		double duration_s, std::optional<TaskFault> &r_last) {
 	int count = 0;
 	for (int i = 0; i * FRAME_S < duration_s; ++i) {
 		const double t_s = i * FRAME_S;
@@ -20,9 +20,9 @@ int doubts(TaskWatch &r_watch, const Eigen::Vector3d &from_m, const Eigen::Vecto
 		HandFrame frame;
 		frame.t_s = t_s;
 		frame.set(Joint::INDEX, from_m + share * move_m);
-		if (const auto doubt = r_watch.push(frame)) {
+		if (const auto fault = r_watch.push(frame)) {
 			++count;
-			r_last = doubt;
+			r_last = fault;
 		}
 	}
 	return count;
@@ -37,10 +37,10 @@ Task task_at(const Eigen::Vector3d &start_m) {
 TEST_CASE("a hand that is never near a task is reported once") {
 	TaskWatch watch;
 	watch.expect({ task_at({ 5.0, 0.0, 0.0 }), task_at({ 0.5, 0.0, 0.0 }) });
-	std::optional<TaskDoubt> last;
-	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 1);
+	std::optional<TaskFault> last;
+	CHECK(reports(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 1);
 	REQUIRE(last);
-	CHECK(last->kind == TaskDoubt::Kind::FAR);
+	CHECK(last->kind == TaskFault::Kind::FAR);
 	CHECK(last->task == 1);
 	CHECK(last->distance_m == doctest::Approx(0.5));
 }
@@ -48,26 +48,26 @@ TEST_CASE("a hand that is never near a task is reported once") {
 TEST_CASE("a hand that leaves the start in another direction is reported once") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
-	std::optional<TaskDoubt> last;
-	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { -0.2, 0.0, 0.0 }, 60.0, last) == 1);
+	std::optional<TaskFault> last;
+	CHECK(reports(watch, Eigen::Vector3d::Zero(), { -0.2, 0.0, 0.0 }, 60.0, last) == 1);
 	REQUIRE(last);
-	CHECK(last->kind == TaskDoubt::Kind::OTHER_DIRECTION);
+	CHECK(last->kind == TaskFault::Kind::OTHER_DIRECTION);
 	CHECK(last->direction.isApprox(-Eigen::Vector3d::UnitX()));
 }
 
 TEST_CASE("a hand that rests far from a task is not reported") {
 	TaskWatch watch;
 	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
-	std::optional<TaskDoubt> last;
-	CHECK(doubts(watch, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 60.0, last) == 0);
+	std::optional<TaskFault> last;
+	CHECK(reports(watch, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 60.0, last) == 0);
 }
 
 TEST_CASE("a hand on the task's path, or after a gesture, is not reported") {
 	TaskWatch watch;
 	watch.expect({ task_at(Eigen::Vector3d::Zero()) });
-	std::optional<TaskDoubt> last;
-	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.2, 0.05, 0.0 }, 60.0, last) == 0);
+	std::optional<TaskFault> last;
+	CHECK(reports(watch, Eigen::Vector3d::Zero(), { 0.2, 0.05, 0.0 }, 60.0, last) == 0);
 	watch.gesture_started();
 	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
-	CHECK(doubts(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 0);
+	CHECK(reports(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 0);
 }
