@@ -4,7 +4,7 @@ import re
 
 NUMBERS = {"bool": "bool", "int": "int64_t", "float": "double"}
 
-# godot-cpp's name for a class whose own name it needs itself.
+# godot-cpp renames these classes, because it uses their names itself.
 RENAMED = {"ClassDB": "ClassDBSingleton"}
 
 
@@ -114,5 +114,5 @@ class Api:
 
 
 def by_name_of_configuration(tables):
-    """Single precision, 64 bits: the build that the engine's makers publish."""
+    """Single precision, 64 bits, as the official builds."""
     return next(table["sizes"] for table in tables if table["build_configuration"] == "float_64")

@@ -51,7 +51,7 @@ def qualifiers(method):
     return ("static " if method["is_static"] else ""), (" const" if method["is_const"] else "")
 
 
-# Variant is incomplete where these are declared, so that a default of that type has to be written out by the caller.
+# Variant is incomplete at these declarations, so the caller must pass a default of that type.
 def parameters(api, method, defaults):
     return ", ".join(
         f"{api.cpp_argument(row)}p_{row['name']}{api.default(row) if defaults and row['type'] != 'Variant' else ''}"

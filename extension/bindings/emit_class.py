@@ -2,8 +2,8 @@
 
 from api import cpp_class, header_of
 
-# The two classes that ClassDB's own header needs complete: together in one header below it. The headers of their own
-# names include that and ClassDB, which all other classes' headers do.
+# ClassDB's header needs these two classes complete, so they are in one header that it includes. The headers
+# with their names include that header and ClassDB. The headers of all other classes include ClassDB.
 FOUNDATION = ("Object", "RefCounted")
 
 CASTS = """	template <typename T> static T *cast_to(Object *p_object);

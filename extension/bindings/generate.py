@@ -85,7 +85,7 @@ def main():
     for name, text in files.items():
         path = arguments.out / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        # Left alone if unchanged, so that a build by time stamps does not start afresh.
+        # Not written if unchanged, so that a build by time stamps does not restart.
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.write_text(text, encoding="utf-8")
 

@@ -16,15 +16,15 @@ struct VirtualMethod {
 	GDExtensionClassCallVirtual call;
 };
 
-// What the engine refers to, as long as the class is registered.
+// Data that the engine refers to while the class is registered.
 struct ClassRecord {
 	StringName name;
-	const ClassRecord *parent; // null if that is a class of the engine's
+	const ClassRecord *parent; // null if the parent is an engine class
 	std::vector<std::unique_ptr<MethodBind>> methods;
 	std::vector<VirtualMethod> virtuals;
 };
 
-// In order of registration. Written while the library starts and ends, only read in between.
+// In order of registration. Only written while the library starts and ends.
 std::vector<std::unique_ptr<ClassRecord>> classes;
 
 ClassRecord *find_class(const StringName &p_name) {

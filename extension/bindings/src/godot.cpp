@@ -72,7 +72,7 @@ void initialize_level(void *, GDExtensionInitializationLevel p_level) {
 	}
 }
 
-// Levels end in reverse order: the lowest one is the last call that the library gets.
+// Levels end in reverse order: the lowest level is the last call into the library.
 void deinitialize_level(void *, GDExtensionInitializationLevel p_level) {
 	the_library.terminator(ModuleInitializationLevel(p_level));
 	if (p_level == the_library.minimum_level) {

@@ -14,10 +14,10 @@ namespace internal {
 
 namespace {
 
-// Guards all that follows: objects are wrapped from any thread.
+// Guards the variables below: objects are wrapped from any thread.
 std::mutex mutex;
 std::unordered_map<const void *, const GDExtensionInstanceBindingCallbacks *> callbacks_by_class;
-std::vector<StringName> known_classes; // keeps the names alive whose identities are the keys above
+std::vector<StringName> known_classes; // owns the names whose addresses are the keys above
 std::vector<GodotObject *> wrapped_singletons;
 
 const GDExtensionInstanceBindingCallbacks *callbacks_of(StringName p_class) {
@@ -106,7 +106,7 @@ Wrapped::Construction &Wrapped::_construction() {
 
 Wrapped::Wrapped(const StringName &p_engine_class) {
 	namespace gd = gdextension_interface;
-	// Taken, so that objects made by members of this one find none of it.
+	// Reset, so that objects made by members of this object do not use it.
 	const Construction construction = std::exchange(_construction(), Construction());
 	_owner = construction.existing_owner;
 	if (_owner == nullptr) {

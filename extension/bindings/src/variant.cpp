@@ -23,8 +23,7 @@ template <GDExtensionVariantType TYPE> void unbox(const Variant &p_variant, void
 	constructor(r_value, p_variant._native_ptr());
 }
 
-// The engine constructs the value where it finds none; T's own constructor has to be kept from running
-// before.
+// The engine constructs the value in raw memory, so T's own constructor must not run before.
 template <GDExtensionVariantType TYPE, typename T> T unboxed(const Variant &p_variant) {
 	union Slot {
 		T value;

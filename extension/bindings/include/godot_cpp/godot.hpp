@@ -1,5 +1,5 @@
-// The library's entry point: what the extension's C entry function hands the engine's loader.
-// Class reference: a source made by godot-cpp's own recipe (zlib-compressed XML of all classes in one static
+// The library's entry point, which the extension's C entry function passes to the engine's loader. Class
+// reference: a source made by godot-cpp's own recipe (zlib-compressed XML of all classes in one static
 // DocDataRegistration) serves these bindings as it is.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace internal {
 
 class DocDataRegistration {
 public:
-	// p_data: p_compressed_size bytes of zlib, which unpack to p_uncompressed_size bytes of UTF-8; must be
+	// p_data: p_compressed_size bytes of zlib, which unpack to p_uncompressed_size bytes of UTF-8; it must be
 	// static.
 	DocDataRegistration(
 			const char *p_hash, int p_uncompressed_size, int p_compressed_size, const unsigned char *p_data);

@@ -10,7 +10,7 @@ namespace godot {
 template <typename T> class Ref {
 	T *reference_ = nullptr;
 
-	// Takes a further reference; false if the object is on its way out.
+	// Takes a further reference; false if the object is already being freed.
 	static bool acquire(T *p_object, bool p_fresh) {
 		return p_object != nullptr && (p_fresh ? p_object->init_ref() : p_object->reference());
 	}
@@ -27,7 +27,7 @@ public:
 	Ref(std::nullptr_t) {}
 	Ref(const Ref &p_other) { assign(p_other.reference_, false); }
 	Ref(Ref &&p_other) noexcept : reference_(std::exchange(p_other.reference_, nullptr)) {}
-	// Takes over a new object's first reference.
+	// Adopts the first reference of a new object.
 	Ref(T *p_object) { assign(p_object, true); }
 	template <typename Other> Ref(const Ref<Other> &p_other) {
 		assign(Object::cast_to<T>(p_other.ptr()), false);
@@ -62,7 +62,7 @@ public:
 	}
 	void instantiate() { *this = Ref(memnew(T)); }
 
-	// Takes over a reference that the engine has counted already.
+	// Adopts a reference that the engine has already counted.
 	static Ref _adopt(T *p_object) {
 		Ref adopted;
 		adopted.reference_ = p_object;

@@ -1,5 +1,5 @@
 // The C++ half of an engine object, and what GDCLASS adds to a class of our own: its name, its registration,
-// and the calls that the engine makes on every object whatever its class. Of those, `_notification` and
+// and the calls that the engine makes on objects of every class. Of those, `_notification` and
 // `_validate_property` are dispatched; declaring another one (see GODOT_CPP_REFUSE) fails to compile.
 #pragma once
 
@@ -20,15 +20,16 @@ class Wrapped {
 	friend void internal::post_initialize(Wrapped *);
 
 protected:
-	// What the constructor below has to know of the class that is being made, and cannot: it runs first.
+	// Class of the object that is being made. The base constructor below runs first and cannot know it
+	// otherwise.
 	struct Construction {
-		const StringName *extension_class = nullptr; // null for the engine's own classes
+		const StringName *extension_class = nullptr; // null for engine classes
 		const GDExtensionInstanceBindingCallbacks *callbacks = nullptr;
-		GodotObject *existing_owner = nullptr; // an object that outlived a reload of the library
+		GodotObject *existing_owner = nullptr; // an object from before a reload of the library
 	};
 	static Construction &_construction();
 
-	// Makes the engine's object as well.
+	// Also makes the engine's object.
 	explicit Wrapped(const StringName &p_engine_class);
 	// Wraps an object that the engine has made.
 	explicit Wrapped(GodotObject *p_owner) : _owner(p_owner) {}
@@ -54,12 +55,12 @@ public:
 
 namespace internal {
 
-// The C++ half of an engine object, made if it has none yet: of its own class, or of its nearest ancestor
-// that the bindings know. Null for null.
+// The C++ half of an engine object, which is made if there is none yet. It has the object's class, or the
+// nearest ancestor that the bindings have. Null for null.
 Wrapped *get_instance_binding(GodotObject *p_object);
 Wrapped *get_singleton(const StringName &p_name);
 
-// An object of a class of ours is its own C++ half, and goes when the engine calls ClassDB::free_instance.
+// An object of our own class is its own C++ half. ClassDB::free_instance, which the engine calls, deletes it.
 inline constexpr GDExtensionInstanceBindingCallbacks OWN_BINDING_CALLBACKS = {
 	[](void *, void *) -> void * { return nullptr; },
 	[](void *, void *, void *) {},
@@ -74,7 +75,7 @@ inline constexpr GDExtensionInstanceBindingCallbacks OWN_BINDING_CALLBACKS = {
 	static_assert(                                                                                           \
 			!requires { &T_Self::m_hook; }, #m_hook " is not dispatched by these bindings")
 
-// Own functions are told from inherited ones by the class in the type of the pointer to them.
+// The type of a member function pointer shows whether the class itself declares the function.
 #define GODOT_CPP_OVERRIDES(m_class, m_inherits, m_hook)                                                     \
 	(!std::is_same_v<decltype(&m_class::m_hook), decltype(m_inherits::m_hook##_ptr())>)
 

@@ -1,4 +1,4 @@
 #pragma once
 
-// godot-cpp's home of VARIANT_ENUM_CAST.
+// godot-cpp has VARIANT_ENUM_CAST in this header.
 #include <godot_cpp/core/type_info.hpp>

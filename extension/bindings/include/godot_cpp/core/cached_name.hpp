@@ -7,9 +7,9 @@
 
 namespace godot::internal {
 
-// A StringName for the life of the library: made at its first use, since the engine is not there when static
-// objects are constructed, and freed by free_all() while the engine still is, since it no longer is when they
-// are destroyed. p_text must be a literal. Safe to use from any thread.
+// A StringName that exists while the library is loaded. It is made at its first use and freed by free_all(),
+// because the engine is not available while static objects are constructed and destroyed. p_text must be a
+// literal. Any thread may use it.
 class CachedName {
 	const char *text_;
 	CachedName *next_ = nullptr;

@@ -1,4 +1,4 @@
-// Registration of our classes with the engine, in godot-cpp's words.
+// Registration of our classes with the engine, with godot-cpp's names.
 #pragma once
 
 #include <godot_cpp/core/error_macros.hpp>
@@ -13,10 +13,10 @@ namespace godot {
 #define DEFVAL(m_value) (m_value)
 
 class ClassDB {
-	// How one class differs from any other, as the engine's registration asks for it.
+	// Properties of one class that the engine's registration needs.
 	struct ClassKind {
 		bool is_abstract = false;
-		bool is_virtual = false; // made by scripts that extend it only
+		bool is_virtual = false; // can only be extended by scripts, not instantiated
 		bool is_exposed = true;
 	};
 	static void register_record(const StringName &p_name, const StringName &p_parent, ClassKind p_kind,
@@ -35,7 +35,7 @@ class ClassDB {
 		}
 		return object->_owner;
 	}
-	// After the library was reloaded: the engine's object is still there, its C++ half has to be made again.
+	// After a reload of the library, the engine's object still exists, and its C++ half must be made again.
 	template <typename T>
 	static GDExtensionClassInstancePtr recreate_instance(void *, GDExtensionObjectPtr p_owner) {
 		T::_announce_construction();
@@ -99,7 +99,7 @@ public:
 		return add_method(p_class, p_definition, std::make_unique<internal::FunctionBind<F>>(p_function),
 				{ Variant(p_defaults)... });
 	}
-	// p_hash: of the signature that the engine has to agree on.
+	// p_hash: hash of the signature, which must be the engine's.
 	static void bind_virtual_method(const StringName &p_class, const StringName &p_method,
 			GDExtensionClassCallVirtual p_call, uint32_t p_hash);
 
@@ -112,7 +112,7 @@ public:
 	static void bind_integer_constant(const StringName &p_class, const StringName &p_enum,
 			const StringName &p_constant, int64_t p_value, bool p_is_bitfield = false);
 
-	// Takes every class back, last registered first.
+	// Unregisters all classes, the last registered one first.
 	static void _unregister_all();
 };
 

@@ -7,13 +7,13 @@
 
 namespace godot::internal {
 
-// Each returns null, and says so in the log, if this engine lacks the function in that form.
+// Each returns null, with an error in the log, if this engine does not have the function with this signature.
 GDExtensionMethodBindPtr find_method(const char *p_class, const char *p_method, int64_t p_hash);
 GDExtensionPtrBuiltInMethod find_builtin_method(
 		GDExtensionVariantType p_type, const char *p_method, int64_t p_hash);
 GDExtensionPtrUtilityFunction find_utility(const char *p_function, int64_t p_hash);
 
-// The argument list of one call; the values live as long as the full expression that makes it.
+// The argument list of one call; the values exist until the end of the full expression that makes it.
 template <typename... Args> struct Arguments {
 	std::array<GDExtensionConstTypePtr, sizeof...(Args) + 1> pointers; // + 1: never of size zero
 

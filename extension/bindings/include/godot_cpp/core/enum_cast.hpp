@@ -2,7 +2,7 @@
 
 namespace godot::internal {
 
-// The enum's C++ name; VARIANT_ENUM_CAST states it.
+// The enum's C++ name, defined by VARIANT_ENUM_CAST.
 template <typename T> inline constexpr const char *ENUM_NAME = nullptr;
 
 } // namespace godot::internal

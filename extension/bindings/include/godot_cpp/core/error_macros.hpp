@@ -1,5 +1,5 @@
 // Godot's checks: report to the engine's log with file and line, and leave the function. A failed check is a
-// programming error or unusable input that the caller was told about; it never stops the program.
+// programming error or invalid input. It never stops the program.
 #pragma once
 
 #include <godot_cpp/core/defs.hpp>
@@ -30,7 +30,7 @@ constexpr bool is_out_of_range(int64_t p_index, int64_t p_size) {
 
 #define GODOT_CPP_REPORT(...) ::godot::_err_print_error(__FUNCTION__, __FILE__, __LINE__, __VA_ARGS__)
 
-// The `else` makes each check one statement that asks for its semicolon.
+// With the `else` each check is one statement that needs its semicolon.
 #define ERR_FAIL_COND_V_MSG(m_cond, m_retval, m_msg)                                                         \
 	if (m_cond) [[unlikely]] {                                                                               \
 		GODOT_CPP_REPORT("Condition \"" #m_cond "\" is true. Returning.", m_msg);                            \

@@ -82,7 +82,7 @@
 	X(classdb_unregister_extension_class, ClassdbUnregisterExtensionClass)                                   \
 	X(editor_help_load_xml_from_utf8_chars_and_len, EditorHelpLoadXml)
 
-// The header of 4.4 to 4.6 spells this one type's name otherwise than all others.
+// In the headers of 4.4 to 4.6 the name of this type does not follow the rule.
 using GDExtensionInterfaceEditorHelpLoadXml = void (*)(const char *p_text, GDExtensionInt p_size);
 
 namespace godot::gdextension_interface {
@@ -91,7 +91,7 @@ namespace godot::gdextension_interface {
 GODOT_CPP_INTERFACE(GODOT_CPP_DECLARE)
 #undef GODOT_CPP_DECLARE
 
-// Given to the engine with every registration and instance binding, to say whose they are.
+// Identifies this library in every registration and instance binding.
 extern GDExtensionClassLibraryPtr library;
 
 } // namespace godot::gdextension_interface

@@ -1,6 +1,6 @@
 // memnew and memdelete. An engine class is made in two halves, the engine's object and ours; memnew tells the
-// constructor of Wrapped which class is being made before the object is allocated, and announces the
-// finished object to the engine afterwards. Everything else is plain new and delete.
+// constructor of Wrapped which class is being made before the object is allocated, and announces the finished
+// object to the engine afterwards. Other types use plain new and delete.
 #pragma once
 
 #include <type_traits>

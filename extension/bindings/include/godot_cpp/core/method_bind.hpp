@@ -1,5 +1,5 @@
-// A C++ function as the engine calls it: with Variants (from scripts, arguments checked and defaults filled
-// in) or with typed pointers (from typed scripts and other extensions).
+// A C++ function that the engine can call: with Variants (from scripts; checks arguments and adds defaults)
+// or with typed pointers (from typed scripts and other extensions).
 #pragma once
 
 #include <godot_cpp/core/method_ptrcall.hpp>
@@ -30,14 +30,14 @@ public:
 	std::vector<Variant> default_arguments; // of the last arguments
 	uint32_t flags = GDEXTENSION_METHOD_FLAGS_DEFAULT;
 	bool has_return = false;
-	// The result's first, then the arguments'.
+	// For the result, then for the arguments.
 	std::vector<PropertyInfo> signature;
 	std::vector<GDExtensionClassMethodArgumentMetadata> metadata;
 
 	virtual ~MethodBind() = default;
 	size_t argument_count() const { return signature.size() - 1; }
 
-	// p_arguments: one for each of the method's.
+	// p_arguments: one for each argument of the method.
 	virtual void call(Wrapped *p_instance, const Variant *const *p_arguments, Variant &r_ret,
 			GDExtensionCallError &r_error) const = 0;
 	virtual void ptrcall(Wrapped *p_instance, const GDExtensionConstTypePtr *p_arguments,
@@ -74,7 +74,7 @@ template <typename T> struct ClassBehind<T *> { using Type = std::remove_const_t
 template <typename T> struct ClassBehind<Ref<T>> { using Type = T; };
 template <typename T> using ClassOf = typename ClassBehind<T>::Type;
 
-// Whether the engine would let a script pass p_value for a T; an object has to be null or a T.
+// Whether the engine lets a script pass p_value for a T. An object must be null or a T.
 template <typename T> bool accepts(const Variant &p_value) {
 	if constexpr (std::is_same_v<T, Variant>) {
 		return true;
@@ -90,7 +90,7 @@ template <typename T> bool accepts(const Variant &p_value) {
 	}
 }
 
-// F: the function's pointer type, taken apart by the specialisations below.
+// F: the function's pointer type. The specialisations below split it.
 template <typename F> struct FunctionOf;
 template <typename T, typename R, typename... P> struct FunctionOf<R (T::*)(P...)> {
 	using Instance = T;
@@ -109,7 +109,7 @@ template <typename R, typename... P> struct FunctionOf<R (*)(P...)> {
 	static constexpr uint32_t FLAGS = GDEXTENSION_METHOD_FLAGS_DEFAULT | GDEXTENSION_METHOD_FLAG_STATIC;
 };
 
-// Calls F on an instance, or plainly if it is static.
+// Calls F on an instance, or without one if it is static.
 template <typename F, typename... Values>
 decltype(auto) invoke(F p_function, Wrapped *p_instance, Values &&...p_values) {
 	using Instance = typename FunctionOf<F>::Instance;

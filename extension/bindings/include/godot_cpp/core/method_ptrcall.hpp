@@ -1,9 +1,9 @@
-// How a value travels through the engine's untyped calls: as a pointer to the engine's own form of it. Each
-// kind of type says so once, as
-//   Argument  what lends a value to the engine for the time of a call: ptr();
-//   Result    the place for the engine's answer: ptr(), then take();
-//   convert   a value from a pointer that the engine lends to us;
-//   encode    a value into the place where the engine wants ours.
+// Values in the engine's untyped calls are pointers to the engine's form of the value. Each kind of type
+// defines:
+//   Argument  provides a value to the engine during a call: ptr();
+//   Result    memory for the engine's result: ptr(), then take();
+//   convert   reads a value from a pointer of the engine;
+//   encode    writes a value to a pointer of the engine.
 #pragma once
 
 #include <godot_cpp/classes/ref.hpp>
@@ -32,7 +32,7 @@ template <typename T, typename Raw> struct NumberPtrcall {
 	static void encode(T p_value, void *r_ptr) { *static_cast<Raw *>(r_ptr) = static_cast<Raw>(p_value); }
 };
 
-// Builtin types and Variant, which are the engine's own form already. Raw: the builtin under a TypedArray.
+// Builtin types and Variant, which already have the engine's form. Raw: the builtin under a TypedArray.
 template <typename T, typename Raw = T> struct BuiltinPtrcall {
 	struct Argument {
 		const T &value;
@@ -118,7 +118,7 @@ template <typename T> struct PtrToArg<Ref<T>> {
 		T *const object = Object::cast_to<T>(static_cast<Object *>(internal::get_instance_binding(owner)));
 		return Ref<T>(object);
 	}
-	// The engine's place holds no reference yet.
+	// The engine's memory has no reference yet.
 	static void encode(const Ref<T> &p_ref, void *r_ptr) {
 		if (p_ref.is_valid()) {
 			gdextension_interface::ref_set_object(r_ptr, p_ref->_owner);

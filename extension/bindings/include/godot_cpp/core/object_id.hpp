@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// Names an object without keeping it alive; ObjectDB::get_instance() answers whether it still is.
+// Refers to an object without owning it. ObjectDB::get_instance() returns null if the object was freed.
 class ObjectID {
 	uint64_t id_ = 0;
 

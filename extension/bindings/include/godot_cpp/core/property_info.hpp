@@ -28,7 +28,7 @@ struct PropertyInfo {
 					PropertyHint(p_info.hint), *static_cast<const String *>(p_info.hint_string), p_info.usage,
 					*static_cast<const StringName *>(p_info.class_name)) {}
 
-	// Points into this object, which has to outlive it.
+	// Points into this object, which must outlive the result.
 	GDExtensionPropertyInfo _to_gdextension() const {
 		return { GDExtensionVariantType(type), name._native_ptr(), class_name._native_ptr(), hint,
 			hint_string._native_ptr(), usage };

@@ -1,4 +1,4 @@
-// What the engine is told of a C++ type in a signature: its Variant type, its width, its class or enum.
+// Description of a C++ type in a signature for the engine: Variant type, width, class or enum.
 #pragma once
 
 #include <godot_cpp/core/enum_cast.hpp>
@@ -11,7 +11,7 @@ namespace godot {
 
 template <typename T> class Ref;
 
-// A set of flags out of the enum T.
+// A set of flags of the enum T.
 template <typename T> class BitField {
 	int64_t value_ = 0;
 
@@ -27,7 +27,7 @@ public:
 
 namespace internal {
 
-// "Class.Enum", the engine's name, of "a_namespace::Class::Enum".
+// Converts "a_namespace::Class::Enum" to the engine's name "Class.Enum".
 String enum_class_name(const char *p_cpp_name);
 
 template <typename T> inline constexpr bool IS_REF = false;

@@ -28,7 +28,7 @@ public:
 	const Variant *begin() const;
 	const Variant *end() const;
 
-	// Must be empty. p_class_name names the class of the objects, if p_type is one.
+	// The array must be empty. p_class_name: the objects' class, if p_type is OBJECT.
 	void set_typed(uint32_t p_type, const StringName &p_class_name, const Variant &p_script);
 
 #include <godot_cpp/variant/array_methods.inc>

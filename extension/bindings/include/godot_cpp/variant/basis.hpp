@@ -4,7 +4,7 @@
 
 namespace godot {
 
-// A 3 x 3 matrix, kept by rows as the engine keeps it; its columns are the images of the axes.
+// A 3 x 3 matrix, stored by rows as in the engine. Its columns are the images of the axes.
 struct Basis {
 	Vector3 rows[3] = { Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1) };
 

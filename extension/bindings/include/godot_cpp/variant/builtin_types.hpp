@@ -1,4 +1,4 @@
-// All builtin types that the bindings have as C++ types, and their places in the engine's list of types.
+// All builtin types that the bindings have as C++ types, and their indices in the engine's list of types.
 #pragma once
 
 #include <godot_cpp/variant/array.hpp>

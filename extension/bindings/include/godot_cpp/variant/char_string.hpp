@@ -17,7 +17,7 @@ public:
 	const char *get_data() const { return bytes_.c_str(); }
 	const char *ptr() const { return bytes_.c_str(); }
 	int64_t length() const { return int64_t(bytes_.size()); }
-	// Counts the closing zero, as in Godot.
+	// Counts the terminating zero, as in Godot.
 	int64_t size() const { return bytes_.empty() ? 0 : length() + 1; }
 };
 

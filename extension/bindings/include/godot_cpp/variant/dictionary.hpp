@@ -13,7 +13,7 @@ class Variant;
 // Copies share one table, as in GDScript; duplicate() makes another.
 class Dictionary : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_DICTIONARY, internal::DICTIONARY_SIZE> {
 public:
-	// The first makes a missing entry, the second answers a missing one with nil.
+	// For a missing key, the first adds an entry, and the second returns nil.
 	Variant &operator[](const Variant &p_key);
 	const Variant &operator[](const Variant &p_key) const;
 

@@ -1,6 +1,5 @@
-// The builtin types whose layout is the engine's own business: storage of the size that the API JSON states,
-// and the engine's constructors and destructor around it. The order of constructors, default, copy,
-// conversions, is that of the JSON.
+// Builtin types whose layout only the engine knows: storage with the size in the API JSON, and the engine's
+// constructors and destructor. Constructors have the order of the JSON: default, copy, conversions.
 #pragma once
 
 #include <godot_cpp/core/gdextension_interface_loader.hpp>

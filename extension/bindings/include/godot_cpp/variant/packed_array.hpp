@@ -1,4 +1,4 @@
-// What the packed arrays have in common; the generator makes one class of each element type from it.
+// Base of the packed arrays. The generator makes one class for each element type from it.
 #pragma once
 
 #include <godot_cpp/variant/opaque.hpp>
@@ -8,9 +8,9 @@
 
 namespace godot::internal {
 
-// Self: the class made from this one, which adds size(), resize(), ... from the API JSON.
-// WRITE, READ: the engine's access to an element; the first makes the memory its own beforehand (copy on
-// write), and both answer an empty array with null.
+// Self: the class made from this one, which adds size(), resize(), ... from the API JSON. WRITE, READ: the
+// engine's access to an element; WRITE first makes an own copy of shared memory (copy on write). Both return
+// null for an empty array.
 template <typename Self, typename T, GDExtensionVariantType TYPE, size_t SIZE, auto &WRITE, auto &READ>
 class PackedArray : public Opaque<TYPE, SIZE> {
 	const Self &self() const { return static_cast<const Self &>(*this); }

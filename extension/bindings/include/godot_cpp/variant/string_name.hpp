@@ -12,11 +12,11 @@ class String;
 class StringName : public internal::Opaque<GDEXTENSION_VARIANT_TYPE_STRING_NAME, internal::STRING_NAME_SIZE> {
 public:
 	StringName() = default;
-	// Latin-1, and copied: a name that the library lent to the engine would not outlive the library.
+	// Latin-1. The engine copies it, because static text does not outlive the library.
 	StringName(const char *p_text);
 	StringName(const String &p_text);
 
-	// Equal names share one record of the engine's, whose address is all that a StringName holds.
+	// Equal names share one record in the engine. A StringName only has the record's address.
 	const void *_identity() const {
 		const void *identity = nullptr;
 		std::memcpy(&identity, _native_ptr(), sizeof(identity));
