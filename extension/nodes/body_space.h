@@ -6,15 +6,15 @@
 
 namespace godot {
 
-/// A space that turns about the vertical with the player while the hand rests. From where the hand sets out
-/// until it rests again it stands still, so that the head may look about during a gesture. It turns about the
-/// hand: nothing moves by it.
+/// A space that turns about the vertical with the player's head while the hand rests. It does not turn while
+/// the hand moves, so the player may look around during a gesture. It turns about the hand, so the hand's
+/// position does not change.
 class BodySpace {
 public:
-	/// p_tip_m: a point of the hand in the origin's space, m. p_head_turn: of the head about the vertical
-	/// from the origin's -z, rad; nothing where the head looks too steeply up or down, or is not known.
+	/// p_tip_m: a point of the hand in the origin's space, m. p_head_turn: angle of the head about the
+	/// vertical from the origin's -z, rad; nullopt if it is unknown, or the head looks steeply up or down.
 	void follow(const Eigen::Vector3d &p_tip_m, std::optional<double> p_head_turn, double p_time_s);
-	/// From the origin's space.
+	/// From the origin's space to this space.
 	const Eigen::Isometry3d &transform() const { return to_body_; }
 
 private:
@@ -26,7 +26,7 @@ private:
 	double rests_since_s_ = 0.0;
 };
 
-/// The turn of the head as the XRServer knows it.
+/// The head's angle by the XRServer, as for follow().
 std::optional<double> head_turn();
 
 } // namespace godot

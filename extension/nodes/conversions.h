@@ -13,7 +13,7 @@
 
 namespace godot {
 
-// Between the engine's types and the core's. Vector3 is single precision in Godot's usual builds.
+// Conversions between the engine's types and the core's. Vector3 is single precision in Godot's usual builds.
 
 inline String to_godot(std::string_view p_text) {
 	return String::utf8(p_text.data(), static_cast<int64_t>(p_text.size()));
@@ -46,13 +46,13 @@ inline Eigen::Vector3d to_core(const Vector3 &p_vector) {
 		static_cast<double>(p_vector.z) };
 }
 
-/// Whether it is one of an enum of 0..p_last: scripts can give any number.
+/// Whether the value is in an enum with the values 0..p_last. Scripts can pass any number.
 template <class Enum> constexpr bool is_enumerator(Enum p_value, Enum p_last) {
 	const auto number = static_cast<int64_t>(p_value);
 	return number >= 0 && number <= static_cast<int64_t>(p_last);
 }
 
-/// Valid as long as the array is unchanged.
+/// Valid until the array changes.
 inline std::span<const double> to_core(const PackedFloat64Array &p_numbers) {
 	return { p_numbers.ptr(), static_cast<std::size_t>(p_numbers.size()) };
 }

@@ -14,31 +14,31 @@ namespace {
 
 using steadyhand::DegradeSettings;
 
-/// Another stream, whose frames go through a DegradedHand.
+/// Passes the frames of another stream through a DegradedHand.
 class DegradedStream : public HandStream {
 public:
-	DegradedStream(std::unique_ptr<HandStream> p_sound, const DegradeSettings &p_settings) :
-			sound_(std::move(p_sound)), hand_(p_settings), latency_s_(p_settings.latency_s) {}
+	DegradedStream(std::unique_ptr<HandStream> p_original, const DegradeSettings &p_settings) :
+			original_(std::move(p_original)), hand_(p_settings), latency_s_(p_settings.latency_s) {}
 
-	String open() override { return sound_->open(); }
-	StreamClock clock() const override { return sound_->clock(); }
-	double start_s() const override { return sound_->start_s(); }
-	double duration_s() const override { return sound_->duration_s(); }
-	bool is_looped() const override { return sound_->is_looped(); }
-	bool begins_round() const override { return sound_->begins_round(); }
-	bool is_finished() const override { return sound_->is_finished(); }
-	String played_file() const override { return sound_->played_file(); }
-	bool is_polled() const override { return sound_->is_polled(); }
-	void poll(double p_now_s) override { sound_->poll(p_now_s); }
-	double complete_until_s(double p_now_s) const override { return sound_->complete_until_s(p_now_s); }
-	bool accept(const steadyhand::DeviceFrame &p_frame) override { return sound_->accept(p_frame); }
-	double latency_s() const override { return sound_->latency_s() + latency_s_; }
-	bool next_event(StreamEvent &r_event) override { return sound_->next_event(r_event); }
+	String open() override { return original_->open(); }
+	StreamClock clock() const override { return original_->clock(); }
+	double start_s() const override { return original_->start_s(); }
+	double duration_s() const override { return original_->duration_s(); }
+	bool is_looped() const override { return original_->is_looped(); }
+	bool begins_round() const override { return original_->begins_round(); }
+	bool is_finished() const override { return original_->is_finished(); }
+	String played_file() const override { return original_->played_file(); }
+	bool is_polled() const override { return original_->is_polled(); }
+	void poll(double p_now_s) override { original_->poll(p_now_s); }
+	double complete_until_s(double p_now_s) const override { return original_->complete_until_s(p_now_s); }
+	bool accept(const steadyhand::DeviceFrame &p_frame) override { return original_->accept(p_frame); }
+	double latency_s() const override { return original_->latency_s() + latency_s_; }
+	bool next_event(StreamEvent &r_event) override { return original_->next_event(r_event); }
 
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override {
-		steadyhand::DeviceFrame sound;
-		while (sound_->next(p_until_s, sound)) {
-			if (auto degraded = hand_.apply(sound)) {
+		steadyhand::DeviceFrame original;
+		while (original_->next(p_until_s, original)) {
+			if (auto degraded = hand_.apply(original)) {
 				r_frame = *std::move(degraded);
 				return true;
 			}
@@ -47,12 +47,12 @@ public:
 	}
 
 private:
-	std::unique_ptr<HandStream> sound_;
+	std::unique_ptr<HandStream> original_;
 	steadyhand::DegradedHand hand_;
 	double latency_s_;
 };
 
-/// Nothing to degrade.
+/// For a DegradedSource without a source.
 class NoStream : public HandStream {
 public:
 	String open() override { return "set \"source\" of the DegradedSource to the source to degrade"; }
@@ -125,8 +125,8 @@ PackedStringArray DegradedSource::get_warnings() const {
 	return warnings;
 }
 
-String DegradedSource::silence_advice() const {
-	return source_.is_valid() ? source_->silence_advice() : String("Set \"source\" of the DegradedSource");
+String DegradedSource::no_frame_advice() const {
+	return source_.is_valid() ? source_->no_frame_advice() : String("Set \"source\" of the DegradedSource");
 }
 
 void DegradedSource::_bind_methods() {

@@ -6,7 +6,7 @@
 
 namespace godot {
 
-/// Another source on a bad day: adds dropouts, freezes, jumps, drift, latency, a lower rate, rounding, noise.
+/// Degrades another source: adds dropouts, freezes, jumps, drift, latency, a lower rate, rounding, noise.
 class DegradedSource : public HandSource {
 	GDCLASS(DegradedSource, HandSource)
 
@@ -22,7 +22,7 @@ public:
 	void set_silent_dropouts(bool p_silent);
 	bool get_silent_dropouts() const { return settings_.dropouts_are_silent; }
 
-	/// Of the properties that are numbers: bound with the field and its limit.
+	/// For the numeric properties.
 	template <double steadyhand::DegradeSettings::*FIELD> void set_number(double p_value) {
 		set_checked(settings_.*FIELD, p_value);
 	}
@@ -34,7 +34,7 @@ public:
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
 	PackedStringArray get_warnings() const override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	String played_file() const override { return source_.is_valid() ? source_->played_file() : String(); }
 	bool is_script() const override { return source_.is_valid() && source_->is_script(); }
 
@@ -47,7 +47,7 @@ private:
 	steadyhand::DegradeSettings settings_;
 
 	void set_checked(double &r_field, double p_value);
-	/// A source that is its own, through others, would never end.
+	/// Whether this source reads p_source, possibly through other DegradedSources. A cycle would never end.
 	bool contains(const HandSource *p_source) const;
 };
 

@@ -10,11 +10,11 @@
 
 namespace godot {
 
-/// Frames of a device between its arrival and a tracker's time.
+/// Frames of a device that have arrived, but are not delivered yet.
 class DeviceQueue {
 public:
-	/// A frame may arrive so much later than it was taken: the tracker's time waits for it. USB and a busy
-	/// host delay by some tens of milliseconds.
+	/// Longest delay of a frame's arrival. The tracker's time waits for it. USB and a busy host delay frames
+	/// by some tens of milliseconds.
 	static constexpr double LATE_S = 0.1;
 
 	/// Stamps must not decrease.
@@ -29,7 +29,7 @@ public:
 		return true;
 	}
 
-	/// Up to where all frames have come, s.
+	/// All frames before this time have arrived, s.
 	double complete_until_s(double p_now_s) const {
 		const double newest_s = frames_.empty() ? p_now_s - LATE_S : frames_.back().hand.t_s;
 		return std::max(newest_s, p_now_s - LATE_S);
@@ -41,7 +41,7 @@ private:
 	std::deque<steadyhand::DeviceFrame> frames_;
 };
 
-/// Moves all joints from the device's space, as where the device stands in the scene says.
+/// Transforms all joints from the device's space to the scene. p_device: pose of the device in the scene.
 inline void move_joints(steadyhand::HandSkeleton &r_joints, const Eigen::Affine3d &p_device) {
 	const Eigen::Quaterniond turn(p_device.rotation());
 	for (std::size_t i = 0; i < steadyhand::SKELETON_JOINT_COUNT; ++i) {

@@ -4,12 +4,12 @@
 
 namespace godot {
 
-/// Whoever needs every frame of a HandTracker in order, at once, and with no Variant made for it.
+/// Gets every frame of a HandTracker in order and at once, without a Variant for each frame.
 class FrameListener {
 public:
-	/// A new stream: its time stamps may lie before those so far.
+	/// A new stream starts. Its stamps may be before the previous ones.
 	virtual void on_stream_started() = 0;
-	/// No frame comes of the stream any more.
+	/// The stream has no more frames.
 	virtual void on_stream_ended() = 0;
 	virtual void on_frame(const steadyhand::HandFrame &p_frame) = 0;
 	/// All frames stamped at or before p_time_s have been delivered.

@@ -5,7 +5,7 @@
 
 namespace godot {
 
-// `*.gesture` through the engine's own load() and ResourceSaver.save().
+// Loads and saves `*.gesture` by the engine's own load() and ResourceSaver.save().
 
 class GestureFormatLoader : public ResourceFormatLoader {
 	GDCLASS(GestureFormatLoader, ResourceFormatLoader)

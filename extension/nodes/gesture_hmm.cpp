@@ -19,10 +19,10 @@ namespace {
 
 /// The paper controls the vibration at 1 kHz.
 constexpr double CONTROL_RATE_HZ = 1000.0;
-/// After a gap this long in the stamps nothing that was recognised still holds.
+/// After a longer gap between stamps the recogniser restarts.
 constexpr double LONGEST_GAP_S = 10.0;
-/// So many in a row are another unit.
-constexpr int LEAPS_TOLD = 3;
+/// After this number of gaps in a row the times probably have another unit.
+constexpr int LONG_GAPS_WARNED = 3;
 
 } // namespace
 
@@ -32,7 +32,7 @@ void GestureHMM::_notification(int p_what) {
 	} else if (p_what == NOTIFICATION_EXIT_TREE && follows_parent_) {
 		set_tracker(nullptr);
 	} else if (p_what == NOTIFICATION_READY) {
-		// A script above that sets the tracker when it is ready is so after this node.
+		// A parent's script may still set the tracker in its _ready(), which is later.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
 		watch_tracker(get_process_delta_time());
@@ -42,18 +42,18 @@ void GestureHMM::_notification(int p_what) {
 void GestureHMM::reset() {
 	outdated_ = true;
 	recognised_ = StringName();
-	give_up_shown(get_gesture(), get_current_task());
+	abort_shown(get_gesture(), get_current_task());
 }
 
-void GestureHMM::give_up_shown(const StringName &p_gesture, GestureTask *p_task) {
+void GestureHMM::abort_shown(const StringName &p_gesture, GestureTask *p_task) {
 	const Watch watch(listeners_);
 	const steadyhand::ShownGesture before = std::exchange(shown_, {});
-	const bool is_told = !std::exchange(is_start_unreported_, false);
+	const bool is_start_reported = !std::exchange(is_start_unreported_, false);
 	const bool has_ended = before.has_ended && !std::exchange(is_end_unreported_, false);
-	if (before.gesture >= 0 && !has_ended && is_told) {
+	if (before.gesture >= 0 && !has_ended && is_start_reported) {
 		emit_signal(names_.gesture_aborted, p_gesture, p_task);
 	}
-	if (!watch.is_gone() && shown_.state < 0 && std::exchange(told_state_, -1) >= 0) {
+	if (!watch.is_destroyed() && shown_.state < 0 && std::exchange(reported_state_, -1) >= 0) {
 		emit_signal(names_.state_changed, -1);
 	}
 }
@@ -66,27 +66,27 @@ void GestureHMM::on_stream_started() {
 void GestureHMM::on_stream_ended() {
 	++stream_;
 	outdated_ = true;
-	give_up_shown(get_gesture(), get_current_task());
+	abort_shown(get_gesture(), get_current_task());
 }
 
 bool GestureHMM::prepare(double p_time_s) {
 	const Watch watch(listeners_);
 	const uint64_t this_stream = stream_;
-	const auto is_over = [&] { return watch.is_gone() || stream_ != this_stream; };
+	const auto is_over = [&] { return watch.is_destroyed() || stream_ != this_stream; };
 	if (recogniser_ && std::abs(p_time_s - time_s_) > LONGEST_GAP_S) {
 		reset();
 		if (is_over()) {
 			return false;
 		}
-		if (++leaps_ == LEAPS_TOLD) {
+		if (++long_gaps_ == LONG_GAPS_WARNED) {
 			WARN_PRINT(node_label(*this) +
 					": the times of successive frames are more than 10 s apart, and no gesture is recognised "
 					"across such a gap. Give the source's times in seconds");
 		}
 	} else if (p_time_s > time_s_) {
-		leaps_ = 0;
+		long_gaps_ = 0;
 	}
-	if (!outdated_ && is_task_gone()) {
+	if (!outdated_ && is_task_freed()) {
 		update_expected();
 	}
 	if (is_over()) {
@@ -108,8 +108,8 @@ bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 	const Watch watch(listeners_);
 	const uint64_t this_stream = stream_;
 	uint64_t this_build = build_;
-	// A script that is told of an instant may change settings, or push the next frame.
-	while (!watch.is_gone() && build_ == this_build && !outdated_) {
+	// A signal handler may change settings, or push the next frame.
+	while (!watch.is_destroyed() && build_ == this_build && !outdated_) {
 		const double instant_s = static_cast<double>(next_instant_) / CONTROL_RATE_HZ;
 		if (instant_s > p_time_s || (instant_s == p_time_s && !p_up_to_and_including)) {
 			break;
@@ -118,17 +118,17 @@ bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {
 		recogniser_->advance(instant_s);
 		time_s_ = instant_s;
 		publish();
-		if (!watch.is_gone() && build_ == this_build && expects_others_ && !outdated_) {
+		if (!watch.is_destroyed() && build_ == this_build && expected_changed_ && !outdated_) {
 			update_expected();
-			this_build = watch.is_gone() ? 0 : build_;
+			this_build = watch.is_destroyed() ? 0 : build_;
 		}
 	}
-	return !watch.is_gone() && stream_ == this_stream;
+	return !watch.is_destroyed() && stream_ == this_stream;
 }
 
 void GestureHMM::on_frame(const steadyhand::HandFrame &p_frame) {
 	has_frame_ = true;
-	// An instant before this frame must not see it.
+	// Instants before this frame must not depend on it.
 	if (!prepare(p_frame.t_s) || !run_clock(p_frame.t_s, false) || !prepare(p_frame.t_s)) {
 		return;
 	}
@@ -154,7 +154,7 @@ void GestureHMM::publish() {
 		task_watch_.gesture_started();
 	}
 	task_changes_ = changes.ended ? 0 : task_changes_;
-	// The scripts that are told may change all of this.
+	// Copies, because the signal handlers may change the members.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
 	const double reached = changes.ended ? fraction() : 0.0;
@@ -167,12 +167,12 @@ void GestureHMM::publish() {
 	if (!listeners_.empty()) {
 		listeners_.call(&MotionListener::on_motion, motion_at(instant_s));
 	}
-	// What was recognised before a script changed settings no longer counts after that.
+	// If a handler changes settings, the remaining signals of this instant are invalid.
 	const Watch watch(listeners_);
 	const uint64_t this_build = build_;
-	// Other models or tasks are taken up after this instant.
-	const auto is_valid = [&] { return !watch.is_gone() && build_ == this_build && !outdated_; };
-	++telling_;
+	// Changes of models or tasks wait until after this instant.
+	const auto is_valid = [&] { return !watch.is_destroyed() && build_ == this_build && !outdated_; };
+	++emitting_;
 	is_start_unreported_ = changes.started;
 	is_end_unreported_ = changes.ended;
 	if (changes.aborted) {
@@ -183,7 +183,7 @@ void GestureHMM::publish() {
 		emit_signal(names_.gesture_started, gesture, task_of(shown_.gesture));
 	}
 	if (changes.state_changed && is_valid()) {
-		told_state_ = state;
+		reported_state_ = state;
 		emit_signal(names_.state_changed, state);
 	}
 	if (changes.ended && is_valid()) {
@@ -193,8 +193,8 @@ void GestureHMM::publish() {
 	if (is_valid() && has_connections(names_.motion_updated)) {
 		emit_signal(names_.motion_updated, instant_s);
 	}
-	if (!watch.is_gone()) {
-		--telling_;
+	if (!watch.is_destroyed()) {
+		--emitting_;
 	}
 }
 
@@ -219,7 +219,7 @@ MotionInstant GestureHMM::motion_at(double p_time_s) const {
 		shown_.gesture >= 0 ? gestures_started_ : 0, shown_.has_ended && motion_ == MOTION_SYNTHESISED };
 }
 
-/// Of the motion that is shown, which at rest is that of the nearest task.
+/// Amplitude of the shown motion. Without a gesture it is that of the nearest task.
 double GestureHMM::amplitude_m() const {
 	if (expected_.empty()) {
 		return 1.0;
@@ -254,7 +254,7 @@ double GestureHMM::get_acceleration() const {
 }
 
 double GestureHMM::get_progress() const {
-	// What frames correct is blended in: for some ms it may be beyond the end by a little.
+	// Corrections by frames are blended in, so the value may exceed the end slightly for some ms.
 	return std::clamp(current(motion_).progress, 0.0, 1.0);
 }
 

@@ -25,9 +25,8 @@ namespace godot {
 class GestureTask;
 class HandTracker;
 
-/// Recognises the gesture that a HandTracker's hand is making and puts out its motion, at control instants 1
-/// ms apart on the frames' own clock. What it puts out for a time depends on the frames stamped at or before
-/// that time only.
+/// Recognises the gesture of a HandTracker's hand and outputs its motion at control instants, 1 ms apart on
+/// the frames' clock. The output at an instant depends only on frames with stamps up to that instant.
 class GestureHMM : public Node, public FrameListener {
 	GDCLASS(GestureHMM, Node)
 
@@ -53,14 +52,14 @@ public:
 	void set_tracker(HandTracker *p_tracker);
 	HandTracker *get_tracker() const { return tracker_; }
 	void set_tasks(const TypedArray<GestureTask> &p_tasks);
-	/// A copy: what a script changes in it takes effect when it is set.
+	/// A copy. Changes take effect when it is set again.
 	TypedArray<GestureTask> get_tasks() const;
-	/// The only one, or none.
+	/// Sets one task, or none.
 	void set_task(GestureTask *p_task);
-	/// The first, or none.
+	/// The first task, or null.
 	GestureTask *get_task() const { return tasks_.is_empty() ? nullptr : task_at(0); }
 	void set_models(const TypedArray<GestureModel> &p_models);
-	/// A copy as well.
+	/// A copy, as get_tasks().
 	TypedArray<GestureModel> get_models() const { return models_.duplicate(); }
 	void set_mode(Mode p_mode);
 	Mode get_mode() const { return mode_; }
@@ -82,13 +81,13 @@ public:
 	double get_pinch_distance() const { return start_.pinch_m; }
 
 	double get_value() const;
-	/// As by now it will be at p_time_s.
+	/// Prediction for p_time_s.
 	double get_value_at(double p_time_s) const;
 	double get_velocity() const;
 	double get_acceleration() const;
 	double get_progress() const;
 	StringName get_gesture() const { return gesture_name(shown_.gesture); }
-	/// Where the gesture under way is expected; null while there is none, and where that is nowhere.
+	/// Task of the active gesture; null without an active gesture or without a task.
 	GestureTask *get_current_task() const;
 	int get_state() const { return shown_.state; }
 	double get_confidence() const;
@@ -98,7 +97,7 @@ public:
 	void reset();
 	double get_motion_value(Motion p_motion) const;
 
-	/// As by now it will be at p_time_s, not before get_time().
+	/// Prediction for p_time_s, which is not before get_time().
 	MotionInstant motion_at(double p_time_s) const;
 
 	void add_listener(MotionListener *p_listener) { listeners_.add(p_listener); }
@@ -124,24 +123,25 @@ private:
 		StringName gesture_aborted = "gesture_aborted";
 		StringName motion_updated = "motion_updated";
 	};
-	/// A model that is evaluated, and where.
+	/// A model, and the task at which it is evaluated.
 	struct Expected {
 		std::shared_ptr<const steadyhand::GestureModel> model;
 		StringName gesture;
-		ObjectID task; ///< of the GestureTask; none where the start is to be found
+		ObjectID task; ///< GestureTask; none without a task
 		std::optional<steadyhand::Task> place;
 
 		bool operator==(const Expected &p_other) const = default;
 	};
 
 	HandTracker *tracker_ = nullptr;
-	bool follows_parent_ = false; ///< tracker_ is the parent, as no other was set
+	bool follows_parent_ = false; ///< tracker_ is the parent, because none was set
 	TypedArray<GestureTask> tasks_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
 	Quality quality_ = QUALITY_ACCURATE;
 	Motion motion_ = MOTION_SYNTHESISED;
-	/// Hand trackers' own share of 10 to 30 ms, the least of it: what is more than there is makes ends early.
+	/// The default is the low end of hand trackers' latencies, 10 to 30 ms. A value above the real latency
+	/// makes ends early.
 	double sensor_latency_s_ = steadyhand::USUAL_SENSOR_LATENCY_S;
 	double min_confidence_ = 0.0;
 	double completion_ = steadyhand::END_LEVEL;
@@ -150,83 +150,84 @@ private:
 	SignalNames names_;
 	ListenerList<MotionListener> listeners_;
 	std::unique_ptr<steadyhand::GestureRecogniser> recogniser_;
-	std::vector<Expected> expected_; ///< by the recogniser
-	/// Settings changed: the recogniser is made anew before the next frame, never inside a signal.
+	std::vector<Expected> expected_; ///< the recogniser's gestures, in its order
+	/// Settings have changed: the recogniser is rebuilt before the next frame, never inside a signal.
 	bool outdated_ = true;
-	/// Models or tasks changed while an instant was told: taken up after it.
-	bool expects_others_ = false;
-	int telling_ = 0;    ///< instants, one in a signal of the other
-	uint64_t build_ = 0; ///< of recogniser_, or of what it expects
+	/// Models or tasks have changed inside a signal: the recogniser gets them after this instant.
+	bool expected_changed_ = false;
+	int emitting_ = 0;   ///< depth of nested publish() calls: a handler may push the next frame
+	uint64_t build_ = 0; ///< incremented with each change of recogniser_ or its gestures
 	uint64_t stream_ = 0;
 	int64_t next_instant_ = 0; ///< in control periods on the frames' clock
 	double time_s_ = 0.0;
-	steadyhand::ShownGesture shown_; ///< of expected_, as of the last control instant
+	steadyhand::ShownGesture shown_; ///< at the last control instant, index into expected_
 	StringName recognised_;
-	/// Of the gesture in shown_, while a signal of the same instant is told.
+	/// Signals of this instant's gesture that are not emitted yet.
 	bool is_start_unreported_ = false, is_end_unreported_ = false;
-	int told_state_ = -1; ///< of the last state_changed
+	int reported_state_ = -1; ///< in the last state_changed
 	uint32_t gestures_started_ = 0;
 	String warned_;
-	int task_changes_ = 0;                        ///< since a gesture last ended
-	int leaps_ = 0;                               ///< gaps too long to connect, one after the other
-	int frames_with_hand_ = 0;                    ///< since the recogniser was made
-	uint8_t joints_seen_ = 0, joints_missed_ = 0; ///< joint_bits(): of any frame; told to be in none
+	int task_changes_ = 0;                        ///< since the last end of a gesture
+	int long_gaps_ = 0;                           ///< gaps above LONGEST_GAP_S in a row
+	int frames_with_hand_ = 0;                    ///< since the recogniser was built
+	uint8_t joints_seen_ = 0, joints_warned_ = 0; ///< joint_bits(): in any frame; warned of as missing
 	steadyhand::TaskWatch task_watch_;
-	std::vector<ObjectID> watched_tasks_; ///< by task_watch_
-	bool has_frame_ = false;              ///< of this tracker
-	bool is_hand_missed_ = false;         ///< told that none comes
-	double waited_s_ = 0.0;               ///< for a hand of this tracker
+	std::vector<ObjectID> watched_tasks_; ///< tasks of task_watch_
+	bool has_frame_ = false;              ///< from this tracker
+	bool has_warned_of_no_hand_ = false;  ///< the warning was printed
+	double waited_s_ = 0.0;               ///< time without a hand of this tracker
 
-	/// What is told may free this node with its scene.
+	/// A signal handler may free this node with its scene.
 	using Watch = ListenerList<MotionListener>::Watch;
 
-	/// False where this node is gone since, or follows another stream, as run_clock().
+	/// False if a handler has freed this node or changed the stream; as run_clock().
 	[[nodiscard]] bool prepare(double p_time_s);
 	static bool is_usable(const Ref<GestureModel> &p_model);
 	static steadyhand::Task core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model);
-	/// By the models as they are now, at no place.
+	/// The usable models, without tasks.
 	std::vector<Expected> find_usable() const;
-	/// By the models and tasks as they are now.
+	/// The usable models at their tasks.
 	std::vector<Expected> find_expected() const;
-	/// The same, with those where they were that have hardly moved.
-	std::vector<Expected> find_expected_anew() const;
+	/// The same, but tasks that have hardly moved keep their place in expected_.
+	std::vector<Expected> find_new_expected() const;
 	static std::vector<steadyhand::ExpectedGesture> core_of(const std::vector<Expected> &p_expected);
-	/// What is expected at it is what was, by expected_.
+	/// Whether expected_ already has this task with its present properties.
 	bool is_as_expected(const GestureTask &p_task) const;
-	bool is_task_gone() const;
+	bool is_task_freed() const;
 	void build_recogniser();
 	void update_expected();
-	/// What was under way is so no longer, and that is told; it may free this node.
-	void give_up_shown(const StringName &p_gesture, GestureTask *p_task);
-	void warn_of_silence();
+	/// Ends the shown gesture and emits the signals of this. A handler may free this node.
+	void abort_shown(const StringName &p_gesture, GestureTask *p_task);
+	void warn_of_settings();
 	void follow_parent();
 	void watch_tracker(double p_passed_s);
-	void watch_tracker_anew();
+	void restart_tracker_watch();
 	void watch_joints(uint8_t p_tracked);
 	void warn_of_missing_joints(const String &p_what, uint8_t p_needed);
-	void watch_tasks_anew();
+	void restart_task_watch();
 	void watch_tasks(const steadyhand::HandFrame &p_frame);
-	/// How to mend a place at which no model's motion can be measured; empty where it can.
+	/// How to correct a task at which no model's motion can be measured; empty if it can.
 	String place_fault(const GestureTask &p_task) const;
-	/// Of a gesture that needs a task and has none; empty where there is no such.
+	/// Warning about a gesture that needs a task and has none; empty if there is none.
 	String taskless_fault() const;
-	/// Of a gesture that opens the fingers, which a pinch keeps closed; empty where there is no such.
+	/// Warning about START_PINCH with a gesture that opens the fingers; empty if there is none.
 	String start_fault() const;
-	/// Of a gesture without a task that the HMMs of `paper` mode do not include; empty where there is none.
+	/// Warning about a gesture without a task that the HMMs of `paper` mode do not include; empty if there is
+	/// none.
 	String paper_fault() const;
 	[[nodiscard]] bool run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
-	/// At a time not before now, now unless told otherwise.
+	/// At p_time_s, or now if that is later.
 	steadyhand::Motion current(
 			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
-	/// How far the gesture under way has come, in amplitudes.
+	/// Value of the active gesture, in amplitudes.
 	double fraction() const;
-	/// Null where there is none, or no longer.
+	/// Null if there is none, or it was freed.
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;
 	StringName gesture_name(int p_expected) const;
-	/// Null where there is none, or no longer.
+	/// Null if there is none, or it was freed.
 	GestureTask *task_of(int p_expected) const;
 	void on_settings_changed();
 	void on_start_changed();

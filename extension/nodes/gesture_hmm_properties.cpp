@@ -1,4 +1,4 @@
-// GestureHMM as the inspector and scripts see it.
+// Properties and methods of GestureHMM for the inspector and scripts.
 
 #include "gesture_hmm.h"
 
@@ -17,7 +17,7 @@ namespace godot {
 namespace {
 
 constexpr double LARGEST_LATENCY_S = 0.2;
-/// Below half of the way the hand may still turn back.
+/// Below half of the amplitude the hand may still return.
 constexpr double LEAST_COMPLETION = 0.5;
 constexpr double SHORTEST_DWELL_S = 0.1, LONGEST_DWELL_S = 3.0;
 /// An open hand has 5 to 13 cm between thumb and index (leapjs-playback).
@@ -25,7 +25,7 @@ constexpr double NARROWEST_PINCH_M = 0.005, WIDEST_PINCH_M = 0.1;
 
 } // namespace
 
-// Here, where the recogniser is a complete type.
+// In this file, because it includes the recogniser's definition.
 GestureHMM::GestureHMM() = default;
 
 GestureHMM::~GestureHMM() {
@@ -38,7 +38,7 @@ GestureHMM::~GestureHMM() {
 void GestureHMM::set_tracker(HandTracker *p_tracker) {
 	follows_parent_ = false;
 	if (listen_to(p_tracker, tracker_, this)) {
-		watch_tracker_anew();
+		restart_tracker_watch();
 		update_configuration_warnings();
 		on_stream_started();
 	}
@@ -55,7 +55,7 @@ void GestureHMM::follow_parent() {
 void GestureHMM::on_tracker_freed() {
 	tracker_ = nullptr;
 	follows_parent_ = false;
-	watch_tracker_anew();
+	restart_tracker_watch();
 	update_configuration_warnings();
 	on_stream_started();
 }
@@ -74,7 +74,7 @@ void GestureHMM::set_models(const TypedArray<GestureModel> &p_models) {
 
 void GestureHMM::connect_changed(Object *p_object, const Callable &p_callable, bool p_connect) {
 	if (p_object == nullptr || p_object->is_connected("changed", p_callable) == p_connect) {
-		return; // a model may stand in the list twice
+		return; // a model may be in the list twice
 	}
 	if (p_connect) {
 		p_object->connect("changed", p_callable);
@@ -139,12 +139,12 @@ void GestureHMM::set_completion(double p_fraction) {
 	}
 }
 
-/// Gestures under way go on.
+/// Does not affect active gestures.
 void GestureHMM::on_start_changed() {
 	frames_with_hand_ = 0;
 	if (recogniser_) {
 		recogniser_->set_start_condition(start_);
-		warn_of_silence();
+		warn_of_settings();
 	}
 	update_configuration_warnings();
 }
@@ -265,7 +265,7 @@ void GestureHMM::_bind_methods() {
 			"set_tracker", "get_tracker");
 	const String task_hint =
 			itos(Variant::OBJECT) + String("/") + itos(PROPERTY_HINT_NODE_TYPE) + ":GestureTask";
-	// Of an array of nodes a scene file holds the paths, where this hint says so.
+	// With this hint, a scene file stores paths for an array of nodes.
 	ADD_PROPERTY(PropertyInfo(Variant::ARRAY, "tasks", PROPERTY_HINT_TYPE_STRING, task_hint), "set_tasks",
 			"get_tasks");
 	const String model_hint =

@@ -1,4 +1,4 @@
-// Which gestures GestureHMM expects, and where: its models and the scene's tasks.
+// Gestures that GestureHMM expects, with their tasks: its models and the scene's tasks.
 
 #include "gesture_hmm.h"
 
@@ -19,11 +19,11 @@ namespace godot {
 
 namespace {
 
-/// Without one that ends in between; a script may set some properties one by one, or slide a task into its
-/// place.
-constexpr int TASK_CHANGES_TOLD = 100;
-/// A task that is moved by less, a body that trembles where it stands, is where it was: below what a tracker
-/// can tell.
+/// Changes without an ended gesture before the warning. Fewer are usual: a script may set properties one by
+/// one, or move a task to its place in steps.
+constexpr int TASK_CHANGES_WARNED = 100;
+/// Smaller moves of a task are ignored, such as the jitter of a physics body. They are below a tracker's
+/// resolution.
 constexpr double SAME_PLACE_M = 1e-3;
 constexpr double SAME_AXIS = 0.01; ///< rad
 
@@ -56,7 +56,7 @@ bool GestureHMM::is_usable(const Ref<GestureModel> &p_model) {
 
 steadyhand::Task GestureHMM::core_task(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
 	if (steadyhand::find_feature(p_model.feature)->is_radius) {
-		// Wherever the node is and however it is turned.
+		// A radius does not depend on the node's transform.
 		return { Eigen::Vector3d(p_task.get_start_radius(), 0.0, 0.0), Eigen::Vector3d::UnitX(),
 			p_task.get_amplitude() };
 	}
@@ -77,29 +77,30 @@ std::vector<GestureHMM::Expected> GestureHMM::find_usable() const {
 std::vector<GestureHMM::Expected> GestureHMM::find_expected() const {
 	const std::vector<Expected> anywhere = find_usable();
 	std::vector<Expected> at_tasks;
-	bool is_told = false; // which gestures the scene requires
+	bool has_task = false; // a task selects the gestures
 	for (int64_t i = 0; i < tasks_.size(); ++i) {
 		const GestureTask *const task = task_at(i);
-		// With several models nobody knows whose place it is.
+		// With several models, the gesture of this task is ambiguous.
 		if (task != nullptr && task->get_gesture() == StringName() && anywhere.size() != 1) {
 			continue;
 		}
-		is_told = true;
+		has_task = true;
 		if (task == nullptr) {
 			continue;
 		}
 		for (const Expected &one : anywhere) {
 			const steadyhand::Task place = core_task(*task, *one.model);
-			const bool is_its = task->get_gesture() == StringName() || task->get_gesture() == one.gesture;
-			if (is_its && steadyhand::is_place(place.start_m)) {
+			const bool is_for_task =
+					task->get_gesture() == StringName() || task->get_gesture() == one.gesture;
+			if (is_for_task && steadyhand::is_place(place.start_m)) {
 				at_tasks.push_back({ one.model, one.gesture, ObjectID(task->get_instance_id()), place });
 			}
 		}
 	}
-	return is_told ? at_tasks : anywhere;
+	return has_task ? at_tasks : anywhere;
 }
 
-std::vector<GestureHMM::Expected> GestureHMM::find_expected_anew() const {
+std::vector<GestureHMM::Expected> GestureHMM::find_new_expected() const {
 	std::vector<Expected> expected = find_expected();
 	for (Expected &one : expected) {
 		const auto place = one.place;
@@ -123,10 +124,10 @@ std::vector<steadyhand::ExpectedGesture> GestureHMM::core_of(const std::vector<E
 }
 
 void GestureHMM::build_recogniser() {
-	expects_others_ = false;
+	expected_changed_ = false;
 	expected_ = find_expected();
-	warn_of_silence();
-	watch_tasks_anew();
+	warn_of_settings();
+	restart_task_watch();
 	frames_with_hand_ = 0;
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
 			static_cast<steadyhand::MotionMode>(mode_),
@@ -136,39 +137,40 @@ void GestureHMM::build_recogniser() {
 	recogniser_->set_start_condition(start_);
 }
 
-/// What goes on at tasks and models that are as they were goes on.
+/// Gestures at unchanged tasks and models continue.
 void GestureHMM::update_expected() {
-	expects_others_ = false;
-	std::vector<Expected> expected = find_expected_anew();
+	expected_changed_ = false;
+	std::vector<Expected> expected = find_new_expected();
 	if (expected == expected_) {
-		warn_of_silence(); // nothing may have come of other settings than before
+		warn_of_settings(); // the settings may be wrong in another way than before
 		return;
 	}
 	++build_;
 	const std::size_t before = recogniser_->shown();
 	const std::vector<int> now = recogniser_->expect(core_of(expected));
-	const bool motion_goes_on = before < now.size() && now[before] == static_cast<int>(recogniser_->shown());
+	const bool is_motion_continued =
+			before < now.size() && now[before] == static_cast<int>(recogniser_->shown());
 	frames_with_hand_ = 0;
 	const StringName gesture = get_gesture();
 	GestureTask *const task = get_current_task();
 	expected_ = std::move(expected);
-	warn_of_silence();
-	watch_tasks_anew();
+	warn_of_settings();
+	restart_task_watch();
 	const int shown = shown_.gesture >= 0 ? now[static_cast<std::size_t>(shown_.gesture)] : -1;
 	if (shown >= 0) {
 		shown_.gesture = shown;
 	}
 	const Watch watch(listeners_);
-	if (!motion_goes_on) {
+	if (!is_motion_continued) {
 		listeners_.call(&MotionListener::on_motion_started);
 	}
-	if (shown < 0 && !watch.is_gone()) {
-		give_up_shown(gesture, task);
+	if (shown < 0 && !watch.is_destroyed()) {
+		abort_shown(gesture, task);
 	}
 }
 
-/// Who is freed tells nobody.
-bool GestureHMM::is_task_gone() const {
+/// A freed node emits no signal.
+bool GestureHMM::is_task_freed() const {
 	return std::any_of(expected_.begin(), expected_.end(), [](const Expected &one) {
 		return one.task.is_valid() && ObjectDB::get_instance(one.task) == nullptr;
 	});
@@ -196,7 +198,7 @@ TypedArray<GestureTask> GestureHMM::get_tasks() const {
 	TypedArray<GestureTask> tasks = tasks_.duplicate();
 	for (int64_t i = 0; i < tasks.size(); ++i) {
 		if (task_at(i) == nullptr) {
-			tasks[i] = Variant(); // Node.duplicate() and PackedScene.pack() follow pointers to freed nodes
+			tasks[i] = Variant(); // Node.duplicate() and PackedScene.pack() would use pointers to freed nodes
 		}
 	}
 	return tasks;
@@ -221,7 +223,7 @@ void GestureHMM::connect_tasks(bool p_connect) {
 	}
 }
 
-/// False is no answer: where nothing is expected at it yet, or several models make its gesture another's.
+/// False may also mean unknown: expected_ does not have the task yet, or several models have its gesture.
 bool GestureHMM::is_as_expected(const GestureTask &p_task) const {
 	bool is_expected = false;
 	for (const Expected &one : expected_) {
@@ -237,15 +239,15 @@ bool GestureHMM::is_as_expected(const GestureTask &p_task) const {
 	return is_expected;
 }
 
-/// A node tells that it was moved once the frame is over: by then the place may be in use already. Of a
-/// hundred that are moved together each tells it, and the first is told of with all the others.
+/// Godot reports a moved node at the end of the frame, when the new place may already be in use. If many
+/// tasks move together, the first report handles all of them.
 void GestureHMM::on_task_changed(uint64_t p_task) {
 	const GestureTask *const task = Object::cast_to<GestureTask>(ObjectDB::get_instance(p_task));
-	if (!outdated_ && ((task != nullptr && is_as_expected(*task)) || find_expected_anew() == expected_)) {
+	if (!outdated_ && ((task != nullptr && is_as_expected(*task)) || find_new_expected() == expected_)) {
 		return;
 	}
-	// In the editor, and where nothing has been seen since, there is nothing that could start anew.
-	if (!outdated_ && ++task_changes_ == TASK_CHANGES_TOLD) {
+	// Without a recogniser in use (in the editor, or before the first frame), nothing restarts.
+	if (!outdated_ && ++task_changes_ == TASK_CHANGES_WARNED) {
 		WARN_PRINT(node_label(*this) +
 				": a GestureTask keeps moving, and each move restarts its gesture. Do not make it a child of "
 				"the "
@@ -256,8 +258,8 @@ void GestureHMM::on_task_changed(uint64_t p_task) {
 
 void GestureHMM::on_expected_changed() {
 	update_configuration_warnings();
-	if (telling_ > 0) {
-		expects_others_ = true;
+	if (emitting_ > 0) {
+		expected_changed_ = true;
 	} else if (!outdated_) {
 		update_expected();
 	}

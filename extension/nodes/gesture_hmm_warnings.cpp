@@ -1,4 +1,4 @@
-// What GestureHMM says of settings by which nothing would be recognised.
+// Warnings of GestureHMM about settings and scenes in which nothing is recognised.
 
 #include "gesture_hmm.h"
 
@@ -25,21 +25,21 @@ namespace godot {
 
 namespace {
 
-/// Frames with a hand in them: two seconds of a usual tracker's.
+/// Frames with a hand, about two seconds of a usual tracker.
 constexpr int FRAMES_WATCHED = 200;
-/// A device is found by then.
+/// A device is found within this time.
 constexpr double LONGEST_WITHOUT_FRAME_S = 5.0;
-/// A player has raised a hand by then, or laid the controllers aside.
+/// Within this time a player has raised a hand, or laid the controllers aside.
 constexpr double LONGEST_WITHOUT_HAND_S = 20.0;
-/// Of a frame of the game: one that loads for long says nothing of the device.
+/// Limit of a game frame's duration that counts as waiting. A longer frame loads something.
 constexpr double LONGEST_WAIT_S = 0.1;
 
-/// m; a length or a distance beyond it is of another unit.
+/// m. A longer length or distance has another unit.
 constexpr double LONGEST_WAY_M = 10.0;
 /// Cosine of 60 degrees.
 constexpr double AS_TRAINED = 0.5;
 
-/// A task that is as it was made, of a gesture that goes another way than to the right.
+/// Whether a task has the default direction, but its gesture was trained in another one.
 bool is_undirected(const GestureTask &p_task, const steadyhand::GestureModel &p_model) {
 	const Vector3 right(1, 0, 0);
 	const bool goes_right = to_core(p_task.get_axis()).isApprox(to_core(right), 1e-3);
@@ -62,8 +62,8 @@ String joint_list(uint8_t p_joints) {
 
 } // namespace
 
-/// Of what keeps it from recognising; once, however often it is made anew.
-void GestureHMM::warn_of_silence() {
+/// Warns of settings that prevent recognition. Prints each warning once, even if the recogniser is rebuilt.
+void GestureHMM::warn_of_settings() {
 	String warning;
 	if (models_.is_empty()) {
 		warning = "no gesture is recognised, because \"models\" is empty. Set it to an array of *.gesture "
@@ -119,7 +119,7 @@ void GestureHMM::warn_of_silence() {
 	warned_ = std::move(warning);
 }
 
-/// Of a script's tracker that runs, and shows no hand; once. It is asked for as long as none has come.
+/// Warns once if a running tracker shows no hand. Checked in each frame until a hand appears.
 void GestureHMM::watch_tracker(double p_passed_s) {
 	if (tracker_ == nullptr || joints_seen_ != 0) {
 		set_process_internal(false);
@@ -129,11 +129,11 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 		}
 		return;
 	}
-	const bool is_in_play = tracker_->is_inside_tree() && tracker_->can_process();
+	const bool is_processing = tracker_->is_inside_tree() && tracker_->can_process();
 	const Ref<HandSource> source = tracker_->get_source();
-	// A device that sends nothing says so itself; of a track it is known when it ends.
+	// Other sources report missing frames themselves, or end.
 	const bool is_waited_for = source.is_null() || source->is_script() || has_frame_;
-	if (!is_in_play || (source.is_valid() && !tracker_->is_running()) || !is_waited_for) {
+	if (!is_processing || (source.is_valid() && !tracker_->is_running()) || !is_waited_for) {
 		return;
 	}
 	waited_s_ += std::min(p_passed_s, LONGEST_WAIT_S);
@@ -141,29 +141,29 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 		return;
 	}
 	set_process_internal(false);
-	is_hand_missed_ = true;
+	has_warned_of_no_hand_ = true;
 	const String label = node_label(*tracker_);
-	const String fix = source.is_valid() ? source->silence_advice()
+	const String fix = source.is_valid() ? source->no_frame_advice()
 										 : String("Set its \"source\", for example to an XRSource");
 	const String none = has_frame_ ? String("no hand for 20 s: all frames of ") + label + " are empty"
 								   : String("no frame for 5 s from ") + label;
 	WARN_PRINT(node_label(*this) + String(": ") + none + String(". ") + fix);
 }
 
-/// Another tracker, or none any more, of which nothing is to be said.
-void GestureHMM::watch_tracker_anew() {
-	joints_seen_ = joints_missed_ = 0;
+/// Restarts the checks for another tracker, or stops them for none.
+void GestureHMM::restart_tracker_watch() {
+	joints_seen_ = joints_warned_ = 0;
 	has_frame_ = false;
 	waited_s_ = 0.0;
 	if (is_node_ready()) {
 		const bool is_playing = !Engine::get_singleton()->is_editor_hint();
-		set_process_internal(is_playing && tracker_ != nullptr && !is_hand_missed_);
+		set_process_internal(is_playing && tracker_ != nullptr && !has_warned_of_no_hand_);
 	}
 }
 
-/// Of a tracker that never shows what a task's gesture is measured by, nor what the start condition is judged
-/// by; once for each such joint. Without a task, a tracker of the index tip alone may be given all models: it
-/// is told only where none of them can come.
+/// Warns once for each joint that a task's gesture or the start condition needs and the tracker never shows.
+/// Without a task it warns only if no model has all its joints, because a tracker of the index tip may be
+/// used with all models.
 void GestureHMM::watch_joints(uint8_t p_tracked) {
 	joints_seen_ |= p_tracked;
 	if (p_tracked == 0 || ++frames_with_hand_ != FRAMES_WATCHED) {
@@ -186,16 +186,16 @@ void GestureHMM::watch_joints(uint8_t p_tracked) {
 }
 
 void GestureHMM::warn_of_missing_joints(const String &p_what, uint8_t p_needed) {
-	const uint8_t missed = p_needed & ~joints_seen_;
-	if ((missed & ~joints_missed_) == 0) {
+	const uint8_t missing = p_needed & ~joints_seen_;
+	if ((missing & ~joints_warned_) == 0) {
 		return;
 	}
-	joints_missed_ |= missed;
+	joints_warned_ |= missing;
 	WARN_PRINT(node_label(*this) + String(": ") + p_what + joint_list(p_needed) + String("; no frame had ") +
-			joint_list(missed) + String(". Use a source that has these joints"));
+			joint_list(missing) + String(". Use a source that has these joints"));
 }
 
-void GestureHMM::watch_tasks_anew() {
+void GestureHMM::restart_task_watch() {
 	std::vector<steadyhand::Task> places;
 	watched_tasks_.clear();
 	for (const Expected &one : expected_) {
@@ -208,27 +208,27 @@ void GestureHMM::watch_tasks_anew() {
 	task_watch_.expect(places);
 }
 
-/// Of a task where no hand comes, or that points where no hand goes; once.
+/// Warns once of a task that the hand never approaches, or whose direction the hand never takes.
 void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::TaskFault> doubt = task_watch_.push(p_frame);
-	if (!doubt) {
+	const std::optional<steadyhand::TaskFault> fault = task_watch_.push(p_frame);
+	if (!fault) {
 		return;
 	}
 	const auto *const task =
-			Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[doubt->task]));
+			Object::cast_to<GestureTask>(ObjectDB::get_instance(watched_tasks_[fault->task]));
 	if (task == nullptr) {
 		return;
 	}
 	String reason = String("no gesture starts at ") + node_label(*task);
-	if (doubt->kind == steadyhand::TaskFault::Kind::FAR) {
+	if (fault->kind == steadyhand::TaskFault::Kind::FAR) {
 		reason += String(": the fingertip has come no nearer to its start than ") +
-				String::num(doubt->distance_m, 2) +
-				String(doubt->distance_m > LONGEST_WAY_M
+				String::num(fault->distance_m, 2) +
+				String(fault->distance_m > LONGEST_WAY_M
 								? " m. Give the source's positions in metres, or move the GestureTask"
 								: " m. Move the GestureTask, or set the source's space to that of the task");
 	} else {
 		reason += String(": the hand leaves its start towards ") +
-				Variant(to_godot(doubt->direction)).stringify() + String(", but its direction is ") +
+				Variant(to_godot(fault->direction)).stringify() + String(", but its direction is ") +
 				Variant(task->get_axis()).stringify() +
 				String(" in the world. Turn the GestureTask, or set its \"direction\"");
 	}
@@ -238,7 +238,7 @@ void GestureHMM::watch_tasks(const steadyhand::HandFrame &p_frame) {
 String GestureHMM::place_fault(const GestureTask &p_task) const {
 	const std::vector<Expected> usable = find_usable();
 	for (const Expected &one : usable) {
-		// As find_expected() uses the place.
+		// The same rule as in find_expected().
 		const bool is_for_it = p_task.get_gesture() == StringName() ? usable.size() == 1
 																	: p_task.get_gesture() == one.gesture;
 		if (!is_for_it) {

@@ -143,8 +143,7 @@ void GestureModel::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("parse_text", "text"), &GestureModel::parse_text);
 	ClassDB::bind_static_method("GestureModel", D_METHOD("load_file", "path"), &GestureModel::load_file);
 
-	// For duplicate() and models inside a scene; one that has a *.gesture file of its own is stored as its
-	// path.
+	// For duplicate() and models inside a scene. A model with its own *.gesture file is stored as a path.
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
 			"set_text", "get_text");

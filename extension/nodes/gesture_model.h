@@ -12,8 +12,8 @@ struct GestureModel;
 
 namespace godot {
 
-/// One trained gesture as a resource. Its content never changes in place: parse_text() swaps it as a whole,
-/// and whoever uses the old one keeps it alive.
+/// One trained gesture as a resource. The core's model is immutable: parse_text() replaces it as a whole, and
+/// users of the old one share its ownership.
 class GestureModel : public Resource {
 	GDCLASS(GestureModel, Resource)
 
@@ -23,7 +23,7 @@ protected:
 	static void _bind_methods();
 
 public:
-	/// Null while nothing has been loaded, trained or parsed into it.
+	/// Null before a model is loaded, trained or parsed.
 	const std::shared_ptr<const steadyhand::GestureModel> &core() const { return model_; }
 	void set_core(std::shared_ptr<const steadyhand::GestureModel> p_model);
 
@@ -41,13 +41,13 @@ public:
 	Dictionary get_element(int p_state) const;
 	double evaluate(double p_phase) const;
 
-	/// The content of a *.gesture file; empty where nothing is loaded.
+	/// The content of a *.gesture file; empty if no model is loaded.
 	String to_text() const;
-	/// As stored in a scene or a duplicate: empty text empties the model.
+	/// For the property that scenes and duplicates store: an empty text clears the model.
 	void set_text(const String &p_text);
 	Error parse_text(const String &p_text);
 
-	/// Null and one error in the log where the file is no gesture model.
+	/// Null, and one error in the log, if the file is no gesture model.
 	static Ref<GestureModel> load_file(const String &p_path);
 };
 

@@ -16,7 +16,7 @@ namespace godot {
 
 namespace {
 
-/// Of the models that came with the add-on, or were put beside them.
+/// Gestures of the models in the add-on's folder.
 PackedStringArray installed_gestures() {
 	const String folder = "res://addons/steadyhand/models";
 	PackedStringArray gestures;
@@ -30,7 +30,8 @@ PackedStringArray installed_gestures() {
 	return gestures;
 }
 
-/// Of any length but 0: squares of very long and very short ones are no numbers.
+/// For any length but 0. Scales first, because squares of very long and very short vectors overflow or
+/// vanish.
 Vector3 unit_of(const Vector3 &p_vector) {
 	const real_t longest = std::max({ std::abs(p_vector.x), std::abs(p_vector.y), std::abs(p_vector.z) });
 	return longest > 0 ? (p_vector / longest).normalized() : Vector3();

@@ -4,8 +4,7 @@
 
 namespace godot {
 
-/// Where a scene expects a gesture: its global position is the start. Emits `changed` whenever what it says
-/// does.
+/// Where a scene expects a gesture: its global position is the start. Emits `changed` after each change.
 class GestureTask : public Node3D {
 	GDCLASS(GestureTask, Node3D)
 
@@ -35,7 +34,7 @@ public:
 
 	/// m, world; outside the tree: relative to the parent.
 	Vector3 get_start() const;
-	/// Unit vector; the local direction where the node's scale is degenerate.
+	/// Unit vector; the local direction if the node's scale is degenerate.
 	Vector3 get_axis() const;
 
 	PackedStringArray _get_configuration_warnings() const override;

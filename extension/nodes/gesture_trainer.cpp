@@ -21,7 +21,7 @@ namespace godot {
 
 namespace {
 
-/// Share of the work that goes into reading tracks.
+/// Share of the time for reading tracks.
 constexpr double READING = 0.3;
 
 String listed(const std::set<std::string> &p_names) {
@@ -59,7 +59,7 @@ Ref<GestureModel> GestureTrainer::train(const Ref<TrialSet> &p_trial_set, const 
 	if (p_trial_set.is_null()) {
 		return fail("GestureTrainer: train() needs a TrialSet, is null");
 	}
-	const Ref<GestureTrainer> kept(this); // whoever is told of progress may let go of it
+	const Ref<GestureTrainer> kept(this); // a handler of the progress signal may drop the last reference
 	cancelled_ = false;
 	is_training_ = true;
 	Ref<GestureModel> model = train_on(p_trial_set, p_gesture);
@@ -75,7 +75,7 @@ Ref<GestureModel> GestureTrainer::fail(const String &p_reason) {
 Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture) {
 	recordings_.clear();
 	const std::string gesture = to_core(String(p_gesture));
-	// Before any track is read; of other names the trial set has no trials.
+	// Checked before any track is read.
 	if (gesture == steadyhand::NO_GESTURE) {
 		return fail("GestureTrainer: the gesture's name 'none' " +
 				to_godot(steadyhand::gesture_name_fault(gesture)));

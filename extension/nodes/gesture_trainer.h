@@ -24,8 +24,8 @@ class GestureTrainer : public RefCounted {
 	double r2_threshold_ = 0.9;
 	std::atomic<bool> is_training_ = false;
 	std::atomic<bool> cancelled_ = false;
-	std::vector<steadyhand::NormalisedRecording> recordings_; ///< of the last training
-	String error_message_;                                    ///< of the last training
+	std::vector<steadyhand::NormalisedRecording> recordings_; ///< from the last training
+	String error_message_;                                    ///< from the last training
 
 	Ref<GestureModel> train_on(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
 	/// Null.
@@ -45,14 +45,14 @@ public:
 	void set_r2_threshold(double p_threshold);
 	double get_r2_threshold() const { return r2_threshold_; }
 
-	/// Null where it is cancelled; null and one error in the log where it fails.
+	/// Null if it is cancelled. Null, and one error in the log, if it fails.
 	Ref<GestureModel> train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);
-	/// The classifier of all four gestures that the add-on brings, into a file. Blocks for some 10 s.
+	/// Trains the classifier of the add-on's four gestures and writes it to a file. Blocks for about 10 s.
 	static Error write_own_classifier(const String &p_path);
-	/// The training that goes on, if any; from any thread.
+	/// Cancels a running training. May be called from any thread.
 	void cancel() { cancelled_ = cancelled_ || is_training_; }
 	bool is_cancelled() const { return cancelled_; }
-	/// Why the last train() gave no model; empty where it did, or was cancelled.
+	/// Why the last train() gave no model; empty if it gave one or was cancelled.
 	String get_error_message() const { return error_message_; }
 	TypedArray<Dictionary> get_recordings() const;
 	static String get_version();

@@ -30,7 +30,7 @@ protected:
 	static void _bind_methods();
 };
 
-/// All joints that a frame holds, in its skeleton or in its HandFrame.
+/// All joints of a frame, from its skeleton or its HandFrame.
 steadyhand::HandSkeleton joints_of(const steadyhand::DeviceFrame &p_frame);
 
 } // namespace godot

@@ -52,7 +52,7 @@ void HandPublisher::publish(const steadyhand::DeviceFrame &p_frame) {
 		tracker_->set_hand_joint_flags(joint, BitField<XRHandTracker::HandJointFlags>(flags));
 	}
 	tracker_->set_has_tracking_data(true);
-	// What follows a hand node asks for its pose.
+	// Nodes that follow the hand read its pose.
 	tracker_->set_pose("default", tracker_->get_hand_joint_transform(XRHandTracker::HAND_JOINT_PALM),
 			Vector3(), Vector3(), XRPose::XR_TRACKING_CONFIDENCE_HIGH);
 }

@@ -9,15 +9,14 @@
 
 namespace godot {
 
-/// Godot turns each joint of OpenXR into the bones of its humanoid skeleton: -y along the bone in place of
-/// -z.
+/// Rotation from OpenXR's joints to the bones of Godot's humanoid skeleton: -y along the bone instead of -z.
 inline Eigen::Quaterniond humanoid_turn() {
 	constexpr double HALF_ROOT = 0.70710678118654752;
 	return { 0.0, 0.0, -HALF_ROOT, HALF_ROOT };
 }
 
-/// Offers a hand to the engine as an XRHandTracker of a name of its own, so that XRHandModifier3D and hand
-/// meshes follow any source.
+/// Registers a hand as an XRHandTracker with its own name, so that XRHandModifier3D and hand meshes follow
+/// any source.
 class HandPublisher {
 public:
 	HandPublisher(const StringName &p_name, bool p_is_left);
@@ -25,7 +24,7 @@ public:
 	HandPublisher &operator=(const HandPublisher &) = delete;
 	~HandPublisher();
 
-	/// Joints that the frame lacks are inferred, and marked as valid only.
+	/// Missing joints are inferred, and marked as valid but not tracked.
 	void publish(const steadyhand::DeviceFrame &p_frame);
 	void publish_lost();
 

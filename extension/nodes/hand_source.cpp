@@ -8,7 +8,7 @@ namespace godot {
 
 namespace {
 
-/// Frames that a script pushes: out of the blue, or when the source's _poll() is called.
+/// Frames that a script pushes, at any time or in the source's _poll().
 class ScriptStream : public HandStream {
 public:
 	ScriptStream(const Ref<HandSource> &p_source, HandTracker &p_tracker) :
@@ -61,7 +61,7 @@ std::unique_ptr<HandStream> HandSource::make_stream(HandTracker &p_tracker) {
 	return std::make_unique<ScriptStream>(Ref<HandSource>(this), p_tracker);
 }
 
-String HandSource::silence_advice() const {
+String HandSource::no_frame_advice() const {
 	return "Call push_frame() of the HandTracker with each frame of the device";
 }
 

@@ -10,8 +10,8 @@
 
 namespace godot {
 
-/// Where a HandTracker's frames come from: the settings of a device, a file, a simulation. Several trackers
-/// may have the same one; each opens a HandStream of its own. A script may extend it.
+/// Source of a HandTracker's frames: settings of a device, a file or a simulation. Several trackers may use
+/// the same source; each opens its own HandStream. A script may extend it.
 class HandSource : public Resource {
 	GDCLASS(HandSource, Resource)
 
@@ -22,13 +22,13 @@ public:
 
 	/// p_tracker outlives the stream.
 	virtual std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker);
-	/// What keeps it from being opened, for the scene dock; each names the fix.
+	/// Why it cannot be opened, and what to do, for the scene dock.
 	virtual PackedStringArray get_warnings() const { return PackedStringArray(); }
-	/// What to do where no frame has come of it for seconds.
-	virtual String silence_advice() const;
-	/// The file that it plays, or none.
+	/// What to do if no frame has arrived for seconds.
+	virtual String no_frame_advice() const;
+	/// The played file; empty if there is none.
 	virtual String played_file() const { return String(); }
-	/// Whether a script makes its frames.
+	/// Whether a script pushes the frames.
 	virtual bool is_script() const { return true; }
 
 protected:

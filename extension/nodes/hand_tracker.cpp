@@ -43,14 +43,14 @@ void HandTracker::_notification(int p_what) {
 			}
 			break;
 		case NOTIFICATION_PREDELETE:
-			stream_.reset(); // while a source's script can still be told of this node
+			stream_.reset(); // while the source's script can still use this node
 			break;
 		default:
 			break;
 	}
 }
 
-/// A script that sets the source in its own _ready() comes after this node's.
+/// Also starts a running scene: a parent's script may set the source after this node's _ready().
 void HandTracker::set_source(const Ref<HandSource> &p_source) {
 	if (source_ == p_source) {
 		return;
@@ -66,8 +66,8 @@ void HandTracker::set_source(const Ref<HandSource> &p_source) {
 		source_->connect("changed", on_changed);
 	}
 	on_source_changed();
-	const bool starts_by_itself = autostart_ && is_node_ready() && is_inside_tree();
-	if (source_.is_valid() && (was_running || starts_by_itself) &&
+	const bool starts_automatically = autostart_ && is_node_ready() && is_inside_tree();
+	if (source_.is_valid() && (was_running || starts_automatically) &&
 			!Engine::get_singleton()->is_editor_hint()) {
 		start_is_due_ = true;
 		call_deferred("_start_if_due");
@@ -93,7 +93,7 @@ Error HandTracker::start() {
 			node_label(*this) + String(": start() opens no source in a scene that is edited. Run the scene"));
 	const Watch watch(listeners_);
 	end_run();
-	if (watch.is_gone()) {
+	if (watch.is_destroyed()) {
 		return ERR_UNAVAILABLE;
 	}
 	begin_run();
@@ -102,13 +102,13 @@ Error HandTracker::start() {
 	const String fault = stream ? stream->open()
 								: String("set \"source\", e.g. to an XRSource, or to a ScriptSource for "
 										 "frames that a script pushes");
-	if (!goes_on(watch, this_run)) {
-		return ERR_UNAVAILABLE; // the source's script has started it anew, or freed it
+	if (!is_current(watch, this_run)) {
+		return ERR_UNAVAILABLE; // the source's script has restarted or freed this node
 	}
 	if (!fault.is_empty()) {
-		tell(&FrameListener::on_stream_ended);
-		if (goes_on(watch, this_run)) {
-			tell_failure(fault);
+		notify(&FrameListener::on_stream_ended);
+		if (is_current(watch, this_run)) {
+			report_failure(fault);
 		}
 		return ERR_CANT_OPEN;
 	}
@@ -122,8 +122,8 @@ Error HandTracker::start() {
 	}
 	update_publisher();
 	update_processing();
-	tell(&FrameListener::on_stream_started);
-	tell_events(*stream, watch, this_run);
+	notify(&FrameListener::on_stream_started);
+	report_events(*stream, watch, this_run);
 	return OK;
 }
 
@@ -131,12 +131,12 @@ void HandTracker::begin_run() {
 	start_is_due_ = false;
 	finished_ = false;
 	clock_set_ = false;
-	complained_ = 0;
-	doubted_ = 0;
-	door_faults_ = 0;
+	reported_refusals_ = 0;
+	reported_stream_faults_ = 0;
+	reported_frame_faults_ = 0;
 	refused_from_s_.reset();
-	doubts_ = {};
-	door_ = {};
+	stream_check_ = {};
+	frame_filter_ = {};
 	statistics_ = {};
 	time_s_ = live_s_ = start_time_s_ = duration_s_ = hand_seen_s_ = 0.0;
 }
@@ -145,13 +145,12 @@ void HandTracker::stop() {
 	const Watch watch(listeners_);
 	const bool was_running = is_running();
 	const uint64_t ended_run = end_run();
-	if (was_running && goes_on(watch, ended_run)) {
-		tell(&FrameListener::on_stream_ended);
+	if (was_running && is_current(watch, ended_run)) {
+		notify(&FrameListener::on_stream_ended);
 	}
 }
 
-/// Listeners are not told: a start tells them all the same. Who is told that the hand is lost may begin
-/// another.
+/// Does not notify the listeners, because start() does. A handler of tracking_lost may start another run.
 uint64_t HandTracker::end_run() {
 	const uint64_t ended_run = ++run_;
 	start_is_due_ = false;
@@ -163,38 +162,34 @@ uint64_t HandTracker::end_run() {
 	return ended_run;
 }
 
-bool HandTracker::tell_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run) {
+bool HandTracker::report_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run) {
 	StreamEvent event;
-	while (goes_on(p_watch, p_run) && p_stream.next_event(event)) {
+	while (is_current(p_watch, p_run) && p_stream.next_event(event)) {
 		switch (event.kind) {
 			case StreamEvent::Kind::READY:
 				emit_signal("source_ready");
 				break;
 			case StreamEvent::Kind::FAILED:
-				tell_failure(event.text);
+				report_failure(event.text);
 				break;
 			case StreamEvent::Kind::WARNING:
 				WARN_PRINT(node_label(*this) + String(": ") + event.text);
 				break;
 		}
 	}
-	return goes_on(p_watch, p_run);
+	return is_current(p_watch, p_run);
 }
 
-void HandTracker::tell_failure(const String &p_reason) {
+void HandTracker::report_failure(const String &p_reason) {
 	ERR_PRINT(node_label(*this) + String(": ") + p_reason);
 	emit_signal("failed", p_reason);
 }
 
-void HandTracker::report_failure(const String &p_reason) {
-	tell_failure(p_reason);
-}
-
 void HandTracker::update_processing() {
-	const bool is_new = stream_ && (stream_->clock() == StreamClock::GAME || stream_->is_polled());
-	const bool goes_by_itself = is_new && !finished_;
-	set_process_internal(goes_by_itself && update_mode_ == UPDATE_IDLE);
-	set_physics_process_internal(goes_by_itself && update_mode_ == UPDATE_PHYSICS);
+	const bool is_clocked = stream_ && (stream_->clock() == StreamClock::GAME || stream_->is_polled());
+	const bool is_automatic = is_clocked && !finished_;
+	set_process_internal(is_automatic && update_mode_ == UPDATE_IDLE);
+	set_physics_process_internal(is_automatic && update_mode_ == UPDATE_PHYSICS);
 }
 
 void HandTracker::update_publisher() {

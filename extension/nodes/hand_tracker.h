@@ -22,8 +22,8 @@ namespace godot {
 class HandSource; // includes this header: its virtual methods take the tracker
 class HandStream;
 
-/// Hand frames from one source, in the order and with the stamps that the source gives them. Positions are
-/// published in the source's space: the node's transform is not applied.
+/// Hand frames from one source, with the source's order and stamps. Positions are in the source's space: the
+/// node's transform is not applied.
 class HandTracker : public Node3D {
 	GDCLASS(HandTracker, Node3D)
 
@@ -94,7 +94,7 @@ protected:
 	void _notification(int p_what);
 
 private:
-	/// Of a pushed frame; each is explained once a run.
+	/// Reason for which a pushed frame is refused. Each is reported once per run.
 	enum class Refusal : uint8_t {
 		OTHER_SOURCE,
 		NOT_RUNNING,
@@ -105,14 +105,14 @@ private:
 		NO_PLACE,
 		OTHER_THREAD
 	};
-	/// A hand whose frames are empty for this long is lost, s: shorter dropouts come and go (MRTK #10391).
+	/// A hand is lost after empty frames for this time, s. Shorter dropouts are frequent (MRTK #10391).
 	static constexpr double LOST_AFTER_S = 0.1;
-	/// Without any frame, a hand is lost after this, s: slow trackers send 5 to 10 a second.
-	static constexpr double SILENT_AFTER_S = 0.25;
-	/// A handler may advance the tracker that told it; not without end.
+	/// A hand is lost after this time without frames, s. Slow trackers send 5 to 10 frames a second.
+	static constexpr double NO_FRAME_AFTER_S = 0.25;
+	/// A signal handler may advance the tracker, but not in an endless recursion.
 	static constexpr int DEEPEST_ADVANCE = 8;
 
-	/// Names that each frame needs: making one takes a lock.
+	/// Kept, because each frame needs them and making a StringName takes a lock.
 	struct SignalNames {
 		StringName frame_received = "frame_received";
 		StringName tracking_restored = "tracking_restored";
@@ -127,64 +127,65 @@ private:
 
 	SignalNames names_;
 	ListenerList<FrameListener> listeners_;
-	std::shared_ptr<HandStream> stream_; ///< null while it is stopped; shared with the loops that use it
-	bool start_is_due_ = false;          ///< at the end of this frame of the game
+	std::shared_ptr<HandStream> stream_; ///< null while stopped; shared with the loops that use it
+	bool start_is_due_ = false;          ///< start() follows at the end of this game frame
 	std::unique_ptr<TrackRecorder> recorder_;
 	std::unique_ptr<HandPublisher> publisher_;
 	bool finished_ = false;
-	bool clock_set_ = false; ///< a pushed stream starts with its first frame
+	bool clock_set_ = false; ///< false until the first frame of a pushed stream
 	double time_s_ = 0.0;
-	double live_s_ = 0.0; ///< live_time_s() of the last poll; in UPDATE_MANUAL moved on by advance()
+	double live_s_ = 0.0; ///< live_time_s() of the last poll; in UPDATE_MANUAL advanced by advance()
 	double start_time_s_ = 0.0;
 	double duration_s_ = 0.0;
-	/// Of the run: start() and stop() out of a signal end the loop that delivers frames.
+	/// Number of the run. A change ends the loops that deliver frames: a handler may call start() or stop().
 	uint64_t run_ = 0;
 
 	uint32_t tracked_ = 0;                                              ///< bit i: joint i in the last frame
-	uint32_t inferred_ = 0;                                             ///< the same
-	std::array<Vector3, steadyhand::SKELETON_JOINT_COUNT> positions_m_; ///< last seen ones
+	uint32_t inferred_ = 0;                                             ///< as tracked_
+	std::array<Vector3, steadyhand::SKELETON_JOINT_COUNT> positions_m_; ///< last tracked positions
 	bool hand_present_ = false;
 	double hand_seen_s_ = 0.0;
-	int advancing_ = 0;                    ///< advance_to() that are under way, one in a handler of the other
-	std::optional<double> refused_from_s_; ///< the first stamp of those refused as older since the last frame
-	/// Bit i: of a pushed frame, by Refusal i, in this run; threads that may not push are told by it too.
-	std::atomic<uint8_t> complained_ = 0;
-	steadyhand::FrameFilter door_;
-	uint8_t door_faults_ = 0; ///< bit i: FrameFault i has been told in this run
+	int advancing_ = 0;                    ///< depth of nested advance_to() calls
+	std::optional<double> refused_from_s_; ///< earliest stamp refused as older since the last frame
+	/// Bit i: Refusal i was reported in this run. Atomic, because other threads may call push_frame().
+	std::atomic<uint8_t> reported_refusals_ = 0;
+	steadyhand::FrameFilter frame_filter_;
+	uint8_t reported_frame_faults_ = 0; ///< bit i: FrameFault i was reported in this run
 	steadyhand::StreamStatistics statistics_;
-	steadyhand::StreamCheck doubts_;
-	uint8_t doubted_ = 0; ///< bit i: StreamFault i has been told in this run
+	steadyhand::StreamCheck stream_check_;
+	uint8_t reported_stream_faults_ = 0; ///< bit i: StreamFault i was reported in this run
 
-	/// What is told of a frame may free this node.
+	/// A signal handler may free this node.
 	using Watch = ListenerList<FrameListener>::Watch;
-	/// Neither freed nor stopped since.
-	bool goes_on(const Watch &p_watch, uint64_t p_run) const { return !p_watch.is_gone() && run_ == p_run; }
+	/// Whether this node still exists and the run is the same.
+	bool is_current(const Watch &p_watch, uint64_t p_run) const {
+		return !p_watch.is_destroyed() && run_ == p_run;
+	}
 
 	const steadyhand::TrackerFaults &faults() const { return statistics_.monitor().faults(); }
 	void start_if_due();
-	/// The number that there is of none that runs.
+	/// Returns the new value of run_.
 	uint64_t end_run();
 	void begin_run();
-	/// False where a handler of the signals ended this run.
-	bool tell_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run);
-	void tell_failure(const String &p_reason);
+	/// False if a handler ended this run.
+	bool report_events(HandStream &p_stream, const Watch &p_watch, uint64_t p_run);
 	void advance_live();
 	void advance_stream(double p_time_s, const Watch &p_watch);
 	void deliver_until(double p_time_s);
 	Error refuse_older(double p_time_s);
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	Error read_joints(const Dictionary &p_joints, steadyhand::DeviceFrame &r_frame);
-	void doubt(const steadyhand::HandFrame &p_frame);
-	void tell_door_faults(uint8_t p_faults);
+	void check_stream(const steadyhand::HandFrame &p_frame);
+	void warn_of_frame_faults(uint8_t p_faults);
 	void deliver(steadyhand::DeviceFrame p_frame);
 	void keep_joints(const steadyhand::DeviceFrame &p_frame);
-	/// The listeners; what is of this run is none's any more once one of them has begun another.
+	/// Calls the listeners, until one of them starts another run.
 	template <class... Arguments, class... Values>
-	void tell(void (FrameListener::*p_method)(Arguments...), const Values &...p_values) {
+	void notify(void (FrameListener::*p_method)(Arguments...), const Values &...p_values) {
 		const uint64_t this_run = run_;
 		listeners_.call_while([&] { return run_ == this_run; }, p_method, p_values...);
 	}
-	void tell_time(double p_time_s);
+	void report_time(double p_time_s);
 	void set_hand_present(bool p_present);
 	void update_processing();
 	void update_publisher();

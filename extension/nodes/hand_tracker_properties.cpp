@@ -1,4 +1,4 @@
-// HandTracker as the inspector and scripts see it.
+// Properties and methods of HandTracker for the inspector and scripts.
 
 #include "hand_tracker.h"
 

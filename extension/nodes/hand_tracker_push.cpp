@@ -1,4 +1,4 @@
-// Frames that a script pushes to a HandTracker, and what is wrong with those that it refuses.
+// Frames that a script pushes to a HandTracker, and errors of refused frames.
 
 #include "hand_tracker.h"
 
@@ -41,7 +41,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		return refuse_frame(Refusal::OTHER_SOURCE, String("set \"source\" to a ScriptSource first: ") + has);
 	}
 	if (!stream_ && start_is_due_) {
-		start(); // a script that sets the source and pushes at once
+		start(); // a script has set the source and pushes at once
 	}
 	if (!stream_) {
 		return refuse_frame(Refusal::NOT_RUNNING, "call start() first");
@@ -66,23 +66,23 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 	duration_s_ = p_time_s - start_time_s_;
 	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
-	doubt(frame.hand);
+	check_stream(frame.hand);
 	const std::shared_ptr<HandStream> stream = stream_;
 	stream->accept(frame);
 	deliver_until(p_time_s);
-	if (goes_on(watch, this_run)) {
-		tell_time(p_time_s);
+	if (is_current(watch, this_run)) {
+		report_time(p_time_s);
 	}
 	return OK;
 }
 
-/// Keys are joints of the whole skeleton; the seven of a HandFrame are set there.
+/// Keys are joints of the whole skeleton. The HandFrame gets its seven joints from it.
 Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFrame &r_frame) {
 	const Array keys = p_joints.keys();
 	const Array values = p_joints.values();
 	for (int64_t i = 0; i < keys.size(); ++i) {
 		const Variant &key = keys[i];
-		// JSON has numbers of one type only.
+		// All numbers of JSON are floats.
 		const bool is_whole = key.get_type() == Variant::FLOAT &&
 				static_cast<double>(key) == std::floor(static_cast<double>(key));
 		if (key.get_type() != Variant::INT && !is_whole) {
@@ -108,13 +108,13 @@ Error HandTracker::read_joints(const Dictionary &p_joints, steadyhand::DeviceFra
 	return OK;
 }
 
-/// Of such frames alone a hand is lost, as it is where none come.
+/// If all frames are refused as older, the hand is lost, as without frames.
 Error HandTracker::refuse_older(double p_time_s) {
 	const Error refused = refuse_frame(Refusal::OLDER,
 			String("the time ") + String::num(p_time_s) + String(" s is before ") + String::num(time_s_) +
 					String(" s, the time of the last frame. Call start() when the device's clock is reset"));
 	refused_from_s_ = std::min(p_time_s, refused_from_s_.value_or(p_time_s));
-	if (p_time_s - *refused_from_s_ > SILENT_AFTER_S) {
+	if (p_time_s - *refused_from_s_ > NO_FRAME_AFTER_S) {
 		set_hand_present(false);
 	}
 	return refused;
@@ -122,24 +122,24 @@ Error HandTracker::refuse_older(double p_time_s) {
 
 Error HandTracker::refuse_frame(Refusal p_refusal, const String &p_reason) {
 	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(p_refusal));
-	if ((complained_.fetch_or(this_one) & this_one) == 0) {
-		// No other thread may ask a node in the tree for its path.
+	if ((reported_refusals_.fetch_or(this_one) & this_one) == 0) {
+		// Only the main thread may get the path of a node in the tree.
 		const String label = p_refusal == Refusal::OTHER_THREAD ? String("HandTracker") : node_label(*this);
-		ERR_PRINT(label + String(": push_frame: ") + p_reason + String(" (said once a run)"));
+		ERR_PRINT(label + String(": push_frame: ") + p_reason + String(" (reported once per run)"));
 	}
 	return ERR_INVALID_PARAMETER;
 }
 
-/// Said once a run, as of such frames nothing is ever recognised.
-void HandTracker::doubt(const steadyhand::HandFrame &p_frame) {
-	const std::optional<steadyhand::StreamFault> doubt = doubts_.push(p_frame);
-	if (!doubt) {
+/// Warns once per run of frames in which no gesture can be recognised.
+void HandTracker::check_stream(const steadyhand::HandFrame &p_frame) {
+	const std::optional<steadyhand::StreamFault> fault = stream_check_.push(p_frame);
+	if (!fault) {
 		return;
 	}
-	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(*doubt));
-	if ((doubted_ & this_one) == 0) {
-		doubted_ |= this_one;
-		WARN_PRINT(node_label(*this) + String(": push_frame: ") + to_godot(steadyhand::explain(*doubt)));
+	const auto this_one = static_cast<uint8_t>(1U << static_cast<unsigned>(*fault));
+	if ((reported_stream_faults_ & this_one) == 0) {
+		reported_stream_faults_ |= this_one;
+		WARN_PRINT(node_label(*this) + String(": push_frame: ") + to_godot(steadyhand::explain(*fault)));
 	}
 }
 

@@ -1,4 +1,4 @@
-// How a HandTracker's frames get from its source to those who listen.
+// Delivery of frames from a HandTracker's source to its listeners.
 
 #include "hand_tracker.h"
 
@@ -58,7 +58,7 @@ void HandTracker::advance_to(double p_time_s) {
 	const Watch watch(listeners_);
 	++advancing_;
 	advance_stream(p_time_s, watch);
-	if (!watch.is_gone()) {
+	if (!watch.is_destroyed()) {
 		--advancing_;
 	}
 }
@@ -69,26 +69,26 @@ void HandTracker::advance_stream(double p_time_s, const Watch &p_watch) {
 	}
 	const Watch &watch = p_watch;
 	const uint64_t this_run = run_;
-	const std::shared_ptr<HandStream> stream = stream_; // who is told may stop the tracker
+	const std::shared_ptr<HandStream> stream = stream_; // a handler may stop the tracker
 	double until_s = p_time_s;
 	if (stream->is_polled()) {
 		live_s_ = std::max(live_s_, p_time_s);
 		stream->poll(live_s_);
-		if (!tell_events(*stream, watch, this_run)) {
+		if (!report_events(*stream, watch, this_run)) {
 			return;
 		}
 	}
 	if (stream->clock() == StreamClock::LIVE) {
 		until_s = stream->complete_until_s(live_s_);
 	} else if (stream->clock() == StreamClock::FRAMES && stream->is_polled()) {
-		return; // the source's script has pushed what there is
+		return; // the source's script has pushed all frames
 	}
 	clock_set_ = true;
 	deliver_until(until_s);
-	if (goes_on(watch, this_run) && until_s >= time_s_) {
-		tell_time(until_s);
+	if (is_current(watch, this_run) && until_s >= time_s_) {
+		report_time(until_s);
 	}
-	if (goes_on(watch, this_run) && stream->is_finished() && !finished_) {
+	if (is_current(watch, this_run) && stream->is_finished() && !finished_) {
 		finished_ = true;
 		update_processing();
 		emit_signal("finished");
@@ -103,39 +103,39 @@ void HandTracker::deliver_until(double p_time_s) {
 	steadyhand::DeviceFrame frame;
 	while (stream->next(p_time_s, frame)) {
 		if (new_round) {
-			tell(&FrameListener::on_stream_started);
+			notify(&FrameListener::on_stream_started);
 		}
-		if (goes_on(watch, this_run) && frame.hand.t_s >= time_s_) {
+		if (is_current(watch, this_run) && frame.hand.t_s >= time_s_) {
 			deliver(frame);
 		}
-		if (!goes_on(watch, this_run)) {
+		if (!is_current(watch, this_run)) {
 			return;
 		}
 		new_round = stream->begins_round();
 	}
 }
 
-/// A listener to the frame may already have advanced the clock further.
-void HandTracker::tell_time(double p_time_s) {
+/// Does nothing if a listener has already advanced the clock further.
+void HandTracker::report_time(double p_time_s) {
 	if (p_time_s < time_s_) {
 		return;
 	}
 	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
 	time_s_ = p_time_s;
-	tell(&FrameListener::on_time_advanced, p_time_s);
-	if (goes_on(watch, this_run) &&
-			time_s_ - hand_seen_s_ > (tracked_ != 0 ? SILENT_AFTER_S : LOST_AFTER_S)) {
+	notify(&FrameListener::on_time_advanced, p_time_s);
+	if (is_current(watch, this_run) &&
+			time_s_ - hand_seen_s_ > (tracked_ != 0 ? NO_FRAME_AFTER_S : LOST_AFTER_S)) {
 		set_hand_present(false);
 	}
 }
 
-void HandTracker::tell_door_faults(uint8_t p_faults) {
-	const auto news = static_cast<uint8_t>(p_faults & ~door_faults_);
-	door_faults_ |= news;
+void HandTracker::warn_of_frame_faults(uint8_t p_faults) {
+	const auto new_faults = static_cast<uint8_t>(p_faults & ~reported_frame_faults_);
+	reported_frame_faults_ |= new_faults;
 	for (const steadyhand::FrameFault fault :
 			{ steadyhand::FrameFault::NOT_FINITE, steadyhand::FrameFault::ZERO }) {
-		if ((news >> static_cast<unsigned>(fault) & 1U) != 0) {
+		if ((new_faults >> static_cast<unsigned>(fault) & 1U) != 0) {
 			WARN_PRINT(node_label(*this) + String(": ") + explain(fault));
 		}
 	}
@@ -155,7 +155,7 @@ void HandTracker::keep_joints(const steadyhand::DeviceFrame &p_frame) {
 void HandTracker::deliver(steadyhand::DeviceFrame p_frame) {
 	const Watch watch(listeners_);
 	const uint64_t this_run = run_;
-	tell_door_faults(door_.clean(p_frame));
+	warn_of_frame_faults(frame_filter_.clean(p_frame));
 	const steadyhand::HandFrame &hand = p_frame.hand;
 	time_s_ = hand.t_s;
 	keep_joints(p_frame);
@@ -172,10 +172,10 @@ void HandTracker::deliver(steadyhand::DeviceFrame p_frame) {
 	} else if (time_s_ - hand_seen_s_ > LOST_AFTER_S) {
 		set_hand_present(false);
 	}
-	if (goes_on(watch, this_run)) {
-		tell(&FrameListener::on_frame, hand);
+	if (is_current(watch, this_run)) {
+		notify(&FrameListener::on_frame, hand);
 	}
-	if (goes_on(watch, this_run) && has_connections(names_.frame_received)) {
+	if (is_current(watch, this_run) && has_connections(names_.frame_received)) {
 		Ref<HandFrame> frame;
 		frame.instantiate();
 		frame->set_frame(p_frame);

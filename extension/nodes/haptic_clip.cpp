@@ -18,7 +18,7 @@ namespace godot {
 namespace {
 
 constexpr double RENDERED_RATE_HZ = 48000.0;
-/// Of a clip that the motion drives: places from its start to its end.
+/// Samples of a clip that is driven by the motion, from its start to its end.
 constexpr int PLACES = 1025;
 constexpr double MOST_HZ = 1000.0;
 
@@ -152,7 +152,7 @@ steadyhand::Effect HapticClip::to_core(Tables &r_tables) const {
 
 void HapticClip::_validate_property(PropertyInfo &p_property) const {
 	if (p_property.name == StringName("frequency")) {
-		p_property.usage = PROPERTY_USAGE_NONE; // the clip has its own
+		p_property.usage = PROPERTY_USAGE_NONE; // the clip has its own instead
 	}
 }
 
@@ -181,7 +181,7 @@ void HapticClip::_bind_methods() {
 	ClassDB::bind_static_method(
 			"HapticClip", D_METHOD("from_waveform", "samples", "sample_rate"), &HapticClip::from_waveform);
 
-	// For duplicate() and clips inside a scene; one that has a file of its own is stored as its path.
+	// For duplicate() and clips inside a scene. A clip with its own file is stored as a path.
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING, "text", PROPERTY_HINT_MULTILINE_TEXT, "", PROPERTY_USAGE_STORAGE),
 			"set_text", "get_text");

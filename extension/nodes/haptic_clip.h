@@ -17,7 +17,7 @@ class HapticClip : public HapticEffect {
 	GDCLASS(HapticClip, HapticEffect)
 
 	steadyhand::HapticClip clip_;
-	/// What to_core() has rendered of clip_; empty where that has changed.
+	/// Tables of clip_ that to_core() has rendered; empty after a change.
 	mutable Tables rendered_;
 
 	void set_range_end(double &r_end_hz, double p_hz, const char *p_name);
@@ -43,9 +43,9 @@ public:
 	}
 	double get_highest_frequency() const { return clip_.playback.range.highest_hz; }
 
-	/// The content of a `.haptic` file; empty where the clip is.
+	/// The content of a `.haptic` file; empty for an empty clip.
 	String to_text() const;
-	/// As stored in a scene or a duplicate: empty text empties the clip.
+	/// For the property that scenes and duplicates store: an empty text clears the clip.
 	void set_text(const String &p_text);
 	Error parse_text(const String &p_text);
 
@@ -55,7 +55,7 @@ public:
 	double get_frequency_at(double p_time) const;
 	PackedFloat32Array get_waveform(int p_sample_rate_hz) const;
 
-	/// Null and one error in the log where the file is no clip.
+	/// Null, and one error in the log, if the file is no clip.
 	static Ref<HapticClip> load_file(const String &p_path);
 	static Ref<HapticClip> from_wav(const String &p_path);
 	static Ref<HapticClip> from_waveform(const PackedFloat32Array &p_samples, int p_sample_rate_hz);
@@ -69,7 +69,7 @@ protected:
 private:
 	static Ref<HapticClip> made(const steadyhand::Result<steadyhand::HapticClip> &p_clip);
 	void set_clip(steadyhand::HapticClip p_clip);
-	/// With how it is played.
+	/// clip_ with its playback settings.
 	steadyhand::HapticClip core() const;
 };
 

@@ -5,7 +5,7 @@
 
 namespace godot {
 
-// `*.haptic` and `*.ahap` through the engine's own load(), `*.haptic` through ResourceSaver.save().
+// Loads `*.haptic` and `*.ahap` by the engine's own load(), and saves `*.haptic` by ResourceSaver.save().
 
 class HapticClipFormatLoader : public ResourceFormatLoader {
 	GDCLASS(HapticClipFormatLoader, ResourceFormatLoader)

@@ -23,7 +23,7 @@ void HapticDeviceProfile::set_response(const PackedVector2Array &p_response) {
 	}
 	std::stable_sort(profile_.response.begin(), profile_.response.end(),
 			[](const Point &one, const Point &other) { return one.frequency_hz < other.frequency_hz; });
-	// The inspector adds (0, 0), to be filled in.
+	// The inspector adds (0, 0) for the user to edit.
 	if (has_unusable_points() && !Engine::get_singleton()->is_editor_hint()) {
 		WARN_PRINT(
 				"HapticDeviceProfile: some points of \"response\" are left out. Give each point a frequency "

@@ -7,11 +7,11 @@
 
 namespace godot {
 
-/// What an actuator makes of a signal, in the inspector's words.
+/// The core's DeviceProfile, an actuator's response to a signal, as a resource.
 class HapticDeviceProfile : public Resource {
 	GDCLASS(HapticDeviceProfile, Resource)
 
-	PackedVector2Array response_; ///< as given
+	PackedVector2Array response_; ///< as set, with invalid points
 	steadyhand::DeviceProfile profile_;
 
 public:

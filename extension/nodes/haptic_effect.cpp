@@ -16,10 +16,10 @@ namespace godot {
 
 namespace {
 
-/// Enough for what hands feel.
+/// Sample rate, high enough for the frequencies that hands feel.
 constexpr double SPECTRUM_RATE_HZ = 8000.0;
 
-/// Samples taken of a Curve.
+/// Number of samples of a Curve.
 constexpr int CURVE_POINTS = 257;
 
 } // namespace

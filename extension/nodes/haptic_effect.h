@@ -13,7 +13,7 @@
 
 namespace godot {
 
-/// What a gesture feels like, in the inspector's words.
+/// The core's Effect as a resource: the vibration of a gesture.
 class HapticEffect : public Resource {
 	GDCLASS(HapticEffect, Resource)
 
@@ -22,7 +22,7 @@ public:
 	enum Drive : int64_t { DRIVE_CONSTANT, DRIVE_POSITION, DRIVE_VELOCITY, DRIVE_ACCELERATION };
 	/// In the order of the core's Trigger.
 	enum Trigger : int64_t { TRIGGER_ALWAYS, TRIGGER_MOVING, TRIGGER_ARRIVAL, TRIGGER_START };
-	/// Numbers that the core reads and the caller keeps.
+	/// Tables that the core reads and the caller owns.
 	using Tables = std::vector<std::shared_ptr<const std::vector<float>>>;
 
 	void set_frequency(double p_frequency_hz);
@@ -36,7 +36,7 @@ public:
 	PackedFloat32Array get_preview_spectrum(const PackedFloat32Array &p_frequencies_hz) const;
 	Error save_preview_wav(const String &p_path, int p_sample_rate_hz) const;
 
-	/// r_tables: those that the effect reads are added to it.
+	/// Adds the tables that the effect reads to r_tables.
 	virtual steadyhand::Effect to_core(Tables &) const { return effect_; }
 
 protected:
@@ -53,19 +53,19 @@ protected:
 	Drive get_drive() const { return static_cast<Drive>(effect_.drive); }
 	void set_trigger(Trigger p_trigger);
 	Trigger get_trigger() const { return static_cast<Trigger>(effect_.trigger); }
-	/// Refuses what is not above 0 and finite.
+	/// Refuses numbers that are not finite or not above 0.
 	void set_positive(double &r_member, double p_value, const char *p_name);
 	void set_not_negative(double &r_member, double p_value, const char *p_name);
 	void set_within(double &r_member, double p_value, const char *p_name, double p_least, double p_most);
-	/// The table is added to r_tables.
+	/// Adds the table to r_tables.
 	static steadyhand::Table keep(Tables &r_tables, std::vector<float> p_values);
-	/// What is felt at an arrival ends in time.
+	/// For effects at an arrival, which have an end.
 	void set_duration(double p_duration) {
 		set_within(effect_.duration_s, p_duration, "duration", 0.001, 10.0);
 	}
 };
 
-/// M sin(2 pi f t), M by the motion: a spring that is stretched.
+/// M sin(2 pi f t), with M by the motion: a stretched spring.
 class SpringEffect : public HapticEffect {
 	GDCLASS(SpringEffect, HapticEffect)
 
@@ -83,7 +83,7 @@ protected:
 	static void _bind_methods();
 };
 
-/// M exp(-N t) sin(2 pi f t) from an arrival on, M the speed there: a hard surface.
+/// M exp(-N t) sin(2 pi f t) from an arrival, with M by the speed there: a hard surface.
 class ImpulseEffect : public HapticEffect {
 	GDCLASS(ImpulseEffect, HapticEffect)
 
@@ -99,8 +99,8 @@ protected:
 	static void _bind_methods();
 };
 
-/// A short sine from an arrival on, its amplitude by a constant speed and the actual acceleration: a mass
-/// that is moved through something viscous.
+/// A short sine from an arrival. Its amplitude depends on a constant speed and the actual acceleration: a
+/// mass that moves in a viscous medium.
 class InertialViscousEffect : public HapticEffect {
 	GDCLASS(InertialViscousEffect, HapticEffect)
 
@@ -125,7 +125,7 @@ protected:
 	static void _bind_methods();
 };
 
-/// A carrier under a curve of one's own, or a short recorded waveform.
+/// A carrier with the user's own amplitude curve, or a short recorded waveform.
 class CustomEffect : public HapticEffect {
 	GDCLASS(CustomEffect, HapticEffect)
 

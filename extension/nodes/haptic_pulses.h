@@ -11,13 +11,13 @@ namespace godot {
 
 class XRNode3D;
 
-/// Of the vibration its strength, for outputs that make their own waveform.
+/// Sends the strength of the vibration to outputs that make their own waveform.
 class HapticPulses : public HapticSink {
 public:
 	void set_effects(const steadyhand::EffectSet &p_effects) override { effects_ = p_effects; }
-	/// Tables are read on the scene's thread only.
+	/// Only the scene's thread reads the tables.
 	std::uint64_t oldest_generation() const override { return effects_.generation; }
-	void start_anew() override { stop(); }
+	void restart() override { stop(); }
 	bool is_live() const override { return true; }
 	void play(const steadyhand::LiveMotion &p_motion) override {
 		if (is_paused_) {
@@ -28,10 +28,10 @@ public:
 		}
 	}
 
-	/// Ends what is felt.
+	/// Ends the vibration.
 	void stop() {
 		if (train_.restart()) {
-			// As long as the one that ends others at rest.
+			// The same duration as PulseTrain's last pulse.
 			send({ .duration_s = steadyhand::PulseTrain::DURATION_S });
 		}
 	}
@@ -42,7 +42,7 @@ public:
 	}
 
 protected:
-	/// An amplitude of 0 ends the pulse that is under way.
+	/// An amplitude of 0 ends the current pulse.
 	virtual void send(const steadyhand::Pulse &p_pulse) = 0;
 
 private:
@@ -51,7 +51,7 @@ private:
 	bool is_paused_ = false;
 };
 
-/// To an XR controller, by the haptic action of the XR interface in use.
+/// Pulses of an XR controller, by a haptic action of the XR interface.
 class ControllerPulses : public HapticPulses {
 public:
 	ControllerPulses(uint64_t p_controller_id, const StringName &p_action) :
@@ -65,7 +65,7 @@ private:
 	StringName action_;
 };
 
-/// To a joypad's two motors.
+/// Pulses of a joypad's two motors.
 class JoypadPulses : public HapticPulses {
 public:
 	explicit JoypadPulses(int p_joypad) : joypad_(p_joypad) {}

@@ -8,29 +8,30 @@
 
 namespace godot {
 
-/// Where a HapticSynth's vibration goes. A sink takes the motion either instant by instant, on the motion's
-/// own clock, or live; what it has no use for it leaves alone. All on the scene's thread.
+/// An output of a HapticSynth. A sink uses the motion either at each control instant, on the motion's clock
+/// (advance), or live (play). Called by the scene's thread only.
 class HapticSink {
 public:
 	virtual ~HapticSink() = default;
 
-	/// The effects' tables are kept as long as oldest_generation() is not above their generation.
+	/// The effects' tables are kept until oldest_generation() is above their generation.
 	virtual void set_effects(const steadyhand::EffectSet &p_effects) = 0;
 	virtual std::uint64_t oldest_generation() const = 0;
 
-	/// Time starts anew.
-	virtual void start_anew() {}
-	/// At each control instant; `knot.moving` from there on. The last arrival and the last onset.
+	/// A new stream of motion starts.
+	virtual void restart() {}
+	/// Called at each control instant, with the last arrival and the last onset. `knot.moving` holds from
+	/// this instant.
 	virtual void advance(double, const steadyhand::MotionSnapshot::Knot &, double /*p_amplitude_m*/,
 			const steadyhand::Arrival &, const steadyhand::Arrival & /*p_onset*/) {}
 
-	/// Whether play() is wanted: the motion by now and soon costs some evaluations.
+	/// Whether play() is used. Its motion takes several evaluations.
 	virtual bool is_live() const { return false; }
-	/// Once a frame.
+	/// Called once a frame.
 	virtual void play(const steadyhand::LiveMotion &) {}
 };
 
-/// Samples of the live motion, made by another thread or at another's request.
+/// A sink whose samples are made later, by another thread or for a script.
 class LiveSink : public HapticSink {
 public:
 	LiveSink() : link_(std::make_shared<steadyhand::VibrationLink>()) {}

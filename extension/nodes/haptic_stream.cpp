@@ -18,7 +18,7 @@ void HapticStreamPlayback::follow(const std::shared_ptr<steadyhand::VibrationLin
 }
 
 void HapticStreamPlayback::wait_for_last_mix() {
-	if (alive_ == 0) {
+	if (instances_ == 0) {
 		return;
 	}
 	constexpr int LONGEST_MS = 200; // twice the period of Godot's Dummy audio driver, the longest
@@ -26,7 +26,7 @@ void HapticStreamPlayback::wait_for_last_mix() {
 		std::this_thread::sleep_for(std::chrono::milliseconds(1));
 	}
 	AudioServer *const server = AudioServer::get_singleton();
-	server->lock(); // until the mix that may be under way is over
+	server->lock(); // waits for the end of a running mix
 	server->unlock();
 }
 

@@ -12,11 +12,11 @@
 
 namespace godot {
 
-/// Makes the vibration on the audio thread.
+/// Renders the vibration on the audio thread.
 class HapticStreamPlayback : public AudioStreamPlayback {
 	GDCLASS(HapticStreamPlayback, AudioStreamPlayback)
 
-	static inline std::atomic<int> alive_ = 0;
+	static inline std::atomic<int> instances_ = 0;
 	static inline std::atomic<std::uint32_t> mixes_ = 0; ///< of all playbacks
 	static inline std::uint32_t mixes_at_stop_ = 0;
 
@@ -27,12 +27,12 @@ protected:
 	static void _bind_methods() {}
 
 public:
-	HapticStreamPlayback() { ++alive_; }
-	~HapticStreamPlayback() override { --alive_; }
+	HapticStreamPlayback() { ++instances_; }
+	~HapticStreamPlayback() override { --instances_; }
 
 	void follow(const std::shared_ptr<steadyhand::VibrationLink> &p_link);
 
-	/// A player was stopped.
+	/// Call it when a player is stopped.
 	static void note_stop() { mixes_at_stop_ = mixes_; }
 	/// The audio thread mixes a stopped playback once more, to fade it out. The library must not be unloaded
 	/// before.
@@ -44,7 +44,7 @@ public:
 	int32_t _mix(AudioFrame *p_buffer, float p_rate_scale, int32_t p_frames) override;
 };
 
-/// The endless vibration of a HapticSynth.
+/// The vibration of a HapticSynth as an audio stream without an end.
 class HapticStream : public AudioStream {
 	GDCLASS(HapticStream, AudioStream)
 
@@ -58,7 +58,7 @@ public:
 
 	Ref<AudioStreamPlayback> _instantiate_playback() const override;
 	String _get_stream_name() const override { return "Vibration"; }
-	/// Endless.
+	/// 0: no end.
 	double _get_length() const override { return 0.0; }
 	bool _is_monophonic() const override { return true; }
 };

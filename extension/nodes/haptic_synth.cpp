@@ -19,13 +19,13 @@ namespace godot {
 
 namespace {
 
-/// How far ahead of what is felt the motion is told to those who make its samples: more than a frame of a
-/// slow game and a mix together.
+/// Prediction that live sinks get, beyond the latency of the output: longer than a frame of a slow game plus
+/// an audio mix.
 constexpr std::size_t AHEAD_KNOTS = 13;
 constexpr double AHEAD_PERIOD_S = 0.01;
-/// A script that has not asked for samples for so long has done with them: nothing is kept for it.
+/// The buffer is dropped if no script has called get_buffer() for this time.
 constexpr double BUFFER_KEPT_S = 10.0;
-/// A scene's scripts have set it up by then.
+/// Scripts have set the outputs within this time.
 constexpr double SETTLING_S = 1.0;
 constexpr int MOST_BUFFER_FRAMES = 1 << 20;
 
@@ -65,8 +65,8 @@ void HapticSynth::on_motion_started() {
 	arrivals_.restart();
 	strength_ = {};
 	effects_are_set_ = false;
-	told_s_ = buffer_kept_s_ = NOT_TOLD;
-	for_each_sink([](HapticSink &sink) { sink.start_anew(); });
+	played_s_ = buffer_kept_s_ = NOT_SET;
+	for_each_sink([](HapticSink &sink) { sink.restart(); });
 }
 
 void HapticSynth::on_motion(const MotionInstant &p_motion) {
@@ -76,7 +76,7 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	if (!effects_are_set_) {
 		build_effects();
 	}
-	if (wav_wanted_) {
+	if (is_wav_pending_) {
 		open_wav();
 	}
 	steadyhand::MotionSnapshot::Knot knot = knot_of(p_motion);
@@ -85,7 +85,7 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 	strength_ = steadyhand::strength_of(core_effects_, p_motion.time_s,
 			{ knot.position, knot.velocity, knot.acceleration, 0.0, knot.correction, 0.0 }, knot.moving,
 			p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
-	is_wanted_ = is_wanted_ || strength_.amplitude > 0.0;
+	has_vibrated_ = has_vibrated_ || strength_.amplitude > 0.0;
 	for_each_sink([&](HapticSink &sink) {
 		sink.advance(p_motion.time_s, knot, p_motion.amplitude_m, arrivals_.last(), arrivals_.onset());
 	});
@@ -93,16 +93,16 @@ void HapticSynth::on_motion(const MotionInstant &p_motion) {
 
 void HapticSynth::on_motion_known() {
 	if (is_inside_tree()) {
-		look_at_audio();
+		check_audio();
 	}
-	// At an Engine.time_scale of 0 frames go on; the motion does not.
-	if (gesture_hmm_->get_time() == told_s_) {
+	// At an Engine.time_scale of 0 frames continue, but the motion does not.
+	if (gesture_hmm_->get_time() == played_s_) {
 		return;
 	}
-	told_s_ = gesture_hmm_->get_time();
+	played_s_ = gesture_hmm_->get_time();
 	if (std::isnan(buffer_kept_s_)) {
-		buffer_kept_s_ = told_s_ + BUFFER_KEPT_S;
-	} else if (told_s_ > buffer_kept_s_) {
+		buffer_kept_s_ = played_s_ + BUFFER_KEPT_S;
+	} else if (played_s_ > buffer_kept_s_) {
 		buffer_.reset();
 	}
 	bool any_live = false;
@@ -140,7 +140,7 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 				arrivals_.is_moving() && (snapshot.expected.number == 0 || time_s < snapshot.expected.time_s);
 	}
 	snapshot.fit();
-	// The motion is told of once a frame, and is half a frame old when it is heard of on average.
+	// The motion is sent once a frame, and is half a frame old on average when it is rendered.
 	const double age_s = is_inside_tree() ? 0.5 * get_process_delta_time() : 0.0;
 	motion.heard_s = std::min(now_s + age_s + device_s, snapshot.end_s());
 	return motion;
@@ -170,9 +170,9 @@ void HapticSynth::follow_parent() {
 }
 
 StringName HapticSynth::expected_gesture() const {
-	StringName under_way = gesture_hmm_->get_gesture();
-	if (under_way != StringName()) {
-		return under_way;
+	StringName active = gesture_hmm_->get_gesture();
+	if (active != StringName()) {
+		return active;
 	}
 	const GestureTask *const task = gesture_hmm_->get_task();
 	const StringName wanted = task != nullptr ? task->get_gesture() : StringName();
@@ -220,7 +220,7 @@ void HapticSynth::drop_old_tables() {
 void HapticSynth::connect_changed(Object *p_object, bool p_connect) {
 	const Callable callable = callable_mp(this, &HapticSynth::on_effects_changed);
 	if (p_object == nullptr || p_object->is_connected("changed", callable) == p_connect) {
-		return; // an effect may stand in the list twice
+		return; // an effect may be in the list twice
 	}
 	if (p_connect) {
 		p_object->connect("changed", callable);
@@ -285,7 +285,7 @@ void HapticSynth::_notification(int p_what) {
 		listen_to_joypads(false);
 		listen_to_buses(false);
 		drop_pulses();
-		// A player that is played anew has a new reader, which the effects would not be told to.
+		// A restarted player makes a new reader, which would not get the effects.
 		if (player_ != nullptr) {
 			drop_player();
 		}
@@ -293,10 +293,10 @@ void HapticSynth::_notification(int p_what) {
 			set_gesture_hmm(nullptr);
 		}
 	} else if (p_what == NOTIFICATION_READY) {
-		// As GestureHMM does of its tracker.
+		// As GestureHMM does for its tracker.
 		set_process_internal(!Engine::get_singleton()->is_editor_hint());
 	} else if (p_what == NOTIFICATION_INTERNAL_PROCESS) {
-		warn_of_silence();
+		warn_of_no_output();
 	} else if (p_what == NOTIFICATION_PAUSED || p_what == NOTIFICATION_UNPAUSED) {
 		pause_pulses(p_what == NOTIFICATION_PAUSED);
 	}
@@ -307,18 +307,18 @@ double HapticSynth::get_amplitude() const {
 	return strength_.amplitude;
 }
 
-/// Once of each: in the first frame where there is no motion; where there is no output not before something
-/// would have been felt, as a script may choose one later than it makes the node.
-void HapticSynth::warn_of_silence() {
+/// Warns once of a missing GestureHMM, in the first frame. Warns once of a missing output, but only after the
+/// first vibration, because a script may set an output later.
+void HapticSynth::warn_of_no_output() {
 	if (ready_for_s_ == 0.0 && gesture_hmm_ == nullptr) {
 		WARN_PRINT(node_label(*this) +
 				": nothing is felt. Set its \"gesture_hmm\", or make it a child of a GestureHMM");
 	}
 	ready_for_s_ += std::max(get_process_delta_time(), std::numeric_limits<double>::min());
-	const bool is_heard = has_output() || is_read_;
-	if (is_heard || (is_wanted_ && ready_for_s_ > SETTLING_S)) {
+	const bool is_used = has_output() || is_read_;
+	if (is_used || (has_vibrated_ && ready_for_s_ > SETTLING_S)) {
 		set_process_internal(false);
-		if (!is_heard) {
+		if (!is_used) {
 			WARN_PRINT(node_label(*this) +
 					": nothing is felt. Set its \"bus\", \"controller\", \"joypad\" or \"wav_path\", or read "
 					"get_buffer() in a script");
@@ -332,11 +332,11 @@ void HapticSynth::set_wav_path(const String &p_path) {
 			refusal(*this, "wav_path must end with .wav", p_path));
 	stop_wav();
 	wav_path_ = p_path;
-	wav_wanted_ = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();
+	is_wav_pending_ = !p_path.is_empty() && !Engine::get_singleton()->is_editor_hint();
 }
 
 void HapticSynth::open_wav() {
-	wav_wanted_ = false;
+	is_wav_pending_ = false;
 	if (WrittenFile::check_free(*this, wav_path_) != OK) {
 		return;
 	}
@@ -356,7 +356,7 @@ void HapticSynth::set_wav_sample_rate(int p_rate_hz) {
 
 void HapticSynth::stop_wav() {
 	wav_.reset();
-	wav_wanted_ = false;
+	is_wav_pending_ = false;
 }
 
 void HapticSynth::set_buffer_sample_rate(int p_rate_hz) {
@@ -370,7 +370,7 @@ PackedVector2Array HapticSynth::get_buffer(int p_frames) {
 	ERR_FAIL_COND_V_MSG(p_frames < 0 || p_frames > MOST_BUFFER_FRAMES, PackedVector2Array(),
 			refusal(*this, String("get_buffer: frames must be 0..") + itos(MOST_BUFFER_FRAMES), p_frames));
 	is_read_ = true;
-	buffer_kept_s_ = NOT_TOLD;
+	buffer_kept_s_ = NOT_SET;
 	if (!buffer_) {
 		buffer_ = std::make_unique<BufferSink>(buffer_sample_rate_hz_);
 		add_sink(*buffer_);

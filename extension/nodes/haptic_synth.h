@@ -24,8 +24,8 @@ class AudioStreamPlayer;
 class GestureHMM;
 class XRNode3D;
 
-/// Turns a GestureHMM's motion into vibration: live to an audio bus or a script's buffer, its strength to an
-/// XR controller or a joypad, and on the motion's own clock to a WAV file.
+/// Turns a GestureHMM's motion into vibration. Outputs: an audio bus and a script's buffer, live; an XR
+/// controller and a joypad, which get the strength; a WAV file, on the motion's clock.
 class HapticSynth : public Node, public MotionListener {
 	GDCLASS(HapticSynth, Node)
 
@@ -36,7 +36,7 @@ public:
 	void set_gesture_hmm(GestureHMM *p_gesture_hmm);
 	GestureHMM *get_gesture_hmm() const { return gesture_hmm_; }
 	void set_effects(const TypedArray<HapticEffect> &p_effects);
-	/// A copy: what a script changes in it takes effect when it is set.
+	/// A copy. Changes take effect when it is set again.
 	TypedArray<HapticEffect> get_effects() const { return effects_.duplicate(); }
 	void set_gain(double p_gain);
 	double get_gain() const { return gain_; }
@@ -77,30 +77,30 @@ protected:
 
 private:
 	static constexpr int NO_JOYPAD = -1;
-	static constexpr double NOT_TOLD = std::numeric_limits<double>::quiet_NaN();
+	static constexpr double NOT_SET = std::numeric_limits<double>::quiet_NaN();
 
 	struct BusSink : LiveSink {
 		double output_latency_s = 0.0;
 
 		void play(const steadyhand::LiveMotion &p_motion) override {
-			steadyhand::LiveMotion heard = p_motion;
-			heard.heard_s = std::min(heard.heard_s + output_latency_s, heard.snapshot.end_s());
-			LiveSink::play(heard);
+			steadyhand::LiveMotion delayed = p_motion;
+			delayed.heard_s = std::min(delayed.heard_s + output_latency_s, delayed.snapshot.end_s());
+			LiveSink::play(delayed);
 		}
 	};
-	/// For a script that takes samples as it needs them.
+	/// For get_buffer().
 	struct BufferSink : LiveSink {
 		explicit BufferSink(int p_rate_hz) : vibration(link(), p_rate_hz, 2) {}
 		steadyhand::LiveVibration vibration;
 	};
-	/// Of effects that may be in use still.
+	/// Tables of effects that may still be in use.
 	struct TablesInUse {
 		std::uint64_t generation;
 		HapticEffect::Tables tables;
 	};
 
 	GestureHMM *gesture_hmm_ = nullptr;
-	bool follows_parent_ = false; ///< gesture_hmm_ is the parent, as no other was set
+	bool follows_parent_ = false; ///< gesture_hmm_ is the parent, because none was set
 	TypedArray<HapticEffect> effects_;
 	double gain_ = 1.0;
 	Ref<HapticDeviceProfile> device_;
@@ -113,33 +113,33 @@ private:
 	int buffer_sample_rate_hz_ = 48000;
 
 	steadyhand::EffectSet core_effects_;
-	bool effects_are_set_ = false; ///< core_effects_ are what the properties say
-	StringName default_gesture_;   ///< whose defaults they are, where no effect is set
-	/// Each of them shared with the links whose readers may need it.
+	bool effects_are_set_ = false; ///< core_effects_ agree with the properties
+	StringName default_gesture_;   ///< gesture whose default effects are used if "effects" is empty
+	/// Shared with the links whose readers may use them.
 	std::shared_ptr<std::deque<TablesInUse>> tables_ = std::make_shared<std::deque<TablesInUse>>();
 	steadyhand::ArrivalDetector arrivals_;
 	steadyhand::Strength strength_;
-	double told_s_ = NOT_TOLD;     ///< the motion's time when it was last told of live
-	bool is_wanted_ = false;       ///< there has been something to feel
-	mutable bool is_read_ = false; ///< a script has asked for samples or their amplitude
-	double ready_for_s_ = 0.0;     ///< in frames of the game
+	double played_s_ = NOT_SET;    ///< time of the motion at the last play()
+	bool has_vibrated_ = false;    ///< the strength was above 0
+	mutable bool is_read_ = false; ///< a script has read samples or the amplitude
+	double ready_for_s_ = 0.0;     ///< sum of the game's frame durations
 
 	AudioStreamPlayer *player_ = nullptr; ///< a child of this node
 	std::unique_ptr<BusSink> bus_sink_;
 	double mix_rate_hz_ = 0.0; ///< of player_
 	std::unique_ptr<HapticPulses> controller_pulses_;
 	std::unique_ptr<HapticPulses> joypad_pulses_;
-	PackedStringArray told_; ///< what was missing when it was last looked at
+	PackedStringArray warned_; ///< warnings at the last check
 	std::unique_ptr<BufferSink> buffer_;
-	double buffer_kept_s_ = NOT_TOLD; ///< until then, if nobody asks for samples
+	double buffer_kept_s_ = NOT_SET; ///< end of the buffer without a get_buffer() call
 	std::unique_ptr<HapticWav> wav_;
-	bool wav_wanted_ = false; ///< opened with the first motion
+	bool is_wav_pending_ = false; ///< the file is opened at the first motion
 
 	template <class Function> void for_each_sink(Function p_function) const;
 	void add_sink(HapticSink &p_sink);
 	bool bus_exists() const;
 	void listen_to_buses(bool p_listen);
-	void look_at_audio();
+	void check_audio();
 	void on_buses_changed();
 	void on_bus_renamed(int64_t, const StringName &, const StringName &) { on_buses_changed(); }
 	void update_player();
@@ -152,7 +152,7 @@ private:
 	void on_joypad_changed(int64_t p_joypad, bool p_is_connected);
 	bool has_output() const;
 	void follow_parent();
-	void warn_of_silence();
+	void warn_of_no_output();
 	void add_sink_warnings(PackedStringArray &r_warnings) const;
 	void open_wav();
 	void on_effects_changed();

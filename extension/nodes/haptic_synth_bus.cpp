@@ -38,8 +38,8 @@ void HapticSynth::listen_to_buses(bool p_listen) {
 	}
 }
 
-/// Of AudioServer.set_bus_layout(), and of an output device that is mixed at another rate, nobody is told.
-void HapticSynth::look_at_audio() {
+/// AudioServer emits no signal for set_bus_layout(), nor for a changed mix rate.
+void HapticSynth::check_audio() {
 	if (player_ != nullptr && AudioServer::get_singleton()->get_mix_rate() != mix_rate_hz_) {
 		drop_player();
 	}
@@ -49,7 +49,7 @@ void HapticSynth::look_at_audio() {
 }
 
 void HapticSynth::on_buses_changed() {
-	// One that is missing still has been told of.
+	// A bus that is still missing was already reported.
 	if (player_ != nullptr || bus_exists()) {
 		update_player();
 	}
@@ -62,7 +62,7 @@ void HapticSynth::update_player() {
 	}
 	const bool exists = bus_exists();
 	if (bus_ != StringName() && !exists) {
-		// The engine would play on Master: through the loudspeakers.
+		// The engine would play on the Master bus, which the player hears.
 		ERR_PRINT(node_label(*this) + String(": there is no audio bus '") + String(bus_) +
 				String("', so nothing is played. Add it in the Audio panel, or set another \"bus\""));
 	}
@@ -90,16 +90,16 @@ void HapticSynth::make_player() {
 	add_child(player_, false, INTERNAL_MODE_FRONT);
 }
 
-/// The engine fades out what it plays; on another bus a new player begins in silence, where a player that
-/// changes its bus would be cut in half-way through its wave.
+/// For another bus a new player is made. The engine fades out the old player, and the new one starts without
+/// a click. A player that changes its bus would click.
 void HapticSynth::drop_player() {
-	player_->set_autoplay(false); // where its parent is about to bring it into the tree
+	player_->set_autoplay(false); // the parent may be about to enter the tree
 	player_->stop();
 	HapticStreamPlayback::note_stop();
 	player_->queue_free();
 	player_ = nullptr;
 	bus_sink_.reset();
-	// The audio thread may mix once more: what it reads then is left alone.
+	// The audio thread may mix once more, so the old tables must not change.
 	tables_ = std::make_shared<std::deque<TablesInUse>>(*tables_);
 }
 

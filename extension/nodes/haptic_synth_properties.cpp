@@ -1,4 +1,4 @@
-// HapticSynth as the inspector and scripts see it.
+// Properties and methods of HapticSynth for the inspector and scripts.
 
 #include "gesture_hmm.h"
 #include "haptic_synth.h"
@@ -109,7 +109,7 @@ void HapticSynth::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::STRING_NAME, "bus"), "set_bus", "get_bus");
 	ADD_PROPERTY(PropertyInfo(Variant::OBJECT, "controller", PROPERTY_HINT_NODE_TYPE, "XRNode3D"),
 			"set_controller", "get_controller");
-	// What the action map that Godot makes for OpenXR calls it.
+	// Name in the default action map that Godot makes for OpenXR.
 	ADD_PROPERTY(
 			PropertyInfo(Variant::STRING_NAME, "controller_action", PROPERTY_HINT_ENUM_SUGGESTION, "haptic"),
 			"set_controller_action", "get_controller_action");

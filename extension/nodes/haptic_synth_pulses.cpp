@@ -1,4 +1,4 @@
-// HapticSynth's outputs that take a strength only.
+// HapticSynth's outputs that get only the strength.
 
 #include "haptic_synth.h"
 
@@ -19,7 +19,7 @@ namespace godot {
 
 namespace {
 
-/// Of trackers as the engine's XR interfaces name them.
+/// Whether a tracker is no controller, by the names of the engine's XR interfaces.
 bool is_without_motor(const String &p_tracker) {
 	return p_tracker == "head" || p_tracker.begins_with("/user/hand_tracker/") ||
 			p_tracker.begins_with("/user/body_tracker") || p_tracker.begins_with("/user/face_tracker") ||
@@ -81,11 +81,11 @@ void HapticSynth::update_pulses() {
 	PackedStringArray missing;
 	add_sink_warnings(missing);
 	for (int64_t i = 0; i < missing.size(); ++i) {
-		if (!told_.has(missing[i])) {
+		if (!warned_.has(missing[i])) {
 			WARN_PRINT(node_label(*this) + String(": ") + missing[i]);
 		}
 	}
-	told_ = std::move(missing);
+	warned_ = std::move(missing);
 }
 
 void HapticSynth::listen_to_joypads(bool p_listen) {
@@ -111,7 +111,7 @@ void HapticSynth::on_joypad_changed(int64_t p_joypad, bool p_is_connected) {
 void HapticSynth::add_sink_warnings(PackedStringArray &r_warnings) const {
 	const XRNode3D *const controller = get_controller();
 	if (controller != nullptr) {
-		// In the editor no interface runs; whether one will is a setting.
+		// In the editor no interface runs, so the project setting decides.
 		const bool has_interface = Engine::get_singleton()->is_editor_hint()
 				? bool(ProjectSettings::get_singleton()->get_setting("xr/openxr/enabled", false))
 				: XRServer::get_singleton()->get_primary_interface().is_valid();

@@ -15,7 +15,7 @@ namespace godot {
 namespace {
 
 constexpr std::size_t BLOCK = 1024;
-/// Instants are equally far apart up to this share.
+/// Relative tolerance of the period between instants.
 constexpr double SAME_PERIOD = 1e-3;
 
 } // namespace
@@ -28,7 +28,7 @@ HapticWav::HapticWav(int p_sample_rate_hz) :
 
 HapticWav::~HapticWav() {
 	if (file_.is_valid()) {
-		write_known(true);
+		write_pending(true);
 		flush();
 	}
 }
@@ -52,21 +52,21 @@ void HapticWav::write_header() {
 }
 
 void HapticWav::set_effects(const steadyhand::EffectSet &p_effects) {
-	write_known(false);
+	write_pending(false);
 	vibration_.set_effects(p_effects);
 }
 
-void HapticWav::start_anew() {
-	write_known(true);
+void HapticWav::restart() {
+	write_pending(true);
 	is_connected_ = false;
 }
 
 void HapticWav::connect_at(double p_time_s) {
 	is_connected_ = true;
-	known_.count = 0;
+	pending_.count = 0;
 	began_s_ = p_time_s;
 	connected_frames_ = 0;
-	// Samples that are made already come first.
+	// Samples that are already rendered come first.
 	vibration_.seek(p_time_s + static_cast<double>(vibration_.ahead()) / vibration_.sample_rate_hz());
 }
 
@@ -74,58 +74,58 @@ void HapticWav::advance(double p_time_s, const steadyhand::MotionSnapshot::Knot 
 		double p_amplitude_m, const steadyhand::Arrival &p_arrival, const steadyhand::Arrival &p_onset) {
 	if (!is_connected_) {
 		connect_at(p_time_s);
-	} else if (!(p_time_s > known_.end_s())) {
+	} else if (!(p_time_s > pending_.end_s())) {
 		return;
 	}
-	const bool news = p_arrival.number != known_.arrival.number || p_onset.number != known_.onset.number ||
-			p_amplitude_m != known_.amplitude_m;
-	if (known_.count == steadyhand::MotionSnapshot::MOST_KNOTS || news) {
-		write_known(false);
+	const bool has_changed = p_arrival.number != pending_.arrival.number ||
+			p_onset.number != pending_.onset.number || p_amplitude_m != pending_.amplitude_m;
+	if (pending_.count == steadyhand::MotionSnapshot::MOST_KNOTS || has_changed) {
+		write_pending(false);
 	}
 	append(p_time_s, p_motion);
-	known_.amplitude_m = p_amplitude_m;
-	known_.arrival = p_arrival;
-	known_.onset = p_onset;
+	pending_.amplitude_m = p_amplitude_m;
+	pending_.arrival = p_arrival;
+	pending_.onset = p_onset;
 }
 
 void HapticWav::append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion) {
-	if (known_.count > 1 &&
-			std::abs(p_time_s - known_.end_s() - known_.period_s) > SAME_PERIOD * known_.period_s) {
-		write_known(true);
-		const double last_s = known_.end_s();
-		known_.knots[0] = known_.knots[known_.count - 1];
-		known_.time_s = last_s;
-		known_.count = 1;
+	if (pending_.count > 1 &&
+			std::abs(p_time_s - pending_.end_s() - pending_.period_s) > SAME_PERIOD * pending_.period_s) {
+		write_pending(true);
+		const double last_s = pending_.end_s();
+		pending_.knots[0] = pending_.knots[pending_.count - 1];
+		pending_.time_s = last_s;
+		pending_.count = 1;
 	}
-	if (known_.count == 0) {
-		known_.time_s = p_time_s;
-	} else if (known_.count == 1) {
-		known_.period_s = p_time_s - known_.time_s;
+	if (pending_.count == 0) {
+		pending_.time_s = p_time_s;
+	} else if (pending_.count == 1) {
+		pending_.period_s = p_time_s - pending_.time_s;
 	}
-	known_.knots[known_.count++] = p_motion;
+	pending_.knots[pending_.count++] = p_motion;
 }
 
-/// Whole runs up to the last instant, or all samples up to it.
-void HapticWav::write_known(bool p_to_the_end) {
-	if (!is_connected_ || known_.count < 2) {
+/// Writes whole runs up to the last instant, or with p_to_the_end all samples.
+void HapticWav::write_pending(bool p_to_the_end) {
+	if (!is_connected_ || pending_.count < 2) {
 		return;
 	}
-	vibration_.set_motion(known_);
+	vibration_.set_motion(pending_);
 	const double rate_hz = vibration_.sample_rate_hz();
 	const auto due =
-			static_cast<std::uint64_t>(std::max(0.0, std::round((known_.end_s() - began_s_) * rate_hz)));
+			static_cast<std::uint64_t>(std::max(0.0, std::round((pending_.end_s() - began_s_) * rate_hz)));
 	const std::uint64_t made = connected_frames_ + vibration_.ahead();
 	const std::uint64_t runs = due > made ? (due - made) / steadyhand::RUN : 0;
 	const std::uint64_t until = p_to_the_end ? due : made + runs * steadyhand::RUN;
 	while (connected_frames_ < until) {
 		write_block(std::min(static_cast<std::size_t>(until - connected_frames_), BLOCK));
 	}
-	const double passed = std::floor((vibration_.time_s() - known_.time_s) / known_.period_s);
-	const auto dropped = std::min(static_cast<std::size_t>(std::max(passed, 0.0)), known_.count - 2);
-	std::copy(known_.knots.begin() + static_cast<std::ptrdiff_t>(dropped),
-			known_.knots.begin() + static_cast<std::ptrdiff_t>(known_.count), known_.knots.begin());
-	known_.time_s += known_.period_s * static_cast<double>(dropped);
-	known_.count -= dropped;
+	const double passed = std::floor((vibration_.time_s() - pending_.time_s) / pending_.period_s);
+	const auto dropped = std::min(static_cast<std::size_t>(std::max(passed, 0.0)), pending_.count - 2);
+	std::copy(pending_.knots.begin() + static_cast<std::ptrdiff_t>(dropped),
+			pending_.knots.begin() + static_cast<std::ptrdiff_t>(pending_.count), pending_.knots.begin());
+	pending_.time_s += pending_.period_s * static_cast<double>(dropped);
+	pending_.count -= dropped;
 }
 
 void HapticWav::write_block(std::size_t p_frames) {
@@ -142,10 +142,10 @@ void HapticWav::write_block(std::size_t p_frames) {
 	connected_frames_ += p_frames;
 }
 
-/// A disk that is full ends the file: its header says what is there. Samples that came later would be
-/// shifted.
+/// Ends the file if the disk is full, with a header of the right length. Later samples would be at a wrong
+/// time.
 void HapticWav::cut_off() {
-	file_.unref(); // the engine's buffer is gone with it
+	file_.unref(); // this drops the engine's buffer
 	file_ = FileAccess::open(path_, FileAccess::READ_WRITE);
 	if (file_.is_valid()) {
 		const uint64_t bytes = file_->get_length();
@@ -167,7 +167,7 @@ void HapticWav::flush() {
 		cut_off();
 		return;
 	}
-	// A program that is killed leaves a file that says how long it is.
+	// The header is always current, in case the program is killed.
 	file_->seek(0);
 	write_header();
 	file_->seek_end();

@@ -14,7 +14,7 @@
 
 namespace godot {
 
-/// The vibration as a mono 16-bit WAV, sample by sample on the motion's clock, written as it goes.
+/// Writes the vibration to a mono 16-bit WAV while it is made, on the motion's clock.
 class HapticWav : public HapticSink {
 public:
 	explicit HapticWav(int p_sample_rate_hz);
@@ -23,14 +23,14 @@ public:
 	HapticWav(const HapticWav &) = delete;
 	HapticWav &operator=(const HapticWav &) = delete;
 
-	/// Reports in the log why it cannot write there. p_owner outlives it.
+	/// If the file cannot be opened, the log gets an error. p_owner must outlive this object.
 	Error open(const Node &p_owner, const String &p_path);
 
 	void set_effects(const steadyhand::EffectSet &p_effects) override;
 	std::uint64_t oldest_generation() const override { return vibration_.oldest_generation(); }
-	/// What follows continues where the file is, whatever its time.
-	void start_anew() override;
-	/// The file is made up to this instant at the latest when the next one of many is known.
+	/// The next motion continues at the end of the file, whatever its time.
+	void restart() override;
+	/// Samples up to this instant may be written later, with further instants.
 	void advance(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion, double p_amplitude_m,
 			const steadyhand::Arrival &p_arrival, const steadyhand::Arrival &p_onset) override;
 
@@ -42,18 +42,18 @@ private:
 	std::optional<WrittenFile> written_;
 	std::uint32_t sample_rate_hz_;
 	steadyhand::Vibration vibration_;
-	steadyhand::MotionSnapshot known_; ///< from what is not written yet up to the last instant
+	steadyhand::MotionSnapshot pending_; ///< motion from the last written sample to the last instant
 	bool is_connected_ = false;
 	std::vector<float> block_;
 	PackedByteArray bytes_;
 	int64_t used_bytes_ = 0;
 	std::uint64_t frames_ = 0;
-	std::uint64_t connected_frames_ = 0; ///< those since began_s_
+	std::uint64_t connected_frames_ = 0; ///< since began_s_
 	double began_s_ = 0.0;
 
 	void connect_at(double p_time_s);
 	void append(double p_time_s, const steadyhand::MotionSnapshot::Knot &p_motion);
-	void write_known(bool p_to_the_end);
+	void write_pending(bool p_to_the_end);
 	void write_block(std::size_t p_frames);
 	void write_header();
 	void flush();

@@ -45,7 +45,7 @@ void LeapSource::set_port(int64_t p_port) {
 	emit_changed();
 }
 
-String LeapSource::silence_advice() const {
+String LeapSource::no_frame_advice() const {
 	return "Hold the hand 10 to 40 cm in front of the Leap device";
 }
 

@@ -26,7 +26,7 @@ public:
 	int64_t get_port() const { return port_; }
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	bool is_script() const override { return false; }
 
 protected:
@@ -37,7 +37,7 @@ private:
 	Mounting mounting_ = MOUNTING_DESKTOP;
 	Transform3D device_transform_;
 	String address_ = "127.0.0.1";
-	int64_t port_ = 6437; ///< of all services
+	int64_t port_ = 6437; ///< the port of all services
 };
 
 } // namespace godot

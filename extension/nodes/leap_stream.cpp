@@ -15,11 +15,11 @@ namespace godot {
 
 namespace {
 
-/// A frame of two hands has 10 to 20 kB: this holds those of half a second, and of a game that stalls.
+/// A frame of two hands has 10 to 20 kB. This is half a second of frames, in case the game stalls.
 constexpr int INBOUND_BYTES = 1 << 20;
 constexpr int QUEUED_PACKETS = 256;
 /// A service sends its version at once.
-constexpr double SILENT_AFTER_S = 3.0;
+constexpr double NO_VERSION_AFTER_S = 3.0;
 
 steadyhand::HandSide side_of(const LeapSource &p_source) {
 	return p_source.get_hand() == HandTracker::HAND_LEFT ? steadyhand::HandSide::LEFT
@@ -30,7 +30,7 @@ bool is_ip_v6(const String &p_address) {
 	return p_address.split(":").size() > 2;
 }
 
-/// In the world; where no headset is tracked, the origin.
+/// Pose of the headset in the world; identity if none is tracked.
 Eigen::Affine3d head_place() {
 	XRServer *const server = XRServer::get_singleton();
 	const Ref<XRPositionalTracker> head = server->get_tracker("head");
@@ -69,8 +69,8 @@ String LeapStream::url() const {
 }
 
 void LeapStream::fail(const String &p_text) {
-	if (!failure_told_) {
-		failure_told_ = true;
+	if (!is_failure_reported_) {
+		is_failure_reported_ = true;
 		announce(StreamEvent::Kind::FAILED, String("LeapSource: ") + p_text);
 	}
 }
@@ -131,7 +131,7 @@ void LeapStream::poll(double p_now_s) {
 	}
 	if (socket_->get_ready_state() == WebSocketPeer::STATE_CLOSED) {
 		on_closed(p_now_s);
-	} else if (!got_version_ && p_now_s - connected_s_ > SILENT_AFTER_S) {
+	} else if (!got_version_ && p_now_s - connected_s_ > NO_VERSION_AFTER_S) {
 		fail(String("the program at ") + url() +
 				String(" sends no Leap messages. Set \"port\" to that of the Leap service"));
 	}
@@ -156,14 +156,14 @@ void LeapStream::read(const PackedByteArray &p_packet, double p_now_s) {
 	} else if (const auto *error = std::get_if<steadyhand::Error>(&message)) {
 		warn(Topic::INVALID,
 				String("a message of the service is left out: ") + to_godot(error->message) +
-						String(" (said once a run)"));
+						String(" (reported once per run)"));
 	}
 }
 
 void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 	got_version_ = true;
 	attempts_ = 0;
-	failure_told_ = false;
+	is_failure_reported_ = false;
 	const auto mounting = static_cast<steadyhand::LeapMounting>(source_->get_mounting());
 	for (const std::string_view request : steadyhand::leap_greeting(mounting)) {
 		socket_->send_text(to_godot(request));
@@ -171,14 +171,15 @@ void LeapStream::on_version(const steadyhand::LeapVersion &p_version) {
 	if (p_version.version < steadyhand::LEAP_VERSION_WANTED) {
 		warn(Topic::VERSION,
 				String("the service speaks version ") + itos(p_version.version) +
-						String(" of the protocol, which does not tell left from right. Install V2 or later"));
+						String(" of the protocol, which does not distinguish left and right hands. Install "
+							   "V2 or later"));
 	}
 	announce(StreamEvent::Kind::READY);
 }
 
 void LeapStream::on_device(const steadyhand::LeapDevice &p_device) {
 	if (p_device.streaming) {
-		failure_told_ = false;
+		is_failure_reported_ = false;
 	} else {
 		fail(p_device.attached ? "the Leap device is paused. Resume tracking in its control panel"
 							   : "the Leap device is unplugged. Plug it in");

@@ -14,7 +14,7 @@
 
 namespace godot {
 
-/// A connection to a Leap or Ultraleap service: asks for frames, and connects again when it ends.
+/// A connection to a Leap or Ultraleap service. Requests frames, and reconnects when the connection ends.
 class LeapStream : public HandStream {
 public:
 	explicit LeapStream(const Ref<LeapSource> &p_source);
@@ -35,11 +35,11 @@ private:
 	void on_version(const steadyhand::LeapVersion &p_version);
 	void on_device(const steadyhand::LeapDevice &p_device);
 	void on_frame(const steadyhand::LeapFrame &p_frame, double p_now_s);
-	/// From the device's axes to the scene's.
+	/// Pose of the device in the scene.
 	Eigen::Affine3d device_place() const;
-	/// Once until the service is heard again.
+	/// Reports one failure until the service sends again.
 	void fail(const String &p_text);
-	/// Each topic is warned of once a run.
+	/// Topics of warnings. Each is reported once per run.
 	enum class Topic : uint8_t { BINARY, INVALID, CLOCK, VERSION };
 	void warn(Topic p_topic, const String &p_text);
 	String url() const;
@@ -47,11 +47,11 @@ private:
 	Ref<LeapSource> source_;
 	Ref<WebSocketPeer> socket_; ///< null between two attempts
 	int version_ = steadyhand::LEAP_VERSION_WANTED;
-	bool got_version_ = false; ///< of this connection
-	int attempts_ = 0;         ///< in a row that have failed
+	bool got_version_ = false; ///< on this connection
+	int attempts_ = 0;         ///< failed attempts in a row
 	double next_attempt_s_ = 0.0;
-	double connected_s_ = 0.0; ///< when this connection was begun
-	bool failure_told_ = false;
+	double connected_s_ = 0.0; ///< start of this connection
+	bool is_failure_reported_ = false;
 	unsigned warned_ = 0; ///< bit i: Topic i
 	steadyhand::DeviceClock clock_;
 	steadyhand::LeapHandChooser chooser_;

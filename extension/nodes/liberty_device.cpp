@@ -18,11 +18,11 @@ namespace {
 
 /// Slots for events: 1 s of 16 stations at 240 Hz.
 constexpr std::size_t EVENT_COUNT = 4096;
-/// Of these, slots that records leave free for texts.
+/// Slots of these that only texts may use.
 constexpr std::size_t TEXT_COUNT = 64;
 
-/// s. How long to wait before the tracker is looked for again: short at first, then as rarely as not to load
-/// the bus.
+/// s. Time until the next search for the tracker: short at first, then longer, to keep the load of the bus
+/// low.
 constexpr double FIRST_RETRY_S = 0.5;
 constexpr double LONGEST_RETRY_S = 5.0;
 
@@ -32,7 +32,7 @@ struct LibertyDevice::Thread {
 	EventRing<LibertyEvent, EVENT_COUNT> events;
 	std::atomic<std::uint64_t> dropped_records = 0;
 	std::atomic<bool> is_stopping = false;
-	std::mutex mutex; ///< of `wake` alone, so that stop() ends a wait at once
+	std::mutex mutex; ///< only for `wake`, so that stop() ends a wait at once
 	std::condition_variable wake;
 	std::thread thread;
 
@@ -95,7 +95,7 @@ std::uint64_t LibertyDevice::dropped_records() const {
 	return thread_->dropped_records.load(std::memory_order_relaxed);
 }
 
-/// The thread's body: connects, streams and connects again until stop().
+/// Main function of the thread: connects, streams and reconnects until stop().
 void LibertyDevice::Thread::run(const LibertySettings &settings) {
 	if (const std::optional<Error> error = check(settings)) {
 		fail(error->message);
@@ -119,8 +119,8 @@ void LibertyDevice::Thread::run(const LibertySettings &settings) {
 			was_connected = true;
 			last_failure = reported_failure = end.failure; // the session reported it
 		} else if (!end.failure.empty()) {
-			// After a reconnection the system needs a moment to load firmware and to set permissions: what
-			// fails once only is no failure. That a lost tracker is absent is no news.
+			// After a reconnection the system needs a moment to load firmware and set permissions, so a
+			// single failure is not reported. A lost tracker that is absent was already reported.
 			const bool is_settled = is_first || end.failure == last_failure;
 			if (is_settled && end.failure != reported_failure && !(end.is_absent && was_connected)) {
 				fail(end.failure);

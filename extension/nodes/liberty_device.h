@@ -10,13 +10,13 @@
 
 namespace steadyhand {
 
-/// One thing that happened to the tracker.
+/// An event of the tracker.
 struct LibertyEvent {
 	enum class Kind : std::uint8_t {
-		CONNECTED, ///< the stream starts, or starts again; `stations` and `text` say of what
+		CONNECTED, ///< the stream starts, or starts again; with `stations` and `text`
 		RECORD,    ///< `record` and the times
-		WARNING,   ///< `text`: the stream goes on, but something is wrong
-		NOTE,      ///< `text`: the tracker said something
+		WARNING,   ///< `text`: the stream continues, but something is wrong
+		NOTE,      ///< `text`: a message of the tracker
 		FAILURE    ///< `text`: there is no stream, and what to do
 	};
 	Kind kind = Kind::NOTE;
@@ -24,9 +24,9 @@ struct LibertyEvent {
 	double host_time_s = 0.0;
 	/// s, on the tracker's clock (LibertyClock). Starts near 0 at each connection.
 	double device_time_s = std::numeric_limits<double>::quiet_NaN();
-	/// Frames that were skipped before this one; told with each station's record.
+	/// Frames that were skipped before this one; the same in all records of a cycle.
 	std::uint32_t lost_frames = 0;
-	/// The tracker sent the mirror image of the position. `record` holds the true one if
+	/// The tracker sent the mirror image of the position. `record` has the true position if
 	/// LibertySettings::mirror_flips is set.
 	bool is_mirrored = false;
 	std::uint32_t stations = 0; ///< bit i set: a sensor is plugged into station i + 1
@@ -34,8 +34,8 @@ struct LibertyEvent {
 	std::string text;
 };
 
-/// Polhemus Liberty on the USB. A thread of its own finds the tracker, starts it, receives, and looks for it
-/// again after it was unplugged. All functions are for one other thread.
+/// Polhemus Liberty on the USB. Its own thread finds the tracker, starts it, receives data, and searches for
+/// it again after it was unplugged. Only one other thread may call the functions.
 class LibertyDevice {
 public:
 	LibertyDevice();
@@ -43,21 +43,20 @@ public:
 	LibertyDevice(const LibertyDevice &) = delete;
 	LibertyDevice &operator=(const LibertyDevice &) = delete;
 
-	/// Starts to look for the tracker. Returns at once: failures come as events. Ends a stream that runs, and
-	/// throws away its events.
+	/// Starts to search for the tracker. Returns at once; failures are events. Ends a running stream and
+	/// drops its events.
 	void start(const LibertySettings &settings);
 
-	/// Stops the tracker and gives it back. Waits for it, 0.2 s as a rule and 5 s at most. May be called
-	/// twice.
+	/// Stops and releases the tracker. This usually takes 0.2 s, at most 5 s. May be called twice.
 	void stop();
 
 	[[nodiscard]] bool is_running() const;
 
-	/// Takes out the oldest event. False where none waits. Call it often: 4096 events fit, which is 1 s of 16
-	/// stations at 240 Hz.
+	/// Gets the oldest event; false if there is none. The queue has 4096 events, which is 1 s of 16 stations
+	/// at 240 Hz.
 	bool next(LibertyEvent &r_event);
 
-	/// Records that found no room, since start().
+	/// Records that did not fit into the queue, since start().
 	[[nodiscard]] std::uint64_t dropped_records() const;
 
 private:

@@ -10,13 +10,13 @@ namespace {
 
 using Then = LibertyStep::Then;
 
-/// s. How long a wait for bytes may keep the thread from its other work.
+/// s. Longest wait for bytes. The thread has other work in between.
 constexpr double READ_S = 0.02;
 
-/// s. A tracker that streams is never silent for so long, unless it lost its power or all sensors.
-constexpr double SILENCE_MAX_S = 2.0;
+/// s. A streaming tracker sends more often, unless it has lost its power or all sensors.
+constexpr double NO_DATA_MAX_S = 2.0;
 
-/// s. A fault may come with each record; nobody reads more often.
+/// s. A fault may be in each record. More frequent warnings would not be read.
 constexpr double REPEAT_S = 5.0;
 
 constexpr std::string_view PREFIX = "Liberty: ";
@@ -43,13 +43,13 @@ LibertySession::LibertySession(const LibusbLibrary &library, const LibertySettin
 		is_stopping_(is_stopping), emit_(std::move(emit)),
 		usb_(library, [this](std::span<const std::uint8_t> bytes, double host_s) { receive(bytes, host_s); }),
 		clock_(settings.rate_hz) {
-	told_s_.fill(-std::numeric_limits<double>::infinity());
+	reported_s_.fill(-std::numeric_limits<double>::infinity());
 }
 
 LibertySession::End LibertySession::run() {
 	End end;
 	const std::vector<LibertyStep> steps = liberty_start_steps(settings_);
-	step_ = &steps.front(); // nothing that comes before it counts
+	step_ = &steps.front(); // data before the first step is ignored
 	if (const std::optional<Error> error = usb_.open(end.is_absent)) {
 		end.failure = error->message;
 		return end;
@@ -78,13 +78,13 @@ LibertySession::End LibertySession::run() {
 	return end;
 }
 
-/// Writes a step's bytes and waits for what it waits for.
+/// Writes a step's bytes and waits for its condition.
 std::optional<Error> LibertySession::take(const LibertyStep &step) {
 	const double start_s = steady_now_s(), deadline_s = start_s + step.timeout_s;
-	double asked_s = start_s;
+	double sent_s = start_s;
 	bool is_met_now = false, is_over = false;
 	if (step.then == Then::STREAM && stations_ == 0U) {
-		connect(start_s); // records come once a sensor is plugged in
+		connect(start_s); // records follow when a sensor is plugged in
 		is_met_now = true;
 	}
 	usb_.write(step.bytes);
@@ -93,9 +93,9 @@ std::optional<Error> LibertySession::take(const LibertyStep &step) {
 		const double now_s = steady_now_s();
 		is_met_now = is_met(step, start_s);
 		is_over = now_s >= deadline_s || (is_stopping_ && step.then != Then::DISCARD);
-		if (step.then == Then::STATION_MAP && !is_met_now && !is_over && now_s - asked_s >= step.quiet_s) {
+		if (step.then == Then::STATION_MAP && !is_met_now && !is_over && now_s - sent_s >= step.quiet_s) {
 			usb_.write(step.bytes);
-			asked_s = now_s;
+			sent_s = now_s;
 		}
 	}
 	if (step.then == Then::DISCARD) {
@@ -129,7 +129,7 @@ bool LibertySession::is_met(const LibertyStep &step, double since_s) const {
 void LibertySession::stream(End &r_end) {
 	while (!is_stopping_ && !usb_.is_lost()) {
 		usb_.read(READ_S);
-		if (has_record_ && steady_now_s() - received_s_ > SILENCE_MAX_S) {
+		if (has_record_ && steady_now_s() - received_s_ > NO_DATA_MAX_S) {
 			r_end.failure =
 					"Liberty: the tracker has stopped sending. Check its power and its sensors; the stream "
 					"goes on once they are back.";
@@ -143,7 +143,7 @@ void LibertySession::stream(End &r_end) {
 				"stream goes on once it is back.";
 	}
 	if (!r_end.failure.empty()) {
-		tell(Kind::FAILURE, r_end.failure, steady_now_s());
+		report(Kind::FAILURE, r_end.failure, steady_now_s());
 	}
 }
 
@@ -176,20 +176,20 @@ void LibertySession::handle(const LibertyMessage &message, double host_s) {
 			break;
 		case LibertyMessage::Kind::WRONG_RECORD:
 			if (is_streaming) {
-				tell_seldom(SIZES, Kind::WARNING, text, host_s);
+				report_rarely(SIZES, Kind::WARNING, text, host_s);
 			}
 			break;
 		case LibertyMessage::Kind::REFUSAL:
 			if (step_ != nullptr) {
 				std::string what(PREFIX);
 				what.append("cannot ").append(step_->aim).append(": ").append(text, PREFIX.size());
-				tell(Kind::WARNING, std::move(what), host_s);
+				report(Kind::WARNING, std::move(what), host_s);
 			} else {
-				tell_seldom(REFUSALS, Kind::WARNING, text, host_s);
+				report_rarely(REFUSALS, Kind::WARNING, text, host_s);
 			}
 			break;
 		case LibertyMessage::Kind::TEXT:
-			tell_seldom(TEXTS, Kind::NOTE, text, host_s);
+			report_rarely(TEXTS, Kind::NOTE, text, host_s);
 			break;
 	}
 }
@@ -208,11 +208,11 @@ void LibertySession::handle_record(const LibertyRecord &record, double host_s) {
 	event.device_time_s = time.time_s;
 	event.lost_frames = lost_frames_;
 	if (time.has_restarted) {
-		tell(Kind::WARNING, "Liberty: the tracker restarted its clock. Another program may have reset it.",
+		report(Kind::WARNING, "Liberty: the tracker restarted its clock. Another program may have reset it.",
 				host_s);
 	}
 	if (time.has_rate_fault) {
-		tell(Kind::WARNING, clock_.rate_fault_text(), host_s);
+		report(Kind::WARNING, clock_.rate_fault_text(), host_s);
 	}
 	if (record.is_tracked) {
 		HemisphereGuard &guard = guards_[static_cast<std::size_t>(record.station - 1)];
@@ -223,7 +223,7 @@ void LibertySession::handle_record(const LibertyRecord &record, double host_s) {
 			event.record.source_position_m = -record.source_position_m;
 		}
 		if (answer.has_flipped && answer.is_mirrored) {
-			tell_seldom(FLIPS, Kind::WARNING,
+			report_rarely(FLIPS, Kind::WARNING,
 					station_name(record) +
 							"the sensor left the hemisphere of the source. Place the source so that all "
 							"sensors "
@@ -232,7 +232,7 @@ void LibertySession::handle_record(const LibertyRecord &record, double host_s) {
 		}
 	}
 	if (record.fault != '\0') {
-		tell_seldom(FAULTS, Kind::WARNING,
+		report_rarely(FAULTS, Kind::WARNING,
 				station_name(record) +
 						std::string(liberty_error_text(static_cast<std::uint8_t>(record.fault))) +
 						". Switch the tracker off and on if this stays.",
@@ -258,12 +258,12 @@ void LibertySession::connect(double host_s) {
 	}
 	emit_(std::move(event));
 	if (stations_ == 0U) {
-		tell(Kind::WARNING, "Liberty: no sensor is plugged in. Plug one into the front of the tracker.",
+		report(Kind::WARNING, "Liberty: no sensor is plugged in. Plug one into the front of the tracker.",
 				host_s);
 	}
 }
 
-void LibertySession::tell(Kind kind, std::string text, double host_s) {
+void LibertySession::report(Kind kind, std::string text, double host_s) {
 	LibertyEvent event;
 	event.kind = kind;
 	event.host_time_s = host_s;
@@ -271,10 +271,10 @@ void LibertySession::tell(Kind kind, std::string text, double host_s) {
 	emit_(std::move(event));
 }
 
-void LibertySession::tell_seldom(Topic topic, Kind kind, std::string text, double host_s) {
-	if (host_s - told_s_[topic] >= REPEAT_S) {
-		told_s_[topic] = host_s;
-		tell(kind, std::move(text), host_s);
+void LibertySession::report_rarely(Topic topic, Kind kind, std::string text, double host_s) {
+	if (host_s - reported_s_[topic] >= REPEAT_S) {
+		reported_s_[topic] = host_s;
+		report(kind, std::move(text), host_s);
 	}
 }
 

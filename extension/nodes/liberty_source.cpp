@@ -20,7 +20,7 @@ namespace {
 
 using steadyhand::LibertyEvent;
 
-/// Records of all stations of one measuring cycle, as frames.
+/// Collects the records of all stations of one measuring cycle into a frame.
 class LibertyStream : public HandStream {
 public:
 	explicit LibertyStream(const Ref<LibertySource> &p_source) : source_(p_source) {}
@@ -65,10 +65,10 @@ public:
 	}
 
 private:
-	/// The manual's, from the middle of a measurement to its record.
+	/// By the manual, from the middle of a measurement to its record.
 	static constexpr double LATENCY_S = 0.0035;
 
-	/// Of the levels 0 to 2 that the tracker tells.
+	/// The tracker reports levels 0 to 2.
 	static constexpr int STRONG_DISTORTION = 2;
 
 	void add(const LibertyEvent &p_event, double p_live_from_steady_s) {
@@ -81,8 +81,8 @@ private:
 					clock_.map(p_event.device_time_s, p_event.host_time_s + p_live_from_steady_s).host_s;
 			has_cycle_ = true;
 		}
-		if (p_event.record.distortion >= STRONG_DISTORTION && !distortion_told_) {
-			distortion_told_ = true;
+		if (p_event.record.distortion >= STRONG_DISTORTION && !is_distortion_reported_) {
+			is_distortion_reported_ = true;
 			announce(StreamEvent::Kind::WARNING,
 					String("Liberty: the field at station ") + itos(p_event.record.station) +
 							String(" is strongly distorted. Move metal away from sensors and source"));
@@ -98,7 +98,7 @@ private:
 		cycle_.skeleton.rotated |= 1U << joint;
 	}
 
-	/// A cycle is complete when the next one begins, or nothing more has come.
+	/// Called when the next cycle begins, or no data is left.
 	void flush() {
 		if (!has_cycle_) {
 			return;
@@ -114,7 +114,7 @@ private:
 	steadyhand::DeviceClock clock_;
 	steadyhand::DeviceFrame cycle_;
 	bool has_cycle_ = false;
-	bool distortion_told_ = false;
+	bool is_distortion_reported_ = false;
 	DeviceQueue queue_;
 };
 
@@ -168,7 +168,7 @@ void LibertySource::set_device_transform(const Transform3D &p_transform) {
 	emit_changed();
 }
 
-String LibertySource::silence_advice() const {
+String LibertySource::no_frame_advice() const {
 	return "Plug a sensor into station 1, and set \"joints\" of the LibertySource to the joint that wears it";
 }
 

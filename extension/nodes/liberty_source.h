@@ -28,7 +28,7 @@ public:
 	steadyhand::LibertySettings core() const;
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	bool is_script() const override { return false; }
 
 protected:

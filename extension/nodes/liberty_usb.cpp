@@ -15,19 +15,19 @@ constexpr std::uint16_t POLHEMUS = 0x0F44;
 constexpr int CONFIGURATION = 1;
 constexpr int INTERFACE = 0;
 
-/// The USB chip before its firmware was loaded: Liberty 2.0 and the first Liberty.
+/// Ids of the USB chip before its firmware is loaded: Liberty 2.0 and the first Liberty.
 constexpr std::array<std::uint16_t, 2> WITHOUT_FIRMWARE = { 0xFF21, 0xFF11 };
 
 /// Bytes. A multiple of the largest packet, 512, or else libusb may report an overflow. It holds a cycle of
 /// 16 stations, 768 bytes.
 constexpr std::size_t TRANSFER_SIZE = 2048;
-/// One transfer ends with each cycle: 16 wait for 67 ms at 240 Hz while the system runs other threads.
+/// Each cycle ends one transfer: 16 transfers buffer 67 ms at 240 Hz while the system runs other threads.
 constexpr std::size_t TRANSFER_COUNT = 16;
 
 /// ms. The longest write time-out of the known drivers.
 constexpr unsigned WRITE_TIMEOUT_MS = 1000;
 
-/// s. Cancelled transfers come back within milliseconds.
+/// s. Cancelled transfers end within milliseconds.
 constexpr double CANCEL_TIMEOUT_S = 2.0;
 
 std::string usb_id(std::uint16_t product) {
@@ -70,7 +70,7 @@ std::optional<Error> LibertyUsb::open(bool &r_is_absent) {
 	close();
 	is_lost_ = false;
 	r_is_absent = false;
-	// A context of its own each time: it scans the bus again, also where the system reports no changes.
+	// Each call makes a new context, which scans the bus again even if the system reports no changes.
 	if (const int status = library_.init(&context_); status != LIBUSB_SUCCESS) {
 		context_ = nullptr;
 		return Error{ std::string("Liberty: cannot use the USB (") + library_.error_name(status) +
@@ -196,7 +196,7 @@ void LIBUSB_CALL LibertyUsb::on_transfer(libusb_transfer *done) {
 	if (done->status == LIBUSB_TRANSFER_COMPLETED) {
 		const auto size = static_cast<std::size_t>(std::max(done->actual_length, 0));
 		self.receiver_(std::span(transfer.bytes).first(std::min(size, TRANSFER_SIZE)), steady_now_s());
-	} else if (done->status != LIBUSB_TRANSFER_OVERFLOW) { // which loses bytes, not the tracker
+	} else if (done->status != LIBUSB_TRANSFER_OVERFLOW) { // an overflow loses only bytes
 		self.is_lost_ = true;
 	}
 	if (!self.is_lost_) {
@@ -208,7 +208,7 @@ bool LibertyUsb::write(std::string_view bytes) {
 	if (device_ == nullptr || is_lost_) {
 		return false;
 	}
-	std::string copy(bytes); // libusb wants bytes that it could change
+	std::string copy(bytes); // libusb needs non-const bytes
 	int sent = 0;
 	const int status =
 			library_.bulk_transfer(device_, model_->out, reinterpret_cast<unsigned char *>(copy.data()),
@@ -246,7 +246,7 @@ void LibertyUsb::close() {
 		library_.handle_events_timeout_completed(context_, &timeout, nullptr);
 	}
 	if (submitted_count_ > 0) {
-		// The system may still write into these buffers. To leak them is the lesser harm.
+		// The system may still write into these buffers, so they must not be freed.
 		for (auto &transfer : transfers_) {
 			[[maybe_unused]] Transfer *const leaked = transfer.release();
 		}

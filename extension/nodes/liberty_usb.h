@@ -14,33 +14,33 @@
 
 namespace steadyhand {
 
-/// A Liberty on the USB, as a stream of bytes in both directions. All of it is for one thread.
+/// A Liberty on the USB, as a stream of bytes in both directions. Only for one thread.
 class LibertyUsb {
 public:
 	/// Bytes of one transfer, and their arrival on std::chrono::steady_clock, s. Called inside read() and
 	/// write().
 	using Receiver = std::function<void(std::span<const std::uint8_t> bytes, double host_s)>;
 
-	/// `library` outlives this.
+	/// `library` must outlive this object.
 	LibertyUsb(const LibusbLibrary &library, Receiver receiver);
 	~LibertyUsb(); ///< as close()
 	LibertyUsb(const LibertyUsb &) = delete;
 	LibertyUsb &operator=(const LibertyUsb &) = delete;
 
-	/// Looks for the tracker, claims it and starts to receive. The error says what to do. `r_is_absent`: no
-	/// tracker was there.
+	/// Finds and claims the tracker, and starts to receive. The error says what to do. `r_is_absent`: no
+	/// tracker was found.
 	[[nodiscard]] std::optional<Error> open(bool &r_is_absent);
 
-	/// False where not all bytes went out; the tracker is then lost.
+	/// False if not all bytes were sent; the tracker is then lost.
 	bool write(std::string_view bytes);
 
 	/// Waits for bytes, `timeout_s` at most.
 	void read(double timeout_s);
 
-	/// The tracker was unplugged or fails; nothing comes any more.
+	/// The tracker was unplugged or fails; no more data follows.
 	[[nodiscard]] bool is_lost() const { return is_lost_; }
 
-	/// Ends all transfers and gives the tracker back. May be called at any time, also twice.
+	/// Ends all transfers and releases the tracker. May be called at any time, also twice.
 	void close();
 
 private:

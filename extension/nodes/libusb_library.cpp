@@ -46,7 +46,7 @@ bool bind_libusb(LibraryHandle handle, LibusbLibrary &r_library, std::string &r_
 			have("libusb_error_name", l.error_name);
 }
 
-// Neither has a destructor that does anything: nothing happens when the extension is unloaded.
+// Both have trivial destructors, so no code runs when the extension is unloaded.
 constinit StaticMutex libusb_mutex;
 constinit LibusbLibrary loaded_libusb{};
 constinit bool is_libusb_loaded = false;

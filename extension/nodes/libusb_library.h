@@ -9,8 +9,8 @@
 
 namespace steadyhand {
 
-/// The functions of libusb-1.0 that the devices use, loaded at run time: the extension then also loads where
-/// libusb is not installed. Names and types are libusb's own.
+/// The functions of libusb-1.0 that the devices use, loaded at run time: the extension also works without
+/// libusb. Names and types are libusb's own.
 struct LibusbLibrary {
 	decltype(&libusb_init) init;
 	decltype(&libusb_exit) exit;
@@ -31,10 +31,10 @@ struct LibusbLibrary {
 	decltype(&libusb_handle_events_timeout_completed) handle_events_timeout_completed;
 	decltype(&libusb_error_name) error_name;
 
-	/// The library, which stays loaded until the process ends. Null where it cannot be loaded; `r_why_not`
-	/// then says why and what to do. The next call tries again. May be called from any thread.
+	/// The library, which stays loaded until the process ends. Null if it cannot be loaded; `r_why_not` then
+	/// says why and what to do. The next call tries again. May be called from any thread.
 	///
-	/// The environment variable STEADYHAND_LIBUSB names the library's file where the system does not find it.
+	/// The environment variable STEADYHAND_LIBUSB names the library's file if the system does not find it.
 	static const LibusbLibrary *get(std::string &r_why_not);
 };
 

@@ -7,26 +7,26 @@
 
 namespace godot {
 
-/// Listeners that may come and go while they are being called, and so may the list.
+/// List of listeners. During a call, listeners may be added or removed, and the list may be destroyed.
 template <class Listener> class ListenerList {
-	struct Life {};
+	struct Token {};
 
 public:
-	/// Tells whether the list has been destroyed since, and with it the object that it is a member of: what
-	/// is called or told may free that object.
+	/// Detects whether the list, and so the object that owns it, was destroyed. A listener or a signal
+	/// handler may free that object.
 	class Watch {
 	public:
-		explicit Watch(const ListenerList &p_list) : life_(p_list.life_) {}
-		bool is_gone() const { return life_.expired(); }
+		explicit Watch(const ListenerList &p_list) : token_(p_list.token_) {}
+		bool is_destroyed() const { return token_.expired(); }
 
 	private:
-		std::weak_ptr<Life> life_;
+		std::weak_ptr<Token> token_;
 	};
 
 	bool empty() const { return listeners_.empty(); }
 	void add(Listener *p_listener) { listeners_.push_back(p_listener); }
 
-	/// The place is kept until nothing is being called any more.
+	/// The entry becomes null, and is erased after all calls.
 	void remove(Listener *p_listener) {
 		std::replace(listeners_.begin(), listeners_.end(), p_listener, static_cast<Listener *>(nullptr));
 		drop_removed();
@@ -37,18 +37,18 @@ public:
 		call_while([] { return true; }, p_method, p_values...);
 	}
 
-	/// As long as p_goes_on() says so, which is asked before each.
+	/// Calls the listeners while p_continue() is true.
 	template <class Predicate, class... Arguments, class... Values>
-	void call_while(
-			const Predicate &p_goes_on, void (Listener::*p_method)(Arguments...), const Values &...p_values) {
+	void call_while(const Predicate &p_continue, void (Listener::*p_method)(Arguments...),
+			const Values &...p_values) {
 		const Watch watch(*this);
 		++calls_;
-		for (std::size_t i = 0; !watch.is_gone() && i < listeners_.size() && p_goes_on(); ++i) {
+		for (std::size_t i = 0; !watch.is_destroyed() && i < listeners_.size() && p_continue(); ++i) {
 			if (listeners_[i] != nullptr) {
 				(listeners_[i]->*p_method)(p_values...);
 			}
 		}
-		if (!watch.is_gone()) {
+		if (!watch.is_destroyed()) {
 			--calls_;
 			drop_removed();
 		}
@@ -56,8 +56,8 @@ public:
 
 private:
 	std::vector<Listener *> listeners_;
-	std::shared_ptr<Life> life_ = std::make_shared<Life>();
-	int calls_ = 0; ///< nested: a listener may make the caller call again
+	std::shared_ptr<Token> token_ = std::make_shared<Token>();
+	int calls_ = 0; ///< depth of nested calls
 
 	void drop_removed() {
 		if (calls_ == 0) {
@@ -66,7 +66,7 @@ private:
 	}
 };
 
-/// Leaves what was listened to so far for another; either may be null. False where that is the same.
+/// Moves p_listener from r_listened_to to p_source; either may be null. False if they are the same.
 template <class Source, class Listener>
 bool listen_to(Source *p_source, Source *&r_listened_to, Listener *p_listener) {
 	if (r_listened_to == p_source) {

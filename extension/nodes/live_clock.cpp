@@ -12,7 +12,7 @@ namespace {
 
 struct LiveClock {
 	bool is_set = false;
-	uint64_t frame = 0; ///< of the last call
+	uint64_t frame = 0; ///< game frame of the last call
 	double host_s = 0.0;
 	double time_s = 0.0;
 };
@@ -44,10 +44,10 @@ double live_time_s(double p_frame_s) {
 		clock = { true, frame, host_s, 0.0 };
 	} else if (frame != clock.frame) {
 		const double scale = engine->get_time_scale();
-		const double frame_s = scale > 0.0 ? p_frame_s / scale : 0.0; // at 0 the game's time says nothing
+		const double frame_s = scale > 0.0 ? p_frame_s / scale : 0.0; // at 0 the game's time does not advance
 		const double frames_s = frame_s * static_cast<double>(frame - clock.frame);
-		const bool is_told = scale > 0.0 && frame_s < longest_frame_s(*engine);
-		const double passed_s = is_told ? 0.0 : host_s - clock.host_s;
+		const bool is_frame_time_usable = scale > 0.0 && frame_s < longest_frame_s(*engine);
+		const double passed_s = is_frame_time_usable ? 0.0 : host_s - clock.host_s;
 		clock = { true, frame, host_s, clock.time_s + std::max(frames_s, passed_s) };
 	}
 	return clock.time_s;

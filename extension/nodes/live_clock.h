@@ -2,11 +2,10 @@
 
 namespace godot {
 
-/// The clock that stamps live devices, s since it was first asked: one for all trackers of the game. It goes
-/// on with the game's frames, unscaled by Engine.time_scale. Of a stall, whose duration the engine cuts, it
-/// takes the system's clock, so that the hand's motion is not shortened. Under `--fixed-fps` it is the
-/// simulated time, which makes a run repeatable. p_frame_s: duration of the present frame, as the node is
-/// told it.
+/// Clock of live devices, in s since the first call. All trackers of the game share it. It advances with the
+/// game's frames, without Engine.time_scale. The engine limits the reported duration of a stall; then this
+/// clock uses the system's clock. With `--fixed-fps` it is the simulated time, which makes a run repeatable.
+/// p_frame_s: delta time of the present frame.
 double live_time_s(double p_frame_s);
 
 /// The system's clock, s.

@@ -37,7 +37,7 @@ bool bind_lsl(LibraryHandle handle, LslLibrary &r_library, std::string &r_why_no
 			have("lsl_push_sample_strtp", l.push_sample_strtp) && have("lsl_local_clock", l.local_clock);
 }
 
-// Neither has a destructor that does anything: nothing happens when the extension is unloaded.
+// Both have trivial destructors, so no code runs when the extension is unloaded.
 constinit StaticMutex lsl_mutex;
 constinit LslLibrary loaded_lsl{};
 constinit bool is_lsl_loaded = false;

@@ -17,7 +17,7 @@ struct LslLibrary {
 	using Outlet = lsl_outlet_struct_ *;
 	using Xml = lsl_xml_ptr_struct_ *;
 
-	/// Of lsl_channel_format_t.
+	/// Values of lsl_channel_format_t.
 	static constexpr int32_t DOUBLE64 = 2;
 	static constexpr int32_t STRING = 3;
 	static constexpr double IRREGULAR_RATE = 0.0;
@@ -30,7 +30,7 @@ struct LslLibrary {
 	Xml (*append_child)(Xml element, const char *name);
 	/// Returns `element`.
 	Xml (*append_child_value)(Xml element, const char *name, const char *value);
-	/// `chunk_size` 0: as pushed. `max_buffered_s`: how much it keeps for a receiver that is slow.
+	/// `chunk_size` 0: as pushed. `max_buffered_s`: size of the buffer for slow receivers.
 	Outlet (*create_outlet)(StreamInfo info, int32_t chunk_size, int32_t max_buffered_s);
 	void (*destroy_outlet)(Outlet outlet);
 	/// Both return 0 or an error code.
@@ -38,10 +38,10 @@ struct LslLibrary {
 	int32_t (*push_sample_strtp)(Outlet outlet, const char **data, double timestamp_s, int32_t pushthrough);
 	double (*local_clock)();
 
-	/// The library, which stays loaded until the process ends. Null where it cannot be loaded; `r_why_not`
-	/// then says why and what to do. The next call tries again. May be called from any thread.
+	/// The library, which stays loaded until the process ends. Null if it cannot be loaded; `r_why_not` then
+	/// says why and what to do. The next call tries again. May be called from any thread.
 	///
-	/// The environment variable STEADYHAND_LSL names the library's file where the system does not find it.
+	/// The environment variable STEADYHAND_LSL names the library's file if the system does not find it.
 	static const LslLibrary *get(std::string &r_why_not);
 };
 

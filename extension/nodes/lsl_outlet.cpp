@@ -21,10 +21,10 @@ using steadyhand::LslLibrary;
 constexpr std::array AXES = { 'x', 'y', 'z' };
 /// Each joint's position, then the confidence.
 constexpr std::size_t CHANNELS = JOINT_COUNT * AXES.size() + 1;
-/// What a slow receiver can still get, s; liblsl's own default.
+/// Buffer for slow receivers, s; liblsl's own default.
 constexpr int32_t BUFFERED_S = 360;
 
-/// Of the XDF format's stream type MoCap; labels are the columns of a track CSV.
+/// Channels of the XDF format's stream type MoCap. Labels are the columns of a track CSV.
 void describe_channels(const LslLibrary &p_lsl, LslLibrary::StreamInfo p_info) {
 	const LslLibrary::Xml channels = p_lsl.append_child(p_lsl.get_desc(p_info), "channels");
 	const auto add = [&](const std::string &p_label, const std::string &p_type, const char *p_unit) {
@@ -42,7 +42,7 @@ void describe_channels(const LslLibrary &p_lsl, LslLibrary::StreamInfo p_info) {
 	add("confidence", "Confidence", "normalized");
 }
 
-/// Null where liblsl refuses.
+/// Null if liblsl refuses.
 LslLibrary::Outlet make_frame_outlet(const LslLibrary &p_lsl, const String &p_name, const String &p_id) {
 	const LslLibrary::StreamInfo info =
 			p_lsl.create_streaminfo(to_core(p_name).c_str(), "MoCap", static_cast<int32_t>(CHANNELS),
@@ -56,7 +56,7 @@ LslLibrary::Outlet make_frame_outlet(const LslLibrary &p_lsl, const String &p_na
 	return outlet;
 }
 
-/// The same.
+/// As make_frame_outlet().
 LslLibrary::Outlet make_event_outlet(const LslLibrary &p_lsl, const String &p_name, const String &p_id) {
 	const std::string id = p_id.is_empty() ? std::string() : to_core(p_id) + "_events";
 	const LslLibrary::StreamInfo info = p_lsl.create_streaminfo((to_core(p_name) + " events").c_str(),
@@ -104,13 +104,13 @@ void LslOutlet::open() {
 	std::string why_not;
 	lsl_ = LslLibrary::get(why_not);
 	if (lsl_ == nullptr) {
-		tell_failure(to_godot(why_not));
+		report_failure(to_godot(why_not));
 		return;
 	}
 	frames_ = make_frame_outlet(*lsl_, stream_name_, source_id_);
 	events_ = make_event_outlet(*lsl_, stream_name_, source_id_);
 	if (frames_ == nullptr || events_ == nullptr) {
-		tell_failure(String("liblsl cannot make the streams; check the network and lsl_api.cfg."));
+		report_failure(String("liblsl cannot make the streams; check the network and lsl_api.cfg."));
 		close();
 	}
 }
@@ -132,9 +132,9 @@ void LslOutlet::reopen() {
 	}
 }
 
-void LslOutlet::tell_failure(const String &p_what) {
-	if (!is_failure_told_) {
-		is_failure_told_ = true;
+void LslOutlet::report_failure(const String &p_what) {
+	if (!is_failure_reported_) {
+		is_failure_reported_ = true;
 		WARN_PRINT(node_label(*this) + String(": ") + p_what);
 	}
 }
@@ -147,7 +147,7 @@ void LslOutlet::push_event(const String &p_text) {
 	const std::string text = to_core(p_text);
 	const char *sample = text.c_str();
 	if (lsl_->push_sample_strtp(events_, &sample, now_s, 1) != 0) {
-		tell_failure(String("liblsl does not take an event."));
+		report_failure(String("liblsl does not take an event."));
 	}
 }
 
@@ -168,7 +168,7 @@ void LslOutlet::on_frame(const steadyhand::HandFrame &p_frame) {
 	}
 	sample.back() = p_frame.confidence;
 	if (lsl_->push_sample_dtp(frames_, sample.data(), now_s, 1) != 0) {
-		tell_failure(String("liblsl does not take a frame."));
+		report_failure(String("liblsl does not take a frame."));
 	}
 }
 

@@ -8,7 +8,7 @@
 
 namespace godot {
 
-/// Sends the frames of a HandTracker and events to the Lab Streaming Layer, where liblsl is installed.
+/// Sends the frames of a HandTracker and events to the Lab Streaming Layer, if liblsl is installed.
 class LslOutlet : public Node, public FrameListener {
 	GDCLASS(LslOutlet, Node)
 
@@ -41,16 +41,16 @@ private:
 	HandTracker *tracker_ = nullptr;
 	String stream_name_ = "SteadyHand";
 	String source_id_;
-	const steadyhand::LslLibrary *lsl_ = nullptr; ///< null where it is not active
+	const steadyhand::LslLibrary *lsl_ = nullptr; ///< null if it is not active
 	steadyhand::LslLibrary::Outlet frames_ = nullptr;
 	steadyhand::LslLibrary::Outlet events_ = nullptr;
-	bool is_failure_told_ = false;
+	bool is_failure_reported_ = false;
 
 	void open();
 	void close();
-	/// After a change of a property.
+	/// Called after a change of a property.
 	void reopen();
-	void tell_failure(const String &p_what);
+	void report_failure(const String &p_what);
 };
 
 } // namespace godot

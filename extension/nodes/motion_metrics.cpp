@@ -19,9 +19,9 @@ namespace godot {
 
 namespace {
 
-/// Of a curve: eight hours at 1 kHz, while `./steadyhand evaluate` judges six at most. They take 240 MB.
+/// Limit of a curve: eight hours at 1 kHz, which take 240 MB. `./steadyhand evaluate` uses at most six hours.
 constexpr int64_t MOST_SAMPLES = 30'000'000;
-/// Of a table, which has a cell for each pair of them: 8 MB. Nobody reads a larger one.
+/// Limit of a confusion table, which has a cell for each pair: 8 MB.
 constexpr int64_t MOST_GESTURES = 1000;
 
 } // namespace
@@ -130,7 +130,8 @@ Dictionary MotionMetrics::confusion(const PackedStringArray &p_done, const Packe
 		}
 	}
 	names.sort();
-	// find() is -1 for none, which the table takes for one beyond its gestures.
+	// find() returns -1 for "none". As an unsigned index this is beyond the table's gestures, which means
+	// none.
 	steadyhand::ConfusionTable table(static_cast<std::size_t>(names.size()));
 	for (int64_t i = 0; i < p_done.size(); ++i) {
 		table.add(static_cast<std::size_t>(names.find(p_done[i])),

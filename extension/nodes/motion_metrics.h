@@ -18,10 +18,10 @@ public:
 	static Dictionary compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
 			double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s);
 	static Dictionary summarise(const PackedFloat64Array &p_values);
-	/// Empty and one error in the log where the track cannot be read.
+	/// Empty, and one error in the log, if the track cannot be read.
 	static PackedFloat64Array feature_curve(const String &p_track_path, const String &p_feature,
 			const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count);
-	/// Empty where nothing is odd; empty and one error in the log where a track cannot be read.
+	/// Empty if nothing is odd. Empty, and one error in the log, if a track cannot be read.
 	static String recording_oddity(const String &p_measured_path, const String &p_reference_path,
 			const String &p_feature, const Dictionary &p_trial);
 	static Dictionary confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised);

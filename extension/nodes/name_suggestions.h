@@ -5,7 +5,7 @@
 
 namespace godot {
 
-/// The inspector offers these names, and takes any other.
+/// The inspector suggests these names, and accepts any other.
 inline void suggest(const PackedStringArray &p_names, PropertyInfo &r_property) {
 	r_property.hint = PROPERTY_HINT_ENUM_SUGGESTION;
 	r_property.hint_string = String(",").join(p_names);

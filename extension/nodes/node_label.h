@@ -7,8 +7,8 @@
 
 namespace godot {
 
-/// Which node of the scene a message is about. In the editor, the path would lead through the editor's own
-/// nodes. A scene that is being loaded has not named its nodes yet.
+/// Class and path of a node, for messages. In the editor it has the name, because the path would contain the
+/// editor's own nodes. Nodes of a scene that is being loaded have no name yet.
 inline String node_label(const Node &p_node) {
 	const bool has_path = p_node.is_inside_tree() && !p_node.is_part_of_edited_scene();
 	const String name = has_path ? String(p_node.get_path()) : String(p_node.get_name());

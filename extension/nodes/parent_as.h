@@ -5,8 +5,7 @@
 
 namespace godot {
 
-/// The parent of a node if it is a `Parent`, or null: what the node follows while its property names no
-/// other.
+/// The parent of a node if it is a `Parent`, otherwise null. It is the default of a node's property.
 template <class Parent> Parent *parent_as(const Node &p_node) {
 	return Object::cast_to<Parent>(p_node.get_node_or_null(NodePath("..")));
 }

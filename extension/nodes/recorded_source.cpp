@@ -57,7 +57,7 @@ PackedStringArray RecordedSource::get_warnings() const {
 	return warnings;
 }
 
-String RecordedSource::silence_advice() const {
+String RecordedSource::no_frame_advice() const {
 	return String("Record a hand to ") + path_ + String(": all of its frames are empty");
 }
 

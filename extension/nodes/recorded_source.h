@@ -19,7 +19,7 @@ public:
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
 	PackedStringArray get_warnings() const override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	String played_file() const override { return path_; }
 	bool is_script() const override { return false; }
 

@@ -20,7 +20,7 @@ namespace steadyhand {
 #ifdef _WIN32
 using LibraryHandle = HMODULE;
 
-/// Null where it fails; `r_why_not` then says why.
+/// Null if it fails; `r_why_not` then says why.
 inline LibraryHandle open_library(const char *name, std::string &r_why_not) {
 	const LibraryHandle handle = LoadLibraryA(name);
 	if (handle == nullptr) {
@@ -39,7 +39,7 @@ inline void close_library(LibraryHandle handle) {
 #else
 using LibraryHandle = void *;
 
-/// Null where it fails; `r_why_not` then says why.
+/// Null if it fails; `r_why_not` then says why.
 inline LibraryHandle open_library(const char *name, std::string &r_why_not) {
 	void *const handle = dlopen(name, RTLD_NOW | RTLD_LOCAL);
 	if (handle == nullptr) {
@@ -58,7 +58,7 @@ inline void close_library(LibraryHandle handle) {
 }
 #endif
 
-/// The file that the environment variable names, otherwise the first of `names` that can be loaded.
+/// Loads the file in the environment variable, otherwise the first of `names` that can be loaded.
 inline LibraryHandle open_library(
 		const char *variable, std::span<const char *const> names, std::string &r_why_not) {
 	if (const char *const given = std::getenv(variable); given != nullptr && *given != '\0') {

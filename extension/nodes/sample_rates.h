@@ -8,7 +8,7 @@
 
 namespace godot {
 
-// What a Vibration is made at, for properties and methods of whole Hz.
+// Sample rates of a Vibration, for properties and methods in whole Hz.
 
 inline constexpr int LOWEST_RATE_HZ = static_cast<int>(steadyhand::Vibration::LOWEST_RATE_HZ);
 inline constexpr int HIGHEST_RATE_HZ = static_cast<int>(steadyhand::Vibration::HIGHEST_RATE_HZ);
@@ -17,12 +17,12 @@ constexpr bool is_sample_rate(int p_rate_hz) {
 	return p_rate_hz >= LOWEST_RATE_HZ && p_rate_hz <= HIGHEST_RATE_HZ;
 }
 
-/// Of a property's range in the inspector.
+/// Range of a property in the inspector.
 inline String sample_rate_hint() {
 	return itos(LOWEST_RATE_HZ) + String(",") + itos(HIGHEST_RATE_HZ) + String(",1,suffix:Hz");
 }
 
-/// Why `p_where` refuses `p_rate_hz` as its `p_what`.
+/// Message if `p_where` refuses `p_rate_hz` for `p_what`.
 inline String sample_rate_fault(const String &p_where, const char *p_what, int p_rate_hz) {
 	return refusal(p_where,
 			String(p_what) + String(" must be ") + itos(LOWEST_RATE_HZ) + String("..") +

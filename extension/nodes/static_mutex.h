@@ -5,7 +5,7 @@
 namespace steadyhand {
 
 /// A mutex for a static variable: no code runs when the library is loaded or unloaded. MinGW's std::mutex has
-/// a constructor and a destructor that do something.
+/// a non-trivial constructor and destructor.
 class StaticMutex {
 public:
 	void lock() {

@@ -39,7 +39,7 @@ private:
 	const HandTracker &tracker_;
 };
 
-/// A gesture of the user's own is not: the source's own "gesture" is made in its place.
+/// Gestures of the user are not simulated; the source's own "gesture" is used instead.
 bool is_simulated(const StringName &p_gesture) {
 	return steadyhand::find_simulated_gesture(to_core(String(p_gesture))) != nullptr;
 }
@@ -66,7 +66,7 @@ steadyhand::Result<steadyhand::SyntheticTrial> SyntheticSource::make_trial(
 	request.gesture = to_core(gesture_);
 	request.position = position_ == POSITION_STABLE ? steadyhand::HandPosition::STABLE
 													: steadyhand::HandPosition::UNSTABLE;
-	// Not the people that models are trained on.
+	// Other people than those of the models' training.
 	request.subject =
 			steadyhand::draw_subject(steadyhand::Population::EVALUATE, static_cast<std::uint32_t>(subject_));
 	request.subject.pace = pace_;
@@ -209,7 +209,7 @@ PackedStringArray SyntheticSource::get_warnings() const {
 	return warnings;
 }
 
-String SyntheticSource::silence_advice() const {
+String SyntheticSource::no_frame_advice() const {
 	return "Call start() or advance() of the HandTracker";
 }
 

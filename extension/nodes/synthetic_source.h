@@ -12,8 +12,8 @@ namespace godot {
 
 class GestureTask;
 
-/// A simulated person makes one gesture in front of a simulated tracker: where a sensor would see it, or at a
-/// place of one's own.
+/// A simulated person makes one gesture in front of a simulated tracker, at a position relative to the sensor
+/// or at a chosen place.
 class SyntheticSource : public HandSource {
 	GDCLASS(SyntheticSource, HandSource)
 
@@ -51,14 +51,14 @@ public:
 	double get_start_radius() const { return start_radius_m_; }
 
 	void place_at(GestureTask *p_task);
-	/// What will be played, as TrialSet.get_trial() has it; empty where that is not known yet.
+	/// The simulated trial, in the form of TrialSet.get_trial(); empty if it is not known yet.
 	Dictionary get_trial() const;
-	/// With the task that is looked for from p_tracker; null: none is.
+	/// p_tracker: node from which task_path is resolved; null for no task.
 	steadyhand::Result<steadyhand::SyntheticTrial> make_trial(const HandTracker *p_tracker) const;
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
 	PackedStringArray get_warnings() const override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	bool is_script() const override { return false; }
 
 protected:
@@ -70,7 +70,7 @@ private:
 	Position position_ = POSITION_STABLE;
 	int64_t subject_ = 0;
 	int64_t seed_ = 0;
-	double duration_s_ = 0.0; ///< 0: as the person does it
+	double duration_s_ = 0.0; ///< 0: the person's own duration
 	double pace_ = 1.0;
 	bool loop_ = false;
 	bool true_motion_ = false;

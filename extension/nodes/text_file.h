@@ -11,20 +11,21 @@
 
 namespace godot {
 
-// Whole files of text through the engine, so that res:// and user:// work, inside an exported project too.
+// Reads and writes whole text files by the engine, so that res:// and user:// also work in an exported
+// project.
 
 /// The error names the path and the engine's reason.
 steadyhand::Result<std::string> read_text_file(const String &p_path);
 
-/// Replaces what is there, in one step: nobody sees a half of it. Reports a failure in the engine's log, with
-/// the path.
+/// Replaces the file in one step, so a half-written file never exists. Reports a failure with the path in the
+/// engine's log.
 Error write_text_file(const String &p_path, std::string_view p_text);
 
-/// Whether all that was stored in the file, up to where it is now, is there; writes it through. FileAccess
-/// does not tell of a full disk where its buffer took the last of it.
+/// Flushes the file. Whether all data up to the present position is on the disk. FileAccess does not report a
+/// full disk while data is in its buffer.
 bool is_written(const Ref<FileAccess> &p_file);
 
-/// "No such file: p_path" and the like, for a path that did not open.
+/// Why p_path did not open, with the path.
 String cannot_open(const String &p_path, Error p_error);
 
 } // namespace godot

@@ -6,9 +6,8 @@
 
 namespace godot {
 
-/// A track CSV through the engine's files; the error names file, line and column.
-/// Prints a warning for each clock jump that is closed up. Of a file that was cut off in its last row it
-/// reads what is before that, with a warning.
+/// Reads a track CSV. The error names file, line and column. Prints a warning for each clock jump that is
+/// closed. If the last row is cut off, it reads the rows before, with a warning.
 steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path);
 
 } // namespace godot

@@ -7,8 +7,8 @@
 
 namespace godot {
 
-/// Plays recorded frames out against a clock. In a loop each round's stamps continue the one before, so that
-/// time never goes back.
+/// Plays recorded frames by a clock. In a loop the stamps of each round continue those of the last round, so
+/// that time never goes back.
 class TrackPlayback {
 public:
 	/// p_frames: at least one, in non-decreasing time.
@@ -18,12 +18,12 @@ public:
 	double start_s() const { return frames_.front().t_s; }
 	double duration_s() const { return frames_.back().t_s - start_s(); }
 	bool is_looped() const { return loop_; }
-	/// No frame will follow.
+	/// No more frames follow.
 	bool finished() const { return next_ == frames_.size() && !loop_; }
 	/// The next frame is the first of a new round.
 	bool begins_round() const { return next_ == frames_.size() && loop_; }
 
-	/// False where none is stamped at or before p_time_s.
+	/// False if no frame has a stamp up to p_time_s.
 	bool next(double p_time_s, steadyhand::HandFrame &r_frame) {
 		if (begins_round()) {
 			if (!(frames_.front().t_s + offset_s_ + period_s() <= p_time_s)) {
@@ -41,7 +41,8 @@ public:
 	}
 
 private:
-	/// From the end of a round to the next one's start, and of a track without duration.
+	/// Time from the end of a round to the start of the next one. So a track without duration also has a
+	/// period.
 	static constexpr double PAUSE_S = 0.01;
 
 	std::vector<steadyhand::HandFrame> frames_;

@@ -12,7 +12,7 @@ namespace godot {
 
 namespace {
 
-/// All that a frame can hold: what a script pushes later is not known when the header is written.
+/// All columns, because the joints of later frames are unknown when the header is written.
 constexpr steadyhand::TrackColumns COLUMNS{ (1U << steadyhand::JOINT_COUNT) - 1U, true };
 
 } // namespace
@@ -32,9 +32,10 @@ Error TrackRecorder::open(const Node &p_owner, const String &p_path) {
 
 void TrackRecorder::write(const steadyhand::HandFrame &p_frame) {
 	if (p_frame.t_s < last_s_) {
-		complain(": frames that are older than the last one are left out. Record each run of a HandTracker "
-				 "to its own "
-				 "file");
+		report_once(
+				": frames that are older than the last one are left out. Record each run of a HandTracker "
+				"to its own "
+				"file");
 		return;
 	}
 	last_s_ = p_frame.t_s;
@@ -54,13 +55,13 @@ void TrackRecorder::flush() {
 	if (is_written(file_)) {
 		rows_.clear();
 	} else {
-		complain(": frames cannot be written and are lost. Is the disk full?");
+		report_once(": frames cannot be written and are lost. Is the disk full?");
 		keep_whole_rows(begin);
 	}
 }
 
-/// Of rows_, which were to be written from there on: the file ends with a row that is whole, and what it
-/// does not hold is tried again, until there is too much of it.
+/// After a failed write of rows_ at p_begin: cuts the file after its last whole row. The other rows stay in
+/// rows_ for the next attempt, unless they are too many.
 void TrackRecorder::keep_whole_rows(std::uint64_t p_begin) {
 	const std::uint64_t end = file_->get_length();
 	std::size_t held = end > p_begin ? static_cast<std::size_t>(end - p_begin) : 0;
@@ -70,9 +71,9 @@ void TrackRecorder::keep_whole_rows(std::uint64_t p_begin) {
 	file_->seek(p_begin + held);
 }
 
-void TrackRecorder::complain(const char *p_what) {
-	if (!complained_) {
-		complained_ = true;
+void TrackRecorder::report_once(const char *p_what) {
+	if (!is_fault_reported_) {
+		is_fault_reported_ = true;
 		ERR_PRINT(path_ + String(p_what));
 	}
 }

@@ -9,7 +9,7 @@
 
 namespace godot {
 
-/// Plays frames that are all there from the start, a recording's or a simulation's.
+/// Plays the frames of a recording or a simulation, which are all known from the start.
 class TrackStream : public HandStream {
 public:
 	explicit TrackStream(bool p_loop) : loop_(p_loop) {}

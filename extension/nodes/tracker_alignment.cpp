@@ -21,7 +21,7 @@ using Alignment = steadyhand::TrackerAlignment::Alignment;
 
 constexpr double UNKNOWN = std::numeric_limits<double>::quiet_NaN();
 
-/// The place of p_joint in a HandFrame; JOINT_COUNT where it has none.
+/// Index of p_joint in a HandFrame; JOINT_COUNT if it has no such joint.
 std::size_t frame_joint(HandTracker::Joint p_joint) {
 	const auto found = std::find_if(steadyhand::SKELETON_OF.begin(), steadyhand::SKELETON_OF.end(),
 			[&](steadyhand::SkeletonJoint p_one) {
@@ -34,7 +34,7 @@ Transform3D transform_of(const Alignment &p_alignment) {
 	return Transform3D(to_godot(p_alignment.rotation), to_godot(p_alignment.translation_m));
 }
 
-/// Nothing for a source without a device_transform that is fixed in space.
+/// nullopt if the source has no device_transform that is fixed in space.
 std::optional<Transform3D> device_transform_of(const HandTracker *p_tracker) {
 	const Ref<HandSource> source = p_tracker != nullptr ? p_tracker->get_source() : Ref<HandSource>();
 	if (const auto *leap = Object::cast_to<LeapSource>(source.ptr())) {
@@ -170,7 +170,7 @@ Error TrackerAlignment::apply() {
 	}
 	set_device_transform(*other_.tracker, transform_of(*result_) * *present);
 	is_applied_ = true;
-	samples_.clear(); // those of the tracker are in its former space
+	samples_.clear(); // the samples are in the tracker's former space
 	error_message_ = String();
 	return OK;
 }

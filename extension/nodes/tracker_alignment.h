@@ -28,7 +28,7 @@ public:
 	void set_joint(HandTracker::Joint p_joint);
 	HandTracker::Joint get_joint() const { return joint_; }
 
-	/// Forgets all samples and results.
+	/// Drops all samples and results.
 	Error start();
 	/// Keeps the samples.
 	void stop() { running_ = false; }
@@ -38,13 +38,13 @@ public:
 	Error solve();
 	Error apply();
 
-	/// Not a number before solve() has succeeded, as both residuals.
+	/// NaN before solve() has succeeded; both residuals too.
 	double get_lag() const;
 	Transform3D get_transform() const;
 	double get_residual() const;
 	double get_residual_max() const;
 	int64_t get_sample_count() const;
-	/// Of the last start(), solve() or apply(); empty after success.
+	/// Error of the last start(), solve() or apply(); empty after success.
 	String get_error_message() const { return error_message_; }
 
 	PackedStringArray _get_configuration_warnings() const override;
@@ -79,12 +79,12 @@ private:
 	steadyhand::TrackerAlignment samples_;
 	std::optional<steadyhand::TrackerAlignment::Alignment> result_;
 	bool is_applied_ = false;
-	Transform3D device_transform_; ///< of the tracker's source when result_ was found
+	Transform3D device_transform_; ///< of the tracker's source at the time of result_
 	String error_message_;
 
 	void listen(Side &p_side, HandTracker *p_tracker);
 	void collect(Side::Push p_push, const steadyhand::HandFrame &p_frame);
-	/// Stops, and forgets all samples and results.
+	/// Stops, and drops all samples and results.
 	void reset();
 	Error fail(Error p_error, const String &p_message);
 };

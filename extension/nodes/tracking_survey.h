@@ -18,7 +18,8 @@ protected:
 	static void _bind_methods();
 
 public:
-	/// ERR_INVALID_PARAMETER, and no more, for what is not finite or comes before the last frame.
+	/// Returns ERR_INVALID_PARAMETER without a message if a number is not finite, or the time is before the
+	/// last frame.
 	Error push(double p_time_s, const Vector3 &p_position);
 	double get_duration() const { return survey_.duration_s(); }
 	Dictionary propose() const;

@@ -15,7 +15,7 @@ Dictionary trial_dictionary(const steadyhand::Trial &p_trial);
 
 steadyhand::Task task_of_trial(const steadyhand::Trial &p_trial);
 
-/// From such a dictionary; nothing, and one error in the log, where its amplitude_m is not above 0.
+/// Task of such a dictionary. nullopt, and one error in the log, if its amplitude_m is not above 0.
 std::optional<steadyhand::Task> task_of_trial(const Dictionary &p_trial);
 
 } // namespace godot

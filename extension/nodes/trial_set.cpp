@@ -35,7 +35,7 @@ constexpr std::array<SyntheticOption, 7> SYNTHETIC_OPTIONS{ {
 		{ "earlier_rounds", "number" },
 } };
 
-/// Why an option cannot be read; empty where it can.
+/// Why an option is invalid; empty if it is valid.
 std::string fault_of(const std::string &p_key, const Variant &p_value) {
 	const auto option = std::find_if(SYNTHETIC_OPTIONS.begin(), SYNTHETIC_OPTIONS.end(),
 			[&](const SyntheticOption &candidate) { return candidate.name == p_key; });
@@ -44,19 +44,19 @@ std::string fault_of(const std::string &p_key, const Variant &p_value) {
 	}
 	const Variant::Type type = p_value.get_type();
 	const bool is_number = type == Variant::INT || type == Variant::FLOAT;
-	const bool is_list = type >= Variant::ARRAY; // the packed ones follow it
+	const bool is_list = type >= Variant::ARRAY; // the packed arrays follow it
 	if ((option->is_a == "number" && !is_number) || (option->is_a == "list" && !is_list)) {
 		return p_key + ": '" + to_core(p_value.stringify()) + "' is not a " + std::string(option->is_a);
 	}
 	return {};
 }
 
-/// Of a trial, with the rounds before it: its two tracks take 250 MB.
+/// Limit of a trial with its earlier rounds, s. Its two tracks then take 250 MB.
 constexpr double LONGEST_S = 3600.0;
-/// Two files each; their plan takes 30 MB.
+/// Each has two files. Their plan takes 30 MB.
 constexpr double MOST_TRIALS = 100'000.0;
 
-/// Why what is asked for would not fit into memory; empty where it does.
+/// Why the trials would not fit into memory; empty if they do.
 std::string size_fault(const steadyhand::SyntheticSetOptions &p_options) {
 	const std::size_t gestures = std::max<std::size_t>(p_options.gestures.size(), 1);
 	const double trials = static_cast<double>(p_options.subjects) * p_options.repetitions *

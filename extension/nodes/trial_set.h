@@ -10,7 +10,7 @@
 
 namespace godot {
 
-/// A folder of trials: `trials.csv`, and two track CSVs for each of its rows. Tracks are read when asked for.
+/// A folder of trials: `trials.csv`, and two track CSVs for each of its rows. Tracks are read on demand.
 class TrialSet : public RefCounted {
 	GDCLASS(TrialSet, RefCounted)
 
@@ -26,18 +26,18 @@ protected:
 public:
 	const std::vector<steadyhand::Trial> &core() const { return trials_; }
 	String get_path() const { return path_; }
-	/// Both tracks of a trial; errors name the file.
+	/// Reads both tracks of a trial. Errors name the file.
 	steadyhand::Result<steadyhand::TrainingRecording> read_recording(const steadyhand::Trial &p_trial) const;
 
 	int get_count() const { return static_cast<int>(trials_.size()); }
-	/// Bad rows of trials.csv.
+	/// Invalid rows of trials.csv.
 	int get_left_out_count() const { return left_out_; }
 	Dictionary get_trial(int p_index) const;
 	String get_measured_path(int p_index) const;
 	String get_reference_path(int p_index) const;
 
-	/// Null and one error in the log where trials.csv is missing or no table of trials; one error for each
-	/// row that is left out.
+	/// Null, and one error in the log, if trials.csv is missing or no table of trials. One error for each
+	/// invalid row, which is left out.
 	static Ref<TrialSet> load_folder(const String &p_path);
 	/// Options, all optional: population, subjects, trials_per_subject, gestures, paces, duration,
 	/// earlier_rounds.

@@ -13,7 +13,7 @@ namespace godot {
 
 namespace {
 
-// A path made of char is in the system's own encoding, which on Windows is not UTF-8.
+// A path of char has the system's encoding, which on Windows is not UTF-8.
 std::filesystem::path to_system(const String &p_path) {
 	const std::string utf8 = to_core(ProjectSettings::get_singleton()->globalize_path(p_path));
 	return std::u8string(utf8.begin(), utf8.end());

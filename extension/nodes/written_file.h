@@ -6,24 +6,24 @@
 
 namespace godot {
 
-/// By another name too; false where one of them is no file yet.
+/// Whether two paths name the same file, also by links. False if one of them does not exist.
 bool is_same_file(const String &p_path, const String &p_other);
 
-/// A file that a node writes for some time: another's would destroy what it has written. Of the scene's
-/// thread.
+/// Marks a file that a node is writing, so that no other node overwrites it. For the scene's thread.
 class WrittenFile {
 public:
-	/// p_owner outlives it.
+	/// p_owner must outlive this object.
 	WrittenFile(const Node &p_owner, const String &p_path);
 	~WrittenFile();
 	WrittenFile(const WrittenFile &) = delete;
 	WrittenFile &operator=(const WrittenFile &) = delete;
 
-	/// Where another node writes to it, reports in the log which one, and returns ERR_FILE_ALREADY_IN_USE.
+	/// If another node is writing to the file, reports this node in the log and returns
+	/// ERR_FILE_ALREADY_IN_USE.
 	static Error check_free(const Node &p_for, const String &p_path);
 
 private:
-	/// A list of all; no container, which would be destroyed when the library is unloaded.
+	/// Linked list of all. A container would be destroyed when the library is unloaded.
 	static inline WrittenFile *first_ = nullptr;
 	WrittenFile *next_;
 	const Node &owner_;

@@ -42,7 +42,7 @@ void XRSource::set_space(Space p_space) {
 	emit_changed();
 }
 
-String XRSource::silence_advice() const {
+String XRSource::no_frame_advice() const {
 	return "Raise the hand into the view of the headset, and lay the controllers aside";
 }
 

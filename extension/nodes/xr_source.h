@@ -20,12 +20,12 @@ public:
 	void set_use_inferred(bool p_use) { use_inferred_ = p_use; }
 	bool get_use_inferred() const { return use_inferred_; }
 
-	/// tracker_name, or OpenXR's name of the hand where that is empty.
+	/// tracker_name, or OpenXR's name of the hand if that is empty.
 	StringName name_of_hand() const;
 	StringName name_of_other_hand() const;
 
 	std::unique_ptr<HandStream> make_stream(HandTracker &p_tracker) override;
-	String silence_advice() const override;
+	String no_frame_advice() const override;
 	bool is_script() const override { return false; }
 
 protected:

@@ -15,12 +15,12 @@ namespace {
 using steadyhand::HandSkeleton;
 using steadyhand::SkeletonJoint;
 
-/// Runtimes have been seen to repeat a pose for seconds and call it tracked (STYLY-NetSync #474).
+/// Some runtimes repeat a pose for seconds and report it as tracked (STYLY-NetSync #474).
 constexpr double FROZEN_AFTER_S = 0.5;
-/// The interface starts with the session, which takes a headset's runtime some seconds.
+/// A headset's runtime needs some seconds to start the session.
 constexpr double SEARCHED_FOR_S = 5.0;
-/// A palm is the other hand's within OTHER_HAND_M of where that was, further than OWN_HAND_M from where it
-/// was itself; what lasts for longer than SWAPPED_FOR_S is no error.
+/// The hands are swapped if a palm is within OTHER_HAND_M of the other hand's last palm, and farther than
+/// OWN_HAND_M from its own. After SWAPPED_FOR_S the new palm is accepted.
 constexpr double OTHER_HAND_M = 0.05, OWN_HAND_M = 0.15, SWAPPED_FOR_S = 0.5;
 
 bool has_flag(uint64_t p_flags, XRHandTracker::HandJointFlags p_flag) {
@@ -37,8 +37,8 @@ Ref<XRHandTracker> XRStream::find_hand() {
 	const StringName name = source_->name_of_hand();
 	const Ref<XRTracker> tracker = XRServer::get_singleton()->get_tracker(name);
 	const Ref<XRHandTracker> hand = tracker;
-	if (tracker.is_valid() && hand.is_null() && !is_class_told_) {
-		is_class_told_ = true;
+	if (tracker.is_valid() && hand.is_null() && !is_class_reported_) {
+		is_class_reported_ = true;
 		announce(StreamEvent::Kind::FAILED,
 				String("XRSource: the tracker '") + String(name) + String("' is an ") + tracker->get_class() +
 						String(", not an XRHandTracker. Set \"tracker_name\" to the name of a hand"));
@@ -46,7 +46,7 @@ Ref<XRHandTracker> XRStream::find_hand() {
 	return hand;
 }
 
-void XRStream::watch_for_hand(const Ref<XRHandTracker> &p_hand, double p_now_s) {
+void XRStream::report_search(const Ref<XRHandTracker> &p_hand, double p_now_s) {
 	if (p_hand.is_valid()) {
 		searched_from_s_.reset();
 		if (!is_found_) {
@@ -57,8 +57,8 @@ void XRStream::watch_for_hand(const Ref<XRHandTracker> &p_hand, double p_now_s) 
 	}
 	is_found_ = false;
 	searched_from_s_ = searched_from_s_.value_or(p_now_s);
-	if (!is_missing_told_ && !is_class_told_ && p_now_s - *searched_from_s_ > SEARCHED_FOR_S) {
-		is_missing_told_ = true;
+	if (!is_missing_reported_ && !is_class_reported_ && p_now_s - *searched_from_s_ > SEARCHED_FOR_S) {
+		is_missing_reported_ = true;
 		announce(StreamEvent::Kind::FAILED,
 				String("XRSource: the XRServer has no hand tracker '") + String(source_->name_of_hand()) +
 						String("'. Enable XR > OpenXR and its hand tracking in the project settings, and set "
@@ -118,7 +118,7 @@ bool XRStream::is_other_hand(const HandSkeleton &p_joints, double p_now_s) {
 	const bool is_swapped = other_before_m && p_now_s - own_palm_s_ < SWAPPED_FOR_S &&
 			(palm_m - *other_before_m).norm() < OTHER_HAND_M && (palm_m - own_palm_m_).norm() > OWN_HAND_M;
 	if (is_swapped) {
-		other_palm_m_ = other_before_m; // the other tracker may have this hand in turn
+		other_palm_m_ = other_before_m; // the other tracker may now have this hand
 		return true;
 	}
 	own_palm_m_ = palm_m;
@@ -135,7 +135,7 @@ void XRStream::to_space(HandSkeleton &r_joints, double p_now_s) {
 	if (source_->get_space() == XRSource::SPACE_WORLD) {
 		space = to_core(server->get_world_origin()) * space;
 	} else {
-		// Gestures without a task are as long as the body makes them, whatever the world's scale.
+		// Gestures without a task have the size of the real hand's motion, for any world scale.
 		space = Eigen::Affine3d(Eigen::Scaling(1.0 / scale)) * space;
 	}
 	if (source_->get_space() == XRSource::SPACE_BODY && r_joints.has(SkeletonJoint::INDEX_TIP)) {
@@ -153,7 +153,7 @@ void XRStream::poll(double p_now_s) {
 	}
 	polled_s_ = p_now_s;
 	const Ref<XRHandTracker> hand = find_hand();
-	watch_for_hand(hand, p_now_s);
+	report_search(hand, p_now_s);
 	if (hand.is_null()) {
 		return;
 	}

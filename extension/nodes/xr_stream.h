@@ -11,8 +11,8 @@
 
 namespace godot {
 
-/// Samples an XRHandTracker once a frame of the game, the rate at which the XRServer moves its joints on.
-/// The engine gives no time of capture: a frame is stamped with the game's live time.
+/// Samples an XRHandTracker once a game frame, which is how often the XRServer updates its joints. The engine
+/// gives no capture time, so a frame is stamped with live_time_s().
 class XRStream : public HandStream {
 public:
 	explicit XRStream(const Ref<XRSource> &p_source) : source_(p_source) {}
@@ -23,27 +23,28 @@ public:
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override;
 
 private:
-	/// The name is looked up each time: an interface registers, replaces and removes trackers at any time.
+	/// Searches by name each time, because an interface may register, replace and remove trackers at any
+	/// time.
 	Ref<XRHandTracker> find_hand();
-	void watch_for_hand(const Ref<XRHandTracker> &p_hand, double p_now_s);
-	/// Joints that are tracked, or that the runtime infers, in the tracking space.
+	void report_search(const Ref<XRHandTracker> &p_hand, double p_now_s);
+	/// Tracked and inferred joints, in the tracking space.
 	steadyhand::HandSkeleton read_joints(XRHandTracker &p_hand) const;
-	/// The runtime repeats a pose to the last bit, as no hand holds one.
+	/// Whether the runtime repeats a pose with equal bits, which a real hand never does.
 	bool is_frozen(const steadyhand::HandSkeleton &p_joints, double p_now_s);
-	/// Where the other hand was: the runtime takes one for the other.
+	/// Whether the palm has jumped to the other hand: the runtime has swapped the hands.
 	bool is_other_hand(const steadyhand::HandSkeleton &p_joints, double p_now_s);
 	void to_space(steadyhand::HandSkeleton &r_joints, double p_now_s);
 
 	Ref<XRSource> source_;
 	std::optional<steadyhand::DeviceFrame> sampled_;
 	std::optional<double> polled_s_;
-	std::optional<double> searched_from_s_; ///< while there is no hand tracker
+	std::optional<double> searched_from_s_; ///< set while there is no hand tracker
 	bool is_found_ = false;
-	bool is_missing_told_ = false;
-	bool is_class_told_ = false;
+	bool is_missing_reported_ = false;
+	bool is_class_reported_ = false;
 	steadyhand::HandSkeleton last_;
 	double moved_s_ = -std::numeric_limits<double>::infinity();
-	/// Palms in the tracking space, m, and when they were last taken for their own hand's.
+	/// Palms in the tracking space, m, and the last time at which the own palm was accepted.
 	Eigen::Vector3d own_palm_m_ = Eigen::Vector3d::Zero();
 	double own_palm_s_ = -std::numeric_limits<double>::infinity();
 	std::optional<Eigen::Vector3d> other_palm_m_;
