@@ -1,6 +1,6 @@
 extends CanvasLayer
-## Shows in a running game how a HandTracker does, what a GestureHMM makes of it, and why no gesture
-## starts; and in the scene the measured fingertip beside the output motion. Add
+## Shows in a running game the state of a HandTracker, the gesture of a GestureHMM, and why no
+## gesture starts. In the scene it shows the measured fingertip and the output motion. Add
 ## debug_overlay.tscn to a scene. It shows `gesture_hmm`, or `tracker` alone; if neither is set, the
 ## first GestureHMM of the tree.
 
@@ -32,7 +32,7 @@ var _reason := IdleReason.new()
 
 func _ready() -> void:
 	_link.follow(_followed)
-	_choose.call_deferred()  # a script may set what it shows just after it has added it
+	_choose.call_deferred()  # a script may add the overlay first and then set its properties
 
 
 func _process(delta: float) -> void:
@@ -83,7 +83,7 @@ func describe_tracker() -> String:
 	)
 
 
-## The gesture under way, or why none starts.
+## The active gesture, or why none starts.
 func describe_gesture() -> String:
 	_follow()
 	if not is_instance_valid(gesture_hmm):
@@ -108,7 +108,7 @@ func _choose() -> void:
 		gesture_hmm = found[0] as GestureHMM if not found.is_empty() else null
 
 
-## The tracker may be exchanged at any time.
+## The tracker may change at any time.
 func _follow() -> void:
 	var wanted := tracker
 	if is_instance_valid(gesture_hmm):

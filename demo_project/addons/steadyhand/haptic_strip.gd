@@ -1,6 +1,6 @@
 class_name HapticStrip
 extends Control
-## The strength of a HapticSynth's vibration over the last seconds, now at the right edge.
+## The strength of a HapticSynth's vibration over the last seconds. The right edge is now.
 
 const POINTS := 256
 const FILL := Color(0.34, 0.71, 0.91, 0.35)
@@ -10,7 +10,7 @@ const FAINT := Color(0.5, 0.5, 0.5, 0.5)
 @export var synth: HapticSynth
 @export_range(0.5, 30.0, 0.1, "suffix:s") var seconds := 3.0
 
-## The greatest in each of POINTS parts of the time; a ring, of which `_newest` is the last.
+## The maximum in each of POINTS parts of the time: a ring buffer that ends at `_newest`.
 var _amplitudes := PackedFloat32Array()
 var _newest := 0
 var _part := 0
@@ -26,8 +26,8 @@ func _process(_delta: float) -> void:
 	note()
 
 
-## Takes the strength of now; called once a frame, and by who advances the motion in between. The
-## time is the motion's: a replay looks the same at any speed.
+## Takes the present strength. Call it once a frame, and after each step between frames. The time is
+## the motion's: a replay looks the same at any speed.
 func note() -> void:
 	if synth == null or synth.gesture_hmm == null:
 		return
@@ -39,7 +39,7 @@ func note() -> void:
 	queue_redraw()
 
 
-## The greatest strength of those that are shown, 0..1.
+## The greatest strength that is shown, 0..1.
 func get_greatest() -> float:
 	var greatest := 0.0
 	for amplitude in _amplitudes:
@@ -47,7 +47,7 @@ func get_greatest() -> float:
 	return greatest
 
 
-## What was not heard of between two frames stays as it was.
+## Between two frames the last strength is repeated.
 func _advance(parts: int) -> void:
 	var held := _amplitudes[_newest] if parts < POINTS else 0.0
 	for i in parts:

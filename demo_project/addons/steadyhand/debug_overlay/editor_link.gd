@@ -19,7 +19,7 @@ func _exit_tree() -> void:
 		EngineDebugger.unregister_message_capture(CAPTURE)
 
 
-## Null: there is none.
+## Null: no tracker.
 func follow(tracker: HandTracker) -> void:
 	if is_instance_valid(_tracker):
 		_tracker.frame_received.disconnect(_on_frame)

@@ -3,7 +3,7 @@ extends RefCounted
 
 const SILENT_S := 0.5
 const FROZEN_S := 0.4
-## See GestureTask: what begins farther from the start, as a share of the amplitude, is none.
+## A gesture begins at most this far from the start, as a share of the amplitude: see GestureTask.
 const START_REACH := 0.6
 ## See GestureHMM.START_DWELL.
 const DWELL_M := 0.02
@@ -20,11 +20,11 @@ const NAMES: Dictionary[HandTracker.Joint, String] = {
 	HandTracker.JOINT_MIDDLE: "middle finger",
 }
 
-## What the source says it failed of; empty while it works.
+## The error of the source; empty while it works.
 var failure := ""
 
 var _silent_s := 0.0
-## Of the index tip, on the frames' clock.
+## The index tip, at times of the frames.
 var _place := Vector3.INF
 var _unchanged_since_s := 0.0
 var _dwell_place := Vector3.INF
@@ -47,12 +47,12 @@ func leave(tracker: HandTracker) -> void:
 	tracker.frame_received.disconnect(_on_frame)
 
 
-## Of the game: a device that sends nothing has no time of its own.
+## Time of the game, because a device that sends no frame sends no time.
 func pass_time(seconds: float) -> void:
 	_silent_s += seconds
 
 
-## Of a GestureHMM without a gesture under way.
+## For a GestureHMM without an active gesture.
 func of(hmm: GestureHMM) -> String:
 	var tracker := hmm.tracker
 	if not is_instance_valid(tracker):
@@ -106,7 +106,7 @@ func _of_models(hmm: GestureHMM) -> String:
 	return ""
 
 
-## Of all that could be recognised: what one of them needs may be missing.
+## A model may need joints that the tracker does not send.
 func _of_joints(hmm: GestureHMM) -> String:
 	var missing := ""
 	for model in _active(hmm):
@@ -122,7 +122,7 @@ func _of_joints(hmm: GestureHMM) -> String:
 	return missing
 
 
-## Those of the tasks' gestures; all where no task names one.
+## The models of the tasks' gestures; all models if no task names a gesture.
 func _active(hmm: GestureHMM) -> Array[GestureModel]:
 	var wanted: Array[StringName] = []
 	for task in hmm.tasks:
@@ -134,7 +134,7 @@ func _active(hmm: GestureHMM) -> Array[GestureModel]:
 	)
 
 
-## A hand that is measured without noise, as a mouse is, may rest.
+## Without noise, as with the mouse, a repeated position is a hand at rest.
 func _of_freeze(tracker: HandTracker) -> String:
 	var unchanged_s := tracker.get_time() - _unchanged_since_s
 	if is_finite(tracker.noise) and tracker.noise > 0.0 and unchanged_s > FROZEN_S:

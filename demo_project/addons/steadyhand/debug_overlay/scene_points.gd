@@ -1,6 +1,5 @@
 extends Control
-## In front of the scene: the measured fingertip, and where the output motion has it at the
-## task, as the camera sees them.
+## Draws two points over the scene: the measured fingertip, and the output motion along the task.
 
 const MotionStrip := preload("motion_strip.gd")
 

@@ -1,6 +1,6 @@
 @tool
 extends EditorInspectorPlugin
-## Above the properties of a HapticEffect: what it feels like.
+## Shows a preview of a HapticEffect above its properties.
 
 const EffectPreview := preload("effect_preview.gd")
 

@@ -1,11 +1,11 @@
 @tool
 extends Control
-## Waveform and spectrum of a HapticEffect, with a movement of 20 cm in 0.8 s. What is short is
-## shown larger; each is as high as its own peak, which is told.
+## Waveform and spectrum of a HapticEffect, for a movement of 20 cm in 0.8 s. A short waveform is
+## enlarged. Each curve is scaled to its peak, and a text gives the peak.
 
 const RATE_HZ := 8000
 const SILENT := 1e-3
-## Shown around what is felt, as a share of its length.
+## Margin around the vibration, as a share of its length.
 const AROUND := 0.2
 const HEIGHT := 170.0
 const WAVEFORM_SHARE := 0.58
@@ -69,7 +69,7 @@ func _draw_waveform(area: Rect2) -> void:
 	var middle := area.get_center().y
 	var scale_y := 0.5 * area.size.y / maxf(peak, SILENT)
 	draw_line(Vector2(0, middle), Vector2(area.end.x, middle), FAINT)
-	# Of a carrier too fine to be drawn the outline: each column has a whole period at least.
+	# If the carrier is too fine to be drawn, the outline: each column has a whole period or more.
 	var per_column := (shown.y - shown.x) / area.size.x
 	var period := RATE_HZ / effect.frequency
 	var half := int(0.5 * (maxf(per_column, period) if 4.0 * per_column > period else per_column))

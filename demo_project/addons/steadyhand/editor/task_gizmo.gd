@@ -1,7 +1,7 @@
 @tool
 extends EditorNode3DGizmoPlugin
 ## Shows each GestureTask in the 3D view: an arrow from its start to its end, or the two circles of
-## a radius; and the cylinder in which the hand may set out.
+## a radius; and the cylinder in which a gesture may begin.
 
 const TaskShape := preload("task_shape.gd")
 

@@ -1,11 +1,11 @@
 extends RefCounted
-## What a GestureTask looks like, as pairs of points in its own space.
+## The lines of a GestureTask, as pairs of points in its own space.
 
 const CIRCLE_POINTS := 48
 ## Shares of the amplitude.
 const HEAD_LENGTH := 0.15
 const HEAD_WIDTH := 0.06
-## A gesture that begins farther from the start is none: see GestureTask.
+## A gesture begins at most this far from the start: see GestureTask.
 const START_REACH := 0.6
 
 
@@ -17,7 +17,7 @@ static func lines(task: GestureTask) -> PackedVector3Array:
 	return _arrow(task)
 
 
-## Around the start, along the axis; empty for a radius, which has no place.
+## Around the start, along the axis. Empty for a radius, which has no place.
 static func start_cylinder(task: GestureTask) -> PackedVector3Array:
 	var basis := task.global_basis if task.is_inside_tree() else task.basis
 	var points := PackedVector3Array()

@@ -1,6 +1,6 @@
 @tool
 extends EditorNode3DGizmoPlugin
-## Shows in the 3D view what the device of a HandTracker can see, where its maker says it.
+## Shows in the 3D view the range of a HandTracker's device, if its maker states one.
 
 const TrackerShape := preload("tracker_shape.gd")
 

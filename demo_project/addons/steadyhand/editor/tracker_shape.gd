@@ -1,17 +1,17 @@
 extends RefCounted
-## What the device of a HandTracker can see, as pairs of points in the node's own space. Frames are
-## in the world, wherever the node is.
+## The range of a HandTracker's device, as pairs of points in the node's own space. Frames are in
+## world space, wherever the node is.
 
 ## Leap Motion Controller: an inverted pyramid, by Ultraleap's data sheet.
 const LEAP_ANGLES := Vector2(deg_to_rad(150.0), deg_to_rad(120.0))
 const LEAP_NEAREST_M := 0.025
 const LEAP_FARTHEST_M := 0.6
-## Polhemus Liberty: up to here its static error is what the manual promises, 0.76 mm.
+## Polhemus Liberty: the manual gives a static error of 0.76 mm up to here.
 const LIBERTY_RANGE_M := 0.9
 const ARC_POINTS := 24
 
 
-## Empty where the range is not known.
+## Empty: the range is not known.
 static func lines(tracker: HandTracker) -> PackedVector3Array:
 	var source := tracker.source
 	var points := PackedVector3Array()

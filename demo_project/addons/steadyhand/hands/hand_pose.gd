@@ -4,7 +4,7 @@ extends RefCounted
 ## Between the tips of thumb and index, m.
 const OPEN_M := 0.08
 const PINCHED_M := 0.01
-## Where three fingertips are on their circle, rad: far enough from a line.
+## Angles of three fingertips on their circle, rad: far enough from a line.
 const ANGLES: Dictionary[HandTracker.Joint, float] = {
 	HandTracker.JOINT_THUMB: 3.6,
 	HandTracker.JOINT_INDEX: 1.5,
@@ -18,8 +18,8 @@ const POINTING: Dictionary[HandTracker.Joint, Vector3] = {
 	HandTracker.JOINT_PINKY: Vector3(0.0, -0.06, 0.06),
 	HandTracker.JOINT_PALM: Vector3(0.0, -0.03, 0.11),
 }
-## A tracker that repeats itself to the last bit has lost the hand: every hand trembles. Fingertip,
-## arm held out (Growdon et al. 2000).
+## Every hand trembles: equal positions, to the last bit, count as a freeze. Fingertip, arm held out
+## (Growdon et al. 2000).
 const TREMOR_M := 1.5e-4
 const TREMOR_HZ := Vector3(8.7, 9.9, 11.3)
 
@@ -40,7 +40,7 @@ static func circle(middle: Vector3, radius: float) -> Dictionary:
 	return joints
 
 
-## Of the whole hand, m.
+## Offset of the whole hand, m.
 static func tremor(time_s: float) -> Vector3:
 	var phase := TAU * time_s * TREMOR_HZ
 	return TREMOR_M * Vector3(sin(phase.x), sin(phase.y), sin(phase.z))

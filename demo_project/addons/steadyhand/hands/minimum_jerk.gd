@@ -1,6 +1,6 @@
 extends RefCounted
-## A float or a Vector3 that goes from one value to the next as smoothly as hands do: by a
-## minimum-jerk curve (Flash & Hogan 1985), at rest before and after.
+## A float or a Vector3 that goes from one value to the next on a minimum-jerk curve, as hands do
+## (Flash & Hogan 1985), and rests before and after.
 
 ## Where the last motion ends.
 var target: Variant
@@ -15,7 +15,7 @@ func _init(value: Variant) -> void:
 	_from = value
 
 
-## A motion that is under way is broken off where it is.
+## Stops the current motion, and starts the new one from there.
 func go(to: Variant, now_s: float, duration_s: float) -> void:
 	_from = at(now_s)
 	target = to

@@ -3,8 +3,8 @@ class_name MouseSource
 extends HandSource
 ## The mouse in place of a hand, to try a scene at a desk. The pointer covers the tip of the index
 ## finger, on a plane through the start of a task, seen by the viewport's camera. The left button
-## brings thumb and index together. At a tap's task the button strikes where the pointer is, and at
-## a zoom's the wheel opens and closes three fingertips.
+## brings thumb and index together. At a task for a tap, the button taps at the pointer. At a task
+## for a zoom, the wheel opens and closes three fingertips.
 
 const HandPose := preload("hand_pose.gd")
 const MinimumJerk := preload("minimum_jerk.gd")
@@ -26,12 +26,12 @@ var _start_radius := 0.0
 var _is_tap := false
 
 var _pointer: Pointer = null
-## Shares: of a pinch or a strike, and of the amplitude of a zoom.
+## Shares: of a pinch or a tap, and of the amplitude of a zoom.
 var _press := MinimumJerk.new(0.0)
 var _opening := MinimumJerk.new(0.0)
 
 
-## Takes place, direction and gesture of `task`, as they are now.
+## Takes the present place, direction and gesture of `task`.
 func place_at(task: GestureTask) -> void:
 	_is_placed = true
 	_start_place = task.get_start()
@@ -79,8 +79,8 @@ func _joints(place: Vector3, time_s: float) -> Dictionary:
 	return HandPose.pointing(place, lerpf(HandPose.OPEN_M, HandPose.PINCHED_M, press))
 
 
-## Where the pointer is on the task's plane, m; null where it is not, or nobody looks. A tap's plane
-## is the surface that it strikes.
+## Where the pointer is on the task's plane, m. Null: it is not on the plane, or there is no camera.
+## The plane of a tap is the tapped surface.
 func _place_of(camera: Camera3D) -> Variant:
 	if camera == null:
 		return null
@@ -90,25 +90,25 @@ func _place_of(camera: Camera3D) -> Variant:
 	return hit(camera, _pointer.position, plane_along(_axis, _start_place, camera))
 
 
-## Holds `axis` and `place`, m, and faces the camera as far as that goes.
+## Contains `axis` and `place`, m, and faces the camera as far as possible.
 static func plane_along(axis: Vector3, place: Vector3, camera: Camera3D) -> Plane:
 	var view := camera.global_basis.z
 	return Plane((view - axis * view.dot(axis)).normalized(), place)
 
 
-## Where `pointer`, a point of the viewport, covers `plane`, m; null where it does not.
+## Where `pointer`, a point of the viewport, covers `plane`, m. Null: it does not.
 static func hit(camera: Camera3D, pointer: Vector2, plane: Plane) -> Variant:
 	return plane.intersects_ray(
 		camera.project_ray_origin(pointer), camera.project_ray_normal(pointer)
 	)
 
 
-## What the mouse has done; a resource gets no input.
+## Collects the mouse's input, because a resource gets none.
 class Pointer:
 	extends Node
 	var position := Vector2.ZERO
 	var is_pressed := false
-	## 0..1 of a zoom.
+	## Share of a zoom, 0..1.
 	var opening := 0.0
 
 	func _input(event: InputEvent) -> void:

@@ -18,7 +18,7 @@ func _process(_delta: float) -> void:
 	if _hmm.current_task == null:
 		return
 	var way := clampf(_hmm.value, 0.0, _open.amplitude)
-	# The hand lets go on its way back: a pull never closes the drawer, nor does a push open it.
+	# The hand's way back does not count: a pull never closes the drawer, and a push never opens it.
 	if _hmm.current_task == _open:
 		_box.position.z = maxf(_box.position.z, _closed_z + way)
 	else:

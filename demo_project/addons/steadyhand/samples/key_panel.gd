@@ -1,13 +1,13 @@
 extends Node3D
-## Keys of 5 cm that a fingertip taps. Each has a GestureTask: the key that is pressed is the one at
-## whose task the tap ends.
+## Keys of 5 cm that a fingertip taps. Each has a GestureTask: a tap presses the key of the task at
+## which it ends.
 
 signal key_pressed(key: String)
 
 const Key := preload("key.tscn")
 const KEYS := "123456789*0#"
 const PITCH_M := 0.06
-## A tap sets out 4 cm above a key, and ends where the key is pressed down.
+## A tap starts 4 cm above a key, and ends where the key is pressed down.
 const LIFT_M := 0.04
 
 @onready var _hmm: GestureHMM = $GestureHMM

@@ -1,22 +1,22 @@
 extends HandTracker
-## The hand of a sample: an OpenXR hand, the mouse, or one that shows how it is done. Copy it to
-## choose the source of your own game's HandTracker by what is there.
+## The hand of a sample: an OpenXR hand, the mouse, or a hand that demonstrates the sample. Copy it
+## to choose the source of your own game's HandTracker from the available devices.
 
 enum Device { AUTOMATIC, OPENXR, MOUSE, SHOWN }
 
 ## AUTOMATIC: OpenXR if it runs, else the mouse; or what is in `source`, for example a recording.
 @export var device := Device.AUTOMATIC
-## Of the sample; its tasks say where the mouse and the shown hand move.
+## The sample's. The mouse and the demonstrating hand move at its tasks.
 @export var gesture_hmm: GestureHMM
 
-## Shows how it is done; null where somebody else does it.
+## Demonstrates the sample. Null: the user's hand or mouse is used.
 var _shown: GestureTestHand = null
 var _turn := 0
 
 
 func _ready() -> void:
 	if device != Device.AUTOMATIC or source == null:
-		# The sample may make its tasks when it is ready, which is after its children are.
+		# The sample may make its tasks in _ready(), which runs after that of its children.
 		owner.ready.connect(use.bind(device))
 
 

@@ -1,6 +1,6 @@
 extends Node3D
-## What the samples have around them: a desk, a camera or a headset, the fingertips, and the
-## vibration as it is felt. Your own game needs none of it.
+## The surroundings of the samples: a desk, a camera or a headset, the fingertips, and the
+## vibration. Your own game needs none of it.
 
 const SampleHand := preload("sample_hand.gd")
 
@@ -13,7 +13,7 @@ const TIPS: Array[HandTracker.Joint] = [
 
 @export var hand: HandTracker
 @export var haptic_synth: HapticSynth
-## Of the camera, or of the seated player's head.
+## Place of the camera, or of the seated player's head.
 @export var eye := Vector3(0.0, 1.3, 0.05)
 @export var looks_at := Vector3(0.0, 1.03, -0.45)
 
@@ -36,7 +36,7 @@ func _ready() -> void:
 	add_back_key()
 
 
-## A key in place of Esc, where there is no keyboard.
+## A key in place of Esc, for players without a keyboard.
 func add_back_key() -> GestureTask:
 	var key := Key.instantiate() as Node3D
 	key.position = Vector3(-0.28, 1.0, -0.4)
@@ -74,7 +74,7 @@ func _process(_delta: float) -> void:
 	_tip_material.emission_energy_multiplier = 2.0 * haptic_synth.get_amplitude()
 
 
-## From the tip to the palm, where the tracker sees that.
+## From the tip to the palm, if the palm is tracked.
 func _show_finger(tip: Node3D) -> void:
 	var finger := tip.get_node(^"Finger") as Node3D
 	finger.visible = hand.is_joint_tracked(HandTracker.JOINT_PALM)

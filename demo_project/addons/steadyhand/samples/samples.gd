@@ -10,7 +10,7 @@ const SAMPLES: Dictionary[String, String] = {
 	"Zoom a map": "zoom_map.tscn",
 }
 const PITCH_M := 0.06
-## Of a key's width.
+## In widths of a key.
 const WIDTH := 4.0
 
 @onready var _hmm: GestureHMM = $GestureHMM

@@ -1,7 +1,7 @@
 extends Node3D
 ## A slider whose knob follows the fingertip, and stays where the finger stops or leaves it.
 
-## Farther from the rail the fingertip does not move the knob.
+## A fingertip farther from the rail does not move the knob.
 const REACH_M := 0.05
 
 ## 0..1.
@@ -17,7 +17,7 @@ var value := 0.0
 func _process(_delta: float) -> void:
 	if not _is_touched():
 		return
-	# Of a task, GestureHMM.value is the hand's at all times, with or without a whole gesture.
+	# At a task, GestureHMM.value follows the hand at all times, also before a gesture ends.
 	value = clampf(_hmm.value / _task.amplitude, 0.0, 1.0)
 	var way := value * _task.amplitude
 	_knob.position.x = _task.position.x + way

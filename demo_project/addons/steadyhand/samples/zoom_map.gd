@@ -20,7 +20,7 @@ func _ready() -> void:
 
 func _process(_delta: float) -> void:
 	if _hmm.gesture != &"":
-		# What was between the fingertips stays between them, and stays so while the hand closes.
+		# The map between the fingertips stays there, and keeps its size while the hand closes.
 		var factor := 1.0 + _hmm.value / _task.start_radius
 		zoom = clampf(_zoom_before * factor, zoom, LARGEST)
 	_map.set_shader_parameter(&"zoom", zoom)

@@ -1,8 +1,8 @@
 @icon("../icons/hand_source.svg")
 class_name GestureTestHand
 extends HandSource
-## A simulated hand that a test moves. Its methods last as long as the motion does: call them with
-## `await` to go on afterwards, or without to do something else meanwhile.
+## A simulated hand that a test moves. Its methods last as long as the motion: call them with
+## `await` to wait for the end, or without it to continue at once.
 ##
 ## The hand's time is the game's. Run tests with `godot --headless --fixed-fps 90`: they are
 ## repeatable then, and faster than real time.
@@ -11,35 +11,35 @@ extends HandSource
 ## await hand.make_gesture($Key/GestureTask)
 ## [/codeblock]
 
-## A frame of the game is over, or the tracker has stopped: nothing waits for good.
+## A frame of the game is over, or the tracker has stopped: no method waits forever.
 signal frame_passed
 
 const HandPose := preload("../hands/hand_pose.gd")
 const MinimumJerk := preload("../hands/minimum_jerk.gd")
 
-## From onset to end, s, where make_gesture() is given no duration.
+## Default durations of make_gesture() from onset to end, s.
 const DURATIONS_S: Dictionary[StringName, float] = {&"tap": 0.3}
 const DURATION_S := 0.8
-## Before and after a gesture, s. A hand that passes its task's start without a rest makes none.
+## Rest before and after a gesture, s. Without a rest at the start no gesture is recognised.
 const REST_S := 0.7
 const FINGERS_S := 0.15
-## Of the tracker, white, on each axis. Without any, a freeze looks like a hand at rest.
+## White noise of the tracker on each axis. Without it a freeze looks like a hand at rest.
 const NOISE_M := 2e-4
 
 ## make_gesture() pinches at the start of a task and releases at the end.
 var pinches := false
-## make_gesture() is under way.
+## make_gesture() is running.
 var is_busy := false
 
 var _tracker: HandTracker = null
 var _tree: SceneTree = null
-## On the tracker's clock, when the hand was first seen; NAN: it was not yet.
+## When the hand was first seen, on the tracker's clock. NAN: not yet.
 var _first_s := NAN
-## Since then.
+## Time since then.
 var _time_s := 0.0
 var _place := MinimumJerk.new(Vector3.ZERO)
 var _thumb_gap := MinimumJerk.new(HandPose.OPEN_M)
-## Of the three tips' circle, m; 0: the hand points.
+## Radius of the three tips' circle, m. 0: the hand points.
 var _radius := MinimumJerk.new(0.0)
 var _lost_until_s := -INF
 var _frozen_until_s := -INF
@@ -72,7 +72,7 @@ func get_place() -> Vector3:
 	return _place.at(_time_s)
 
 
-## Puts the hand somewhere at once, m: only where it has not been seen yet.
+## Puts the hand somewhere at once, m. Only before it was first seen.
 func place_at(place: Vector3) -> void:
 	_place = MinimumJerk.new(place)
 
@@ -89,7 +89,7 @@ func reach(task: GestureTask) -> void:
 	await rest(DURATION_S + REST_S)
 
 
-## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: as people do) and rests
+## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: default) and rests
 ## again. `fraction`: of the task's amplitude, 0 to 1, where the hand stops. Farther: move_to().
 func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void:
 	if task == null:
@@ -117,7 +117,7 @@ func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void
 	is_busy = false
 
 
-## To `place`, m, in `duration_s`.
+## Moves to `place`, m, in `duration_s`.
 func move_to(place: Vector3, duration_s: float) -> void:
 	_place.go(place, _time_s, duration_s)
 	await rest(duration_s)
@@ -144,18 +144,18 @@ func drop_out(duration_s: float) -> void:
 	_lost_until_s = _time_s + duration_s
 
 
-## The tracker repeats what it has seen for `duration_s` from now on. Does not wait.
+## The tracker repeats its last position for `duration_s` from now on. Does not wait.
 func freeze(duration_s: float) -> void:
 	_frozen_until_s = _time_s + duration_s
 
 
-## The tracker shows the hand `offset` (m) off its place for `duration_s`. Does not wait.
+## The tracker shows the hand `offset` (m) away from its place for `duration_s`. Does not wait.
 func jump(offset: Vector3, duration_s: float) -> void:
 	_jump = offset
 	_jumped_until_s = _time_s + duration_s
 
 
-## Lets `duration_s` of the game's time pass. The hand goes on with what it does.
+## Waits for `duration_s` of the game's time. The hand continues its motion.
 func rest(duration_s: float) -> void:
 	var until_s := _time_s + duration_s
 	while _time_s < until_s and _is_followed():
@@ -202,7 +202,7 @@ func _stop(_stopped: HandTracker) -> void:
 	frame_passed.emit()
 
 
-## False once the tracker has stopped, as with the end of a scene: then nothing is waited for.
+## False once the tracker has stopped, as at the end of a scene: then no method waits.
 func _is_followed() -> bool:
 	if _tracker == null and is_nan(_first_s):
 		push_error("GestureTestHand: no HandTracker follows it. Call attach() first.")

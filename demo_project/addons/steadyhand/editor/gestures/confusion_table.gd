@@ -1,6 +1,6 @@
 @tool
 extends VBoxContainer
-## How often the takes of each gesture were recognised as which: a row for each gesture made.
+## Counts as which gesture each take was recognised: a row for each gesture made.
 
 const NONE := "none"
 const TITLE := "made \\ recognised"

@@ -9,7 +9,7 @@ signal frame_received(time_s: float, joints: Dictionary, confidence: float)
 
 const EditorLink := preload("../../debug_overlay/editor_link.gd")
 
-## -1: no game has told of its tracker.
+## -1: no game has sent its tracker.
 var _session := -1
 
 

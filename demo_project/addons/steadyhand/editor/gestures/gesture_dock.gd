@@ -16,7 +16,7 @@ const TakeSet := preload("take_set.gd")
 ## Null while no gesture is open.
 var takes: TakeSet = null
 var model: GestureModel = null
-## The editor's, or null: then nothing can be undone.
+## The editor's. Null: nothing can be undone.
 var undo_redo: EditorUndoRedoManager = null
 ## Where takes are kept.
 var root_folder := TakeSet.ROOT
@@ -70,7 +70,7 @@ func set_scene(scene_root: Node) -> void:
 		_update()
 
 
-## Its takes, and those of a recording that was under way when the editor closed.
+## Loads its takes, and those of a recording that was cut off when the editor closed.
 func open_gesture(gesture: String) -> void:
 	stop_recording()
 	cancel_training()
@@ -78,16 +78,16 @@ func open_gesture(gesture: String) -> void:
 	takes = null
 	_saved_to = ""
 	var fault := TakeSet.name_fault(gesture)
-	_say("" if gesture.is_empty() else fault)
+	_show_message("" if gesture.is_empty() else fault)
 	if fault.is_empty():
 		takes = TakeSet.new(gesture, root_folder)
 		takes.undo_redo = undo_redo
 		takes.changed.connect(_on_takes_changed)
-		_say(takes.error)
+		_show_message(takes.error)
 		var recovered := takes.recover(_record_panel.shape)
 		if not recovered.is_empty():
 			takes.set_rows(takes.rows + recovered)
-			_say("%d takes of a recording that was cut off are back." % recovered.size())
+			_show_message("%d takes of a recording that was cut off are back." % recovered.size())
 	_record_panel.show_gesture(gesture)
 	_model_panel.view.show_model(null, [])
 	_take_panel.show_takes(takes)
@@ -101,10 +101,10 @@ func toggle_recording() -> void:
 		start_recording()
 
 
-## Whether it records; else the panel says why not.
+## Whether it records. If not, the panel says why.
 func start_recording() -> bool:
 	if takes == null:
-		_say(TakeSet.name_fault(_record_panel.gesture()))
+		_show_message(TakeSet.name_fault(_record_panel.gesture()))
 		return false
 	var error := _advice()
 	if error.is_empty():
@@ -112,7 +112,7 @@ func start_recording() -> bool:
 		error = takes.error
 		if error.is_empty():
 			error = _recorder.begin(_record_panel.tracker(), path, takes.rows.size())
-	_say(error)
+	_show_message(error)
 	_update()
 	return error.is_empty()
 
@@ -123,7 +123,7 @@ func stop_recording() -> void:
 		return
 	_recorder.end()
 	var found := takes.finish_recording(_recorder.path, _record_panel.shape)
-	_say(takes.error)
+	_show_message(takes.error)
 	_record_panel.list_gestures(TakeSet.list(root_folder))
 	if not found.is_empty():
 		takes.change("Record %d Takes of %s" % [found.size(), takes.gesture], takes.rows + found)
@@ -135,7 +135,7 @@ func stop_recording() -> void:
 
 func trim_take(take: int, start_s: float, end_s: float) -> void:
 	var rows := takes.trimmed(take, start_s, end_s)
-	_say(takes.error)
+	_show_message(takes.error)
 	if rows.is_empty():
 		_take_panel.show_takes(takes)
 	else:
@@ -159,10 +159,10 @@ func delete_takes(which: PackedInt32Array) -> void:
 ## Emits `training_finished`.
 func train() -> void:
 	if takes == null or takes.rows.is_empty():
-		_say_of_model("Record some takes first.")
+		_show_model_message("Record some takes first.")
 		training_finished.emit.call_deferred()
 		return
-	_say("")
+	_show_message("")
 	_model_panel.show_progress(0.0)
 	_training.begin(takes.folder, takes.gesture, takes.feature_of(0))
 	_update()
@@ -174,7 +174,7 @@ func cancel_training() -> void:
 
 ## Emits `comparison_finished`.
 func compare() -> void:
-	_say("")
+	_show_message("")
 	_model_panel.show_progress(0.0)
 	_comparison.begin(model, root_folder)
 	_update()
@@ -186,10 +186,10 @@ func save(path: String) -> Error:
 	if saved == OK:
 		_saved_to = path
 		model.take_over_path(path)
-		_say("")
+		_show_message("")
 		EditorInterface.get_resource_filesystem().scan()
 	else:
-		_say_of_model("%s cannot be written: %s." % [path, error_string(saved)])
+		_show_model_message("%s cannot be written: %s." % [path, error_string(saved)])
 	_update()
 	return saved
 
@@ -212,7 +212,7 @@ func _process(_delta: float) -> void:
 	_take_panel.view.show_trace(_recorder.trace_times, _recorder.trace_points)
 
 
-## Why nothing can be recorded, and what to do; empty where it can.
+## Why nothing can be recorded, and what to do. Empty: recording is possible.
 func _advice() -> String:
 	if _record_panel.is_game_chosen():
 		return ""
@@ -234,13 +234,13 @@ func _on_gesture_chosen(gesture: String) -> void:
 
 func _on_takes_changed() -> void:
 	_take_panel.show_takes(takes)
-	_say(takes.error)
+	_show_message(takes.error)
 	_update()
 
 
 func _on_recorder_failed(reason: String) -> void:
 	stop_recording.call_deferred()
-	_say.call_deferred(reason)
+	_show_message.call_deferred(reason)
 
 
 func _on_trained(trained: GestureModel) -> void:
@@ -250,7 +250,7 @@ func _on_trained(trained: GestureModel) -> void:
 		_model_panel.file_name = model.gesture
 		_model_panel.view.show_model(model, _training.recordings)
 		_model_panel.show_tab(_model_panel.view)
-	_say_of_model(_training.error)
+	_show_model_message(_training.error)
 	_take_panel.mark(_training.recordings)
 	_update()
 	training_finished.emit()

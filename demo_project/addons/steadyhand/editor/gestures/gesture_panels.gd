@@ -1,6 +1,6 @@
 @tool
 extends Control
-## The three parts of the "Gestures" panel beside each other, and what they say.
+## The three parts of the "Gestures" panel side by side, and their messages.
 
 const ModelPanel := preload("model_panel.gd")
 const RecordPanel := preload("record_panel.gd")
@@ -9,7 +9,7 @@ const TakePanel := preload("take_panel.gd")
 ## Pixels, before the editor's scale.
 const HEIGHT := 280.0
 const RECORD_WIDTH := 200.0
-## Of the width that the model has.
+## Width of the takes relative to the model's.
 const TAKES_STRETCH := 1.3
 
 var _record_panel := RecordPanel.new()
@@ -21,7 +21,7 @@ func _init() -> void:
 	name = "Gestures"
 	custom_minimum_size = Vector2(0.0, HEIGHT * EditorInterface.get_editor_scale())
 	_record_panel.custom_minimum_size.x = RECORD_WIDTH * EditorInterface.get_editor_scale()
-	# Of a window that is too small.
+	# For a window that is too small.
 	var scroll := ScrollContainer.new()
 	scroll.set_anchors_preset(Control.PRESET_FULL_RECT)
 	add_child(scroll)
@@ -38,24 +38,24 @@ func _init() -> void:
 	_take_panel.size_flags_stretch_ratio = TAKES_STRETCH
 
 
-## What the panel says is wrong; empty where nothing is.
+## The error that the panel shows. Empty: none.
 func get_message() -> String:
 	var text := _record_panel.get_message()
 	return _model_panel.get_message() if text.is_empty() else text
 
 
-## As MotionMetrics.confusion(), of the last comparison.
+## The last comparison, as MotionMetrics.confusion().
 func get_confusion() -> Dictionary:
 	return _model_panel.confusion.table
 
 
 ## About the takes, below the button that records.
-func _say(text: String) -> void:
+func _show_message(text: String) -> void:
 	_record_panel.show_message(text)
 	_model_panel.show_message("")
 
 
 ## About the model, above its curve.
-func _say_of_model(text: String) -> void:
+func _show_model_message(text: String) -> void:
 	_record_panel.show_message("")
 	_model_panel.show_message(text)

@@ -13,11 +13,11 @@ const TrackCurves := preload("track_curves.gd")
 ## Length of the live curve, s.
 const TRACE_S := 8.0
 const COUNT_EVERY_MS := 1000
-## The movements are counted in one part in so many of the time.
+## Counting the movements takes at most 1 / COUNT_COST of the time.
 const COUNT_COST := 20
 const RUN_GAME := "Add debug_overlay.tscn to the scene, set its tracker, and run the scene."
 
-## m and s, of the index tip; INF where it is not tracked.
+## Index tip, m and s. INF: not tracked.
 var trace_points := PackedVector3Array()
 var trace_times := PackedFloat64Array()
 var path := ""
@@ -44,8 +44,8 @@ func set_game_link(link: GameLink) -> void:
 
 
 ## Opens the source of `scene_tracker`, or listens to the running game if that is null, and records
-## to `to_path`. `take`: a simulated person makes another execution for each. Returns why it cannot,
-## and what to do; empty where it records.
+## to `to_path`. `take`: a simulated person makes another execution for each. Returns the error and
+## what to do; empty if it records.
 func begin(scene_tracker: HandTracker, to_path: String, take: int) -> String:
 	_is_game = scene_tracker == null
 	var source := ScriptSource.new() if _is_game else _own_source(scene_tracker, take)
@@ -70,7 +70,7 @@ func is_recording() -> bool:
 	return _tracker.is_running()
 
 
-## Of the recording so far, as its file has it. Counted anew now and then: a long file takes time.
+## Counts those in the file so far. It counts again only sometimes: a long file takes time.
 func count_movements(shape: Movements.Shape) -> int:
 	var now_ms := Time.get_ticks_msec()
 	if now_ms >= _count_due_ms:
@@ -80,7 +80,7 @@ func count_movements(shape: Movements.Shape) -> int:
 	return _movements
 
 
-## Such as "Hand tracked, 90 Hz, noise 0.3 mm". `scene_tracker`: what is chosen, or null.
+## Such as "Hand tracked, 90 Hz, noise 0.3 mm". `scene_tracker`: the chosen one, or null.
 func describe(scene_tracker: HandTracker) -> String:
 	if not is_recording():
 		var has_source := scene_tracker != null and scene_tracker.source != null
@@ -95,7 +95,7 @@ func describe(scene_tracker: HandTracker) -> String:
 	return text if faults == 0 else text + ", %d faults" % faults
 
 
-## Why nothing can be recorded from a tracker, and what to do; empty where it can.
+## Why a tracker cannot be recorded, and what to do. Empty: it can.
 static func advice_for(scene_tracker: HandTracker) -> String:
 	if scene_tracker == null:
 		return "Add a HandTracker to the scene and set its source."
@@ -150,7 +150,7 @@ func _on_frame(frame: HandFrame) -> void:
 	trace_points.append(
 		frame.get_joint_position(HandTracker.JOINT_INDEX) if is_tracked else Vector3.INF
 	)
-	# Twice the time that is shown, cut off now and then.
+	# Holds up to twice the time that is shown.
 	if frame.time - trace_times[0] > 2.0 * TRACE_S:
 		var from := trace_times.bsearch(frame.time - TRACE_S)
 		trace_times = trace_times.slice(from)

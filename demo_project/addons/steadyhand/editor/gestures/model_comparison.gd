@@ -4,16 +4,16 @@ extends Node
 ## task, some at each frame of the editor.
 
 signal progressed(done: float)
-## As MotionMetrics.confusion(); empty where there was nothing to compare.
+## As MotionMetrics.confusion(). Empty: there was nothing to compare.
 signal finished(table: Dictionary)
 
 const TakeSet := preload("take_set.gd")
 
 const NONE := "none"
-## Of a frame of the editor, ms.
+## Time per frame of the editor, ms.
 const BUDGET_MS := 12
 const STEP_S := 0.01
-## The end of a gesture is reported some time after it; then the track is over.
+## The track goes on for this time after a gesture, because its end is reported later.
 const AFTER_S := 1.5
 
 ## Gestures that are measured from a task's start, and so are never recognised without one.
@@ -30,7 +30,7 @@ func _ready() -> void:
 	set_process(is_comparing())
 
 
-## `trained`: takes the place of the project's model of its gesture; may be null.
+## `trained`: replaces the project's model of its gesture; may be null.
 func begin(trained: GestureModel, root: String = TakeSet.ROOT) -> void:
 	_models = []
 	left_out = []
@@ -67,7 +67,7 @@ func _process(_delta: float) -> void:
 		finished.emit({} if _done.is_empty() else MotionMetrics.confusion(_done, _recognised))
 
 
-## Name of the gesture that ends while the take's is made, or NONE.
+## Name of the gesture that ends during the take's movement, or NONE.
 static func recognise(track: String, row: Dictionary, models: Array[GestureModel]) -> String:
 	if models.is_empty():
 		return NONE
@@ -95,7 +95,7 @@ static func recognise(track: String, row: Dictionary, models: Array[GestureModel
 	return ended[0]
 
 
-## Every *.gesture of the project; one a gesture.
+## Every *.gesture of the project, one for each gesture.
 static func project_models(folder: String = "res://") -> Array[GestureModel]:
 	var models: Array[GestureModel] = []
 	if FileAccess.file_exists(folder.path_join(TakeSet.IGNORE)):

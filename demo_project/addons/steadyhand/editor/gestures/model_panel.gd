@@ -10,7 +10,7 @@ signal save_chosen(path: String)
 const ConfusionTable := preload("confusion_table.gd")
 const ModelView := preload("model_view.gd")
 
-## Of the editor's window.
+## Share of the editor's window.
 const DIALOG_RATIO := 0.5
 
 var view := ModelView.new()
@@ -64,7 +64,7 @@ func show_progress(done: float) -> void:
 	_progress.value = done
 
 
-## Empty: nothing is wrong.
+## Empty: no error.
 func show_message(text: String) -> void:
 	_message.text = text
 	_message.visible = not text.is_empty()

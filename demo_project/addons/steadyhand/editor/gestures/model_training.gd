@@ -3,12 +3,12 @@ extends Node
 ## Trains a model in a thread of its own.
 
 signal progressed(done: float)
-## `model` is null where the training failed or was cancelled.
+## `model` is null if the training failed or was cancelled.
 signal finished(model: GestureModel)
 
-## Why the last training gave no model, and what to do; empty where it did.
+## Why the last training gave no model, and what to do. Empty: it gave one.
 var error := ""
-## What GestureTrainer.get_recordings() says of the last training.
+## GestureTrainer.get_recordings() of the last training.
 var recordings: Array[Dictionary] = []
 
 var _trainer := GestureTrainer.new()

@@ -1,7 +1,7 @@
 @tool
 extends Control
-## The reference curve of a model with its states and spread, over the takes it was trained with:
-## the paper's Fig. 3.
+## Draws a model as the paper's Fig. 3: the takes, and over them the reference curve with its states
+## and spread.
 
 const PlotArea := preload("plot_area.gd")
 
@@ -69,7 +69,7 @@ func _draw_spread(plot: PlotArea) -> void:
 		upper.append(plot.place(x, minf(mean[i] + deviation[i], plot.high.y)))
 		lower.append(plot.place(x, maxf(mean[i] - deviation[i], plot.low.y)))
 	var colour := Color(plot.accent(), SPREAD_OPACITY)
-	# Quads, as a polygon that meets itself is not drawn.
+	# Quads: a polygon that crosses itself is not drawn.
 	for i in mean.size() - 1:
 		var corners := [upper[i], upper[i + 1], lower[i + 1], lower[i]]
 		if upper[i].distance_to(lower[i]) > 0.5 and upper[i + 1].distance_to(lower[i + 1]) > 0.5:

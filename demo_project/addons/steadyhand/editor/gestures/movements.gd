@@ -2,7 +2,7 @@
 extends RefCounted
 ## Finds the movements of a recorded track, and describes each as a row of a trial set.
 
-## What moves: the index tip along a line or around a circle, or the fingers as they open.
+## What moves: the index tip along a line or a circle, or fingers that open.
 enum Shape { AUTOMATIC, STRAIGHT, CIRCLE, OPENING }
 
 const TrackCurves := preload("track_curves.gd")
@@ -13,27 +13,27 @@ const FEATURES: Dictionary[Shape, String] = {
 	Shape.OPENING: "tips_circumradius",
 }
 
-## The speed is taken over this time: shorter than any movement, and long against noise.
+## Time span for a speed: shorter than any movement, and long enough to average noise.
 const SPEED_SPAN_S := 0.06
 ## m/s: a hand held still moves slower.
 const STILL_SPEED := 0.03
-## Shares of the highest speed: a movement is faster, and begins and ends at the lower one.
+## Shares of the highest speed. A movement exceeds MOVING, and begins and ends at the lower one.
 const MOVING := 0.15
 const ONSET := 0.05
 ## A halt shorter than this belongs to the movement.
 const HALT_S := 0.12
 const SHORTEST_S := 0.1
-## Of the longest movement: what is shorter is none of the gesture.
+## Share of the longest movement: a shorter one does not count.
 const SHORTEST_WAY := 0.4
 ## Cosine of 60 degrees: another direction is the way back, or something else.
 const SAME_WAY := 0.5
-## Of a circle's length, between its ends: three quarters of a circle count.
+## Largest gap between a circle's ends, as a share of its length: 3/4 of a circle count.
 const CLOSED := 0.3
-## Area of a closed path, as a share of the circle's that is as long.
+## Least area of a closed path, as a share of that of a circle of equal length.
 const ROUND := 0.5
-## Of the way out: a hand that comes back by more has turned.
+## Share of the way out: a hand that comes back by more has turned.
 const TURNED := 0.3
-## The radius grows by this share of the index tip's way when fingers open.
+## Fingers open if the radius grows by this share of the index tip's way.
 const OPENS := 0.3
 
 
@@ -96,7 +96,7 @@ static func describe(curves: TrackCurves, shape: Shape, start_s: float, end_s: f
 	return row
 
 
-## Of a row, by what it holds: a radius has no axis.
+## The shape of a row: a radius has no axis.
 static func shape_of(curves: TrackCurves, row: Dictionary) -> Shape:
 	if (row["axis"] as Vector3).is_zero_approx():
 		return Shape.OPENING
@@ -201,7 +201,7 @@ static func _goes_like(row: Dictionary, rows: Array[Dictionary], shape: Shape) -
 
 static func _is_round(path: PackedVector3Array) -> bool:
 	var length := 0.0
-	# From point to point noise would make it longer.
+	# Steps of one point would add the noise to the length.
 	var step := int(SPEED_SPAN_S * TrackCurves.RATE_HZ)
 	for i in range(step, path.size(), step):
 		length += path[i].distance_to(path[i - step])
@@ -210,13 +210,13 @@ static func _is_round(path: PackedVector3Array) -> bool:
 	return gap < CLOSED * length and absf(_area_and_centroid(path).z) > ROUND * round_area
 
 
-## Of the closed path in the xy plane: x and y, the centroid, m, which does not depend on the speed
-## along the path; z, the area, m^2, positive where it turns counterclockwise.
+## Of the closed path in the xy plane. x and y: the centroid, m, which does not depend on the speed
+## along the path. z: the area, m^2, positive if the path is counterclockwise.
 static func _area_and_centroid(path: PackedVector3Array) -> Vector3:
 	var area := 0.0
 	var centroid := Vector2.ZERO
 	for i in path.size():
-		# From the first point, as differences of products lose digits far from the origin.
+		# Relative to the first point: differences of products lose digits far from the origin.
 		var a := path[i] - path[0]
 		var b := path[(i + 1) % path.size()] - path[0]
 		var twice := a.x * b.y - a.y * b.x

@@ -1,14 +1,14 @@
 @tool
 extends RefCounted
-## What the user of the "Gestures" panel does next.
+## Tells the user of the "Gestures" panel what to do next.
 
 const TakeSet := preload("take_set.gd")
 
-## The mean of so many takes is off that of 40 by a third of what takes differ: measured on three
-## simulated people.
+## The mean of so many takes differs from the mean of 40 by a third of the standard deviation of
+## takes (three simulated people).
 const ENOUGH_TAKES := 8
 const LEAST_TAKES := 3
-## Is recognised only at a task.
+## This feature is recognised only at a task.
 const CIRCLE := "index_along_circle"
 
 

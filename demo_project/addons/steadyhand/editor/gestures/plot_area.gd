@@ -7,11 +7,11 @@ const MARGIN_RIGHT := 10.0
 const MARGIN_TOP := 10.0
 const MARGIN_BOTTOM := 22.0
 const GRID_OPACITY := 0.12
-## Of the hue circle: neighbouring states differ most.
+## Share of the hue circle, so that neighbouring states differ most.
 const GOLDEN := 0.618034
 
 var rect := Rect2()
-## Of the values that are shown.
+## Range of the shown values.
 var low := Vector2.ZERO
 var high := Vector2.ONE
 
@@ -86,7 +86,7 @@ func text_height() -> float:
 	return _font.get_height(_font_size)
 
 
-## Of a hidden state; readable on the theme's background.
+## Colour of a hidden state; readable on the theme's background.
 func state_colour(state: int) -> Color:
 	return hue(0.58 + GOLDEN * state)
 

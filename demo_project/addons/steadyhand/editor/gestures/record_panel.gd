@@ -77,7 +77,7 @@ func list_gestures(gestures: PackedStringArray) -> void:
 	_names.disabled = gestures.is_empty()
 
 
-## What is chosen stays chosen. May be called at any time: an unchanged list is left alone.
+## Keeps the choice. May be called at any time: an unchanged list stays as it is.
 func list_trackers(scene_root: Node) -> void:
 	var found: Array[HandTracker] = []
 	if scene_root != null:
@@ -115,7 +115,7 @@ func choose_tracker(wanted: HandTracker) -> void:
 		_tracker.select(_trackers.find(wanted))
 
 
-## Null where the scene has none, and for the running game's.
+## Null if the scene has none, and for the running game's.
 func tracker() -> HandTracker:
 	var index := _tracker.selected
 	if index < 0 or index >= _trackers.size() or not is_instance_valid(_trackers[index]):
@@ -146,7 +146,7 @@ func show_state(state: String, hint: String, is_recording: bool) -> void:
 		_record.icon = get_theme_icon(&"Stop" if is_recording else &"AutoKey", &"EditorIcons")
 
 
-## What is wrong with the recording; empty: nothing.
+## The error of the recording. Empty: none.
 func show_message(text: String) -> void:
 	_message.text = text
 	_message.visible = not text.is_empty()

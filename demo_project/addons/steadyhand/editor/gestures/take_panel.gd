@@ -21,7 +21,7 @@ var _list := Tree.new()
 var _trim := Button.new()
 var _delete := Button.new()
 var _takes: TakeSet = null
-## Of the last training, by the take's name.
+## Results of the last training, by the take's name.
 var _recordings: Dictionary[String, Dictionary] = {}
 
 
@@ -76,7 +76,7 @@ func show_takes(takes: TakeSet) -> void:
 	_show_selected()
 
 
-## Says of each take what training said of it: see GestureTrainer.get_recordings().
+## Shows the result of the training for each take: see GestureTrainer.get_recordings().
 func mark(recordings: Array[Dictionary]) -> void:
 	_recordings = {}
 	for recording in recordings:

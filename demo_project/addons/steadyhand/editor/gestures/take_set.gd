@@ -1,7 +1,7 @@
 @tool
 extends RefCounted
-## The takes of one gesture: a trial set in the project. What is recorded is on the disk at once,
-## and no file is deleted: a take that is removed is only a row less in trials.csv.
+## The takes of one gesture: a trial set in the project. A recording is on the disk at once, and no
+## file is deleted: removing a take only removes its row of trials.csv.
 
 signal changed
 
@@ -29,9 +29,9 @@ var gesture := ""
 var folder := ""
 ## With the keys of TrialSet.get_trial().
 var rows: Array[Dictionary] = []
-## Why the last operation failed, and what to do; empty where it did not.
+## Why the last operation failed, and what to do. Empty: it did not fail.
 var error := ""
-## The editor's, or null: then nothing can be undone.
+## The editor's. Null: nothing can be undone.
 var undo_redo: EditorUndoRedoManager = null
 
 var _curves: Dictionary[String, TrackCurves] = {}
@@ -55,7 +55,7 @@ static func list(root: String = ROOT) -> PackedStringArray:
 	return DirAccess.get_directories_at(root) if DirAccess.dir_exists_absolute(root) else []
 
 
-## Why `name` cannot be that of a gesture, and what to do; empty where it can.
+## Why `name` cannot be a gesture's name, and what to do. Empty: it can.
 static func name_fault(name: String) -> String:
 	if name.is_empty():
 		return "Name the gesture first, for example knock."
@@ -66,7 +66,7 @@ static func name_fault(name: String) -> String:
 	return ""
 
 
-## Makes the folder; where the next recording goes. Empty, with `error`, if it cannot be made.
+## Makes the folder, and returns the path of a new recording. Empty, with `error`, if it fails.
 func begin_recording() -> String:
 	error = ""
 	var made := DirAccess.make_dir_recursive_absolute(folder)
@@ -84,8 +84,8 @@ func begin_recording() -> String:
 	return folder.path_join("%s%03d%s" % [RECORDING, number, UNFINISHED])
 
 
-## Splits a recording into takes, whose rows are returned: set_rows() adds them. With
-## Shape.AUTOMATIC they are of the shape of those that are there.
+## Splits a recording into takes and returns their rows: set_rows() adds them. With
+## Shape.AUTOMATIC they get the shape of the existing takes.
 func finish_recording(path: String, shape: Movements.Shape) -> Array[Dictionary]:
 	error = ""
 	var curves := TrackCurves.read(path)
@@ -111,7 +111,7 @@ func finish_recording(path: String, shape: Movements.Shape) -> Array[Dictionary]
 	return found
 
 
-## Rows of the recordings that were under way when the editor closed.
+## Rows of the recordings that were cut off when the editor closed.
 func recover(shape: Movements.Shape) -> Array[Dictionary]:
 	var found: Array[Dictionary] = []
 	if DirAccess.dir_exists_absolute(folder):
@@ -121,7 +121,7 @@ func recover(shape: Movements.Shape) -> Array[Dictionary]:
 	return found
 
 
-## As set_rows(), and can be undone.
+## As set_rows(), but can be undone.
 func change(title: String, new_rows: Array[Dictionary]) -> void:
 	if undo_redo == null:
 		set_rows(new_rows)
@@ -143,7 +143,7 @@ func set_rows(new_rows: Array[Dictionary]) -> void:
 	changed.emit()
 
 
-## The takes with one of them trimmed anew; empty, with `error`, where that leaves no gesture.
+## The rows after the trim of one take. Empty, with `error`, if that leaves no gesture.
 func trimmed(take: int, start_s: float, end_s: float) -> Array[Dictionary]:
 	error = ""
 	var curves := curves_of(take)
@@ -158,7 +158,7 @@ func trimmed(take: int, start_s: float, end_s: float) -> Array[Dictionary]:
 	return changed_rows
 
 
-## The trim that the movement itself proposes: start_s and end_s.
+## The detected start and end of the movement: start_s and end_s.
 func proposed_trim(take: int) -> PackedFloat64Array:
 	var curves := curves_of(take)
 	var row := rows[take]
@@ -185,7 +185,7 @@ func feature_of(take: int) -> String:
 	return Movements.FEATURES[Movements.shape_of(curves_of(take), rows[take])]
 
 
-## A copy of the recording's lines around the movement; twice, as there is one tracker.
+## Copies the recording's lines around the movement: as measured and as reference track.
 func _write_take(recording: String, row: Dictionary) -> bool:
 	var kept := PackedStringArray()
 	var is_header := true
@@ -205,7 +205,7 @@ func _write_take(recording: String, row: Dictionary) -> bool:
 	return true
 
 
-## The table is written anew, without what could not be read.
+## Writes the table without unreadable rows, and keeps a copy of the old one.
 func _keep_table() -> void:
 	var table := folder.path_join(TABLE)
 	DirAccess.copy_absolute(table, table + KEPT)
@@ -228,7 +228,7 @@ func _write_table() -> bool:
 	return _write(folder.path_join(TABLE), "\n".join(lines) + "\n")
 
 
-## The old file stays whole until the new one is.
+## The old file stays whole until the new one is complete.
 static func _write(path: String, text: String) -> bool:
 	var file := FileAccess.open(path + ".new", FileAccess.WRITE)
 	if file == null:

@@ -14,7 +14,7 @@ const GRIP_WIDTH := 8.0
 const SHADE_OPACITY := 0.1
 const AROUND := 0.08
 const SHORTEST_S := 0.05
-## Of the hand while it is recorded.
+## Length of the live curve, s.
 const SHOWN_S := 8.0
 
 var message := ""

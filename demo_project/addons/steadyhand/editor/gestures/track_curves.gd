@@ -1,9 +1,9 @@
 @tool
 extends RefCounted
-## What the fingertips of a recorded track do, at an even rate.
+## The motion of the fingertips of a recorded track, at an even rate.
 
 const RATE_HZ := 200.0
-## Share of the frames that has to hold what a curve is made of.
+## A curve needs its joints in at least this share of the frames.
 const HELD := 0.5
 
 const _WHOLE_TRACK := {
@@ -12,13 +12,13 @@ const _WHOLE_TRACK := {
 
 var start_s := 0.0
 var frames := 0
-## Of the index tip, m; empty where the track does not hold it.
+## Index tip, m. Empty: the track does not have it.
 var index := PackedVector3Array()
-## Of the circle through thumb, index and middle tip, m; empty where the track does not hold them.
+## Circle through thumb, index and middle tip, m. Empty: the track does not have them.
 var radius := PackedFloat64Array()
 
 
-## Without curves where the track holds no hand; one error in the log where it cannot be read.
+## No curves if the track has no hand; one error in the log if it cannot be read.
 static func read(path: String) -> RefCounted:
 	var curves := new()
 	curves._read(path)
@@ -76,7 +76,7 @@ func end_s() -> float:
 	return time_at(maxi(count() - 1, 0))
 
 
-## A file without any is an error to a RecordedSource.
+## A RecordedSource reports a file without rows as an error.
 static func _has_rows(path: String) -> bool:
 	var lines := FileAccess.get_file_as_string(path).strip_edges().split("\n")
 	return lines[-1].get_slice(",", 0).is_valid_float()
@@ -91,7 +91,7 @@ func _read_index(path: String, size: int) -> void:
 		index[i] = Vector3(axes[0][i], axes[1][i], axes[2][i])
 
 
-## In metres, as the amplitude is one.
+## In metres, because the amplitude is 1.
 func _curve(path: String, feature: String, axis: Vector3, size: int) -> PackedFloat64Array:
 	var trial := _WHOLE_TRACK.duplicate()
 	trial.merge({start = Vector3.ZERO, axis = axis, amplitude_m = 1.0})

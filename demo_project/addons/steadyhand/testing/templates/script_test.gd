@@ -9,7 +9,7 @@ var _failures := 0
 
 
 func _initialize() -> void:
-	# The first frame: before it, no node is ready.
+	# No node is ready before the first frame.
 	await process_frame
 	await _test_a_tap_presses_its_key()
 	await _test_a_dropout_of_0_1_s_does_no_harm()
