@@ -13,7 +13,7 @@ const MOTIONS: Array[GestureHMM.Motion] = [
 	GestureHMM.MOTION_KALMAN,
 	GestureHMM.MOTION_SYNTHESISED,
 ]
-## Those of the paper's study.
+## The conditions of the paper's study.
 const COMPARED: Array[GestureHMM.Motion] = [
 	GestureHMM.MOTION_MEASURED, GestureHMM.MOTION_AVERAGE, GestureHMM.MOTION_SYNTHESISED
 ]

@@ -1,7 +1,7 @@
 extends "stage.gd"
 ## A box that is dragged from one marker box to another.
 
-## From the path of the fingertip to the box's centre and to the markers', m.
+## Offset from the path of the fingertip to the centres of box and markers, m.
 @export var box_offset := Vector3(0, -0.035, 0)
 @export var marker_offset := Vector3(0, -0.08, 0)
 
@@ -36,7 +36,7 @@ func mark_arrived() -> void:
 	_paint(_stop_marker, ARRIVED)
 
 
-## Of the stop marker, along the line on which the box comes.
+## Width of the stop marker along the path of the box, m.
 func target_width() -> float:
 	var size := (_stop_marker.mesh as BoxMesh).size
 	var width := INF

@@ -1,7 +1,7 @@
 extends Node
-## The mouse in place of a hand. The pointer covers a point of the task's plane, which holds the
-## task's axis and faces the camera: that is the index tip, or, where the task is a radius, a point
-## of the circle about the task's place that the tips are on.
+## The mouse in place of a hand. The pointer covers a point of the task's plane, which contains the
+## task's axis and faces the camera. This point is the index tip. If the task is a radius, it is a
+## point on the circle of the tips around the task's place.
 
 const HandPose := preload("res://addons/steadyhand/hands/hand_pose.gd")
 

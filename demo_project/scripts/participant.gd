@@ -1,6 +1,6 @@
 extends RefCounted
-## A participant's stable and unstable position for each task, as practice runs found them, in a
-## file of the participant's own: user://participants/NAME.json.
+## A participant's stable and unstable position for each task, as found by practice runs. They are
+## kept in user://participants/NAME.json.
 
 const Stored := preload("stored.gd")
 
@@ -8,12 +8,12 @@ const Stored := preload("stored.gd")
 const POSITIONS: Array[String] = ["stable", "unstable"]
 const FIGURES: Array[String] = ["seconds", "lost_share", "noise"]
 
-## Who takes part in this session; empty: what is found is kept as long as the scene.
+## The participant of this session. Empty: positions are kept as long as the scene.
 static var chosen := ""
 
-## Empty: nobody was named.
+## Empty: no participant was named.
 var name := ""
-## What is wrong with the file; empty when all is well.
+## The error of the file. Empty: none.
 var error := ""
 
 var _path := ""
@@ -31,7 +31,7 @@ func _init(given: String = chosen, folder: String = "user://participants") -> vo
 	if json.parse(FileAccess.get_file_as_string(_path)) != OK:
 		error = "%s:%d: %s" % [_path, json.get_error_line() + 1, json.get_error_message()]
 	elif not json.data is Dictionary:
-		error = "%s: this is no object of tasks" % _path
+		error = "%s: must be a JSON object with a key for each task" % _path
 	else:
 		_tasks = json.data
 		for gesture: String in _tasks:
@@ -42,20 +42,20 @@ func _init(given: String = chosen, folder: String = "user://participants") -> vo
 					)
 	if not error.is_empty():
 		_tasks = {}
-		push_error("%s (it is left as it is: without positions until a practice run)" % error)
+		push_error("%s. The file stays as it is: make a practice run to get new positions" % error)
 
 
 func has_positions(gesture: String) -> bool:
 	return _tasks.has(gesture)
 
 
-## Where the middle of the task is to be, m. `position`: of POSITIONS; only where has_positions().
+## Place for the middle of the task, m. `position`: one of POSITIONS. Only if has_positions().
 func get_position(gesture: String, position: String) -> Vector3:
 	var place: Array = _tasks[gesture][position]["position"]
 	return Vector3(place[0], place[1], place[2])
 
 
-## Keeps a proposal of TrackingSurvey.propose(), and writes it if there is a file.
+## Keeps a proposal of TrackingSurvey.propose(), and writes it if a participant is named.
 func keep(gesture: String, proposal: Dictionary) -> Error:
 	var task := {contrast = proposal["contrast"], date = Time.get_datetime_string_from_system()}
 	for position in POSITIONS:
@@ -67,7 +67,7 @@ func keep(gesture: String, proposal: Dictionary) -> Error:
 	return OK if _path.is_empty() else _write()
 
 
-## A whole file beside the old one takes its place; an unreadable one is kept under another name.
+## Writes a new file, which then replaces the old one. An unreadable old file is renamed and kept.
 func _write() -> Error:
 	DirAccess.make_dir_recursive_absolute(_path.get_base_dir())
 	var part := _path + ".part"

@@ -1,6 +1,6 @@
 extends RefCounted
-## A practice run: the participant moves the hand through all the space within reach, and how the
-## tracker fares there says where the task's two positions are to be.
+## A practice run: the participant moves the hand through all the space within reach. The quality of
+## tracking there gives the task's two positions.
 
 ## `proposal`: of TrackingSurvey.propose().
 signal ended(proposal: Dictionary)
@@ -18,26 +18,26 @@ func _init(tracker: HandTracker, joint: HandTracker.Joint) -> void:
 	_tracker.frame_received.connect(_on_frame_received)
 
 
-## Ends by itself after DURATION_S; earlier by this.
+## Ends the run before DURATION_S are over.
 func end() -> void:
 	if _tracker.frame_received.is_connected(_on_frame_received):
 		_tracker.frame_received.disconnect(_on_frame_received)
 		ended.emit(_survey.propose())
 
 
-## For the participant, while it runs.
+## Text for the participant during the run.
 func get_instruction() -> String:
 	var left_s := maxf(DURATION_S - _survey.get_duration(), 0.0)
 	return "practice: move your hand through all the space within reach, %.0f s" % left_s
 
 
-## What was found, for whoever runs the study.
+## The result, for the operator of the study.
 static func describe(proposal: Dictionary) -> String:
 	var error: String = proposal["error"]
 	if not error.is_empty():
 		return error
 	if not proposal["distinct"]:
-		return "tracking is alike everywhere: the positions stay as they are"
+		return "tracking is equally good everywhere: the positions stay the same"
 	var parts := PackedStringArray()
 	for position: String in ["stable", "unstable"]:
 		var found: Dictionary = proposal[position]

@@ -1,13 +1,13 @@
 extends CanvasLayer
-## The condition and the live values of all of them, in millimetres; which one drives is not shown
-## to whoever compares them.
+## The condition, and the live values of all conditions, in mm. The condition is hidden from a
+## participant who compares conditions.
 
 const Conditions := preload("conditions.gd")
 
 const DRIVING := Color(1.0, 0.83, 0.3)
 const OTHER := Color(0.85, 0.88, 0.9)
 
-## Takes the place of the status; empty: the status.
+## Replaces the status. Empty: the status is shown.
 var notice := ""
 
 var _values: Array[Label] = []
@@ -40,7 +40,7 @@ func show_live(motion: GestureHMM, is_blind: bool) -> void:
 	_status.text = notice if notice else _status_of(motion)
 
 
-## A gesture that is not under way has no state, and nothing of it is done.
+## Without an active gesture there is no state and no progress.
 static func _status_of(motion: GestureHMM) -> String:
 	if motion.gesture.is_empty():
 		return "at rest"

@@ -11,7 +11,7 @@ const RANGES: Dictionary[float, Color] = {
 	0.5: Color(1.0, 0.75, 0.3, 0.55),
 }
 const RING_WIDTH := 0.004
-## Where on the ring its label is, from the sensor's -z to the right.
+## Angle of the label on its ring, from the sensor's -z to the right.
 const LABEL_ANGLE := deg_to_rad(38.0)
 
 var _rings: Dictionary[float, MeshInstance3D] = {}
@@ -45,7 +45,7 @@ func _init() -> void:
 		add_child(label)
 
 
-## `height`: of the ground, m, where the sensor is at 0.
+## `height`: of the ground, m, relative to the sensor.
 func place(height: float) -> void:
 	global_transform = Transform3D(Basis(), Vector3(0.0, height, 0.0))
 	for range_m in RANGES:
@@ -62,7 +62,7 @@ func place(height: float) -> void:
 		_labels[range_m].position = out + Vector3(0.0, 0.004, 0.0)
 
 
-## Whether the frames of a source have their origin in a sensor such as this.
+## Whether the frames of a source have their origin in such a sensor.
 static func suits(source: HandSource) -> bool:
 	return source is SyntheticSource or (source != null and source.is_class("LeapSource"))
 

@@ -1,5 +1,5 @@
 extends Node3D
-## What a task shows: the fingertips that make the gesture, and a cylinder that marks the hand's
+## Shows a task: the fingertips that make the gesture, and a cylinder that marks the hand's
 ## place. The stage stands where the task is and keeps its own orientation, so that camera and
 ## ground stay upright whatever the task's direction.
 
@@ -16,7 +16,7 @@ const PLACES: Dictionary[String, Color] = {
 	"": Color(0.34, 0.71, 0.91, 0.45),
 }
 
-## Of HandTracker.Joint: those that make the gesture.
+## Joints that make the gesture, of HandTracker.Joint.
 @export var joints: PackedInt32Array = [HandTracker.JOINT_INDEX]
 
 ## Whether a task may take several gestures.
@@ -30,7 +30,7 @@ var _sensor: SensorView = null
 
 
 func _ready() -> void:
-	# Not before: a scene that inherits another replaces this script.
+	# Not earlier, because an inherited scene replaces this script.
 	_sensor = SensorView.new()
 	_sensor.visible = false
 	add_child(_sensor)
@@ -57,23 +57,23 @@ func begin_stroke() -> void:
 	pass
 
 
-## `value`: of the motion element, m. Returns how far the task has come by it, 0..1.
+## `value`: of the motion element, m. Returns the progress of the task, 0..1.
 func show_motion(_value: float) -> float:
 	return 0.0
 
 
-## Of what the gesture is to reach, along the motion element, m; NAN: it has no width.
+## Width of the target along the motion element, m. NAN: it has no width.
 func target_width() -> float:
 	return NAN
 
 
-## Makes the target as wide as this, m. After place().
+## Sets the width of the target, m. Call it after place().
 func set_target_width(_width_m: float) -> void:
 	pass
 
 
-## How far the task has come where a gesture ends at `value` of its motion element, m; further than
-## its amplitude where the hand went too far.
+## Progress of the task, m, if a gesture ends at `value` of its motion element. It is greater than
+## the amplitude if the hand overshoots.
 func end_value(value: float) -> float:
 	return value
 

@@ -1,9 +1,8 @@
 extends RefCounted
-## What FileAccess does not tell: that a disk was full, where its buffer took the last of what was
-## stored.
+## Detects a full disk. FileAccess reports no error if the last data is still in its buffer.
 
 
-## Whether all that was stored in `file`, up to where it is now, is there; writes it through.
+## Flushes `file`, and returns whether all data up to its position is on the disk.
 static func is_written(file: FileAccess) -> bool:
 	var end := file.get_position()
 	file.flush()

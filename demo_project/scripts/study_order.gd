@@ -1,30 +1,30 @@
 extends RefCounted
-## In which order a live hand's trials are made: in blocks, at each of its positions in turn; and,
-## where conditions are compared, in each of them at all positions before the next, in a random
-## order that is drawn anew once all have been (paper, "Procedure").
+## The order of a live hand's trials: in blocks, at each position in turn. If conditions are
+## compared, each condition is used at all positions before the next one. Their random order is
+## drawn again after all were used (paper, "Procedure").
 
-## The paper's.
+## As in the paper.
 const TRIALS_PER_BLOCK := 5
 
-## Those that are compared; empty: the one that has been chosen stays.
+## The compared conditions. Empty: the chosen condition stays.
 var conditions: Array[GestureHMM.Motion] = []
 
 var _seed := 0
 var _first_trial := 0
 
 
-## From this trial on, with a first block.
+## Starts a first block at this trial.
 func begin(trial_index: int, order_seed: int) -> void:
 	_first_trial = trial_index
 	_seed = order_seed
 
 
-## Index of the position at which the trial is made, of so many.
+## Index of the trial's position. `positions`: their number.
 func position_at(trial_index: int, positions: int) -> int:
 	return (trial_index - _first_trial) / TRIALS_PER_BLOCK % positions
 
 
-## The condition in which it is made; some have to be compared. `positions`: as in position_at().
+## The trial's condition. `conditions` must not be empty. `positions`: as in position_at().
 func condition_at(trial_index: int, positions: int) -> GestureHMM.Motion:
 	var turn := (trial_index - _first_trial) / (TRIALS_PER_BLOCK * positions)
 	var random := RandomNumberGenerator.new()
@@ -36,7 +36,7 @@ func condition_at(trial_index: int, positions: int) -> GestureHMM.Motion:
 	return drawn
 
 
-## Whether the trial is made elsewhere, or in another condition, than the one before it.
+## Whether position or condition differ from those of the trial before.
 func changes_at(trial_index: int, positions: int) -> bool:
 	var is_block := (trial_index - _first_trial) % TRIALS_PER_BLOCK == 0
 	return is_block and (positions > 1 or conditions.size() > 1)

@@ -1,5 +1,5 @@
 extends "stage.gd"
-## A surface that is tapped; a ring about the fingertip goes where the motion is.
+## A surface that is tapped. A ring around the fingertip follows the motion.
 
 var _start := Vector3.ZERO
 var _axis := Vector3.FORWARD
@@ -31,7 +31,7 @@ func mark_arrived() -> void:
 	_paint(_surface, ARRIVED)
 
 
-## Of the plate, from the face that is reached to the other.
+## Thickness of the plate, from the tapped face to the other one.
 func target_width() -> float:
 	return (_surface.mesh as BoxMesh).size.y
 

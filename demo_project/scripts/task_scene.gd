@@ -1,11 +1,11 @@
 extends Node3D
 ## A task of the study: plays trials on the HandTracker one after another, or follows a live hand or
-## the mouse; lets the GestureHMM's motion move what the stage shows, and logs. A task differs from
-## another by its GestureTask and its stage, not by this script.
+## the mouse. The GestureHMM's motion moves the stage, and is logged. Tasks differ in their
+## GestureTask and stage, not in this script.
 
 signal trial_started(trial: String)
 signal trial_ended(trial: String)
-## `found`: what the participant's positions are now, or why they are as they were.
+## `found`: the participant's new positions, or why they stay the same.
 signal practice_ended(found: String)
 
 const Conditions := preload("conditions.gd")
@@ -21,7 +21,7 @@ const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 const TrialTask := preload("trial_task.gd")
 
-## Of a synthetic person, at the stable and the unstable position in turns.
+## Trials of a synthetic person, at the stable and the unstable position in turns.
 const TRIALS_PER_SUBJECT := 6
 const POSITIONS: Array[SyntheticSource.Position] = [
 	SyntheticSource.POSITION_STABLE, SyntheticSource.POSITION_UNSTABLE
@@ -34,14 +34,14 @@ const POSITIONS: Array[SyntheticSource.Position] = [
 ## Play trial after trial from the start.
 @export var autoplay := true
 
-## Of the present trial.
+## Course of the present trial.
 var course: TrialCourse = null
-## Of this session.
+## Folder of this session.
 var session_folder := ""
 
 var _synthetic := SyntheticSource.new()
 var _trials: TrialList = null
-## The scene's own, in which synthetic people make the gesture.
+## The axis of the scene, along which synthetic people make the gesture.
 var _axis := Vector3.ZERO
 var _log: TrialLog = null
 var _trial_name := ""
@@ -52,7 +52,7 @@ var _live_trials := 0
 var _order := StudyOrder.new()
 var _participant := Participant.new()
 var _practice: Practice = null
-## Share of the whole way at which a task is done: that of the metrics, where a vibration arrives.
+## Share of the amplitude at which a task is done: the arrival level of HapticSynth.
 var _arrived: float = ClassDB.class_get_property_default_value(&"HapticSynth", &"arrival_level")
 
 @onready var tracker: HandTracker = $HandTracker
@@ -73,7 +73,7 @@ func _ready() -> void:
 		session_folder = log_folder.path_join("%s-%d" % [stamp, sessions])
 	tracker.finished.connect(_on_tracker_finished)
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
-	# A hand that stops short of its target has made the trial all the same.
+	# A hand that stops before its target has finished the trial, too.
 	gesture_hmm.completion = 0.5
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
 	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
@@ -130,7 +130,7 @@ func play(trial: Dictionary, measured_path: String) -> Error:
 	return started
 
 
-## The next trial of `trial_folder` whose track can be read, or of a synthetic person.
+## Plays the next trial of `trial_folder` whose track can be read, or of a synthetic person.
 func play_next() -> void:
 	if trial_folder.is_empty():
 		_play_synthetic()
@@ -143,7 +143,7 @@ func play_next() -> void:
 			return
 
 
-## The mouse in place of the hand, or the played trials again.
+## Follows the mouse, or plays trials again.
 func follow_mouse(on: bool) -> void:
 	_mouse.active = on
 	if on:
@@ -156,7 +156,7 @@ func follow_mouse(on: bool) -> void:
 		play_next()
 
 
-## A live hand in place of the played trials: that of `source`, or one whose frames are pushed.
+## Follows a live hand: that of `source`, or one whose frames are pushed.
 func follow_live(source: HandSource = ScriptSource.new()) -> void:
 	_stop()
 	_is_live = true
@@ -166,8 +166,8 @@ func follow_live(source: HandSource = ScriptSource.new()) -> void:
 	_begin_live_trial()
 
 
-## Begins a practice run with the live hand, or the mouse where there is none; or ends the one that
-## is under way.
+## Begins a practice run with the live hand, or with the mouse if there is none. If a run is active,
+## ends it.
 func practise() -> void:
 	if _practice != null:
 		_practice.end()
@@ -179,8 +179,8 @@ func practise() -> void:
 	_practice.ended.connect(_on_practice_ended)
 
 
-## The paper's conditions in a random order, block by block of a live hand's trials, or the mouse's
-## where there is none; or the present one until another is chosen.
+## On: the paper's conditions in a random order, block by block, with a live hand or the mouse.
+## Off: the present condition, until another is chosen.
 func compare_conditions(on: bool) -> void:
 	_order.conditions = []
 	if on:
@@ -240,8 +240,8 @@ func _begin_trial(
 	trial_started.emit(trial_name)
 
 
-## At the participant's positions, in turns, where a practice run has found them; in the condition
-## whose turn it is, where they are compared.
+## Uses the participant's positions in turn, if a practice run has found them. Uses the condition
+## whose turn it is, if conditions are compared.
 func _begin_live_trial() -> void:
 	var position_name := ""
 	if _participant.has_positions(task.gesture):
@@ -255,12 +255,12 @@ func _begin_live_trial() -> void:
 	_begin_trial(trial_name, position_name, _participant.name, origin)
 
 
-## At how many places a live hand makes its trials.
+## Number of positions of a live hand's trials.
 func _positions() -> int:
 	return Participant.POSITIONS.size() if _participant.has_positions(task.gesture) else 1
 
 
-## A live hand's trials from a first block on.
+## Starts the first block of a live hand's trials.
 func _begin_order() -> void:
 	_order.begin(_live_trials, randi())
 	follow_live(tracker.source if _is_live else ScriptSource.new())
@@ -272,7 +272,7 @@ func _stop() -> void:
 	tracker.stop_recording()
 
 
-## What a live hand's tracker told is kept, beside what was made of it.
+## Records the frames of a live hand next to the logs.
 func _record_frames() -> void:
 	_live_runs += 1
 	DirAccess.make_dir_recursive_absolute(session_folder)
@@ -297,7 +297,7 @@ func _on_gesture_started(_gesture: StringName, _task: GestureTask) -> void:
 	if _practice != null:
 		return
 	_readout.notice = ""
-	# A played trial ends with its track; with a live hand each gesture is one, or each task that takes
+	# A played trial ends with its track. With a live hand each gesture is one, or each task with
 	# several.
 	if _is_live and course.is_trial_done():
 		_end_trial()
@@ -314,14 +314,14 @@ func _on_gesture_ended(
 	if _practice == null and course.takes_end():
 		course.gesture_end_s = time_s
 		course.end_value_m = _stage.end_value(gesture_hmm.value)
-	# The hand has to see its next place before it goes there.
+	# The next position must be shown before the hand goes there.
 	if _is_live and _practice == null and course.is_trial_done():
 		if _order.changes_at(_live_trials, _positions()):
 			_end_trial()
 			_begin_live_trial.call_deferred()
 
 
-## A live hand that turned back has its trial yet to make.
+## A live hand that turned back makes its trial again.
 func _on_gesture_aborted(_gesture: StringName, _task: GestureTask) -> void:
 	if _is_live and _log != null and not _stage.strokes_add_up:
 		course = TrialCourse.new(_stage.strokes_add_up)

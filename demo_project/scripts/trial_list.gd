@@ -1,7 +1,7 @@
 extends RefCounted
-## The trials of one gesture in a trial set, round and round.
+## The trials of one gesture in a trial set, repeated in a loop.
 
-## As of TrialSet.get_trial().
+## As TrialSet.get_trial().
 var trial: Dictionary = {}
 var measured_path := ""
 
@@ -18,7 +18,7 @@ func _init(folder: String, gesture: String) -> void:
 		if _set.get_trial(index)["gesture"] == gesture:
 			_indices.append(index)
 	if _indices.is_empty():
-		push_error("%s: no trial of '%s' in it" % [folder, gesture])
+		push_error("%s: no trial of gesture '%s'" % [folder, gesture])
 
 
 func get_count() -> int:

@@ -1,12 +1,12 @@
 extends RefCounted
-## Logs of a trial, written as it goes: TRIAL.log.csv has a row an instant, trials.csv a row a
-## trial. A crash loses a second at most.
+## Logs of a trial, written during the trial: TRIAL.log.csv has a row per instant, trials.csv a row
+## per trial. A crash loses a second at most.
 
 const Conditions := preload("conditions.gd")
 const Stored := preload("stored.gd")
 const TrialCourse := preload("trial_course.gd")
 
-## Columns are added at the end alone: programs that know the first ones go on.
+## New columns are added at the end only, so that older programs still work.
 const TRIALS_HEADER := (
 	"trial,gesture,position,condition,start_s,end_s,duration_s"
 	+ ",participant,amplitude_m,width_m,end_value_m,gesture_end_s,origin"
@@ -81,7 +81,7 @@ func close(condition: String, course: TrialCourse) -> void:
 	_check(trials)
 
 
-## Said once a trial.
+## Reported once a trial.
 func _check(file: FileAccess) -> void:
 	if not Stored.is_written(file) and not _complained:
 		_complained = true

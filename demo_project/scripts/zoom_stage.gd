@@ -1,8 +1,8 @@
 extends "stage.gd"
-## A sphere that is zoomed to three times its size, in as many strokes as wanted: what a stroke has
-## gained stays while the hand closes again.
+## A sphere that is zoomed to three times its size, in any number of strokes. It keeps its size
+## while the hand closes again.
 
-## Of the sphere, in its own size at the start.
+## Size of the sphere relative to the start.
 const TARGET_SIZE := 3.0
 
 var _amplitude := 1.0
@@ -27,7 +27,7 @@ func place(task: GestureTask, position_name: String) -> void:
 	_is_begun = false
 	_sphere.scale = Vector3.ONE
 	_paint(_target, IDLE)
-	# A trial says how large the hand's circle is, not where; the mouse is where the task is.
+	# A trial gives the radius of the hand's circle, but not its place. The mouse is at the task.
 	global_position = task.get_start()
 	_awaits_hand = not position_name.is_empty()
 
@@ -45,8 +45,8 @@ func begin_stroke() -> void:
 	_size_before = _size
 
 
-## Of the ring that the sphere is to fill: by how much the radius of the hand's circle grows while
-## the sphere grows from the ring's inner to its outer edge.
+## Width of the target ring: how much the radius of the hand's circle grows while the sphere grows
+## from the ring's inner to its outer edge, m.
 func target_width() -> float:
 	var ring := _target.mesh as TorusMesh
 	var growth := (TARGET_SIZE - 1.0) * (_sphere.mesh as SphereMesh).radius
@@ -63,7 +63,7 @@ func end_value(value: float) -> float:
 	return _amplitude * (_size_before - 1.0) / (TARGET_SIZE - 1.0) + value
 
 
-## A whole stroke is as far as the target is from the start.
+## A whole stroke reaches from the start to the target.
 func show_motion(value: float) -> float:
 	var gain := TARGET_SIZE - 1.0
 	if _is_begun:

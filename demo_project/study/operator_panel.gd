@@ -1,5 +1,5 @@
 extends PanelContainer
-## For whoever runs the study: session, trial, condition, live values, tracker, buttons. The
+## For the operator of the study: session, trial, condition, live values, tracker, buttons. The
 ## participant must not see it.
 
 signal pause_pressed

@@ -5,7 +5,7 @@ extends "desktop_questionnaire_panel.gd"
 const WorldPanel := preload("world_panel.gd")
 
 const DWELL_S := 0.8
-## The cursor is shown where the fingertip is this near, m.
+## The cursor is shown if the fingertip is this near, m.
 const NEAR_M := 0.1
 ## A fingertip further behind the display than this does not point, m.
 const BEHIND_M := 0.06
@@ -24,7 +24,7 @@ var _cursor := Panel.new()
 var _over: Control = null
 var _over_since_s := 0.0
 var _is_armed := false
-## What the dwell has pressed waits for the fingertip to leave it.
+## After a dwell the fingertip must leave the control before the next press.
 var _is_dwell_used := false
 
 

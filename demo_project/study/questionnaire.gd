@@ -13,7 +13,7 @@ enum Kind {
 @export var kind := Kind.LIKERT
 ## Names of the items in answers.csv, for example "smoothness".
 @export var items: PackedStringArray = []
-## What the participant reads, one text for each item.
+## Texts for the participant, one for each item.
 @export_multiline var texts: PackedStringArray = []
 ## The scale of every item. Answers are whole numbers.
 @export var minimum := 0
@@ -23,11 +23,11 @@ enum Kind {
 ## Names of the scale's ends. Empty: the panel shows numbers only.
 @export var minimum_label := ""
 @export var maximum_label := ""
-## Shown after so many trials of the plan, practice trials not counted. 0: once, after the last one.
+## Shown after so many trials of the plan, without practice trials. 0: once, after the last one.
 @export var after_trials := 5
 
 
-## What is wrong, and how to mend it. Empty when all is well.
+## Errors, and how to correct them. Empty: none.
 func problems() -> PackedStringArray:
 	var found := unknown_properties()
 	var where := "Questionnaire '%s'" % name
@@ -75,7 +75,7 @@ func to_dictionary() -> Dictionary:
 	}
 
 
-## From what to_dictionary() returned, also after a way through JSON.
+## From the result of to_dictionary(), also after conversion to JSON.
 static func from_dictionary(saved: Dictionary) -> Questionnaire:
 	var made := Questionnaire.new()
 	made.name = saved.get("name", "")

@@ -13,6 +13,6 @@ func ask(_asked: Questionnaire, _items: PackedStringArray, _trial: Dictionary) -
 	pass
 
 
-## The study is paused or over: shows nothing, and emits nothing any more.
+## The study is paused or over: hides the questionnaire and emits no signal.
 func close() -> void:
 	pass

@@ -1,5 +1,5 @@
 extends RefCounted
-## session.json: what was planned, and on which machine. See docs/study_files.md.
+## session.json: plan, settings and machine. See docs/study_files.md.
 
 const StudyPlan := preload("study_plan.gd")
 const WholeFile := preload("whole_file.gd")
@@ -42,7 +42,7 @@ static func write(path: String, plan: Dictionary) -> Error:
 	return WholeFile.write(path, JSON.stringify(plan, "\t") + "\n")
 
 
-## Numbers that count are integers again. Empty where this is no such file.
+## Whole numbers are integers again. Empty: the file is no session.json.
 static func read(path: String) -> Dictionary:
 	var json := JSON.new()
 	if json.parse(FileAccess.get_file_as_string(path)) != OK or not json.data is Dictionary:

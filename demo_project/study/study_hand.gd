@@ -1,5 +1,5 @@
 extends Node
-## Who makes the trials of a study. This one is a person with any HandSource; others extend it.
+## The hand of a study. This class is a person with any HandSource; others extend it.
 
 ## A simulated hand has made its last frame.
 signal frames_over
@@ -38,7 +38,7 @@ func open(participant_id: String) -> Error:
 	return tracker.start()
 
 
-## What session.json says of it.
+## Its settings for session.json.
 func get_settings() -> Dictionary:
 	var settings := _node_settings()
 	settings["source"] = _describe(_source)

@@ -1,6 +1,6 @@
 class_name StudyProtocol
 extends "checked_resource.gd"
-## What a study asks of each participant. Edit it in the inspector and save it as a *.tres file. The
+## The protocol of a study. Edit it in the inspector and save it as a *.tres file. The
 ## defaults are those of the paper ("Procedure").
 
 enum Order {
@@ -69,7 +69,7 @@ func count_trials() -> int:
 	)
 
 
-## What is wrong, and how to mend it. Empty when all is well.
+## Errors, and how to correct them. Empty: none.
 func problems() -> PackedStringArray:
 	var found := unknown_properties()
 	if study_name.strip_edges().is_empty():
@@ -105,7 +105,7 @@ func problems() -> PackedStringArray:
 	return found
 
 
-## What can spoil the answers of a study that can be run. Empty when all is well.
+## Problems of the answers in a valid study. Empty: none.
 func warnings() -> PackedStringArray:
 	var found := PackedStringArray()
 	for asked in questionnaires:

@@ -17,7 +17,7 @@ const StudyHand := preload("study_hand.gd")
 const StudyTask := preload("study_task.gd")
 const StudyTrialLog := preload("study_trial_log.gd")
 
-## What follows the end of a gesture is recorded too, s.
+## Recording continues for this time after the end of a gesture, s.
 const AFTER_S := 0.5
 ## Files are written at least so often between trials, s.
 const FLUSH_INTERVAL_S := 1.0
@@ -26,7 +26,7 @@ var state := State.IDLE
 var session: StudySession = null
 var hand: StudyHand = null
 var panel: QuestionnairePanel = null
-## The trial under way or the last one.
+## The current trial, or the last one.
 var trial: Dictionary = {}
 ## Null before the first trial.
 var task_scene: StudyTask = null
@@ -79,22 +79,22 @@ func step() -> bool:
 	return state != State.COMPLETE
 
 
-## Writes what waits in memory. Also called when the runner leaves the tree.
+## Writes all data that waits in memory. Also called when the runner leaves the tree.
 func end() -> void:
 	if session == null:
 		return
-	_give_up_trial()
+	_abort_trial()
 	session.add_event(hand.now_s(), "run_ended", Time.get_datetime_string_from_system())
 	session.flush()
 	session = null
 	state = State.IDLE
 
 
-## A pause drops the trial under way: it is made again.
+## A pause drops the current trial: it is made again.
 func pause() -> void:
 	if state in [State.IDLE, State.PAUSED, State.COMPLETE]:
 		return
-	_give_up_trial()
+	_abort_trial()
 	panel.close()
 	state = State.PAUSED
 	session.add_event(hand.now_s(), "paused")
@@ -142,7 +142,7 @@ func _process(_delta: float) -> void:
 		session.flush()
 
 
-## The clock of a hand that is lost may stand still.
+## The clock of a lost hand may stand still.
 func _is_trial_over(time_s: float) -> bool:
 	return task_scene.gesture_hmm.time >= _trial_end_s or time_s >= _trial_end_s + AFTER_S
 
@@ -230,9 +230,9 @@ func _end_trial() -> void:
 	trial_ended.emit(trial, figures)
 
 
-func _give_up_trial() -> void:
+func _abort_trial() -> void:
 	if state in [State.MAKING, State.ENDING] and task_scene != null:
-		task_scene.give_up()
+		task_scene.abort()
 		state = State.IDLE
 
 
@@ -251,7 +251,7 @@ func _use_scene(gesture: String) -> void:
 	if task_scene != null:
 		task_scene.free()
 	task_scene = StudyTask.make(gesture, hand.tracker)
-	task_scene.told.connect(
+	task_scene.event_occurred.connect(
 		func(time_s: float, event: String, value: String) -> void:
 			session.add_event(time_s, event, value, trial["trial"])
 	)

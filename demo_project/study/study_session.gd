@@ -3,7 +3,7 @@ extends RefCounted
 ## The files of one session of one participant: docs/study_files.md. Opens a new session or resumes
 ## an unfinished one. A crash loses the running trial at most.
 
-## Rows could not be written, or can be again (empty). Show it to whoever runs the study.
+## Rows could not be written, or can be written again (empty). Show it to the operator.
 signal trouble(message: String)
 signal event_added(event: String, value: String, trial: int)
 
@@ -57,7 +57,7 @@ static func id_problem(id: String) -> String:
 	)
 
 
-## A new session, whatever is there. `settings`: of the nodes, for session.json.
+## Starts a new session in any case. `settings`: of the nodes, for session.json.
 func start(
 	study_folder: String,
 	participant_id: String,
@@ -82,7 +82,7 @@ func start(
 	return _open()
 
 
-## The participant's last session, where it is unfinished. ERR_DOES_NOT_EXIST where there is none.
+## Resumes the participant's last session. ERR_DOES_NOT_EXIST: none is unfinished.
 func resume(study_folder: String, participant_id: String) -> Error:
 	if _enter(study_folder, participant_id) != OK:
 		return ERR_INVALID_PARAMETER
@@ -119,7 +119,7 @@ func next_trial() -> Dictionary:
 
 
 ## The questionnaire that comes before the next trial: {after_trial, questionnaire, items (names of
-## those without an answer)}. Empty where none does.
+## those without an answer)}. Empty: none.
 func next_questionnaire() -> Dictionary:
 	for entry in _planned:
 		var after: int = entry["after_trial"]
@@ -148,7 +148,7 @@ func trial_path(trial: int, kind: String) -> String:
 
 
 ## Adds the trial's row and writes all that is not on the disk yet. `row`: the columns that the plan
-## does not have. The trial counts as finished, even where its row has to wait for the disk.
+## does not have. The trial counts as finished, even if its row has to wait for the disk.
 func finish_trial(trial: int, row: Dictionary) -> Error:
 	var planned := trials[trial - 1]
 	var whole := _common()
@@ -196,11 +196,11 @@ func add_file(path: String, text: String) -> void:
 func flush() -> Error:
 	for path: String in _pending_files.keys():
 		if WholeFile.write(path, _pending_files[path]) != OK:
-			return _tell_trouble(path)
+			return _report_trouble(path)
 		_pending_files.erase(path)
 	for table: StudyTable in [_events_table, _answers_table, _trials_table]:
 		if table.flush() != OK:
-			return _tell_trouble(table.path)
+			return _report_trouble(table.path)
 	if _is_in_trouble:
 		_is_in_trouble = false
 		print("%s: can be written again; nothing is lost" % folder)
@@ -239,7 +239,7 @@ func _notification(what: int) -> void:
 		DirAccess.remove_absolute(_lock_path)
 
 
-## A lock of a process that is gone is stale.
+## A lock of an ended process is stale.
 func _take_lock() -> Error:
 	var path := folder.path_join(LOCK_FILE)
 	if FileAccess.file_exists(path):
@@ -331,7 +331,7 @@ func _has_trials() -> bool:
 	return files.any(func(file: String) -> bool: return file.begins_with("trial_"))
 
 
-## The highest number of a session that has a session.json: a folder without it holds nothing.
+## The highest number of a session with a session.json: a folder without it is empty.
 static func _last_session(person_folder: String) -> int:
 	var last := 0
 	if DirAccess.dir_exists_absolute(person_folder):
@@ -360,8 +360,8 @@ static func _cannot_write(path: String) -> String:
 	return "%s: cannot be written. Is the disk full, or has another program opened the file?" % path
 
 
-## Said once until the disk can be written again.
-func _tell_trouble(path: String) -> Error:
+## Reported once until the disk can be written again.
+func _report_trouble(path: String) -> Error:
 	if not _is_in_trouble:
 		_is_in_trouble = true
 		var message := (

@@ -1,11 +1,11 @@
 extends RefCounted
 ## A CSV file to which rows are only ever added. A row that cannot be written is kept in memory and
-## written before the next one. Rows are never glued together: what a failed write or a crash has
-## left of a row is taken off the file again.
+## written before the next one. Rows never mix: a partial row of a failed write or a crash is
+## removed from the file.
 
 const Stored := preload("res://scripts/stored.gd")
 
-## What a crash left of a last row is kept in a file of this ending.
+## A partial last row is kept in a file with this ending.
 const CUT := ".cut"
 
 var path := ""
@@ -22,7 +22,7 @@ func _init(given_path: String, columns: PackedStringArray) -> void:
 	_columns = columns
 
 
-## Finds out what is there and takes a cut last row off. An error where that cannot be done.
+## Reads the file and removes a partial last row. Returns an error if that fails.
 func open() -> Error:
 	_whole = 0
 	_pending.clear()
@@ -88,7 +88,7 @@ func flush() -> Error:
 	if file == null:
 		return FileAccess.get_open_error()
 	if is_new and _whole > 0:
-		# Somebody took the file away.
+		# Another program removed the file.
 		_whole = 0
 		_pending = _line(_columns) + _pending
 	file.seek(_whole)

@@ -3,8 +3,8 @@ extends Node3D
 ## task_scene.gd. Makes one trial after another with the study's tracker.
 
 ## An event of events.csv.
-signal told(time_s: float, event: String, value: String)
-## The task is done. `time_s`: when the gesture ended.
+signal event_occurred(time_s: float, event: String, value: String)
+## The task is done. `time_s`: end of the gesture.
 signal done(time_s: float)
 
 const Conditions := preload("res://scripts/conditions.gd")
@@ -17,7 +17,7 @@ const TrialCourse := preload("res://scripts/trial_course.gd")
 
 var tracker: HandTracker = null
 var gesture := ""
-## Of StudyTrialLog, of the last trial that was finished.
+## Figures of StudyTrialLog for the last finished trial.
 var last_figures: Dictionary[String, Dictionary] = {}
 ## Null between trials.
 var log: StudyTrialLog = null
@@ -38,11 +38,11 @@ var _arrived: float = ClassDB.class_get_property_default_value(&"HapticSynth", &
 @onready var _stage: Stage = $Stage
 
 
-## Not in the tree yet. `given_tracker`: of the study; all gestures share it.
+## Returns a scene outside of the tree. `given_tracker`: of the study; all gestures share it.
 static func make(given_gesture: String, given_tracker: HandTracker) -> StudyTask:
 	var scene := (load(Tasks.SCENES[given_gesture]) as PackedScene).instantiate()
 	scene.set_script(load("res://study/study_task.gd"))
-	# What shows the condition must not be seen by the participant.
+	# The participant must not see the condition.
 	for unused: String in ["HandTracker", "Readout"]:
 		scene.get_node(unused).free()
 	var made := scene as StudyTask
@@ -55,7 +55,7 @@ func _ready() -> void:
 	gesture_hmm.tracker = tracker
 	mouse.tracker = tracker
 	gesture_hmm.gesture_started.connect(_on_gesture_started)
-	# A hand that stops short of its target has made the trial all the same.
+	# A hand that stops before its target has finished the trial, too.
 	gesture_hmm.completion = 0.5
 	gesture_hmm.gesture_ended.connect(_on_gesture_ended)
 	gesture_hmm.gesture_aborted.connect(_on_gesture_aborted)
@@ -65,7 +65,7 @@ func _ready() -> void:
 	course = TrialCourse.new(_stage.strokes_add_up)
 
 
-## The task stands where the trial is to be. `trial`: of the plan. `time_s`: now.
+## Call it after placing the task. `trial`: of the plan. `time_s`: now.
 func begin(trial: Dictionary, time_s: float, given_log: StudyTrialLog) -> void:
 	gesture_hmm.motion = Conditions.MOTIONS[Conditions.NAMES.find(trial["condition"])]
 	course = TrialCourse.new(_stage.strokes_add_up)
@@ -79,7 +79,7 @@ func begin(trial: Dictionary, time_s: float, given_log: StudyTrialLog) -> void:
 		_stage.set_target_width(trial["width_m"])
 	log = given_log
 	is_recording = true
-	told.emit(time_s, "target_shown", trial["gesture"])
+	event_occurred.emit(time_s, "target_shown", trial["gesture"])
 
 
 ## Columns of trials.csv. `truth`: as in StudyTrialLog.finish().
@@ -99,8 +99,8 @@ func finish(truth: Dictionary) -> Dictionary:
 	return row
 
 
-## Forgets the trial under way.
-func give_up() -> void:
+## Drops the current trial.
+func abort() -> void:
 	if log != null:
 		log.stop()
 		log = null
@@ -116,7 +116,7 @@ func _feature() -> String:
 func _on_gesture_started(started: StringName, _task: GestureTask) -> void:
 	if log == null:
 		return
-	told.emit(gesture_hmm.time, "onset", String(started))
+	event_occurred.emit(gesture_hmm.time, "onset", String(started))
 	if is_nan(course.start_s):
 		course.start_s = gesture_hmm.time
 		_stage.mark_started()
@@ -128,7 +128,7 @@ func _on_gesture_ended(
 ) -> void:
 	if log == null or not course.takes_end():
 		return
-	told.emit(time_s, "end", String(ended))
+	event_occurred.emit(time_s, "end", String(ended))
 	recognised = String(ended)
 	course.gesture_end_s = time_s
 	course.end_value_m = _stage.end_value(gesture_hmm.value)
@@ -136,11 +136,11 @@ func _on_gesture_ended(
 		done.emit(time_s)
 
 
-## A hand that turned back has its trial yet to make.
+## A hand that turned back makes its trial again.
 func _on_gesture_aborted(aborted: StringName, _task: GestureTask) -> void:
 	if log == null:
 		return
-	told.emit(gesture_hmm.time, "abort", String(aborted))
+	event_occurred.emit(gesture_hmm.time, "abort", String(aborted))
 	if is_nan(course.gesture_end_s):
 		aborts += 1
 		if not _stage.strokes_add_up:
@@ -165,9 +165,9 @@ func _process(_delta: float) -> void:
 func _on_tracking_lost() -> void:
 	if log != null and is_recording:
 		losses += 1
-		told.emit(tracker.get_time(), "tracking_lost", "")
+		event_occurred.emit(tracker.get_time(), "tracking_lost", "")
 
 
 func _on_tracking_restored() -> void:
 	if log != null and is_recording:
-		told.emit(tracker.get_time(), "tracking_restored", "")
+		event_occurred.emit(tracker.get_time(), "tracking_restored", "")

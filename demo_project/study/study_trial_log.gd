@@ -6,7 +6,7 @@ const Conditions := preload("res://scripts/conditions.gd")
 
 const RATE_HZ := 1000.0
 const HEADER := "t,measured,average,one_euro,kalman,synthesised,reference,state,progress,vibration"
-## A sensor's reference has begun and come to its end at these shares of how far it gets.
+## A sensor's reference starts and ends at these shares of its farthest value.
 const ONSET_LEVEL := 0.05
 const END_LEVEL := 0.99
 
@@ -66,7 +66,7 @@ func finish(task: GestureTask, feature: String, truth: Dictionary) -> Dictionary
 	return row
 
 
-## Ends the recording of a trial that is given up.
+## Ends the recording of an aborted trial.
 func stop() -> void:
 	_tracker.stop_recording()
 	if _reference != null:
@@ -158,7 +158,7 @@ func _motion_text(reference: PackedFloat64Array, amplitude_m: float) -> String:
 	return "\n".join(lines)
 
 
-## A row below the header: a reference that was silent is none.
+## Whether there is a row below the header. Without one there is no reference.
 static func _has_frames(path: String) -> bool:
 	var file := FileAccess.open(path, FileAccess.READ)
 	if file == null:

@@ -1,5 +1,5 @@
 extends CanvasLayer
-## What the participant reads: the task, what to do, how far the session is. Never the condition.
+## Shows the participant the task, the instruction and the progress. Never the condition.
 
 const PANEL_STYLE := preload("panel_style.tres")
 const THEME := preload("theme.tres")
@@ -15,7 +15,7 @@ var _progress := ProgressBar.new()
 var _notice := Label.new()
 var _panel := PanelContainer.new()
 var _rows := VBoxContainer.new()
-## Of the trials in this run: for the time left.
+## Start of this run, for the time left.
 var _begun_s := NAN
 var _begun_trials := 0
 
@@ -53,7 +53,7 @@ func enlarge(factor: float, size: Vector2) -> void:
 	_panel.custom_minimum_size.x = size.x - 2.0 * _panel.position.x
 
 
-## For whoever runs the study. Empty: none.
+## A notice of the operator. Empty: none.
 func show_notice(text: String) -> void:
 	_notice.text = text
 

@@ -10,13 +10,13 @@ extends QuestionnairePanel
 ##   "synchronisation": 1 - delay / DELAY_S,
 ##   "smoothness":      1 - roughness / ROUGHNESS,
 ##   any other:         1 - fault.
-## To it a bias of the person (+-0.1) and of the answer (+-0.15) are added, both drawn as the plan
-## is (StudyPlan.draw). The result is clamped to 0..1 and rounded to the scale. Task load is the
+## A bias of the person (+-0.1) and of the answer (+-0.15) are added, both drawn with
+## StudyPlan.draw(). The result is clamped to 0..1 and rounded to the scale. Task load is the
 ## opposite: 1 - agreement.
 
 const StudyPlan := preload("study_plan.gd")
 
-## The delay and the roughness at which nobody agrees any more.
+## Agreement is 0 from this delay and this roughness on.
 const DELAY_S := 0.4
 const ROUGHNESS := 4.0
 const MINIMUM_JERK_SPARC := -1.4

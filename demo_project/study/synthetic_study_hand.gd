@@ -1,11 +1,11 @@
 extends "study_hand.gd"
-## A simulated person, as fast as the machine can. The study's tracker gets the frames that a
-## simulated tracker sees, the reference tracker the hand's own motion, both on the run's clock.
+## A simulated person, faster than real time. The study's tracker gets the frames of a simulated
+## tracker, the reference tracker the hand's own motion, both on the run's clock.
 
 ## How long the person takes to get ready for the next trial, s.
 const BETWEEN_S := 1.0
 const STEP_S := 0.01
-## After the last frame the hand is out of sight: what is under way ends or is given up.
+## The hand is lost for this time after the last frame: an active gesture ends or is aborted.
 const AFTER_S := 1.0
 
 ## Which person; see SyntheticSource.subject.

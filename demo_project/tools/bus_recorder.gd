@@ -1,11 +1,11 @@
 extends RefCounted
-## An audio bus, heard from the outside: what it carries and when each sample was made.
+## Records an audio bus: its samples, and when they were mixed.
 
 const LONGEST_S := 30.0
 
 var name: StringName
 var frames := PackedVector2Array()
-## Pairs: the time on the process's clock (s) and the frames made until then.
+## Pairs: the time on the process's clock (s), and the number of frames mixed until then.
 var moments := PackedFloat64Array()
 
 var _capture := AudioEffectCapture.new()
@@ -39,7 +39,7 @@ func end() -> void:
 	frames = _capture.get_buffer(_capture.get_frames_available())
 
 
-## Left and right in turn, 32-bit floats; the moments beside it as a text of the same name.
+## Left and right in turn, 32-bit floats. The moments go into a text file of the same name.
 func save(path: String) -> void:
 	var file := FileAccess.open(path, FileAccess.WRITE)
 	file.store_buffer(frames.to_byte_array())

@@ -1,14 +1,14 @@
 extends RefCounted
-## `--name value` and `--name=value` as a tool's user gave them. Godot runs in the project's folder
-## and not in the user's, so that a path must be absolute (`./steadyhand` makes it so).
+## The options of a tool: `--name value` or `--name=value`. Paths must be absolute, because Godot
+## runs in the project's folder (`./steadyhand` makes them absolute).
 
-## What is wrong with the arguments, with the name of the culprit; empty when all is well.
+## The error of the arguments, with the option's name. Empty: none.
 var error := ""
 
 var _values: Dictionary[String, String] = {}
 
 
-## `defaults`: every known option and its value where it is not given.
+## `defaults`: every known option and its default value.
 func _init(arguments: PackedStringArray, defaults: Dictionary[String, String]) -> void:
 	_values = defaults.duplicate()
 	var i := 0
@@ -44,7 +44,7 @@ func choice(option: String, allowed: Array) -> String:
 	return _values[option]
 
 
-## A number within the bounds. `what` it is, with its unit, is for who is told that it is none.
+## A number within the bounds. `what`: its name and unit, for the error message.
 func number(option: String, lowest: float, highest: float, what: String) -> float:
 	var value := _values[option].to_float()
 	if not _values[option].is_valid_float() or value < lowest or value > highest:
@@ -60,20 +60,20 @@ func whole_number(option: String, lowest: int, highest: int) -> int:
 	return value
 
 
-## What must not be left out.
+## A required option.
 func given(option: String) -> String:
 	if _values[option].is_empty():
 		_report("--%s is missing" % option)
 	return _values[option]
 
 
-## A path that must not be left out. A folder that is written need not exist.
+## A required path. It need not exist.
 func path(option: String) -> String:
 	given(option)
 	return optional_path(option)
 
 
-## Empty where it is not given.
+## Empty: not given.
 func optional_path(option: String) -> String:
 	var value := _values[option]
 	if not value.is_empty() and not value.is_absolute_path():

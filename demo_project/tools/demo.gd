@@ -2,11 +2,11 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/demo.gd -- --out DIR
 ##     [--models DIR] [--real DIR]
 ##
-## Runs trials of synthetic people, and those of real hands where they are there, through the real
-## nodes and the scenes of their tasks; prints one table. Leaves in DIR: evaluation/SET and
-## evaluation_paper/SET (as of evaluate.gd), logs/SET/GESTURE, the table as table.md, and of one
-## unstable trial vibration.wav, vibration.curves.csv and what their picture says of them,
-## vibration.json. The scene's second run, for these, logs to replays/, which is no study's.
+## Runs trials of synthetic people, and those of real hands if they exist, through the real nodes
+## and the scenes of their tasks; prints one table. Writes into DIR: evaluation/SET and
+## evaluation_paper/SET (as evaluate.gd), logs/SET/GESTURE and table.md. For one unstable trial:
+## vibration.wav, vibration.curves.csv, and vibration.json with the texts of their picture. A second
+## run of the scene makes these, and logs to replays/, which the study leaves out.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
@@ -49,7 +49,7 @@ func work(arguments: PackedStringArray) -> void:
 		exit_code = EXIT_BAD_INPUT
 		return
 	exit_code = 0
-	# The last set is of real hands where there are any.
+	# The last set is of real hands, if there are any.
 	var shown_set: String = sets.keys()[-1]
 	for set_name in sets:
 		_run_set(set_name, sets[set_name], set_name == shown_set)

@@ -1,4 +1,4 @@
-## Scenes that a test or a picture opens in the editor.
+## Makes scenes for tests and pictures of the editor.
 extends Object
 
 

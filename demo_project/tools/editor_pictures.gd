@@ -3,7 +3,7 @@ extends SceneTree
 ##     --audio-driver Dummy --path demo_project --script res://tools/editor_pictures.gd --
 ##     --out DIR
 ##
-## Pictures of what the add-on adds to the editor: DIR/editor_dock.png, the panel with simulated
+## Pictures of the add-on in the editor: DIR/editor_dock.png, the panel with simulated
 ## takes of a circle; DIR/editor_recording.png, while it records, after a comparison;
 ## DIR/editor_gizmos.png, a task and the range of a tracker.
 
@@ -16,7 +16,7 @@ const TAKES := 8
 const LONGEST_TAKE_S := 30.0
 const RECORDED_S := 7.0
 const ZOOM_STEPS := 18
-## The editor shows how far it has zoomed for so long.
+## The editor shows its zoom level for this time.
 const ZOOM_BAR_S := 2.0
 const SETTLING_FRAMES := 30
 

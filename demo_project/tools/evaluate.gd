@@ -3,13 +3,13 @@ extends "tool.gd"
 ##     [--models DIR] [--mode phase|paper] [--context scene|open] [--sensor-latency SECONDS]
 ##     [--min-confidence PROBABILITY]
 ##
-## Exit code: 0; 1 where a trial could not be judged (the others are reported) or the set has none;
-## 2 where nothing could be done.
+## Exit code: 0; 1 if a trial could not be evaluated (the others are reported) or the set has none;
+## 2 if nothing could be done.
 
 const Evaluation := preload("evaluation.gd")
 const ModelFolder := preload("model_folder.gd")
 
-## What GestureHMM.sensor_latency takes, s.
+## The largest GestureHMM.sensor_latency, s.
 const LONGEST_LATENCY_S := 0.2
 
 

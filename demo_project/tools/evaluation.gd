@@ -6,31 +6,31 @@ const EvaluationTable := preload("evaluation_table.gd")
 const Progress := preload("progress.gd")
 const TrialRun := preload("trial_run.gd")
 
-## By their names on the command line; the first is the default.
+## By name on the command line; the first is the default.
 const MODES: Dictionary[String, GestureHMM.Mode] = {
 	"phase": GestureHMM.MODE_PHASE, "paper": GestureHMM.MODE_PAPER
 }
 const CONTEXTS: Array[String] = ["scene", "open"]
 
-## Trials that could not be judged; they are in no file of the report.
+## Trials that could not be evaluated; they are in no file of the report.
 var broken := 0
-## Those of them that have a row in the set, by name.
+## Names of these trials, if they have a row in the set.
 var left_out: Array[String] = []
-## Trials of a gesture that no model is of; they have a row and curves, but no figures.
+## Trials of a gesture without a model. They have a row and curves, but no figures.
 var without_model := 0
-## Nothing could be written; empty when all is well.
+## Why nothing could be written. Empty: no error.
 var error := ""
 ## As in EvaluationReport.
 var groups: Array[Dictionary] = []
 
 var _report: EvaluationReport = null
 var _is_empty := false
-## Gestures that no model is of, which is said.
+## Gestures without a model that were reported.
 var _without_model: Array[String] = []
 
 
-## `settings`: {mode, context, models}, and sensor_latency_s and min_confidence where they are not
-## the node's own; all are written down. `parent`: a node in the tree.
+## `settings`: {mode, context, models}, and sensor_latency_s and min_confidence if they differ from
+## the node's defaults; all are written into the report. `parent`: a node in the tree.
 func run(
 	trial_set: TrialSet,
 	models: Array[GestureModel],
@@ -68,7 +68,7 @@ func run(
 			settings["context"] == "scene"
 		)
 		if not trial_run.error.is_empty():
-			if not trial_run.is_told:
+			if not trial_run.is_reported:
 				printerr("trial %s left out: %s" % [trial["trial"], trial_run.error])
 			left_out.append(trial["trial"])
 			broken += 1
@@ -77,7 +77,7 @@ func run(
 			if not trial_run.note.is_empty():
 				printerr("trial %s: %s" % [trial["trial"], trial_run.note])
 			if trial["gesture"] != TrialRun.NO_GESTURE and trial_run.figures.is_empty():
-				_tell_without_model(trial["gesture"], settings["models"])
+				_report_missing_model(trial["gesture"], settings["models"])
 				without_model += 1
 		progress.show(float(index + 1) / trial_set.get_count())
 	if report.error.is_empty():
@@ -91,8 +91,8 @@ func run(
 	_report = report
 
 
-## Why the report does not tell of every trial what it should, said in detail already; empty where
-## it does.
+## Summary of the trials without a full report; details were printed before. Empty: all are
+## complete.
 func shortcoming() -> String:
 	if _is_empty:
 		return "there was no trial to run" + (", see above" if broken > 0 else "")
@@ -104,7 +104,7 @@ func shortcoming() -> String:
 	return "" if parts.is_empty() else "%s, see above" % ", ".join(parts)
 
 
-## What it comes to, for the terminal; empty where nothing is written.
+## The results as text for the terminal. Empty: nothing is written.
 func get_text() -> String:
 	if _is_empty or not error.is_empty():
 		return ""
@@ -112,7 +112,7 @@ func get_text() -> String:
 	if _report.none_s > 0.0:
 		var alarms := _report.false_alarms.size()
 		text += (
-			"trials of none: %s in %.2f minutes, %.2f a minute\n"
+			"trials without a gesture: %s in %.2f minutes, %.2f a minute\n"
 			% [
 				"1 false alarm" if alarms == 1 else "%d false alarms" % alarms,
 				_report.none_s / 60.0,
@@ -122,26 +122,26 @@ func get_text() -> String:
 	return text + _report.get_result()
 
 
-## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
+## Name of the trial whose measured curve has the median zero-lag R2. Empty: no such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	return "" if _report == null else _report.typical_trial(gesture, position)
 
 
-## Once for all its trials.
-func _tell_without_model(gesture: String, models_folder: String) -> void:
+## Reported once for all trials of the gesture.
+func _report_missing_model(gesture: String, models_folder: String) -> void:
 	if not gesture in _without_model:
 		_without_model.append(gesture)
 		var where := ProjectSettings.globalize_path(models_folder)
 		printerr("trials of '%s' have no figures: no model of it in %s" % [gesture, where])
 
 
-## As GestureHMM has it.
+## The default of GestureHMM.
 static func default_of(property: StringName) -> float:
 	return ClassDB.class_get_property_default_value(&"GestureHMM", property)
 
 
-## While a hand does nothing a scene waits all the same: for the task of one of the set's other
-## trials at that position, each in turn. Empty where there is none.
+## A scene has a task also while the hand makes no gesture: that of one of the set's other trials at
+## this position, each in turn. Empty: there is none.
 static func _task_to_wait_for(
 	trial_set: TrialSet, models: Array[GestureModel], position: String, turn: int
 ) -> Dictionary:

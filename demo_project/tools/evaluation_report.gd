@@ -1,7 +1,7 @@
 extends RefCounted
-## The files of an evaluation: TRIAL.curves.csv and a row of results.csv.part for each trial as it
-## is done; at the end that is results.csv, and summary.json is beside it. What an earlier one left
-## in the folder goes first.
+## The files of an evaluation. Each trial gives TRIAL.curves.csv and a row of results.csv.part. At
+## the end this file becomes results.csv, and summary.json is written. Files of an earlier
+## evaluation are removed first.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const Stored := preload("res://scripts/stored.gd")
@@ -12,7 +12,7 @@ const PART := "results.csv.part"
 const SUMMARY := "summary.json"
 const CURVES := "%s.curves.csv"
 const FIGURES: Array[String] = ["r2", "r2_zero", "lag", "t_diff", "sparc"]
-## What summary.json tells of each figure.
+## The statistics of each figure in summary.json.
 const STATISTICS: Dictionary[String, PackedStringArray] = {
 	"r2": ["mean", "median", "p5"],
 	"r2_zero": ["mean", "median", "p5"],
@@ -21,11 +21,11 @@ const STATISTICS: Dictionary[String, PackedStringArray] = {
 	"sparc": ["mean", "median"],
 }
 
-## What went wrong with the folder; empty when all is well.
+## The error of the folder. Empty: none.
 var error := ""
 ## One per gesture and position, in the order in which they came first; filled by finish().
 var groups: Array[Dictionary] = []
-## Of the trials in which no gesture is made: {trial, gesture, time_s}; and how long those are.
+## In trials without a gesture: {trial, gesture, time_s}; and the length of these trials.
 var false_alarms: Array[Dictionary] = []
 var none_s := 0.0
 
@@ -33,7 +33,7 @@ var _folder := ""
 var _results: FileAccess = null
 ## Rows of results.csv by "gesture/position".
 var _rows: Dictionary[String, Array] = {}
-## Of each trial, for the confusion table.
+## Gesture of each trial, for the confusion table.
 var _done: PackedStringArray = []
 var _recognised: PackedStringArray = []
 var _none_begun := 0
@@ -79,7 +79,7 @@ func add(trial: Dictionary, run: TrialRun) -> void:
 		_none_under_way_s += run.under_way / TrialRun.RATE_HZ
 
 
-## `settings`: what the figures depend on, kept beside them.
+## `settings`: of the evaluation, written into summary.json.
 func finish(settings: Dictionary) -> void:
 	for key: String in _rows:
 		var rows := _rows[key]
@@ -120,13 +120,13 @@ func finish(settings: Dictionary) -> void:
 		error = "cannot write %s: %s" % [_folder.path_join(RESULTS), error_string(renamed)]
 
 
-## What was written, in one line.
+## Names the written files in one line.
 func get_result() -> String:
 	var curves := "1 curve" if _done.size() == 1 else "%d curves" % _done.size()
 	return "wrote %s, %s and %s" % [_folder.path_join(RESULTS), SUMMARY, curves]
 
 
-## Name of the trial whose measured curve has the median R2 at zero lag; empty without such trials.
+## Name of the trial whose measured curve has the median zero-lag R2. Empty: no such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	var rows: Array = _rows.get("%s/%s" % [gesture, position], []).filter(_has_figures)
 	rows.sort_custom(
@@ -144,8 +144,7 @@ static func _was_recognised(row: Dictionary, gesture: String) -> bool:
 	return row["recognised"] == gesture
 
 
-## Of rows that all have figures. A missed end takes part in t_diff with the bound that its
-## record gives.
+## `rows`: with figures. A missed end counts in t_diff as the end of the record.
 static func _summarise(rows: Array, condition: String) -> Dictionary:
 	var summary := {n = rows.size()}
 	for figure: String in STATISTICS:
@@ -161,7 +160,7 @@ static func _summarise(rows: Array, condition: String) -> Dictionary:
 	return summary
 
 
-## Nulls where there are no values.
+## Nulls if there are no values.
 static func _pick(values: PackedFloat64Array, names: PackedStringArray) -> Dictionary:
 	var statistics := {} if values.is_empty() else MotionMetrics.summarise(values)
 	var picked := {}
@@ -170,15 +169,15 @@ static func _pick(values: PackedFloat64Array, names: PackedStringArray) -> Dicti
 	return picked
 
 
-## Empty where there is no task to compare in, or no model.
+## Empty: there is no task, or no model.
 static func _cell(figures: Dictionary, condition: String, figure: String) -> String:
 	if condition not in figures:
 		return ""
 	return "%.6f" % figures[condition][figure]
 
 
-## Of an evaluation into the same folder, whole or cut short: its tables say which curves are its.
-## Half of one beside half of another would pass for one.
+## Removes an earlier evaluation, complete or not, so that no files of two evaluations mix. Its
+## tables name its curves.
 func _remove_earlier(header: PackedStringArray) -> void:
 	for table: String in [RESULTS, PART]:
 		var path := _folder.path_join(table)

@@ -1,5 +1,5 @@
 extends RefCounted
-## What an evaluation comes to, for the terminal: a block of lines for each gesture and position.
+## Results of an evaluation for the terminal: a block of lines for each gesture and position.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const ResultTable := preload("result_table.gd")
@@ -7,7 +7,7 @@ const ResultTable := preload("result_table.gd")
 const HEAD := "%-16s %-9s %6s %10s  %-16s"
 
 
-## `groups`: as of evaluation_report.gd.
+## `groups`: of evaluation_report.gd.
 static func text(groups: Array[Dictionary]) -> String:
 	var title := HEAD % ["gesture", "position", "trials", "recognised", ""]
 	for condition in Conditions.NAMES:

@@ -2,9 +2,9 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/measure_live.gd -- --out DIR
 ##     [--trials DIR]
 ##
-## The live vibration as an audio bus carries it, at the engine's mix rate: of a hand that is held
-## still, of changes of all kinds, and of the first trial of each gesture of --trials. Leaves the
-## samples (NAME.f32) and live.json, which says what was done when.
+## Records the live vibration on an audio bus, at the engine's mix rate: with a hand held still,
+## with changes of all kinds, and for the first trial of each gesture of --trials. Writes the
+## samples (NAME.f32) and live.json, which has the time of each action.
 
 const BusRecorder := preload("bus_recorder.gd")
 const Stored := preload("res://scripts/stored.gd")
@@ -15,10 +15,10 @@ const FRAMES_PER_S := 90
 const FREQUENCY_HZ := 180.0
 const AMPLITUDE_M := 0.2
 const HELD_S := 2.5
-const SETTLING_S := 0.4  ## or two blocks, where that is longer
+const SETTLING_S := 0.4  ## or two blocks, if that is longer
 const CHANGE_S := 0.5
 const STALL_S := 0.4
-## Of headless Godot, at any rate.
+## Frames per mix of headless Godot, at any mix rate.
 const MIXED_AT_ONCE := 4096
 const LEFT := 1
 const RIGHT := 2
@@ -63,7 +63,7 @@ func _measure(arguments: PackedStringArray) -> void:
 	await _measure_changes()
 	if not trials_folder.is_empty():
 		await _measure_trials(TrialSet.load_folder(trials_folder))
-	# The engine lets go of what it played in the frame after its next mix.
+	# The engine releases a playback in the frame after its next mix.
 	await create_timer(_two_blocks_s()).timeout
 	var file := FileAccess.open(_out.path_join("live.json"), FileAccess.WRITE)
 	file.store_string(JSON.stringify(_report, "\t", false))
@@ -92,7 +92,7 @@ func _measure_held() -> void:
 	_free_held()
 
 
-## Each of them in the middle of half a second, while a hand is held at full amplitude.
+## Makes each change in the middle of 0.5 s, while a hand is held at full amplitude.
 func _measure_changes() -> void:
 	_build_held()
 	await _hold_for(_settling_s(), 1.0)
@@ -191,8 +191,8 @@ func _measure_trials(trials: TrialSet) -> void:
 			await _measure_trial(trial, trials.get_measured_path(i))
 
 
-## The trial as it would be live: sustained effects on the left, cues on the right; the same on the
-## motion's own clock, to the sample, in a file of each.
+## Plays the trial in real time: sustained effects on the left, cues on the right. Also writes one
+## file of each on the motion's own clock, exact to the sample.
 func _measure_trial(trial: Dictionary, track_path: String) -> void:
 	var gesture: String = trial["gesture"]
 	_tracker = HandTracker.new()
@@ -232,7 +232,7 @@ func _measure_trial(trial: Dictionary, track_path: String) -> void:
 	var frame_began_s := BusRecorder.now_s()
 	while not _tracker.is_finished():
 		await process_frame
-		# The signal comes before the nodes' own turn: the tracker is still at the last frame's time.
+		# The signal is emitted before _process(): the tracker still has the time of the last frame.
 		clock.append(frame_began_s)
 		clock.append(_tracker.get_time())
 		frame_began_s = BusRecorder.now_s()

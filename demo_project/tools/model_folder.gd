@@ -6,15 +6,14 @@ const Repository := preload("repository.gd")
 const INSTALLED := "res://addons/steadyhand/models"
 
 
-## Where models are when the user names no folder: in the add-on, or (not installed yet) beside
-## the project.
+## The default folder of models: in the add-on or, before installation, beside the project.
 static func default_path() -> String:
 	if DirAccess.dir_exists_absolute(INSTALLED):
 		return INSTALLED
 	return Repository.absolute(Repository.MODELS)
 
 
-## All *.gesture files in the order of their names; empty after one error on stderr.
+## All *.gesture files, sorted by name. Empty after one error on stderr.
 static func load_all(folder: String) -> Array[GestureModel]:
 	var models: Array[GestureModel] = []
 	var exists := DirAccess.dir_exists_absolute(folder)
@@ -26,7 +25,7 @@ static func load_all(folder: String) -> Array[GestureModel]:
 		printerr("no *.gesture file in '%s'" % folder)
 	names.sort()
 	for file: String in names:
-		# Of a file that load() cannot read the engine complains once more, without the reason.
+		# load() would print a second error of the engine, without the reason.
 		var model := GestureModel.load_file(folder.path_join(file))
 		if model == null:
 			return []

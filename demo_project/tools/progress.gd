@@ -1,7 +1,7 @@
 extends RefCounted
-## How far a long run has come: one line that moves on a terminal, a line at every tenth elsewhere.
+## Shows the progress of a long run: one moving line on a terminal, else a line for every 10 %.
 
-## Set to 1 by ./steadyhand where standard output is a terminal, which the engine cannot tell.
+## ./steadyhand sets it to 1 if standard output is a terminal, because the engine cannot detect it.
 const TERMINAL := "STEADYHAND_TERMINAL"
 const BAR := 30
 

@@ -1,8 +1,8 @@
 extends RefCounted
-## A recording as a HandTracker that stands still until it is told to go on.
+## A HandTracker on a recording that is advanced by hand.
 
 
-## Not in the tree yet, nor started.
+## Not yet in the tree, and not started.
 static func make(path: String) -> HandTracker:
 	var tracker := HandTracker.new()
 	var source := RecordedSource.new()

@@ -1,5 +1,5 @@
 extends RefCounted
-## Places outside of the project: those of the repository that it is part of.
+## Paths of the repository, outside of the project.
 
 const MODELS := "res://../models"
 const BUILD := "res://../build"

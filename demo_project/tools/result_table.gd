@@ -1,6 +1,6 @@
 extends RefCounted
-## The groups of evaluations as one table for the terminal: of the filters, and of what is
-## synthesised in either mode.
+## The groups of evaluations as one table for the terminal: the filters, and the synthesised motion
+## of both modes.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const Stored := preload("res://scripts/stored.gd")
@@ -8,7 +8,7 @@ const Stored := preload("res://scripts/stored.gd")
 const SYNTHESISED := "synthesised"
 const PAPER := "paper"
 const PHASE := "phase"
-## What is synthesised, in the order of the table.
+## Modes of the synthesised motion, in the order of the table.
 const MODES: Array[String] = [PAPER, PHASE]
 const FIGURE_ROWS: Array[String] = ["mean R2", "mean zero-lag R2", "median T_diff", "missed"]
 const HEAD := "%-10s %-16s %-9s %6s  %-16s"
@@ -20,7 +20,7 @@ var _lines: PackedStringArray = []
 var _markdown: PackedStringArray = []
 
 
-## `phase`, `paper`: groups as of evaluation_report.gd, of the same trials in either mode.
+## `phase`, `paper`: groups of evaluation_report.gd, of the same trials in both modes.
 func add(set_name: String, phase: Array[Dictionary], paper: Array[Dictionary]) -> void:
 	for i in phase.size():
 		var group := phase[i]
@@ -46,7 +46,7 @@ func show() -> void:
 		title += CELL % mode
 	print("\n%s\n%s" % [title, "-".repeat(title.length())])
 	print("\n".join(_lines))
-	print("paper, phase: synthesised, by the paper's rule and by ours.\n%s\n" % T_DIFF)
+	print("paper, phase: synthesised motion of each mode.\n%s\n" % T_DIFF)
 
 
 ## Zero-lag R2, median T_diff and missed ends of each condition, for a page.
@@ -87,7 +87,7 @@ static func _markdown_line(set_name: String, group: Dictionary, columns: Diction
 	return line
 
 
-## Of one of FIGURE_ROWS. `summary`: of a condition.
+## `row`: one of FIGURE_ROWS. `summary`: of a condition.
 static func cell(summary: Dictionary, row: String) -> String:
 	match row:
 		"mean R2":

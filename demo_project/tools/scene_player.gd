@@ -1,11 +1,11 @@
 extends RefCounted
-## A task scene that is stepped at 1 kHz of the trials' own time, as fast as the machine can.
+## Steps a task scene at 1 kHz on the trials' clock, as fast as the machine can.
 
 const TaskScene := preload("res://scripts/task_scene.gd")
 
 const STEP_S := 1e-3
 const SOON_S := 0.05
-## A track may end before the vibration does.
+## Time after the track's end, because the vibration may end later.
 const AFTER_TRACK_S := 0.5
 
 ## Wall-clock time that was spent on playing, s.
@@ -30,7 +30,7 @@ func free_scene() -> void:
 	_scene.free()
 
 
-## Plays all trials of the gesture but those `left_out`; how long they last on their own clocks, s.
+## Plays all trials of the gesture except `left_out`. Returns their length on their own clocks, s.
 func play_all(trial_set: TrialSet, gesture: String, left_out: Array[String] = []) -> float:
 	var played_s := 0.0
 	for index in trial_set.get_count():
@@ -40,8 +40,8 @@ func play_all(trial_set: TrialSet, gesture: String, left_out: Array[String] = []
 	return played_s
 
 
-## Which trial it is, and on its clock, s: its gesture's start_s and end_s, the WAV's first sample,
-## and when the cue at the end began (null: never).
+## The trial and, on its clock, s: its gesture's start_s and end_s, the WAV's first sample, and the
+## begin of the end cue (null: never).
 func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> Dictionary:
 	var played := {}
 	for index in trial_set.get_count():
@@ -51,7 +51,7 @@ func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> D
 		for key: String in ["trial", "gesture", "position", "start_s", "end_s"]:
 			played[key] = trial[key]
 		played["mode"] = "paper" if _scene.gesture_hmm.mode == GestureHMM.MODE_PAPER else "phase"
-		# The motion is told of to the WAV at the instants that it is told of to scripts.
+		# The WAV gets the motion at the instants of motion_updated.
 		_scene.gesture_hmm.motion_updated.connect(
 			func(time_s: float) -> void: played["wav_start_s"] = time_s, CONNECT_ONE_SHOT
 		)
@@ -64,7 +64,7 @@ func play_to_wav(trial_set: TrialSet, trial_name: String, wav_path: String) -> D
 	return played
 
 
-## As HapticSynth has it: at 95 % of the way, or where the gesture ends and does not get there soon.
+## As in HapticSynth: at 95 % of the amplitude, or at the gesture's end if it misses that.
 func _cue_s() -> Variant:
 	var arrived_s := _scene.course.end_s
 	var ended_s := _scene.course.gesture_end_s

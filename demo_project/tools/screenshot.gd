@@ -17,13 +17,13 @@ const DebugOverlay := preload("res://addons/steadyhand/debug_overlay.gd")
 const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
 
 const STEP_S := 1e-3
-## Share of the way at which the picture is taken.
+## Share of the amplitude at which the picture is taken.
 const MOMENT := 0.6
-## Until the trial's task is in its place; until shaders are compiled and labels laid out.
+## Frames until the trial's task is placed; until shaders are compiled and labels laid out.
 const PLACING_FRAMES := 2
 const SETTLING_FRAMES := 5
 const OVERLAY := "res://addons/steadyhand/debug_overlay.tscn"
-## Of the motion, from one picture to the next.
+## Steps of the motion between two pictures.
 const OVERLAY_STEPS := 16
 const PREVIEW_WIDTH := 320
 const SPACE := 16
@@ -71,7 +71,7 @@ func _draw(gesture: String, trials_folder: String, out_folder: String) -> void:
 	scene.free()
 
 
-## A simulated hand before an unsteady tracker, so that the two points are apart.
+## A simulated hand and an inaccurate tracker, so that the two points differ.
 func _draw_overlay(out_folder: String) -> void:
 	var scene := _open_task(Tasks.SCENES.keys()[0], "", out_folder)
 	(scene.get_node("Readout") as CanvasLayer).visible = false
@@ -91,7 +91,7 @@ func _draw_overlay(out_folder: String) -> void:
 	scene.free()
 
 
-## With its first trial begun.
+## Opens the scene and begins its first trial.
 func _open_task(gesture: String, trials_folder: String, out_folder: String) -> TaskScene:
 	var scene: TaskScene = (load(Tasks.SCENES[gesture]) as PackedScene).instantiate()
 	scene.autoplay = false
@@ -104,7 +104,7 @@ func _open_task(gesture: String, trials_folder: String, out_folder: String) -> T
 	return scene
 
 
-## A trial; for the first gesture also what comes after it.
+## Draws a trial; for the first gesture also the questionnaire and the rest.
 func _draw_study(gesture: String, out_folder: String) -> void:
 	var scene := _open_study(gesture)
 	await _begin_trial(scene, "study_%s" % gesture, out_folder)
@@ -150,7 +150,7 @@ func _draw_questionnaire_and_rest(scene: StudyScene, name: String, out_folder: S
 	_save(out_folder.path_join("%s_rest.png" % name), root.get_texture().get_image())
 
 
-## Of one participant, who makes one gesture and then rests.
+## A study with one participant, who makes one gesture and then rests.
 func _open_study(gesture: String) -> StudyScene:
 	var protocol := StudyProtocol.paper()
 	protocol.gestures = [gesture]

@@ -2,9 +2,9 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/soak.gd -- --trials DIR
 ##     [--minutes N]
 ##
-## An hour of play through the nodes, as fast as they go: the trials of --trials one after the
-## other, each in a scene of its own, with a script that takes the vibration's samples at 48 kHz.
-## Tells memory and time in the first tenth of it and in the last; a warm-up of as long goes before.
+## Plays one hour of trials through the nodes, as fast as possible. Each trial has a scene of its
+## own, and a script takes the vibration's samples at 48 kHz. Prints memory and time of the first
+## and the last tenth, after a warm-up as long as a tenth.
 
 const RecordedHand := preload("recorded_hand.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")

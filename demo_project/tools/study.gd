@@ -7,7 +7,7 @@ extends "tool.gd"
 ## time; see docs/study_files.md for what is in DIR. With --resume, unfinished sessions go on and
 ## complete ones are left as they are; without it each participant gets a new session.
 ##
-## Exit code: 0; 2 where nothing could be done or a file could not be written.
+## Exit code: 0; 2 if nothing could be done or a file could not be written.
 
 const Progress := preload("progress.gd")
 const SyntheticQuestionnairePanel := preload("res://study/synthetic_questionnaire_panel.gd")

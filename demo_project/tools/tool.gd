@@ -1,7 +1,6 @@
 extends SceneTree
-## A command line tool: does its work in the first frame (before it, the root is in no tree yet)
-## and ends the process. Ends with `exit_code`, which stays at EXIT_INCOMPLETE where a script
-## error cuts the work short.
+## A command line tool. It does its work in the first frame, because the root is in no tree before,
+## and ends the process with `exit_code`. A script error leaves EXIT_INCOMPLETE.
 
 const CommandLine := preload("command_line.gd")
 

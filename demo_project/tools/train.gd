@@ -3,7 +3,7 @@ extends "tool.gd"
 ##
 ## godot --headless --path demo_project --script res://tools/train.gd --
 ##     --trials DIR --gesture NAME --out FILE [--report DIR]
-##     [--feature NAME] (default: the one that goes the trials' way)
+##     [--feature NAME] (default: the one that fits the trials)
 ##     [--r2-threshold T_H] (default: GestureTrainer's)
 ##
 ## or, without these, the add-on's own models from synthetic people (equal bits on every run):
@@ -11,8 +11,8 @@ extends "tool.gd"
 ##     [--work DIR] for their trials (default: the repository's build/)
 ##     [--report DIR]
 ##
-## Leaves in --report for each gesture GESTURE.recordings.csv, what the model's picture is drawn
-## from: a row a recording, `trial,kept,r2,` and its normalised curve.
+## Writes GESTURE.recordings.csv into --report, for the model's picture: a row per recording,
+## `trial,kept,r2,` and its normalised curve.
 
 const NextStep := preload("res://addons/steadyhand/editor/gestures/next_step.gd")
 const OwnModels := preload("own_models.gd")
@@ -22,7 +22,7 @@ const Stored := preload("res://scripts/stored.gd")
 
 const MODEL_ENDING := ".gesture"
 
-## Names that are listed of recordings that are unlike the others.
+## Number of recordings unlike the others whose names are listed.
 const MOST_NAMES := 20
 
 var _report_folder := ""
@@ -68,7 +68,7 @@ func work(arguments: PackedStringArray) -> void:
 		fail(options.error, EXIT_BAD_INPUT)
 
 
-## The engine tells by a file's ending what is in it, and saves nothing where it does not know it.
+## The engine saves only files whose ending it knows.
 func _is_model_file(path: String) -> bool:
 	var is_one := path.ends_with(MODEL_ENDING)
 	if not is_one:
@@ -94,7 +94,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	if trial_set == null or not _can_write(out_file):
 		return false
 	if trial_set.get_left_out_count() > 0:
-		printerr("train: mend or remove the rows above first")
+		printerr("train: correct or remove the rows above first")
 		return false
 	var progress := Progress.new("training %s" % gesture)
 	var trainer := GestureTrainer.new()
@@ -104,7 +104,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	var model := trainer.train(trial_set, gesture)
 	if model == null:
 		return false
-	_tell_of_oddities(trainer, trial_set)
+	_report_oddities(trainer, trial_set)
 	if not _report_folder.is_empty() and not _report_recordings(trainer, gesture):
 		return false
 	var saved := ResourceSaver.save(model, out_file)
@@ -119,7 +119,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 			% [out_file, model.get_feature(), kept, recordings.size()]
 		)
 	)
-	_tell_of_unlike(recordings, kept)
+	_report_unlike(recordings, kept)
 	if kept < NextStep.ENOUGH_TAKES:
 		printerr(
 			(
@@ -130,8 +130,8 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	return true
 
 
-## What nothing is learnt from, and what is learnt from all the same.
-func _tell_of_oddities(trainer: GestureTrainer, trial_set: TrialSet) -> void:
+## Reports recordings that are left out, and odd ones that are used.
+func _report_oddities(trainer: GestureTrainer, trial_set: TrialSet) -> void:
 	var indices: Dictionary[String, int] = {}
 	for i in trial_set.get_count():
 		indices[trial_set.get_trial(i)["trial"]] = i
@@ -149,7 +149,7 @@ func _tell_of_oddities(trainer: GestureTrainer, trial_set: TrialSet) -> void:
 		printerr("%s: %s%s" % [what % trial, oddity, "" if is_named else ": " + path])
 
 
-func _tell_of_unlike(recordings: Array[Dictionary], kept: int) -> void:
+func _report_unlike(recordings: Array[Dictionary], kept: int) -> void:
 	var unlike: Array[String] = []
 	for recording in recordings:
 		if not recording["kept"] and not _is_left_out(recording):
@@ -173,8 +173,8 @@ func _tell_of_unlike(recordings: Array[Dictionary], kept: int) -> void:
 	if 2 * kept < recordings.size():
 		printerr(
 			(
-				"train: these are most of them. Where hands do differ so much a lower --r2-threshold "
-				+ "keeps more; else check the times of the trials, and the feature"
+				"train: these are most of them. If hands really differ so much, lower --r2-threshold. "
+				+ "Otherwise check the times of the trials, and the feature"
 			)
 		)
 
@@ -183,11 +183,11 @@ func _is_left_out(recording: Dictionary) -> bool:
 	return (recording["curve"] as PackedFloat64Array).is_empty()
 
 
-## Before the training, which takes longer than to tell.
+## Checked before the training, because that takes long.
 func _can_write(out_file: String) -> bool:
 	var folder := out_file.get_base_dir()
 	DirAccess.make_dir_recursive_absolute(folder)
-	# Where a file has its name the engine says that it was made.
+	# If a file has this name, the engine reports success.
 	if not DirAccess.dir_exists_absolute(folder):
 		printerr("train: cannot make the folder %s" % folder)
 		return false

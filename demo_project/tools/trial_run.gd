@@ -1,6 +1,6 @@
 extends RefCounted
-## One trial through the real nodes: every condition's curve at 1 kHz beside the reference's, and
-## their figures.
+## Runs one trial through the real nodes. Gives the curves of all conditions and of the reference at
+## 1 kHz, and their figures.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const RecordedHand := preload("recorded_hand.gd")
@@ -9,42 +9,40 @@ const TrialTask := preload("res://scripts/trial_task.gd")
 const RATE_HZ := 1000.0
 const REFERENCE := "reference"
 const NO_GESTURE := "none"
-## Stamps are decimal text: what is this near to a whole millisecond (in ms) is one.
+## Time stamps are decimal text: a time this near to a whole ms counts as whole (in ms).
 const ROUNDING_MS := 1e-6
-## A record ends as tracking does that loses the hand: for so long afterwards nothing is seen, and
-## what was under way ends or is given up.
+## After a record the hand is lost for this time, so that an active gesture ends or is aborted.
 const AFTER_S := 1.5
-## What a damaged stamp asks for is more than there is memory.
+## A damaged time stamp would need more memory than there is.
 const LONGEST_RECORD_S := 6.0 * 3600.0
-## Smoothness takes time with its square: here 4 s a curve. Stamps in milliseconds ask for hours.
+## Smoothness takes quadratic time: 4 s per curve here, and hours for stamps in milliseconds.
 const LONGEST_GESTURE_S := 120.0
 
-## What is wrong with the trial or its files; empty when all is well.
+## The error of the trial or its files. Empty: none.
 var error := ""
-## The log says it already.
-var is_told := false
-## What is odd about the trial, which is judged all the same; empty when nothing is.
+## The error is in the log already.
+var is_reported := false
+## A warning about a trial that is evaluated. Empty: none.
 var note := ""
-## The gesture that was recognised to its end, NO_GESTURE where there was none.
+## The gesture that was recognised to its end, or NO_GESTURE.
 var recognised := NO_GESTURE
 ## Each gesture that was recognised to its end, right or wrong: {gesture, time_s}.
 var ends: Array[Dictionary] = []
-## How many were begun, whatever became of them.
+## Number of gestures that started, ended or not.
 var begun := 0
-## Instants of the curves at which one was under way.
+## Number of instants of the curves with an active gesture.
 var under_way := 0
 ## First instant of the curves, whole milliseconds on the trial's clock.
 var first_ms := 0
 ## Number of instants, 1 ms apart; they span the reference's record.
 var count := 0
-## Samples by condition (and REFERENCE), in units of the task's amplitude; in metres where there
-## is no task. REFERENCE is missing where there is no task or no model that says what to measure.
+## Samples by condition (and REFERENCE), in units of the task's amplitude; in metres without a task.
+## REFERENCE is missing without a task, or without a model, which names the feature.
 var curves: Dictionary[String, PackedFloat64Array] = {}
-## Result of MotionMetrics.compare() by condition; empty where REFERENCE is missing.
+## Result of MotionMetrics.compare() by condition. Empty: REFERENCE is missing.
 var figures: Dictionary[String, Dictionary] = {}
 
-## Row of the trial whose task the scene waits for; empty where it waits for none. The trial's own
-## unless it is told otherwise.
+## Row of the trial whose task the scene has. Default: the trial itself. Empty: no task.
 var task_trial: Dictionary
 ## Of GestureHMM.
 var sensor_latency_s := 0.0
@@ -61,8 +59,8 @@ func _init(trial: Dictionary, parent: Node) -> void:
 	task_trial = {} if trial["gesture"] == NO_GESTURE else trial
 
 
-## `models`: those that may be used. `in_scene`: only the model of task_trial's gesture is active,
-## and the task's place is given.
+## `models`: the available models. `in_scene`: only the model of task_trial's gesture is active, and
+## the task's place is given.
 func run(
 	measured_path: String,
 	reference_path: String,
@@ -91,10 +89,10 @@ func run(
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	hmm.name = (_trial["trial"] as String).validate_node_name()
 	var unseen := _unseen_feature(measured_path, hmm.models)
-	# It would warn, at each trial, that nothing is recognised.
+	# Avoids a warning at each trial that nothing is recognised.
 	hmm.tracker = null if hmm.models.is_empty() or not unseen.is_empty() else tracker
 	hmm.task = task
-	# A hand that stops short of its target has made the trial all the same.
+	# A hand that stops before its target has finished the trial, too.
 	hmm.completion = 0.5
 	hmm.gesture_ended.connect(
 		func(ended: StringName, time_s: float, _task: GestureTask, _fraction: float) -> void:
@@ -123,7 +121,7 @@ static func _models_of(gesture: String, models: Array[GestureModel]) -> Array[Ge
 	return models.filter(func(model: GestureModel) -> bool: return model.gesture == gesture)
 
 
-## A gesture of one's own may have none; what its curves would be measured by is not known then.
+## A custom gesture may have no amplitude, and its curves then have no unit.
 func _has_amplitude() -> bool:
 	if _trial["gesture"] == NO_GESTURE or _trial["amplitude_m"] > 0.0:
 		return true
@@ -131,7 +129,7 @@ func _has_amplitude() -> bool:
 	return false
 
 
-## What the reference does not hold would count as a hand that stands still.
+## Missing parts of the reference would count as a hand at rest.
 func _span(reference_path: String) -> bool:
 	var reference := _make_tracker(reference_path)
 	if reference == null:
@@ -164,7 +162,7 @@ func _span(reference_path: String) -> bool:
 	return error.is_empty()
 
 
-## Another clock's frames would count as a hand that is never there.
+## Frames on another clock would count as a hand that is never tracked.
 func _overlaps(tracker: HandTracker, measured_path: String) -> bool:
 	var begin_s := tracker.get_start_time()
 	var end_s := begin_s + tracker.get_duration()
@@ -194,7 +192,7 @@ func _feature_curve(
 	return MotionMetrics.feature_curve(path, feature, trial, first_ms / RATE_HZ, RATE_HZ, count)
 
 
-## What the only gesture that is waited for is measured by, where the track holds nothing of it.
+## The feature of the only expected gesture, if the track has no motion of it.
 func _unseen_feature(measured_path: String, waited_for: Array[GestureModel]) -> String:
 	if waited_for.size() != 1 or task_trial.is_empty():
 		return ""
@@ -202,7 +200,7 @@ func _unseen_feature(measured_path: String, waited_for: Array[GestureModel]) -> 
 	return feature if _is_blank(_feature_curve(measured_path, feature, task_trial)) else ""
 
 
-## As of a hand that is never there: no sensor says 0 all the way of one that is.
+## A curve that is always 0 has no tracked hand: sensors are never that exact.
 static func _is_blank(curve: PackedFloat64Array) -> bool:
 	return curve.count(0.0) == curve.size()
 
@@ -238,13 +236,13 @@ func _make_task() -> GestureTask:
 	return task
 
 
-## A started tracker on a recording; null, and `error` set, where that cannot be read.
+## A started tracker on a recording. Null, with `error`: it cannot be read.
 func _make_tracker(path: String) -> HandTracker:
 	var tracker := RecordedHand.make(path)
 	_parent.add_child(tracker)
 	if tracker.start() == OK:
 		return tracker
 	error = "cannot read %s" % path
-	is_told = true
+	is_reported = true
 	tracker.free()
 	return null

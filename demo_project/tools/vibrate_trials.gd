@@ -2,10 +2,10 @@ extends "tool.gd"
 ## godot --headless --path demo_project --script res://tools/vibrate_trials.gd -- --trials DIR
 ##     --out DIR
 ##
-## What is felt of each trial in each condition, and of what the reference sensor saw, as files on
-## the motion's own clock: the spring by the position, and the cue at the end. Leaves
-## TRIAL.CONDITION.{spring,cue}.wav, beside it TRIAL.reference.f64 (the reference's curve at 1 kHz)
-## and vibrations.json.
+## Writes the vibration of each trial, for each condition and the reference, on the motion's own
+## clock: the spring by the position, and the cue at the end. Files:
+## TRIAL.CONDITION.{spring,cue}.wav, TRIAL.reference.f64 (the reference's curve at 1 kHz) and
+## vibrations.json.
 
 const Conditions := preload("res://scripts/conditions.gd")
 const RecordedHand := preload("recorded_hand.gd")
@@ -14,7 +14,7 @@ const TrialTask := preload("res://scripts/trial_task.gd")
 
 const MODEL := "res://addons/steadyhand/models/%s.gesture"
 const CURVE_HZ := 1000.0
-## Enough for the carriers; what is measured is slow, or to be told to 1 ms.
+## Enough for the carriers: envelopes are slow, and cues are measured to 1 ms.
 const WAV_HZ := 8000
 const PAPER := "paper"
 const REFERENCE := "reference"
@@ -53,7 +53,7 @@ func _vibrate(trial: Dictionary, measured_path: String, reference_path: String) 
 		)
 	measured.start()
 	reference.start()
-	# Both tracks are on one clock; what begins earlier is passed over.
+	# Both tracks are on one clock: skip the part that only one of them has.
 	var first := ceili(maxf(measured.get_start_time(), reference.get_start_time()) * CURVE_HZ)
 	var end_s := minf(
 		measured.get_start_time() + measured.get_duration(),
@@ -134,7 +134,7 @@ func _add_row(
 		_out.path_join("%s.reference.f64" % trial["trial"]), FileAccess.WRITE
 	)
 	file.store_buffer(reference.to_byte_array())
-	# A curve that is there when the gesture starts ends at that instant.
+	# A curve that is at the end when the gesture starts, ends at that instant.
 	var there := PackedFloat64Array()
 	there.resize(count)
 	there.fill(2.0)

@@ -2,7 +2,7 @@ extends Node3D
 ## Shows the hand of a HandTracker as a hand: capsules along its bones. Joints that the source does
 ## not have are inferred. Without wrist and palm only the fingertips are shown.
 
-## Of XRHandTracker.HandJoint: where each finger begins; it ends before the next one.
+## First joint of each finger, of XRHandTracker.HandJoint; it ends before the next one.
 const FINGERS: Array[int] = [2, 6, 11, 16, 21, 26]
 ## Bones that make the palm: wrist to first joints, and across the knuckles.
 const PALM: Array[Vector2i] = [
@@ -20,7 +20,7 @@ const PALM: Array[Vector2i] = [
 	Vector2i(16, 21),
 	Vector2i(2, 6),
 ]
-## m; at the knuckles and at the tip.
+## Radius at the knuckles and at the tip, m.
 const THICKEST := 0.0095
 const THINNEST := 0.0068
 const TIP := 0.009
@@ -60,7 +60,7 @@ func _process(_delta: float) -> void:
 		_tips[i].global_position = _joints.get(tip, Vector3.ZERO)
 
 
-## Positions (m) of the joints that are there, in the space of the tracker's frames.
+## Positions (m) of the available joints, in the space of the tracker's frames.
 func _read_joints() -> void:
 	_joints.clear()
 	var hand := XRServer.get_tracker(tracker.publish_name) as XRHandTracker

@@ -2,12 +2,12 @@ extends XROrigin3D
 ## A seated player: headset, two tracked hands, recentring. Without a running XR interface it does
 ## nothing, and the scene's own camera shows the scene.
 ##
-## Start the project with `--xr-mode on`. The space bar, or the headset's menu, makes the present
-## place of the head the seat.
+## Start the project with `--xr-mode on`. The space bar, or the headset's menu, moves the
+## seat to the present place of the head.
 
 signal recentred
 
-## Where the eyes of the seated player are to be, in the space of the origin's parent.
+## Place of the seated player's eyes, in the space of the origin's parent.
 @export var seat := Vector3(0.0, 1.2, 0.0)
 
 var _interface: XRInterface = null
