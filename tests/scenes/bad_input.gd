@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## Bad files get one clear error each, and what was asked of a node before and after still works.
+## Each bad file gives one clear error. Calls to a node before and after it still work.
 
 const Rig := preload("support/rig.gd")
 
@@ -54,15 +54,15 @@ func test_text_that_is_no_model() -> void:
 	var copy := GestureModel.new()
 	check_equal(copy.parse_text(text), OK, "a model's own text is read")
 	check(copy.parse_text("nonsense") != OK, "nonsense is refused")
-	check_equal(copy.to_text(), text, "and what was there stays")
+	check_equal(copy.to_text(), text, "the old data stays")
 
 
 func test_missing_trial_set() -> void:
 	# expects error: no_set
-	check(TrialSet.load_folder(_path("no_set")) == null, "a folder that is not there gives null")
+	check(TrialSet.load_folder(_path("no_set")) == null, "a missing folder gives null")
 
 
-func test_a_synthetic_set_by_options_that_are_none() -> void:
+func test_invalid_options_of_a_synthetic_set_are_refused() -> void:
 	# expects error: there is no option 'subject'
 	# expects error: duration: -1.000000 s is not in 0..3600
 	# expects error: duration: inf s is not in 0..3600
@@ -79,7 +79,7 @@ func test_a_synthetic_set_by_options_that_are_none() -> void:
 	]:
 		var refused := TrialSet.write_synthetic(_path("no_set_made"), options)
 		check_equal(refused, ERR_INVALID_PARAMETER, "%s is refused" % options)
-	check(not DirAccess.dir_exists_absolute(_path("no_set_made")), "and nothing is written")
+	check(not DirAccess.dir_exists_absolute(_path("no_set_made")), "nothing is written")
 
 
 func test_recording_to_a_bad_path() -> void:
@@ -89,18 +89,18 @@ func test_recording_to_a_bad_path() -> void:
 	tracker.source = ScriptSource.new()
 	tracker.start()
 	check(tracker.start_recording(_path("no_folder/track.csv")) != OK, "refused")
-	check(tracker.start_recording("") != OK, "and none as well")
+	check(tracker.start_recording("") != OK, "an empty path is refused")
 	var file := FileAccess.open(_path("precious.txt"), FileAccess.WRITE)
 	file.store_string("precious")
 	file.close()
-	check(tracker.start_recording(_path("precious.txt")) != OK, "and no recording's file")
+	check(tracker.start_recording(_path("precious.txt")) != OK, "another file ending is refused")
 	check_equal(FileAccess.get_file_as_string(_path("precious.txt")), "precious", "which is kept")
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
-	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the tracker goes on")
+	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the tracker continues")
 	tracker.free()
 
 
-func test_frames_that_are_no_frames() -> void:
+func test_invalid_frames_change_no_output() -> void:
 	# expects error: push_frame
 	var rig := _make_script_rig()
 	rig.tracker.start()
@@ -115,7 +115,7 @@ func test_frames_that_are_no_frames() -> void:
 		var value := rig.gesture_hmm.get_motion_value(motion)
 		is_finite_everywhere = is_finite_everywhere and is_finite(value)
 	check(is_finite_everywhere, "every condition stays finite")
-	check_equal(rig.tracker.get_time(), 1.03, "the clock goes on with the good frames")
+	check_equal(rig.tracker.get_time(), 1.03, "the clock advances with the good frames")
 	rig.free_nodes()
 
 
@@ -129,7 +129,7 @@ func test_fingertips_in_line_or_in_one_point() -> void:
 	var line := Vector3(0.02, 0.01, 0.3)
 	_push_tips(rig, 1.0, [Vector3(0.02, 0, 0), Vector3(-0.02, 0, 9), Vector3(0, 0.02, -9)])
 	var seen := rig.gesture_hmm.get_motion_value(GestureHMM.MOTION_MEASURED)
-	check_near(seen, 0.005, 1e-6, "20 mm, 5 more than at the start, whatever z is")
+	check_near(seen, 0.005, 1e-6, "20 mm, 5 mm more than at the start, for any z")
 	var is_finite_everywhere := true
 	for scale: float in [1e-9, 1.0, 1e9]:
 		for tips: Array in [
@@ -144,7 +144,7 @@ func test_fingertips_in_line_or_in_one_point() -> void:
 				is_finite_everywhere = is_finite_everywhere and is_finite(value)
 	check(is_finite_everywhere, "every condition stays finite")
 	var kept := rig.gesture_hmm.get_motion_value(GestureHMM.MOTION_MEASURED)
-	check_equal(kept, seen, "tips that make no circle are not measured")
+	check_equal(kept, seen, "fingertips in line are not measured")
 	rig.free_nodes()
 
 

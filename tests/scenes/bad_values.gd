@@ -76,7 +76,7 @@ func test_a_far_task_is_not_used() -> void:
 	gesture_hmm.tracker.start()
 	for i in 20:
 		gesture_hmm.tracker.push_frame(0.01 * i, {HandTracker.JOINT_INDEX: Vector3(0.01 * i, 0, 0)})
-	check_equal(gesture_hmm.value, 0.0, "nothing is put out")
+	check_equal(gesture_hmm.value, 0.0, "the output stays 0")
 	for node: Node in [gesture_hmm, task, gesture_hmm.tracker]:
 		node.queue_free()
 	await process_frame

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What is put out at time t depends on frames stamped at or before t alone.
+## The output at time t depends only on frames with time stamps up to t.
 
 const Rig := preload("support/rig.gd")
 
@@ -22,10 +22,10 @@ func test_a_cut_track_gives_the_same_output_before_the_cut() -> void:
 			var cut_s := _random.randf_range(trial["start_s"], trial["end_s"])
 			if _check_cut(trial, path, cut_s):
 				later_differs += 1
-	check(later_differs > 0, "frames after the cut do matter after it")
+	check(later_differs > 0, "frames after the cut change the output after it")
 
 
-## True where what comes later differs.
+## True if the later output differs.
 func _check_cut(trial: Dictionary, path: String, cut_s: float) -> bool:
 	var first_step := floori((cut_s - 1.5) / Rig.STEP_S)
 	var cut_step := floori(cut_s / Rig.STEP_S)

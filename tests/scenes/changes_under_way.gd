@@ -56,8 +56,8 @@ func test_unrelated_changes_keep_an_active_gesture() -> void:
 		check_equal(_events, ["started", "ended"] as Array[String], "%s: the signals" % change)
 		if values.is_empty():
 			values = seen
-		check(seen == values, "%s: the motion is as it was, to the last bit" % change)
-		check_near(values[-1], 0.2, 0.01, "%s: and the gesture's" % change)
+		check(seen == values, "%s: the motion is the same, to the last bit" % change)
+		check_near(values[-1], 0.2, 0.01, "%s: the motion reaches the end" % change)
 		_free(hmm)
 
 
@@ -97,7 +97,7 @@ func test_changes_that_abort_an_active_gesture_send_aborted() -> void:
 		hmm.free()
 
 
-func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
+func test_a_handler_may_restart_the_tracker_at_the_end_of_a_gesture() -> void:
 	for with_second: bool in [false, true]:
 		var hmm := _hmm(["horizontal_drag"], [_task(&"horizontal_drag")])
 		var tracker := hmm.tracker
@@ -119,13 +119,13 @@ func test_the_next_run_may_begin_where_a_gesture_ends() -> void:
 			while runs[0] == run + 1 and frame < 300:
 				tracker.push_frame(frame * FRAME_S, _hand(frame * FRAME_S))
 				frame += 1
-			check_equal(runs[0], run + 2, "run %d has its signal" % (run + 1))
+			check_equal(runs[0], run + 2, "run %d ends its gesture" % (run + 1))
 		check_equal(_events.count("started"), 4, "with a second one: %s" % with_second)
 		second.free()
 		_free(hmm)
 
 
-func test_a_handler_may_go_over_to_another_hand() -> void:
+func test_a_handler_may_change_the_tracker() -> void:
 	var hmm := _hmm(["horizontal_drag"], [_task(&"horizontal_drag")])
 	var left := hmm.tracker
 	var right := _tracker()
@@ -137,19 +137,19 @@ func test_a_handler_may_go_over_to_another_hand() -> void:
 			ends.append(time_s)
 			hmm.tracker = right
 	)
-	# The right one's clock is five seconds behind.
+	# The clock of the right hand is 5 s behind.
 	for frame in 900:
 		var time_s := frame * FRAME_S
 		left.push_frame(time_s, _hand(time_s - 4.5))
 		right.push_frame(time_s - 5.0, _hand(time_s - 5.0 - 2.0))
 	check_equal(ends.size(), 2, "a drag of each hand")
-	check(ends[0] > 5.0 and ends[1] < 4.5, "by the clock of each")
+	check(ends[0] > 5.0 and ends[1] < 4.5, "each end is on its tracker's clock")
 	left.free()
 	right.free()
 	hmm.free()
 
 
-func test_each_gesture_is_started_where_frames_come_twice() -> void:
+func test_repeated_frames_give_signals_in_order() -> void:
 	var path := "res://addons/steadyhand/models/%s.gesture"
 	check(FileAccess.file_exists(path % "horizontal_drag"), "there is a model")
 	for seed_of_hand in 40:
@@ -172,20 +172,20 @@ func test_each_gesture_is_started_where_frames_come_twice() -> void:
 			var tip := at.lerp(to, PushedHand.share((time_s - from_s) / (0.7 * take_s)))
 			for time in 2:
 				hmm.tracker.push_frame(time_s, {HandTracker.JOINT_INDEX: tip})
-		var is_under_way := false
+		var is_active := false
 		var are_in_order := true
 		for event in _events:
-			are_in_order = are_in_order and is_under_way != (event == "started")
-			is_under_way = event == "started"
-		check(are_in_order, "hand %d: each that ends or is given up was started" % seed_of_hand)
+			are_in_order = are_in_order and is_active != (event == "started")
+			is_active = event == "started"
+		check(are_in_order, "hand %d: starts and ends alternate" % seed_of_hand)
 		_free(hmm)
 
 
 func test_all_signals_of_a_frame_are_sent_if_handlers_change_properties() -> void:
-	for told: StringName in [&"gesture_started", &"gesture_aborted", &"state_changed"]:
-		for sets: StringName in [&"models", &"reset"]:
+	for signal_name: StringName in [&"gesture_started", &"gesture_aborted", &"state_changed"]:
+		for change: StringName in [&"models", &"reset"]:
 			var starts := 0
-			# Zooms before a bad tracker, of which some look like a drag of the index at first.
+			# Zooms with bad tracking, some of which look like a drag of the index at first.
 			for subject: int in [0, 4, 8, 12, 16, 20]:
 				var hmm := _hmm(["zoom", "tap", "vertical_drag", "horizontal_drag"], [])
 				var tracker := hmm.tracker
@@ -200,42 +200,44 @@ func test_all_signals_of_a_frame_are_sent_if_handlers_change_properties() -> voi
 				var states: Array[int] = [-1]
 				hmm.state_changed.connect(func(state: int) -> void: states.append(state))
 				var set_again := func() -> void:
-					if sets == &"reset":
+					if change == &"reset":
 						hmm.reset()
 					else:
 						hmm.models = hmm.models
-				hmm.connect(told, set_again.unbind(1 if told == &"state_changed" else 2))
+				hmm.connect(
+					signal_name, set_again.unbind(1 if signal_name == &"state_changed" else 2)
+				)
 				var mistakes := 0
 				for frame in 400:
 					tracker.advance(0.01)
 					mistakes += int(states[-1] != hmm.state)
-				var is_under_way := false
+				var is_active := false
 				for event in _events:
-					mistakes += int(is_under_way == (event == "started"))
-					is_under_way = event == "started"
+					mistakes += int(is_active == (event == "started"))
+					is_active = event == "started"
 				starts += _events.count("started")
-				check_equal(mistakes, 0, "%s in %s, subject %d" % [sets, told, subject])
+				check_equal(mistakes, 0, "%s in %s, subject %d" % [change, signal_name, subject])
 				_free(hmm)
 			check(starts > 5, "there were gestures")
 
 
-func test_a_recording_goes_on_if_another_cannot_begin() -> void:
+func test_a_recording_continues_if_another_cannot_begin() -> void:
 	var folder := DirAccess.create_temp("steadyhand_changes")
 	var path := folder.get_current_dir().path_join("kept.csv")
 	var tracker := _tracker()
 	tracker.start()
-	check_equal(tracker.start_recording(path), OK, "one is begun")
+	check_equal(tracker.start_recording(path), OK, "the first one begins")
 	tracker.push_frame(0.0, _hand(0.0))
 	# expects one error: this is a folder, not a file
 	folder.make_dir("folder.csv")
 	var other := folder.get_current_dir().path_join("folder.csv")
-	check(tracker.start_recording(other) != OK, "another cannot be")
+	check(tracker.start_recording(other) != OK, "the second one is refused")
 	tracker.push_frame(1.0, _hand(1.0))
 	tracker.stop_recording()
 	var rows := FileAccess.get_file_as_string(path).split("\n", false)
 	check(
 		rows[-1].begins_with("1.0") or rows[-1].begins_with("1,"),
-		"the first has the frame after it"
+		"the first one has the next frame"
 	)
 	tracker.free()
 
@@ -254,24 +256,24 @@ func test_each_mistake_of_a_pushed_frame_is_explained() -> void:
 	tracker.push_frame(2.0, {})
 	for time in 2:
 		check(tracker.push_frame(1.0, {}) != OK, "late")
-		check(tracker.push_frame(NAN, {}) != OK, "at no time")
-		check(tracker.push_frame(3.0, {99: Vector3.ZERO}) != OK, "of no joint")
-		check(tracker.push_frame(3.0, {"index": Vector3.ZERO}) != OK, "of a joint by its name")
-		check(tracker.push_frame(3.0, {HandTracker.JOINT_INDEX: 0.1}) != OK, "of a number")
+		check(tracker.push_frame(NAN, {}) != OK, "time is NAN")
+		check(tracker.push_frame(3.0, {99: Vector3.ZERO}) != OK, "an unknown joint")
+		check(tracker.push_frame(3.0, {"index": Vector3.ZERO}) != OK, "a joint by name")
+		check(tracker.push_frame(3.0, {HandTracker.JOINT_INDEX: 0.1}) != OK, "a number as position")
 	tracker.free()
 
 
-func test_who_hears_of_progress_may_let_go_of_the_trainer() -> void:
+func test_a_progress_handler_may_free_the_trainer() -> void:
 	var folder := DirAccess.create_temp("steadyhand_changes")
 	var trials := Rig.write_trials(folder.get_current_dir())
 	var held: Array[GestureTrainer] = [GestureTrainer.new()]
 	held[0].progressed.connect(func(_done: float) -> void: held.clear())
 	var model: GestureModel = held[0].train(trials, &"horizontal_drag")
-	check(held.is_empty() and model != null, "trained all the same")
+	check(held.is_empty() and model != null, "the training completes")
 
 
-## A drag from rest, at whose CHANGE_S the change is made. The signals are in _events; returns the
-## value at each instant.
+## A drag from rest with the change at CHANGE_S. The signals are in _events. Returns the value at
+## each instant.
 func _drag(hmm: GestureHMM, change: Callable, until_s: float = 2.4) -> PackedFloat64Array:
 	var values := PackedFloat64Array()
 	PushedHand.listen(hmm, _events)

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## A gesture with a task ends from the fraction of its way on that counts as made.
+## A gesture at a task ends once it reaches the fraction `completion` of its amplitude.
 
 const PushedHand := preload("support/pushed_hand.gd")
 
@@ -16,7 +16,7 @@ var _fractions: Array[float] = []
 
 func test_a_hand_that_stops_at_70_percent_does_not_end_the_gesture() -> void:
 	_play(0.95, [0.7])
-	check_equal(_events, ["started"] as Array[String], "it is still under way")
+	check_equal(_events, ["started"] as Array[String], "it is still active")
 	check_equal(_hmm.gesture, &"horizontal_drag", "by its name")
 	check_equal(_hmm.recognised, &"", "and not recognised")
 	_free_nodes()
@@ -51,7 +51,7 @@ func test_completion_is_a_fraction() -> void:
 	_hmm.free()
 
 
-## From rest to rest, to each of these shares of the way.
+## From rest to rest, to each of these shares of the amplitude.
 func _play(completion: float, shares: Array[float]) -> void:
 	var tracker := HandTracker.new()
 	tracker.update_mode = HandTracker.UPDATE_MANUAL

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The drag-boxes, headless: faster than real time, to the stop marker, in their colours.
+## The drag scenes, headless: boxes reach the stop marker faster than real time, and change colour.
 
 const Rig := preload("support/rig.gd")
 const DragStage := preload("res://scripts/drag_stage.gd")
@@ -27,7 +27,7 @@ func test_size_of_boxes_and_way() -> void:
 			apart = marker.global_position - apart
 		check_near(apart.length(), 0.2, 1e-6, "20 cm apart")
 		var axis := Vector3.RIGHT if gesture == "horizontal_drag" else Vector3.UP
-		check_near(apart.dot(axis), 0.2, 1e-6, "%s: the right way" % gesture)
+		check_near(apart.dot(axis), 0.2, 1e-6, "%s: the right distance" % gesture)
 		player.scene.free()
 
 
@@ -68,8 +68,8 @@ func _check_drag(player: TaskPlayer, trials: TrialSet, index: int) -> void:
 	check_equal(player.colour("StartMarker"), DragStage.STARTED, "the start turned blue")
 	check_equal(player.colour("StopMarker"), DragStage.ARRIVED, "the stop turned red")
 	check(player.scene.course.end_s > trial["start_s"], "the trial has an end")
-	# Where tracking is bad, place and time of the end are estimates of a hand that may have gone
-	# too far itself, and judged by evaluate.
+	# With bad tracking, place and time of the end are estimates, and the hand may overshoot:
+	# `evaluate` tests them.
 	if trial["position"] == "stable":
 		var end: Vector3 = trial["start"] + trial["axis"] * trial["amplitude_m"]
 		var stage: DragStage = player.scene.get_node("Stage")

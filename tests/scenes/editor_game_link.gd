@@ -1,5 +1,5 @@
 extends "support/editor_test.gd"
-## The editor's "Gestures" panel records from a running game, as a headset needs it.
+## The editor's "Gestures" panel records from a running game, as needed for a headset.
 
 const SCENE := "res://recorded_game.tscn"
 const PATIENCE_S := 15.0
@@ -22,9 +22,9 @@ func test_a_running_game_is_recorded() -> void:
 	check(dock.hint().begins_with("Press Record"), dock.hint())
 	check(dock.start_recording(), "the game is recorded: %s" % dock.get_message())
 	await create_timer(RECORDED_S).timeout
-	check(dock.get_recorder().get_tracker().is_hand_tracked(), "its hand comes to the editor")
+	check(dock.get_recorder().get_tracker().is_hand_tracked(), "the editor gets its hand")
 	dock.stop_recording()
-	check(dock.takes.rows.size() > 0, "with its movements: %d" % dock.takes.rows.size())
+	check(dock.takes.rows.size() > 0, "it has movements: %d" % dock.takes.rows.size())
 	OS.kill(game)
 	began_ms = Time.get_ticks_msec()
 	while not dock.hint().begins_with("Add a HandTracker") and _waits(began_ms):
@@ -32,7 +32,7 @@ func test_a_running_game_is_recorded() -> void:
 	check(dock.hint().begins_with("Add a HandTracker"), "the game is over")
 
 
-## As the item of the menu Debug does: then a game that another program starts is heard.
+## As the item of the menu Debug: the editor then listens to a game started by another program.
 func _open_debug_server(port: int) -> void:
 	EditorInterface.get_editor_settings().set_setting("network/debug/remote_port", port)
 	for menu: PopupMenu in root.find_children("*", "PopupMenu", true, false):
@@ -41,7 +41,7 @@ func _open_debug_server(port: int) -> void:
 				menu.id_pressed.emit(menu.get_item_id(index))
 
 
-## The editor would start its own path, which may be that of a loader.
+## The editor would start its own executable, which may be a loader.
 func _start_game(port: int) -> int:
 	var godot := OS.get_environment("GODOT")
 	var arguments := ["--headless", "--path", ProjectSettings.globalize_path("res://")]

@@ -14,18 +14,18 @@ var _folder := DirAccess.create_temp("steadyhand_takes")
 func test_a_gesture_of_ones_own() -> void:
 	await _open_scene(ScriptSource.new())
 	check_equal(dock.takes, null, "no gesture is open")
-	check(dock.hint().begins_with("Name the gesture"), "it says what to do first")
+	check(dock.hint().begins_with("Name the gesture"), "the hint is the first step")
 	dock.open_gesture("my gesture")
-	check(dock.get_message().contains("letters, digits and _"), "a name that cannot be one")
+	check(dock.get_message().contains("letters, digits and _"), "an invalid name is refused")
 
 	dock.open_gesture(GESTURE)
-	check(dock.hint().begins_with("Press Record"), "what to do next")
+	check(dock.hint().begins_with("Press Record"), "the hint is the next step")
 	check(dock.start_recording(), "it records: %s" % dock.get_message())
 	var hand := RecordedGestures.new(dock.get_recorder().get_tracker())
 	hand.repeat(WAY, 8)
 	check(dock.get_recorder().describe(null).begins_with("Hand tracked, 90 Hz"), "live state")
 	dock.stop_recording()
-	check_equal(dock.takes.rows.size(), 8, "each movement is a take, the way back is none")
+	check_equal(dock.takes.rows.size(), 8, "each movement is a take, but not the way back")
 	for row in dock.takes.rows:
 		check_near(row["amplitude_m"], WAY.length(), 0.005, "amplitude of %s" % row["trial"])
 	var files := DirAccess.get_files_at(dock.takes.folder)
@@ -36,7 +36,7 @@ func test_a_gesture_of_ones_own() -> void:
 	await dock.training_finished
 	check_equal(dock.get_message(), "", "the training has no error")
 	check(dock.model != null and dock.model.gesture == GESTURE, "a model of the gesture")
-	check_near(dock.model.duration_mean, 0.6, 0.15, "that takes as long as the takes")
+	check_near(dock.model.duration_mean, 0.6, 0.15, "its duration is that of the takes")
 
 	dock.compare()
 	await dock.comparison_finished
@@ -102,13 +102,16 @@ func test_an_interrupted_recording_is_restored() -> void:
 	dock.open_gesture("cut_off")
 	dock.start_recording()
 	RecordedGestures.new(dock.get_recorder().get_tracker()).repeat(WAY, 2)
-	# As if the editor ended here.
+	# As if the editor was closed here.
 	var folder := dock.takes.folder
 	dock.get_recorder().end()
 	check(FileAccess.file_exists(folder.path_join("recording_001.part.csv")), "it is on the disk")
 	dock.open_gesture("cut_off")
-	check_equal(dock.takes.rows.size(), 2, "its takes are back")
-	check(dock.get_message().contains("2 takes of a recording that was cut off"), "and it says so")
+	check_equal(dock.takes.rows.size(), 2, "its takes are restored")
+	check(
+		dock.get_message().contains("2 takes of a recording that was cut off"),
+		"the message names them"
+	)
 
 
 func test_a_row_that_cannot_be_read_is_kept_in_a_copy() -> void:
@@ -124,7 +127,7 @@ func test_a_row_that_cannot_be_read_is_kept_in_a_copy() -> void:
 	FileAccess.open(table, FileAccess.WRITE).store_string(spoilt)
 	# expects error: is neither stable nor unstable
 	dock.open_gesture("spoilt")
-	check_equal(dock.takes.rows.size(), 1, "the other take is there")
+	check_equal(dock.takes.rows.size(), 1, "the other take is kept")
 	check(dock.get_message().contains("A copy is kept as .bak"), dock.get_message())
 	check_equal(FileAccess.get_file_as_string(table + ".bak"), spoilt, "all rows are in the copy")
 
@@ -170,7 +173,7 @@ func test_simulated_people_make_a_take_at_each_press() -> void:
 func test_the_dock_shows_errors() -> void:
 	var tracker: HandTracker = await _open_scene(null)
 	dock.open_gesture("nothing")
-	check(not dock.start_recording(), "no source, no recording")
+	check(not dock.start_recording(), "without a source nothing is recorded")
 	check(dock.get_message().begins_with("Set the source of 'HandTracker'"), dock.get_message())
 	dock.train()
 	await dock.training_finished
@@ -194,7 +197,7 @@ func test_an_edited_scene_opens_no_device() -> void:
 	check_equal(tracker.start(), ERR_UNAVAILABLE, "its tracker is not started")
 	dock.open_gesture("closed")
 	check(dock.start_recording(), "the panel records from its source")
-	check(not tracker.is_running(), "and the tracker stays closed")
+	check(not tracker.is_running(), "the tracker stays closed")
 	dock.stop_recording()
 
 
@@ -226,7 +229,7 @@ func _open_scene(source: HandSource) -> HandTracker:
 	return scene.get_child(0) as HandTracker
 
 
-## What the takes of a gesture were recognised as, without what they never were.
+## Counts as which gestures the takes were recognised, without zeros.
 func _row(gesture: String) -> Dictionary:
 	var row: Dictionary = dock.get_confusion().get(gesture, {})
 	var counts := {}

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The evaluation's files, and what it does with a broken trial.
+## The evaluation's files, and its report of broken trials.
 
 const Rig := preload("support/rig.gd")
 const CommandLine := preload("res://tools/command_line.gd")
@@ -34,7 +34,7 @@ func test_files_of_an_evaluation() -> void:
 		check(cells.size() == 30 and are_finite, "%s has 25 finite figures" % cells[0])
 		_check_curves(cells[0])
 	var summary: Dictionary = JSON.parse_string("\n".join(_lines("out/summary.json")))
-	check_equal(summary["groups"].size(), 2, "summary: stable and unstable")
+	check_equal(summary["groups"].size(), 2, "the summary has stable and unstable")
 	check_equal(summary["settings"]["mode"], "paper", "and the settings")
 	_check_summary(summary["groups"], rows)
 
@@ -58,14 +58,14 @@ func test_the_sensors_latency_can_be_given() -> void:
 		half_way_ms[given] = row
 	var earlier_ms := half_way_ms["0"] - half_way_ms["0.05"]
 	check(absi(earlier_ms - 50) < 10, "the motion is earlier by %d ms" % earlier_ms)
-	check(half_way_ms[""] < half_way_ms["0"], "and by some where nothing is given")
+	check(half_way_ms[""] < half_way_ms["0"], "without it the default latency is compensated")
 	for wrong: String in ["soon", "-0.001", "0.201", "nan", "1e999", ""]:
 		var options := ["--trials", _path("late"), "--out", _path("wrong_out")]
 		var run := ToolRun.new("evaluate", options + ["--sensor-latency", wrong])
 		var text := "--sensor-latency is '%s'; it must be a time in s from 0.0 to 0.2" % wrong
 		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
-		check_equal(run.missing([text]), "", "it is said")
-		check(not DirAccess.dir_exists_absolute(_path("wrong_out")), "and nothing is written")
+		check_equal(run.missing([text]), "", "the message")
+		check(not DirAccess.dir_exists_absolute(_path("wrong_out")), "nothing is written")
 
 
 func test_a_broken_track_does_not_lose_the_others() -> void:
@@ -77,7 +77,7 @@ func test_a_broken_track_does_not_lose_the_others() -> void:
 	var evaluation := _evaluate(trials, "broken_out")
 	check_equal(evaluation.broken, 1, "one is counted")
 	var rows := _lines("broken_out/results.csv")
-	check_equal(rows.size(), trials.get_count(), "the others are there")
+	check_equal(rows.size(), trials.get_count(), "the other trials are there")
 	check(not "\n".join(rows).contains(name), "it is not")
 
 
@@ -100,7 +100,7 @@ func test_invalid_trials_are_reported_and_left_out() -> void:
 	var run := ToolRun.new("evaluate", ["--trials", _path("odd"), "--out", _path("odd_out")])
 	check_equal(run.exit_code, 1, "exit code")
 	var row := "trials.csv:10: amplitude_m: '-0.2' is not positive; the trial is left out"
-	check_equal(run.missing([row]), "", "a bad row is said")
+	check_equal(run.missing([row]), "", "the message names the bad row")
 	for place: int in [0, 1, 2]:
 		var reference := trials.get_reference_path(place)
 		_check_left_out(run, names[place], ["is not within the reference", reference])
@@ -108,16 +108,16 @@ func test_invalid_trials_are_reported_and_left_out() -> void:
 	_check_left_out(run, names[5], ["no amplitude_m"])
 	var folder := ProjectSettings.globalize_path(ModelFolder.INSTALLED)
 	var without := "trials of 'swipe' have no figures: no model of it in %s" % folder
-	check_equal(run.missing([without]), "", "a gesture without model is said")
+	check_equal(run.missing([without]), "", "the message names the gesture without a model")
 	var number := "6 trials left out, 1 trial without figures"
 	check_equal(run.missing([number]), "", "and how many")
 
 	var rows := _lines("odd_out/results.csv")
-	check_equal(rows.size(), 4, "the others are there")
+	check_equal(rows.size(), 4, "the other trials are there")
 	var summary: Dictionary = JSON.parse_string("\n".join(_lines("odd_out/summary.json")))
 	for group: Dictionary in summary["groups"]:
 		if group["gesture"] == "swipe":
-			check_equal(group["conditions"], {}, "no figures of what no model is of")
+			check_equal(group["conditions"], {}, "no figures without a model")
 			continue
 		var own := Array(rows).filter(
 			func(row: String) -> bool: return row.contains("drag,%s" % group["position"])
@@ -131,7 +131,7 @@ func test_only_a_hand_that_is_never_tracked_is_reported() -> void:
 	var trials := Rig.write_trials(_path("unseen"), 1, "circle")
 	DirAccess.make_dir_absolute(_path("circles"))
 	var model := GestureTrainer.new().train(trials, "circle")
-	check_equal(ResourceSaver.save(model, _path("circles/circle.gesture")), OK, "a model is made")
+	check_equal(ResourceSaver.save(model, _path("circles/circle.gesture")), OK, "a model is saved")
 	var blind := "t,index_x,index_y,index_z\n0,,,\n5,,,\n"
 	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(blind)
 	for context: String in Evaluation.CONTEXTS:
@@ -140,14 +140,18 @@ func test_only_a_hand_that_is_never_tracked_is_reported() -> void:
 		var run := ToolRun.new("evaluate", options)
 		check_equal(run.exit_code, 0, "exit code")
 		var note := "trial %s: its measured track has no motion"
-		check_equal(run.missing([note % trials.get_trial(1)["trial"]]), "", "of a blind tracker")
+		check_equal(
+			run.missing([note % trials.get_trial(1)["trial"]]),
+			"",
+			"a note for a tracker that sees nothing"
+		)
 		var seen := note % trials.get_trial(0)["trial"]
-		check(not run.output.contains(seen), "not of a hand that is seen: %s" % context)
+		check(not run.output.contains(seen), "no note for a tracked hand: %s" % context)
 
 
 func test_wrong_recordings_are_reported() -> void:
 	var far := "its reference reaches "
-	var told: Dictionary[String, String] = {
+	var messages: Dictionary[String, String] = {
 		backwards = far,
 		millimetres = far,
 		millimetres_seen = "its measured track reaches ",
@@ -155,7 +159,7 @@ func test_wrong_recordings_are_reported() -> void:
 		late = "its measured track begins at ",
 		slow = "its measured track lasts ",
 	}
-	for wrong: String in told:
+	for wrong: String in messages:
 		var trials := Rig.write_trials(_path(wrong))
 		var table := _lines(wrong + "/trials.csv")
 		match wrong:
@@ -177,9 +181,9 @@ func test_wrong_recordings_are_reported() -> void:
 		FileAccess.open(_path(wrong + "/trials.csv"), FileAccess.WRITE).store_string(text)
 		var options := ["--trials", _path(wrong), "--out", _path(wrong + "_out")]
 		var run := ToolRun.new("evaluate", options)
-		check_equal(run.exit_code, 0, "%s: it is judged all the same" % wrong)
-		var said: String = "trial %s: %s" % [trials.get_trial(0)["trial"], told[wrong]]
-		check_equal(run.missing([said]), "", wrong)
+		check_equal(run.exit_code, 0, "%s: the trial is evaluated" % wrong)
+		var message: String = "trial %s: %s" % [trials.get_trial(0)["trial"], messages[wrong]]
+		check_equal(run.missing([message]), "", wrong)
 		var sound := "trial %s:" % trials.get_trial(1)["trial"]
 		check(
 			not run.output.contains(sound), "%s: the report does not name the other trial" % wrong
@@ -198,7 +202,7 @@ func test_a_gesture_of_minutes_is_left_out() -> void:
 	check_equal(run.exit_code, 1, "exit code")
 	_check_left_out(run, trials.get_trial(0)["trial"], ["its gesture lasts 1499", "in seconds?"])
 	check_equal(
-		_lines("minutes_out/results.csv").size(), trials.get_count(), "the others are there"
+		_lines("minutes_out/results.csv").size(), trials.get_count(), "the other trials are there"
 	)
 
 
@@ -209,11 +213,13 @@ func test_a_record_of_seven_hours_is_left_out() -> void:
 	check_equal(run.exit_code, 1, "exit code")
 	var why: Array[String] = ["its reference lasts 252", trials.get_reference_path(0)]
 	_check_left_out(run, trials.get_trial(0)["trial"], why)
-	check(not run.output.contains("ERROR"), "nothing else is said of it")
-	check_equal(_lines("hours_out/results.csv").size(), trials.get_count(), "the others are there")
+	check(not run.output.contains("ERROR"), "no other error")
+	check_equal(
+		_lines("hours_out/results.csv").size(), trials.get_count(), "the other trials are there"
+	)
 
 
-func test_a_reference_with_a_clock_jump_is_judged() -> void:
+func test_a_reference_with_a_clock_jump_is_evaluated() -> void:
 	var trials := Rig.write_trials(_path("jump"))
 	_end_reference(trials, "1e9")
 	var run := ToolRun.new("evaluate", ["--trials", _path("jump"), "--out", _path("jump_out")])
@@ -230,16 +236,14 @@ func test_a_set_without_trials() -> void:
 	FileAccess.open(_path("none/trials.csv"), FileAccess.WRITE).store_string(header + "\n")
 	var run := ToolRun.new("evaluate", ["--trials", _path("none"), "--out", _path("none_out")])
 	check_equal(run.exit_code, 1, "exit code")
-	check_equal(run.missing(["no row in %s" % _path("none/trials.csv")]), "", "it is said")
-	check_equal(
-		run.missing(["evaluate: there was no trial to run"]), "", "and that nothing is done"
-	)
-	check(not DirAccess.dir_exists_absolute(_path("none_out")), "nor written")
+	check_equal(run.missing(["no row in %s" % _path("none/trials.csv")]), "", "the message")
+	check_equal(run.missing(["evaluate: there was no trial to run"]), "", "the summary")
+	check(not DirAccess.dir_exists_absolute(_path("none_out")), "nothing is written")
 	var options := ["--trials", _path("none"), "--out", _path("out")]
 	var earlier := DirAccess.get_files_at(_path("out"))
 	check_equal(ToolRun.new("evaluate", options).exit_code, 1, "exit code over an earlier one")
-	check(earlier.size() > 2, "there is an earlier one")
-	check_equal(DirAccess.get_files_at(_path("out")), earlier, "of which nothing is lost")
+	check(earlier.size() > 2, "there are earlier files")
+	check_equal(DirAccess.get_files_at(_path("out")), earlier, "the earlier files stay")
 
 
 func test_the_result_is_printed() -> void:
@@ -256,7 +260,9 @@ func test_the_result_is_printed() -> void:
 		check_equal(run.missing(head), "", "a row of each gesture and position")
 		var own: Dictionary = group["conditions"]
 		if group["gesture"] == "none":
-			check_equal(run.missing(["none", "no figures"]), "", "none has no figures")
+			check_equal(
+				run.missing(["none", "no figures"]), "", "a trial without a gesture has no figures"
+			)
 			continue
 		var means := PackedStringArray(["mean zero-lag R2"])
 		for condition in CONDITIONS:
@@ -277,7 +283,9 @@ func test_files_of_an_earlier_evaluation_are_removed() -> void:
 	var report := EvaluationReport.new(_path("again"))
 	var left := DirAccess.get_files_at(_path("again"))
 	check_equal(
-		Array(left), ["notes.curves.csv", "results.csv.old", "results.csv.part"], "a new one begins"
+		Array(left),
+		["notes.curves.csv", "results.csv.old", "results.csv.part"],
+		"a new evaluation begins"
 	)
 	var cut := FileAccess.open(_path("again/results.csv.part"), FileAccess.WRITE)
 	cut.store_line(_lines("out/results.csv")[0])
@@ -287,18 +295,18 @@ func test_files_of_an_earlier_evaluation_are_removed() -> void:
 	check_equal(report.error, "", "no fault")
 	EvaluationReport.new(_path("again"))
 	left = DirAccess.get_files_at(_path("again"))
-	check_equal(left.size(), 3, "so does one after one that was cut short")
+	check_equal(left.size(), 3, "files of an incomplete evaluation are removed, too")
 	_evaluate(trials, "again")
 	left = DirAccess.get_files_at(_path("again"))
 	check_equal(
-		left.size(), 2 + 2 + trials.get_count(), "results, summary, curves and what is mine"
+		left.size(), 2 + 2 + trials.get_count(), "results, summary, curves and the user's files"
 	)
-	check(not "results.csv.part" in left, "and the table is whole")
+	check(not "results.csv.part" in left, "the table is complete")
 
 
 func test_confusion_and_false_alarms() -> void:
 	var trials := Rig.write_trials(_path("confused"), 2)
-	# A drag that is said to be none: whatever is recognised in it is a false alarm.
+	# A drag in a trial without a gesture: any recognised gesture is a false alarm.
 	var table := _lines("confused/trials.csv")
 	var cells := table[1].split(",")
 	table[1] = ",".join([cells[0], "none", cells[2], cells[3], cells[4], cells[5], ",,,,,,"])
@@ -318,26 +326,26 @@ func test_confusion_and_false_alarms() -> void:
 				counted[gesture][recognised],
 				"%s taken for %s, counted in results.csv" % [gesture, recognised]
 			)
-	check_equal(int(summary["confusion"]["none"]["horizontal_drag"]), 1, "the drag is seen")
+	check_equal(int(summary["confusion"]["none"]["horizontal_drag"]), 1, "the drag is counted")
 	var instants := _lines("confused_out/%s.curves.csv" % cells[0]).size() - 1
 	check_near(summary["none_minutes"], instants / 60000.0, 1e-9, "1 ms an instant")
 	check_near(
 		summary["false_alarms_per_minute"] * summary["none_minutes"], 1.0, 1e-9, "one false alarm"
 	)
-	# The hand is still again before the record ends; an end is held.
+	# The hand rests before the record ends.
 	var begun: float = summary["begun_per_minute"] * summary["none_minutes"]
-	check(begun > 0.5, "what ended had begun")
-	var under_way_s: float = summary["under_way_share"] * summary["none_minutes"] * 60.0
+	check(begun > 0.5, "the gesture started")
+	var active_s: float = summary["under_way_share"] * summary["none_minutes"] * 60.0
 	var left_s: float = instants / 1000.0 - cells[4].to_float()
-	check(under_way_s > 0.1 and under_way_s < left_s, "under way for %.3f s" % under_way_s)
+	check(active_s > 0.1 and active_s < left_s, "active for %.3f s" % active_s)
 	var alarms: Array = summary["false_alarms"]
-	check_equal(alarms.size(), 1, "and it is listed")
+	check_equal(alarms.size(), 1, "the false alarm is listed")
 	check_equal(alarms[0]["trial"], cells[0], "with its trial")
 	check_equal(alarms[0]["gesture"], "horizontal_drag", "its gesture")
-	check(alarms[0]["time_s"] > cells[4].to_float(), "and when it ended")
+	check(alarms[0]["time_s"] > cells[4].to_float(), "its end")
 
 
-func test_how_sure_a_gesture_has_to_be_can_be_given() -> void:
+func test_min_confidence_can_be_given() -> void:
 	var trials := Rig.write_trials(_path("sure"))
 	for given: String in ["", "0.3", "1"]:
 		var out := "sure_out" + given
@@ -356,7 +364,7 @@ func test_how_sure_a_gesture_has_to_be_can_be_given() -> void:
 		var run := ToolRun.new("evaluate", options + ["--min-confidence", wrong])
 		var text := "--min-confidence is '%s'; it must be a probability from 0.0 to 1.0" % wrong
 		check_equal(run.exit_code, 2, "exit code of '%s'" % wrong)
-		check_equal(run.missing([text]), "", "it is said")
+		check_equal(run.missing([text]), "", "the message")
 
 
 func test_arguments() -> void:
@@ -369,7 +377,10 @@ func test_arguments() -> void:
 	check_equal(joined.path("trials"), "/a b/--c=d", "a path after an equals sign")
 	check_equal(joined.text("mode"), "fast", "and an option after it")
 	check(_fault(["--trails", "/x"], known).contains("--trails"), "an unknown option is named")
-	check(_fault(["--trails=/x"], known).contains("--trails"), "so it is with its value")
+	check(
+		_fault(["--trails=/x"], known).contains("--trails"),
+		"an unknown option with a value is named"
+	)
 	check(_fault(["--trials"], known).contains("--trials"), "a missing value")
 	check(_fault(["--trials", "x"], known).contains("absolute"), "a relative path")
 	check(_fault([], known).contains("--trials"), "a missing option")
@@ -392,7 +403,7 @@ static func _end_reference(trials: TrialSet, time_s: String) -> void:
 	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(lines) + "\n")
 
 
-## Rows an hour apart behind the reference's last one.
+## Adds rows, an hour apart, after the reference's last one.
 static func _append_hours(trials: TrialSet, count: int) -> void:
 	var path := trials.get_reference_path(0)
 	var text := FileAccess.get_file_as_string(path)
@@ -402,7 +413,7 @@ static func _append_hours(trials: TrialSet, count: int) -> void:
 	FileAccess.open(path, FileAccess.WRITE).store_string(text)
 
 
-## A reference that tracks the wrist alone.
+## A reference that tracks only the wrist.
 static func _write_blind_reference(trials: TrialSet, index: int) -> void:
 	var track := "t,wrist_x,wrist_y,wrist_z\n"
 	for frame in 1000:
@@ -438,7 +449,7 @@ func _check_curves(trial: String) -> void:
 	check_near(lines.size() - 2, 1000.0 * (last - first), 1e-6, "1 kHz without a gap")
 
 
-## The groups' figures against those of the rows, worked out anew.
+## Compares the groups' figures with those computed from the rows.
 func _check_summary(groups: Array, rows: PackedStringArray) -> void:
 	var columns := rows[0].split(",")
 	for group: Dictionary in groups:
@@ -454,7 +465,7 @@ func _check_summary(groups: Array, rows: PackedStringArray) -> void:
 					func(row: String) -> float: return row.split(",")[place].to_float()
 				)
 				values.sort()
-				# Of two values; linear between them.
+				# Linear between two values.
 				var expected := {
 					mean = (values[0] + values[1]) / 2.0,
 					median = (values[0] + values[1]) / 2.0,

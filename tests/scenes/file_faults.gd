@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## An evaluation and the demo report a fault of a file in one line, with file and line.
+## An evaluation and the demo report a bad file in one line, with file name and line number.
 
 const Rig := preload("support/rig.gd")
 const ToolRun := preload("support/tool_run.gd")
@@ -20,7 +20,7 @@ func test_a_broken_track_in_an_evaluation() -> void:
 	check_equal(run.exit_code, 1, "exit code")
 	check_equal(_count(run, name), 1, "one line names it")
 	check_equal(run.missing(["%s.measured.csv:4: index_y: 'zero'" % name]), "", "and its place")
-	check_equal(run.missing(["evaluate: 1 trial left out, see above"]), "", "and how many")
+	check_equal(run.missing(["evaluate: 1 trial left out, see above"]), "", "the number of trials")
 
 
 func test_a_broken_track_in_the_demo() -> void:
@@ -34,7 +34,7 @@ func test_a_broken_track_in_the_demo() -> void:
 	var player := ScenePlayer.new(Tasks.SCENES["horizontal_drag"], _path("logs"), root)
 	var played_s := player.play_all(trials, "horizontal_drag", evaluation.left_out)
 	player.free_scene()
-	check(played_s > 0.0, "the others are played")
+	check(played_s > 0.0, "the other trials are played")
 
 
 func test_a_broken_model_in_an_evaluation() -> void:
@@ -48,7 +48,9 @@ func test_a_broken_model_in_an_evaluation() -> void:
 	check_equal(run.exit_code, 2, "exit code")
 	check_equal(_count(run, "half.gesture"), 1, "one line names it")
 	var line := half.count("\n") + 1
-	check_equal(run.missing(["half.gesture:%d: not valid JSON" % line]), "", "and where it ends")
+	check_equal(
+		run.missing(["half.gesture:%d: not valid JSON" % line]), "", "the line of the error"
+	)
 
 
 func test_a_gesture_without_a_model_is_an_error() -> void:
@@ -63,7 +65,7 @@ func test_a_gesture_without_a_model_is_an_error() -> void:
 		check_equal(_count(run, "no model of it"), 1, "one line for all its trials: %s" % context)
 		check_equal(_count(run, "WARNING"), 0, "and no other")
 		var number := "evaluate: %d trials without figures, see above" % trials.get_count()
-		check_equal(run.missing([number]), "", "and how many")
+		check_equal(run.missing([number]), "", "the number of trials")
 
 
 func test_a_track_without_the_joint_gives_one_line() -> void:
@@ -85,17 +87,17 @@ func test_a_track_without_the_joint_gives_one_line() -> void:
 		var line := (
 			"trial %s: its measured track has no motion of index_along_axis: %s" % [name, path]
 		)
-		check_equal(run.missing([line]), "", "trial and file are named")
-	check_equal(run.output.count("WARNING"), 0, "and nothing else is said")
+		check_equal(run.missing([line]), "", "the line names trial and file")
+	check_equal(run.output.count("WARNING"), 0, "no other warning")
 
 
-## The name of the trial whose measured track is no track any more.
+## Damages the measured track of a trial, and returns the trial's name.
 static func _break_one(trials: TrialSet) -> String:
 	FileAccess.open(trials.get_measured_path(1), FileAccess.WRITE).store_string(TRACK)
 	return trials.get_trial(1)["trial"]
 
 
-## Lines that have the text in them.
+## Number of lines with the text.
 static func _count(run: ToolRun, text: String) -> int:
 	var lines := Array(run.output.split("\n"))
 	return lines.filter(func(line: String) -> bool: return line.contains(text)).size()

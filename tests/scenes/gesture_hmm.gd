@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What a GestureHMM tells while a drag is under way.
+## Signals and properties of a GestureHMM during a drag.
 
 const Rig := preload("support/rig.gd")
 
@@ -29,8 +29,8 @@ func test_signals_of_a_drag() -> void:
 		["started horizontal_drag", "ended horizontal_drag"] as Array[String],
 		"a drag starts and ends once"
 	)
-	check_equal(states.slice(0, 1), [0] as Array[int], "the first state is the first")
-	check(states.has(3), "the last one is reached: %s" % [states])
+	check_equal(states.slice(0, 1), [0] as Array[int], "the first state is 0")
+	check(states.has(3), "the last state is reached: %s" % [states])
 	rig.free_nodes()
 
 
@@ -51,7 +51,7 @@ func test_progress_is_a_share() -> void:
 	check_equal(most, 1.0, "to 1")
 
 
-func test_a_drag_that_is_given_up_is_aborted() -> void:
+func test_half_a_drag_is_aborted() -> void:
 	for leaves: bool in [false, true]:
 		var events: Array[String] = []
 		var rig := _make_rig(STABLE)
@@ -74,7 +74,7 @@ func test_a_drag_that_is_given_up_is_aborted() -> void:
 		var trial: Dictionary = _trials.get_trial(STABLE)
 		rig.tracker.start()
 		for frame in 400:
-			# Half of the way, and back or out of sight, as cosines.
+			# Half of the way, and back or out of sight, on cosines.
 			var phase := clampf((frame * 0.01 - 0.5) / 2.0, 0.0, 0.5 if leaves else 1.0)
 			var part := 0.25 * (1.0 - cos(TAU * phase)) * float(trial["amplitude_m"])
 			var tremble := random.randfn(0.0, 1e-4)
@@ -86,10 +86,10 @@ func test_a_drag_that_is_given_up_is_aborted() -> void:
 		check_equal(
 			events,
 			["started horizontal_drag", "aborted horizontal_drag"] as Array[String],
-			"half a drag starts and is given up"
+			"half a drag starts and is aborted"
 		)
 		check(is_probability, "confidence stays within 0..1")
-		check_equal(rig.gesture_hmm.confidence, 0.0, "none is under way: no confidence")
+		check_equal(rig.gesture_hmm.confidence, 0.0, "confidence is 0 without an active gesture")
 		check_near(rig.gesture_hmm.value, 0.0, 0.002, "the motion is back at the start")
 		rig.free_nodes()
 
@@ -103,7 +103,7 @@ func test_condition_is_switched_live() -> void:
 		var motion := Rig.MOTIONS[step % Rig.MOTIONS.size()]
 		rig.gesture_hmm.motion = motion
 		is_same = is_same and rig.gesture_hmm.value == rig.gesture_hmm.get_motion_value(motion)
-	check(is_same, "value is that of the condition chosen, from the same instant on")
+	check(is_same, "value is that of the chosen condition from the switch on")
 	rig.free_nodes()
 
 	var undisturbed := _make_rig(0)
@@ -119,7 +119,7 @@ func test_condition_is_switched_live() -> void:
 		check_equal(
 			switched.gesture_hmm.get_motion_value(Rig.MOTIONS[i]),
 			last[i],
-			"condition %d is what it would have been" % i
+			"condition %d is the same as without a switch" % i
 		)
 	switched.free_nodes()
 
@@ -128,11 +128,11 @@ func test_only_the_tasks_model_is_active() -> void:
 	var rig := _make_rig(0)
 	rig.task.gesture = &"vertical_drag"
 	rig.record(0, 2400)
-	check_equal(String(rig.gesture_hmm.recognised), "", "another gesture's task: nothing seen")
+	check_equal(String(rig.gesture_hmm.recognised), "", "not recognised at another gesture's task")
 	rig.free_nodes()
 
 
-func test_a_task_that_names_no_gesture_is_its_only_models_or_nobodys() -> void:
+func test_a_task_without_a_gesture_is_for_a_single_model_only() -> void:
 	var names: Array[String] = ["horizontal_drag", "tap", "vertical_drag", "zoom"]
 	var orders: Array[Array] = [names, names.duplicate(), ["horizontal_drag"]]
 	orders[1].reverse()
@@ -148,26 +148,26 @@ func test_a_task_that_names_no_gesture_is_its_only_models_or_nobodys() -> void:
 		rig.free_nodes()
 
 
-func test_the_value_can_be_asked_for_ahead_of_time() -> void:
+func test_get_value_at_predicts_the_value() -> void:
 	var rig := _make_rig(STABLE)
 	rig.tracker.start()
 	rig.tracker.advance_to(1.0)
 	var hmm := rig.gesture_hmm
-	check_equal(hmm.get_value_at(hmm.time), hmm.value, "now")
-	check_equal(hmm.get_value_at(hmm.time - 1.0), hmm.value, "no time before")
+	check_equal(hmm.get_value_at(hmm.time), hmm.value, "the present value")
+	check_equal(hmm.get_value_at(hmm.time - 1.0), hmm.value, "a past time gives the present value")
 	var furthest := 0.0
 	for step in range(1000, 2000, 10):
 		rig.tracker.advance_to(step * Rig.STEP_S)
 		var ahead := hmm.get_value_at((step + 1) * Rig.STEP_S)
 		rig.tracker.advance_to((step + 1) * Rig.STEP_S)
 		furthest = maxf(furthest, absf(ahead - hmm.value))
-	check(furthest < 0.0005, "a millisecond ahead: %f m off at most" % furthest)
+	check(furthest < 0.0005, "1 ms ahead: at most %f m off" % furthest)
 	rig.free_nodes()
 
 
 func test_quality() -> void:
 	var gesture_hmm := GestureHMM.new()
-	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate unless told otherwise")
+	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate by default")
 	gesture_hmm.free()
 
 	var curves: Array[PackedFloat64Array] = []
@@ -179,13 +179,13 @@ func test_quality() -> void:
 		curves.append(rig.record(0, 2400))
 		check_equal(String(rig.gesture_hmm.recognised), "horizontal_drag", "recognised")
 		rig.free_nodes()
-	check(curves[0] != curves[2] and curves[1] != curves[2], "each makes a motion of its own")
+	check(curves[0] != curves[2] and curves[1] != curves[2], "each quality gives another motion")
 	var amplitude: float = _trials.get_trial(STABLE)["amplitude_m"]
 	for i in 2:
 		var furthest := 0.0
 		for step in curves[2].size():
 			furthest = maxf(furthest, absf(curves[i][step] - curves[2][step]))
-		check(furthest < 0.05 * amplitude, "near the accurate one where tracking is good")
+		check(furthest < 0.05 * amplitude, "near the accurate one with good tracking")
 
 
 func test_a_known_sensor_latency_is_compensated() -> void:
@@ -205,7 +205,7 @@ func test_a_known_sensor_latency_is_compensated() -> void:
 	check(absi(earlier_ms - LATENCY_MS) < 10, "earlier by %d ms" % earlier_ms)
 
 
-func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
+func test_min_confidence_may_change_at_any_time() -> void:
 	# expects error: min_confidence must be 0..1, is
 	var rig := _make_rig(STABLE)
 	var hmm := rig.gesture_hmm
@@ -213,7 +213,7 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 	hmm.min_confidence = 1.01
 	hmm.min_confidence = -0.01
 	hmm.min_confidence = NAN
-	check_equal(hmm.min_confidence, 0.0, "none of them is taken")
+	check_equal(hmm.min_confidence, 0.0, "values out of range are refused")
 	var least: Array[float] = []
 	hmm.gesture_started.connect(
 		func(_gesture: StringName, _task: GestureTask) -> void: least.append(hmm.confidence)
@@ -223,17 +223,17 @@ func test_how_sure_a_gesture_has_to_be_may_be_changed_at_any_time() -> void:
 		rig.record(0, 2400)
 		var is_shown := wanted < 1.0
 		check_equal(String(hmm.recognised), "horizontal_drag" if is_shown else "", "at %s" % wanted)
-		check_equal(least.size(), 1, "begun once, at 0.9")
-	check(least[0] >= 0.9, "begun at %s" % least[0])
-	# Too sure until the hand is on its way, and no more from then on.
+		check_equal(least.size(), 1, "started once with 0.9")
+	check(least[0] >= 0.9, "started at confidence %s" % least[0])
+	# The confidence stays below 1. From half of the movement on, 0 is enough.
 	rig.tracker.start()
 	var trial := _trials.get_trial(STABLE)
 	var half_way_s: float = 0.5 * (trial["start_s"] + trial["end_s"])
 	rig.tracker.advance_to(half_way_s)
-	check_equal(hmm.gesture, &"", "not sure enough half-way")
+	check_equal(hmm.gesture, &"", "not active half-way")
 	hmm.min_confidence = 0.0
 	rig.tracker.advance_to(half_way_s + 0.1)
-	check_equal(String(hmm.gesture), "horizontal_drag", "under way as soon as it may be")
+	check_equal(String(hmm.gesture), "horizontal_drag", "active after the change")
 	rig.free_nodes()
 
 
@@ -286,7 +286,7 @@ func test_warnings_name_what_prevents_recognition() -> void:
 	rig.task.gesture = &"horizontal_drag"
 	rig.task.direction = Vector3.ZERO
 	rig.tracker.advance(0.01)
-	# The only one that holds a gesture: the place of a task without one is its.
+	# The only model: a task without a gesture is for it.
 	hmm.models = [load(Rig.MODEL % "zoom"), GestureModel.new()]
 	rig.task.gesture = &""
 	rig.tracker.advance(0.01)
@@ -300,13 +300,13 @@ func test_warnings_name_what_prevents_recognition() -> void:
 		node.free()
 
 
-func test_reset_forgets() -> void:
+func test_reset_clears_gesture_and_value() -> void:
 	var rig := _make_rig(0)
 	rig.record(0, 2400)
 	check_equal(String(rig.gesture_hmm.recognised), "horizontal_drag", "recognised")
 	rig.gesture_hmm.reset()
-	check_equal(String(rig.gesture_hmm.recognised), "", "forgotten")
-	check_equal(rig.gesture_hmm.value, 0.0, "at the start again")
+	check_equal(String(rig.gesture_hmm.recognised), "", "recognised is cleared")
+	check_equal(rig.gesture_hmm.value, 0.0, "the value is 0")
 	rig.free_nodes()
 
 

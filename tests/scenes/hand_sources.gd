@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What all sources have in common, sources in GDScript, and mistakes that newcomers make.
+## Common behaviour of all sources, sources in GDScript, and mistakes of newcomers.
 
 const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
@@ -12,7 +12,7 @@ const PLACE := Vector3(0.1, 1.2, -0.3)
 
 class Scene:
 	extends Node3D
-	## As a newcomer writes it: the source is set when the scene is ready.
+	## As newcomers write it: the source is set in _ready().
 
 	var tracker := HandTracker.new()
 	var source := SyntheticSource.new()
@@ -58,7 +58,7 @@ func test_a_source_set_in_ready_starts_by_itself() -> void:
 	await process_frame
 	check(scene.tracker.is_running(), "it runs")
 	scene.tracker.source = null
-	check(not scene.tracker.is_running(), "and stops without one")
+	check(not scene.tracker.is_running(), "it stops without a source")
 	scene.free()
 
 
@@ -80,9 +80,9 @@ func test_frames_pushed_right_after_the_source_is_set() -> void:
 	root.add_child(tracker)
 	tracker.source = ScriptSource.new()
 	check_equal(tracker.push_frame(1.0, {INDEX: PLACE}), OK, "the first frame is taken")
-	check(tracker.is_joint_tracked(INDEX), "and delivered")
+	check(tracker.is_joint_tracked(INDEX), "the frame is delivered")
 	await process_frame
-	check(tracker.is_joint_tracked(INDEX), "nothing starts anew after it")
+	check(tracker.is_joint_tracked(INDEX), "the next frame does not restart it")
 	tracker.free()
 
 
@@ -95,7 +95,7 @@ func test_joints_are_numbered_as_in_xr_hand_tracker() -> void:
 	tracker.push_frame(0.0, joints)
 	check_equal(tracker.get_joint_position(INDEX).z, Vector3(0, 0, 0.1).z, "the index tip")
 	var distal := XRHandTracker.HAND_JOINT_INDEX_FINGER_PHALANX_DISTAL
-	check(tracker.is_joint_tracked(distal as HandTracker.Joint), "all 26 are kept")
+	check(tracker.is_joint_tracked(distal as HandTracker.Joint), "all 26 joints are kept")
 	tracker.free()
 
 
@@ -121,7 +121,7 @@ func test_frames_are_typed() -> void:
 	check_equal(frames[0].confidence, 0.7, "confidence")
 	check_equal(frames[0].get_joints().keys(), [HandTracker.JOINT_PALM, INDEX], "joints")
 	check_equal(frames[0].get_joint_position(INDEX), PLACE, "position")
-	check(is_nan(frames[0].device_time), "no device, no device's time")
+	check(is_nan(frames[0].device_time), "without a device there is no device time")
 	check(not frames[1].is_tracked(), "an empty frame")
 	tracker.free()
 
@@ -136,7 +136,7 @@ func test_impossible_frames_are_dropped() -> void:
 		var place := PLACE if frame < 30 else bad[frame % 3]
 		tracker.push_frame(frame * FRAME_S, {INDEX: place, HandTracker.JOINT_PALM: place})
 		if frame >= 30:
-			check(not tracker.is_joint_tracked(INDEX), "%s is no place" % place)
+			check(not tracker.is_joint_tracked(INDEX), "%s is not a valid position" % place)
 	check(not tracker.is_hand_tracked(), "the hand is lost")
 	tracker.free()
 
@@ -195,7 +195,7 @@ func test_the_source_of_the_docs() -> void:
 	var text := FileAccess.get_file_as_string(docs)
 	var code := text.get_slice("```gdscript\n", 1).get_slice("```", 0)
 	var script := GDScript.new()
-	# Another global class of that name would be one too many.
+	# A second global class of that name is an error.
 	script.source_code = code.replace("class_name UdpSource\n", "")
 	check_equal(script.reload(), OK, "it compiles")
 	var source := script.new() as HandSource
@@ -221,7 +221,7 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 	var tracker := _tracker(ScriptSource.new())
 	tracker.publish_name = name
 	tracker.publish_hand = HandTracker.HAND_LEFT
-	check(XRServer.get_tracker(name) == null, "not before it runs")
+	check(XRServer.get_tracker(name) == null, "not published before it runs")
 	tracker.start()
 	var hand := XRServer.get_tracker(name) as XRHandTracker
 	check_equal(hand.hand, XRPositionalTracker.TRACKER_HAND_LEFT, "the left hand")
@@ -229,10 +229,10 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 	check(hand.has_tracking_data, "it is tracked")
 	var tip := XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP
 	check_equal(hand.get_hand_joint_transform(tip).origin, PLACE, "a measured joint")
-	check(_is_measured(hand, tip), "is marked as tracked")
+	check(_is_measured(hand, tip), "a tracked joint is marked as tracked")
 	var middle := XRHandTracker.HAND_JOINT_INDEX_FINGER_PHALANX_INTERMEDIATE
 	check(not _is_measured(hand, middle), "an inferred one is valid only")
-	check(hand.get_hand_joint_flags(middle) & XRHand.INFERRED != 0, "and it is there")
+	check(hand.get_hand_joint_flags(middle) & XRHand.INFERRED != 0, "the inferred joint is present")
 	check_equal(hand.get_hand_joint_flags(XRHandTracker.HAND_JOINT_THUMB_TIP), 0, "no thumb")
 	var again := _tracker(XRSource.new())
 	(again.source as XRSource).tracker_name = name
@@ -243,7 +243,7 @@ func test_a_source_is_published_as_an_xr_hand_tracker() -> void:
 		tracker.push_frame(frame * FRAME_S, {})
 	check(not hand.has_tracking_data, "a lost hand")
 	tracker.free()
-	check(XRServer.get_tracker(name) == null, "nor after it is freed")
+	check(XRServer.get_tracker(name) == null, "not published after it is freed")
 
 
 func test_a_name_that_is_taken_is_not_published() -> void:
@@ -259,7 +259,9 @@ func test_a_name_that_is_taken_is_not_published() -> void:
 	tracker.publish_name = XRHand.LEFT
 	check(XRServer.get_tracker(XRHand.LEFT) == left.tracker, "the runtime's tracker stays")
 	tracker.free()
-	check(XRServer.get_tracker(XRHand.LEFT) == left.tracker, "when the node is freed too")
+	check(
+		XRServer.get_tracker(XRHand.LEFT) == left.tracker, "it also stays after the node is freed"
+	)
 	left.remove()
 	hand.remove()
 
@@ -387,7 +389,7 @@ func test_a_placed_synthetic_hand_moves_at_its_task() -> void:
 		root.add_child(hmm)
 		while not tracker.is_finished():
 			tracker.advance(FRAME_S)
-		check_equal(hmm.recognised, gesture, "%s: it is made there" % gesture)
+		check_equal(hmm.recognised, gesture, "%s: it is recognised there" % gesture)
 		source.place_at(task)
 		check_equal(source.placement, SyntheticSource.PLACEMENT_FIXED, "place_at() fixes it")
 		check_equal(source.start, task.position, "at the task's start")
@@ -415,8 +417,8 @@ func test_the_true_motion_is_the_reference_of_the_measured_one() -> void:
 			check(is_whole, "the reference has no dropouts")
 			check_near(tracker.frame_rate, 240.0, 1.0, "its rate")
 		tracker.free()
-	check(ends[0].distance_to(ends[1]) > 1e-4, "the simulated tracker errs")
-	check(ends[0].distance_to(ends[1]) < 0.1, "on the same motion")
+	check(ends[0].distance_to(ends[1]) > 1e-4, "the simulated tracker has errors")
+	check(ends[0].distance_to(ends[1]) < 0.1, "both have the same motion")
 
 
 func test_a_degraded_source_adds_its_faults() -> void:
@@ -432,7 +434,7 @@ func test_a_degraded_source_adds_its_faults() -> void:
 	check(degraded.drift > 0.0 and degraded.latency > 0.0, "a preset sets the properties")
 	degraded.preset = DegradedSource.PRESET_STABLE
 	degraded.latency = 0.1
-	check_equal(degraded.preset, DegradedSource.PRESET_CUSTOM, "which a change makes its own")
+	check_equal(degraded.preset, DegradedSource.PRESET_CUSTOM, "a changed property makes it custom")
 	# expects one error: its numbers must be finite, and 0 (off) or more
 	degraded.noise = NAN
 	var late := DegradedSource.new()
@@ -443,7 +445,7 @@ func test_a_degraded_source_adds_its_faults() -> void:
 	for frame in 100:
 		tracker.push_frame(frame * FRAME_S, {INDEX: Vector3(0.001 * frame, 1, 0)})
 	check_near(tracker.get_joint_position(INDEX).x, 0.089, 1e-6, "0.1 s late")
-	check_near(tracker.get_time(), 0.99, 1e-9, "at its own time")
+	check_near(tracker.get_time(), 0.99, 1e-9, "the frame keeps its time")
 	tracker.free()
 
 

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## Where frames come from: recordings, scripts, synthetic people.
+## Sources of frames: recordings, scripts, synthetic people.
 
 const TRACK := """# origin: test
 t,index_x,index_y,index_z,confidence
@@ -21,7 +21,7 @@ func test_recorded_source_plays_frames_and_signals() -> void:
 	check_equal(tracker.get_start_time(), 1.0, "the clock starts with the first frame")
 	check_near(tracker.get_duration(), 0.51, 1e-12, "duration")
 	tracker.advance_to(1.015)
-	check_equal(_stamps, [1.0, 1.01] as Array[float], "frames up to the time, none beyond")
+	check_equal(_stamps, [1.0, 1.01] as Array[float], "only frames up to this time")
 	check_equal(tracker.get_time(), 1.015, "the clock is at that time")
 	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the index tip is tracked")
 	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "the thumb is not")
@@ -72,23 +72,23 @@ func test_loop_never_goes_back_in_time() -> void:
 	var is_rising := true
 	for i in range(1, _stamps.size()):
 		is_rising = is_rising and _stamps[i] > _stamps[i - 1]
-	check(_stamps.size() >= 15 and is_rising, "rounds follow one another in time")
+	check(_stamps.size() >= 15 and is_rising, "loops follow each other in time")
 	check(not tracker.is_finished(), "a loop does not finish")
 	tracker.free()
 
 
-func test_loop_is_that_of_the_start() -> void:
+func test_the_loop_setting_is_read_at_the_start() -> void:
 	var source := _recording(_write("track.csv", TRACK))
 	var tracker := _make_tracker(source)
 	tracker.start()
 	source.loop = true
 	tracker.advance(4000.0)
-	check(tracker.is_finished(), "a track that was started without one has its end")
+	check(tracker.is_finished(), "a track started without a loop ends")
 	tracker.start()
 	source.loop = false
 	# expects error: advance() moves a looped track by at most an hour
 	tracker.advance(1e9)
-	check_equal(tracker.get_time(), 1.0, "one that was started in a loop goes on in it")
+	check_equal(tracker.get_time(), 1.0, "a track started in a loop stays in it")
 	tracker.free()
 
 
@@ -102,11 +102,11 @@ func test_script_source() -> void:
 	check_equal(tracker.get_joint_position(HandTracker.JOINT_INDEX), tip * 2.0, "its position")
 	check_equal(tracker.get_time(), 10.02, "the clock is the last stamp")
 	tracker.advance(0.5)
-	check_near(tracker.get_time(), 10.52, 1e-12, "or the time advanced to")
-	check_equal(_events, ["found", "lost"] as Array[String], "none has come for long")
-	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the last one holds the index tip")
+	check_near(tracker.get_time(), 10.52, 1e-12, "the clock is the time of advance_to()")
+	check_equal(_events, ["found", "lost"] as Array[String], "a hand without frames is lost")
+	check(tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the last frame has the index tip")
 	tracker.stop()
-	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "until the tracker is stopped")
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "not after the tracker is stopped")
 	tracker.free()
 
 
@@ -148,7 +148,7 @@ func test_plays_by_itself() -> void:
 	var began_ms := Time.get_ticks_msec()
 	while not tracker.is_finished() and Time.get_ticks_msec() - began_ms < 5000:
 		await process_frame
-	check(tracker.is_finished(), "the playback ends with nobody stepping it")
+	check(tracker.is_finished(), "the playback ends without manual steps")
 	check_equal(_stamps.size(), 5, "all frames came")
 	tracker.free()
 
@@ -170,7 +170,7 @@ func test_a_tracker_records_its_frames() -> void:
 	copy.start()
 	copy.advance(100.0)
 	check(stamps.size() > 100 and _stamps == stamps, "the copy has the same stamps")
-	check(copied_positions == positions, "and the same positions")
+	check(copied_positions == positions, "the copy has the same positions")
 	copy.free()
 
 
@@ -181,14 +181,14 @@ func test_a_played_recording_is_not_overwritten() -> void:
 	var tracker := _make_tracker(source)
 	var folder := path.get_base_dir()
 	# expects error: track.csv. Record to another file
-	check_equal(tracker.start_recording(path), ERR_FILE_ALREADY_IN_USE, "before it is started")
+	check_equal(tracker.start_recording(path), ERR_FILE_ALREADY_IN_USE, "refused before the start")
 	tracker.start()
 	source.track = folder.path_join("other.csv")
 	var by_another_name := folder.path_join("../%s/./track.csv" % folder.get_file())
 	check_equal(tracker.start_recording(by_another_name), ERR_FILE_ALREADY_IN_USE, "while it plays")
 	check_equal(FileAccess.get_file_as_string(path), TRACK, "the file is as it was")
 	tracker.stop()
-	check_equal(tracker.start_recording(path), OK, "once it is no longer played")
+	check_equal(tracker.start_recording(path), OK, "allowed once it is no longer played")
 	tracker.free()
 
 
@@ -212,8 +212,8 @@ func test_two_trackers_do_not_record_to_one_file() -> void:
 			tracker.push_frame(i, {HandTracker.JOINT_INDEX: Vector3.ONE})
 	left.stop_recording()
 	var rows := FileAccess.get_file_as_string(path).split("\n", false)
-	check_equal(rows.size(), 5, "all of the first one's rows are there, under two lines of header")
-	check_equal(right.start_recording(path), OK, "a file that is no longer written is free")
+	check_equal(rows.size(), 5, "all rows of the first recording are there, below two header lines")
+	check_equal(right.start_recording(path), OK, "the file can be used after the recording")
 	left.free()
 	right.free()
 

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The hand that a tracker's joints make, and the player's rig without a headset.
+## The display of a tracked hand, and the player's rig without a headset.
 
 const HandView := preload("res://xr/hand_view.gd")
 
@@ -25,12 +25,12 @@ func test_a_simulated_hand_is_shown_whole() -> void:
 	var tip := tracker.get_joint_position(HandTracker.JOINT_INDEX)
 	var is_at_tip := func(shape: MeshInstance3D) -> bool:
 		return shape.mesh is SphereMesh and shape.global_position.is_equal_approx(tip)
-	check(shown.any(is_at_tip), "a fingertip is where the tracker says")
+	check(shown.any(is_at_tip), "a fingertip is at its tracked position")
 	tracker.stop()
 	for frame in 2:
 		await process_frame
 	var is_hidden := func(shape: MeshInstance3D) -> bool: return not shape.visible
-	check(view.get_children().all(is_hidden), "nothing is shown of a lost hand")
+	check(view.get_children().all(is_hidden), "a lost hand is hidden")
 	for node: Node in [view, tracker]:
 		node.free()
 
@@ -41,7 +41,7 @@ func test_the_rig_does_nothing_without_a_headset() -> void:
 	await process_frame
 	check(not rig.call("is_active"), "no XR interface")
 	check(not root.use_xr, "the viewport stays as it is")
-	check(not (rig.get_node("Right") as HandTracker).is_running(), "no hand is waited for")
+	check(not (rig.get_node("Right") as HandTracker).is_running(), "the tracker does not run")
 	var camera := rig.get_node("XRCamera3D") as Node3D
 	camera.transform = Transform3D(Basis(Vector3.UP, 1.0), Vector3(0.3, 1.5, -0.4))
 	rig.call("recentre")

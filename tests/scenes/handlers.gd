@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What a script may do in a signal handler, to a property's array, and to a scene that it saves.
+## Actions of scripts in signal handlers, on arrays of properties, and on saved scenes.
 
 const Rig := preload("support/rig.gd")
 
@@ -24,23 +24,25 @@ func test_a_handler_may_free_the_tracker() -> void:
 				if is_instance_valid(tracker):
 					tracker.advance_to(step * Rig.STEP_S)
 		check(not is_instance_valid(tracker), "freed while it delivered a frame")
-		check(rig.gesture_hmm.tracker == null, "and nobody's any more")
+		check(rig.gesture_hmm.tracker == null, "the GestureHMM has no tracker")
 		rig.gesture_hmm.free()
 		rig.task.free()
 
 
 func test_a_handler_may_free_the_scene_of_the_gesture() -> void:
-	for told: StringName in [&"gesture_started", &"state_changed", &"motion_updated"]:
+	for signal_name: StringName in [&"gesture_started", &"state_changed", &"motion_updated"]:
 		var rig := _make_rig()
 		var scene := Node.new()
 		root.add_child(scene)
 		rig.gesture_hmm.reparent(scene)
 		# expects error: was freed or unreferenced while a signal is being emitted from it
 		var leave := func() -> void: scene.free()
-		rig.gesture_hmm.connect(told, leave.unbind(2 if told == &"gesture_started" else 1))
+		rig.gesture_hmm.connect(
+			signal_name, leave.unbind(2 if signal_name == &"gesture_started" else 1)
+		)
 		rig.tracker.start()
 		rig.tracker.advance_to(2.4)
-		check(not is_instance_valid(scene), "freed by a handler of %s" % told)
+		check(not is_instance_valid(scene), "freed by a handler of %s" % signal_name)
 		rig.tracker.free()
 		rig.task.free()
 
@@ -57,8 +59,8 @@ func test_a_tracker_that_is_freed_leaves_no_gesture() -> void:
 		rig.tracker.advance_to(step * Rig.STEP_S)
 	check(hmm.gesture != &"", "under way")
 	rig.tracker.free()
-	check_equal(hmm.gesture, &"", "none without a tracker")
-	check_equal(hmm.state, -1, "nor a state")
+	check_equal(hmm.gesture, &"", "no gesture without a tracker")
+	check_equal(hmm.state, -1, "no state")
 	check_equal(states[-1], -1, "the signal has state -1")
 	hmm.free()
 	rig.task.free()
@@ -78,8 +80,8 @@ func test_a_handler_may_push_the_next_frame() -> void:
 				tracker.push_frame(frame.time + 0.1, {HandTracker.JOINT_INDEX: Vector3.ZERO})
 	)
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
-	check_equal(stamps.size(), 4, "each in the handler of the one before")
-	check_near(tracker.get_time(), 0.3, 1e-12, "the clock stays at the newest")
+	check_equal(stamps.size(), 4, "each frame is pushed by the handler of the one before")
+	check_near(tracker.get_time(), 0.3, 1e-12, "the clock stays at the newest frame")
 	# expects error: is before 0.3 s
 	check(tracker.push_frame(0.05, {}) != OK, "an older frame is refused")
 	tracker.free()
@@ -96,13 +98,13 @@ func test_a_reset_in_a_handler_sends_no_old_signals() -> void:
 			if not has_reset[0]:
 				has_reset[0] = true
 				hmm.reset()
-				check(states.is_empty(), "no state was told yet, and none is taken back")
+				check(states.is_empty(), "no state was sent before the reset")
 	)
 	rig.tracker.start()
 	for step in range(0, 2400):
 		rig.tracker.advance_to(step * Rig.STEP_S)
 		if not states.is_empty():
-			check_equal(states[-1], hmm.state, "told last: the state it is in")
+			check_equal(states[-1], hmm.state, "the last signal has the present state")
 			break
 	rig.free_nodes()
 
@@ -112,19 +114,19 @@ func test_the_arrays_are_copies() -> void:
 	var hmm := rig.gesture_hmm
 	hmm.models.append(null)
 	hmm.tasks.clear()
-	check_equal(hmm.models.size(), 1, "what is added to the array is not added to the models")
-	check_equal(hmm.tasks.size(), 1, "nor taken from the tasks")
+	check_equal(hmm.models.size(), 1, "a change of the returned array does not change the models")
+	check_equal(hmm.tasks.size(), 1, "nor the tasks")
 	var models: Array[GestureModel] = [hmm.models[0], hmm.models[0]]
 	hmm.models = models
 	models.clear()
-	check_equal(hmm.models.size(), 2, "nor is the array that was set")
+	check_equal(hmm.models.size(), 2, "a change of the assigned array does not change them")
 	rig.free_nodes()
 	var synth := HapticSynth.new()
 	var effects: Array[HapticEffect] = [SpringEffect.new()]
 	synth.effects = effects
 	effects.append(null)
 	synth.effects.clear()
-	check_equal(synth.effects.size(), 1, "and so with a synth's effects")
+	check_equal(synth.effects.size(), 1, "the same holds for the effects")
 	synth.free()
 
 
@@ -146,25 +148,27 @@ func test_tasks_are_saved_with_their_scene() -> void:
 	scene.free()
 
 
-func test_numbers_that_are_none() -> void:
+func test_invalid_numbers_are_refused() -> void:
 	var rig := _make_rig()
 	var hmm := rig.gesture_hmm
 	rig.record(0, 1000)
 	for no_time: float in [NAN, INF, -INF]:
-		check_equal(hmm.get_value_at(no_time), hmm.value, "at no time: now")
+		check_equal(hmm.get_value_at(no_time), hmm.value, "an invalid time gives the present value")
 	# expects error: : update_mode must be one of UPDATE_*
 	rig.tracker.update_mode = 9 as HandTracker.UpdateMode
-	check_equal(rig.tracker.update_mode, HandTracker.UPDATE_MANUAL, "an update mode of none")
+	check_equal(
+		rig.tracker.update_mode, HandTracker.UPDATE_MANUAL, "an invalid update mode is refused"
+	)
 	# expects error: : motion must be one of MOTION_*
 	hmm.motion = 7 as GestureHMM.Motion
-	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "nor of a motion")
+	check_equal(hmm.motion, GestureHMM.MOTION_SYNTHESISED, "an invalid motion is refused")
 	var spring := SpringEffect.new()
 	# expects error: SpringEffect: drive must be one of DRIVE_*
 	spring.drive = 9 as HapticEffect.Drive
-	check_equal(spring.drive, HapticEffect.DRIVE_POSITION, "of a drive")
+	check_equal(spring.drive, HapticEffect.DRIVE_POSITION, "an invalid drive is refused")
 	# expects error: SpringEffect: trigger must be one of TRIGGER_*
 	spring.trigger = -1 as HapticEffect.Trigger
-	check_equal(spring.trigger, HapticEffect.TRIGGER_MOVING, "of a trigger")
+	check_equal(spring.trigger, HapticEffect.TRIGGER_MOVING, "an invalid trigger is refused")
 	rig.free_nodes()
 
 	var tracker := HandTracker.new()
@@ -173,19 +177,19 @@ func test_numbers_that_are_none() -> void:
 	root.add_child(tracker)
 	tracker.start()
 	var far := {HandTracker.JOINT_INDEX: Vector3(3e38, 0.0, 0.0)}
-	check_equal(tracker.push_frame(0.0, far), OK, "a place that is none is taken")
-	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "as not tracked")
+	check_equal(tracker.push_frame(0.0, far), OK, "a position out of range is accepted")
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_INDEX), "the joint is not tracked")
 	tracker.free()
 	var source := SyntheticSource.new()
 	source.seed = 1 << 40
-	check_equal(source.seed, 1 << 40, "a seed may have all bits")
+	check_equal(source.seed, 1 << 40, "a seed may have 64 bits")
 	# expects error: SyntheticSource: subject must be 0..4294967295
 	source.subject = 1 << 40
-	check_equal(source.subject, 0, "a subject has 32")
+	check_equal(source.subject, 0, "a subject of more than 32 bits is refused")
 	var synth := HapticSynth.new()
 	# expects error: : joypad must be -1 (none) or the number of a joypad
 	synth.joypad = 1 << 40
-	check_equal(synth.joypad, -1, "and no joypad has such a number")
+	check_equal(synth.joypad, -1, "an invalid joypad is refused")
 	synth.free()
 
 
@@ -206,7 +210,7 @@ func test_a_gesture_without_its_required_task_is_warned_of() -> void:
 	tracker.start()
 	# expects warning: this gesture is measured from the task's start
 	tracker.push_frame(0.0, {HandTracker.JOINT_INDEX: Vector3.ZERO})
-	check(hmm.gesture == &"", "without one it is not recognised")
+	check(hmm.gesture == &"", "without a task it is not recognised")
 	for node: Node in [hmm, tracker]:
 		node.free()
 

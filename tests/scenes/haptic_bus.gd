@@ -29,12 +29,12 @@ func test_the_bus_carries_the_vibration() -> void:
 func test_a_change_of_level_does_not_click() -> void:
 	var samples := await _listen(0.1 * LEVEL, 0.0)
 	var greatest := LEVEL * TAU * FREQUENCY_HZ / AudioServer.get_mix_rate()
-	check(Waveform.peak(samples) > 0.5 * LEVEL, "the change is heard")
+	check(Waveform.peak(samples) > 0.5 * LEVEL, "the change is audible")
 	check(Waveform.greatest_step(samples) < 1.1 * greatest, "no step above the waveform's own")
 
 
 func test_rest_is_silent() -> void:
-	check(Waveform.peak(await _listen(0.0)) < 1e-4, "nothing where nothing moves")
+	check(Waveform.peak(await _listen(0.0)) < 1e-4, "silence without motion")
 
 
 func test_a_tracker_that_stops_is_silent() -> void:
@@ -42,7 +42,7 @@ func test_a_tracker_that_stops_is_silent() -> void:
 	await create_timer(1.5).timeout
 	var capture := _spring.capture
 	var samples := capture.get_buffer(capture.get_frames_available())
-	check(samples.size() > 0 and samples[-1] == Vector2.ZERO, "nothing where no motion comes")
+	check(samples.size() > 0 and samples[-1] == Vector2.ZERO, "silence without frames")
 	_spring.free_nodes()
 
 
@@ -69,7 +69,7 @@ func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
 	while first < heard.size() and absf(heard[first]) < SILENCE:
 		first += 1
 	check(first < heard.size() - 2000, "the tap is felt")
-	# That of the phase 0 is silence.
+	# The sample at phase 0 is 0.
 	var rate_hz := AudioServer.get_mix_rate()
 	var t := 1.0 / rate_hz
 	var peak := heard[first] / (exp(-200.0 * t) * sin(TAU * 300.0 * t))
@@ -80,7 +80,7 @@ func test_a_live_tap_is_an_impulse_from_its_first_sample_on() -> void:
 		error = maxf(error, absf(heard[first + i] - truth))
 	check(peak > 0.1 and peak < 1.0, "M is the speed: %s" % peak)
 	check(error < 1e-4, "M exp(-N t) sin(2 pi f t), within %s" % error)
-	check_equal(Waveform.peak(heard.slice(first + 2000)), 0.0, "once, and then nothing")
+	check_equal(Waveform.peak(heard.slice(first + 2000)), 0.0, "silence after it")
 
 
 func _build() -> void:
@@ -94,7 +94,7 @@ func _build() -> void:
 ## amplitude), from `settling_s` after now on.
 func _listen(level: float, settling_s: float = 0.3) -> PackedFloat32Array:
 	await _spring.settle(level, settling_s)
-	var samples := await _spring.hear(level, HEARD_S)
+	var samples := await _spring.record(level, HEARD_S)
 	var wanted := int(HEARD_S * AudioServer.get_mix_rate())
 	samples.resize(mini(wanted, samples.size()))
 	check_equal(samples.size(), wanted, "the bus is mixed in real time")

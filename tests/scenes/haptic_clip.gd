@@ -42,7 +42,7 @@ func test_a_bad_file_gets_one_error_with_its_line() -> void:
 	check(HapticClip.load_file(_path("none.haptic")) == null, "no file")
 
 
-func test_a_clip_is_saved_with_how_it_is_played() -> void:
+func test_a_saved_clip_keeps_its_settings() -> void:
 	var clip := HapticClip.load_file(_write("once.haptic", CLIP % "0.5"))
 	clip.trigger = HapticEffect.TRIGGER_MOVING
 	clip.drive = HapticEffect.DRIVE_POSITION
@@ -89,7 +89,7 @@ func test_a_clip_is_played_at_the_contact() -> void:
 	var worst := 0.0
 	for i in expected.size() - 1:
 		worst = maxf(worst, absf(samples[first - 1 + i] - 0.5 * expected[i]))
-	check(worst < 1e-3, "every sample of it: within %s" % worst)
+	check(worst < 1e-3, "every sample of the clip, within %s" % worst)
 	check_equal(Waveform.peak(samples.slice(first + expected.size())), 0.0, "then silence")
 
 
@@ -102,14 +102,14 @@ func test_a_clip_is_played_at_the_start_of_a_gesture() -> void:
 	var worst := 0.0
 	for i in expected.size():
 		worst = maxf(worst, absf(samples[first + i] - expected[i]))
-	check(worst < 1e-3, "each sample of it from gesture_started on: within %s" % worst)
+	check(worst < 1e-3, "every sample of the clip from gesture_started on, within %s" % worst)
 	check_equal(Waveform.peak(samples.slice(0, first)), 0.0, "silence before it")
 	check_equal(Waveform.peak(samples.slice(first + expected.size() + 1)), 0.0, "and after")
 	var again: HapticClip = clip.duplicate()
 	check_equal(again.trigger, HapticEffect.TRIGGER_START, "a copy is played at the start too")
 
 
-func test_a_clip_at_the_start_is_heard_live() -> void:
+func test_a_clip_at_the_start_is_played_live() -> void:
 	var clip := HapticClip.load_file(_write("live.haptic", CLIP % "0.5"))
 	clip.trigger = HapticEffect.TRIGGER_START
 	var trials := Rig.write_trials(_folder.get_current_dir(), 1, "tap")
@@ -130,7 +130,10 @@ func test_a_clip_at_the_start_is_heard_live() -> void:
 		if is_loud and is_nan(heard_s):
 			heard_s = step * LIVE_STEP_S
 		plays += int(is_loud)
-	check(heard_s - _started_s < 0.05, "soon after %s s: at %s s" % [_started_s, heard_s])
+	check(
+		heard_s - _started_s < 0.05,
+		"within 50 ms of the start at %s s: at %s s" % [_started_s, heard_s]
+	)
 	check_near(plays * LIVE_STEP_S, clip.duration, 2.0 * LIVE_STEP_S, "once")
 	synth.free()
 	rig.free_nodes()

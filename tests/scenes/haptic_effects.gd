@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What a gesture feels like: the effects that come with it, each from its own sample on.
+## The vibration of a gesture: its effects, each from its exact sample on.
 
 const Rig := preload("support/rig.gd")
 const Waveform := preload("support/waveform.gd")
@@ -21,7 +21,9 @@ func test_a_drag_is_a_spring_and_a_cue_from_its_end_on() -> void:
 	check(Waveform.peak(before) > 0.8, "the spring is stretched: %s" % Waveform.peak(before))
 	var cue := samples.slice(arrival + RATE_HZ / 50, arrival + RATE_HZ / 25)
 	var level := Waveform.amplitude_at(cue, RATE_HZ, 180.0)
-	check(level > 0.45 and level < 0.8, "half by the constant speed, more by the hand: %s" % level)
+	check(
+		level > 0.45 and level < 0.8, "0.5 from the constant speed, more from the hand: %s" % level
+	)
 	check_equal(Waveform.peak(samples.slice(arrival + int(0.062 * RATE_HZ))), 0.0, "then silence")
 	var bound := 2.0 * sin(PI * 180.0 / RATE_HZ)
 	# While the spring fades the cue swells, and both are heard.
@@ -32,7 +34,7 @@ func test_a_tap_is_an_impulse_from_the_sample_of_the_contact_on() -> void:
 	var played := _play("tap", [])
 	var samples: PackedFloat32Array = played["samples"]
 	var arrival: int = played["arrival"]
-	check_equal(Waveform.peak(samples.slice(0, arrival - 1)), 0.0, "nothing before the contact")
+	check_equal(Waveform.peak(samples.slice(0, arrival - 1)), 0.0, "silence before the contact")
 	var peak: float = played["speed"]
 	var worst := INF
 	# The value between two instants is known to a sample.
@@ -115,11 +117,11 @@ func test_an_effect_ends_in_time() -> void:
 		custom.duration = number
 		custom.waveform_rate = number
 	check_equal(impulse.decay, 200.0, "the decay stays")
-	check_equal(cue.duration, 0.06, "and so does the cue's duration")
+	check_equal(cue.duration, 0.06, "the duration of the cue stays")
 	check_equal(custom.duration, 0.06, "a curve's")
-	check_equal(custom.waveform_rate, 48000.0, "and a waveform's rate")
+	check_equal(custom.waveform_rate, 48000.0, "the rate of a waveform stays")
 	cue.duration = 10.0
-	check_equal(cue.duration, 10.0, "the longest is taken")
+	check_equal(cue.duration, 10.0, "the longest duration is accepted")
 
 
 func test_the_device_decides_frequency_and_strength() -> void:
@@ -131,7 +133,7 @@ func test_the_device_decides_frequency_and_strength() -> void:
 	var played := _play("horizontal_drag", [], Callable(), synth)
 	var samples: PackedFloat32Array = played["samples"]
 	var arrival: int = played["arrival"]
-	check_near(Waveform.peak(samples), 0.5, 1e-3, "held to what it bears")
+	check_near(Waveform.peak(samples), 0.5, 1e-3, "limited to the device's maximum")
 	var window := samples.slice(arrival - RATE_HZ / 25, arrival)
 	var at_resonance := Waveform.amplitude_at(window, RATE_HZ, 175.0)
 	check_near(at_resonance, 0.5, 0.02, "at its resonance")
@@ -159,7 +161,12 @@ func test_a_response_is_filled_in_point_by_point() -> void:
 	spring.frequency = 180.0
 	spring.gain = 0.3
 	var played := _play("horizontal_drag", [spring], Callable(), synth)
-	check_near(Waveform.peak(played["samples"]), 0.3 / 0.6, 5e-3, "half-way over the octaves: 0.6")
+	check_near(
+		Waveform.peak(played["samples"]),
+		0.3 / 0.6,
+		5e-3,
+		"0.6 half-way between the frequencies, in octaves"
+	)
 
 
 func test_a_script_takes_the_live_vibration() -> void:
@@ -180,7 +187,7 @@ func test_a_script_takes_the_live_vibration() -> void:
 	rig.free_nodes()
 
 
-func test_a_game_that_stands_still_is_silent() -> void:
+func test_a_stopped_game_is_silent() -> void:
 	var spring := SpringEffect.new()
 	spring.drive = HapticEffect.DRIVE_CONSTANT
 	var rig := _make_rig("horizontal_drag")
@@ -193,8 +200,8 @@ func test_a_game_that_stands_still_is_silent() -> void:
 		for frame in synth.get_buffer(128):
 			samples.append(frame.x)
 		peaks.append(Waveform.peak(samples))
-	check(peaks[49] > 0.9, "while time goes on: %s" % peaks[49])
-	check_equal(peaks[99], 0.0, "0.8 s after it has stopped")
+	check(peaks[49] > 0.9, "vibration while time advances: %s" % peaks[49])
+	check_equal(peaks[99], 0.0, "silence 0.8 s after time has stopped")
 	synth.free()
 	rig.free_nodes()
 

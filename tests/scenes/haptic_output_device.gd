@@ -1,6 +1,6 @@
 extends "support/scene_test.gd"
-## Another output device may be mixed at another rate, and the engine tells nobody. Its dummy driver
-## knows one device only: here ALSA's plays to devices that take any rate, in an engine of its own.
+## Another output device may have another mix rate, and the engine sends no signal. Its dummy driver
+## has one device only, so a second engine plays to ALSA devices that accept any rate.
 
 const HeardSpring := preload("support/heard_spring.gd")
 
@@ -30,11 +30,11 @@ func test_the_frequency_is_the_same_on_another_device() -> void:
 	arguments.append_array(["--script", get_script().resource_path, "--", IN_IT])
 	var output := []
 	var exit_code := OS.execute(OS.get_environment("GODOT"), arguments, output, true)
-	var said := "\n".join(output)
-	if said.contains("SKIP") or said.contains("Unknown audio driver"):
+	var text := "\n".join(output)
+	if text.contains("SKIP") or text.contains("Unknown audio driver"):
 		skip("no ALSA here")
 		return
-	check(exit_code == 0, "heard with ALSA" + ("" if exit_code == 0 else ": " + said))
+	check(exit_code == 0, "heard with ALSA" + ("" if exit_code == 0 else ": " + text))
 
 
 func _change_device() -> void:
@@ -60,21 +60,20 @@ static func _is_other() -> bool:
 	return AudioServer.get_mix_rate() == OTHER_RATE_HZ
 
 
-## The median of all periods that are heard, each time right after a frame has told of the motion:
-## these devices take what is mixed as fast as the machine is, and between two frames it may be
-## seconds.
+## The median of all periods, recorded right after frames with motion. These devices consume samples
+## as fast as the machine mixes them, which may be seconds of sound between two frames.
 func _heard_hz(spring: HeardSpring) -> float:
 	await spring.settle(LEVEL, 0.5)
 	var periods: Array[float] = []
 	for attempt in ATTEMPTS:
-		periods.append_array(_periods(await spring.hear_news(LEVEL)))
+		periods.append_array(_periods(await spring.record_frame(LEVEL)))
 		if periods.size() >= ENOUGH_PERIODS:
 			break
 	periods.sort()
 	return AudioServer.get_mix_rate() / periods[periods.size() / 2] if periods else 0.0
 
 
-## In samples.
+## Periods in samples.
 static func _periods(samples: PackedFloat32Array) -> Array[float]:
 	var periods: Array[float] = []
 	var last := -1.0

@@ -1,6 +1,6 @@
 extends "support/scene_test.gd"
-## The vibration's strength at an XR controller and a joypad. An XR interface of the test's own
-## stands in for the headset; of a joypad the engine remembers what it was told, there or not.
+## The vibration's strength at an XR controller and a joypad. A test XR interface replaces the
+## headset. The engine keeps the last strength of a joypad, connected or not.
 
 const Rig := preload("support/rig.gd")
 
@@ -45,13 +45,13 @@ var _trials := Rig.write_trials(_folder.get_current_dir(), 1, "horizontal_drag")
 var _interface := ListeningInterface.new()
 
 
-func test_a_controller_that_is_freed_is_none() -> void:
+func test_a_freed_controller_is_null() -> void:
 	var synth := HapticSynth.new()
 	var controller := XRNode3D.new()
 	synth.controller = controller
-	check(synth.controller == controller, "until then it is there")
+	check(synth.controller == controller, "it is set before")
 	controller.free()
-	check(synth.controller == null, "a controller that is freed is none")
+	check(synth.controller == null, "a freed controller is null")
 	synth.free()
 
 
@@ -79,10 +79,8 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 		if value > 0.5 and synth.is_inside_tree():
 			check(pulses[-1]["amplitude"] > 0.0, "half-way")
 			root.remove_child(synth)
-			check_equal(pulses[-1]["amplitude"], 0.0, "stopped out of the tree")
-			check_near(
-				pulses[-1]["duration"], 0.1, 1e-9, "as at rest, by a pulse that has a length"
-			)
+			check_equal(pulses[-1]["amplitude"], 0.0, "stopped outside of the tree")
+			check_near(pulses[-1]["duration"], 0.1, 1e-9, "the last pulse has a length, as at rest")
 	_play(func(synth: HapticSynth) -> void: synth.controller = controller, each)
 	controller.free()
 	XRServer.primary_interface = null
@@ -103,26 +101,26 @@ func test_a_tracker_without_vibration_is_warned_of() -> void:
 
 
 func test_a_joypad_shakes_and_stops_at_pause_and_exit() -> void:
-	var told := {}
+	var strengths := {}
 	var each := func(synth: HapticSynth, value: float) -> void:
 		var strength := Input.get_joy_vibration_strength(JOYPAD)
-		told["light"] = maxf(told.get("light", 0.0), strength.x)
-		told["heavy"] = maxf(told.get("heavy", 0.0), strength.y)
-		if value > 0.5 and not told.has("paused"):
+		strengths["light"] = maxf(strengths.get("light", 0.0), strength.x)
+		strengths["heavy"] = maxf(strengths.get("heavy", 0.0), strength.y)
+		if value > 0.5 and not strengths.has("paused"):
 			check(strength.x > 0.3, "half-way: %s" % strength)
 			paused = true
-			told["paused"] = Input.get_joy_vibration_strength(JOYPAD)
+			strengths["paused"] = Input.get_joy_vibration_strength(JOYPAD)
 			paused = false
-		elif value > 0.7 and not told.has("gone"):
+		elif value > 0.7 and not strengths.has("gone"):
 			check(strength.x > 0.3, "again after the pause: %s" % strength)
 			root.remove_child(synth)
-			told["gone"] = Input.get_joy_vibration_strength(JOYPAD)
+			strengths["gone"] = Input.get_joy_vibration_strength(JOYPAD)
 			root.add_child(synth)
 	_play(func(synth: HapticSynth) -> void: synth.joypad = JOYPAD, each)
-	check_equal(told["paused"], Vector2.ZERO, "stopped at a pause")
-	check_equal(told["gone"], Vector2.ZERO, "stopped out of the tree")
-	check(told["light"] > 0.8, "180 Hz is the light motor's: %s" % told["light"])
-	check_equal(told["heavy"], 0.0, "and not the heavy one's")
+	check_equal(strengths["paused"], Vector2.ZERO, "stopped at a pause")
+	check_equal(strengths["gone"], Vector2.ZERO, "stopped outside of the tree")
+	check(strengths["light"] > 0.8, "180 Hz drives the light motor: %s" % strengths["light"])
+	check_equal(strengths["heavy"], 0.0, "it does not drive the heavy motor")
 	check_equal(Input.get_joy_vibration_strength(JOYPAD), Vector2.ZERO, "at rest in the end")
 
 
@@ -137,13 +135,13 @@ func test_the_warning_of_a_missing_joypad_follows_joypads_that_come_and_go() -> 
 	Input.joy_connection_changed.emit(JOYPAD, true)
 	check_equal(refreshed.size(), 1, "one has come")
 	Input.joy_connection_changed.emit(JOYPAD + 1, true)
-	check_equal(refreshed.size(), 1, "another's coming is no matter")
+	check_equal(refreshed.size(), 1, "another joypad has no effect")
 	Input.joy_connection_changed.emit(JOYPAD, false)
 	check_equal(refreshed.size(), 2, "it is gone")
 	edited_scene_root = null
 	root.remove_child(synth)
 	Input.joy_connection_changed.emit(JOYPAD, true)
-	check_equal(refreshed.size(), 2, "out of the tree nothing is heard")
+	check_equal(refreshed.size(), 2, "no update outside of the tree")
 	node_configuration_warning_changed.disconnect(note)
 	synth.free()
 
@@ -162,7 +160,7 @@ func test_missing_devices_are_warned_of_once() -> void:
 	root.remove_child(synth)
 	root.add_child(synth)
 	synth.joypad = 8
-	check_equal(synth.joypad, 8, "another that is not there is said too")
+	check_equal(synth.joypad, 8, "another missing joypad is reported, too")
 	for node: Node in [synth, controller]:
 		node.free()
 
@@ -196,20 +194,20 @@ func test_each_motor_has_its_own_share() -> void:
 			synth.joypad = JOYPAD
 		_play(prepare, each)
 		var share := minf(maximum / 0.8, 1.0)
-		check_near(most[0], 0.5 * share, 1e-6, "the light one's, of %s" % maximum)
+		check_near(most[0], 0.5 * share, 1e-6, "the light motor, with maximum %s" % maximum)
 		check_near(most[1], 0.3 * share, 1e-6, "the heavy one's")
-		check_near(most[2], 0.8 * share, 1e-6, "together no more than the device bears")
+		check_near(most[2], 0.8 * share, 1e-6, "the sum is within the device's maximum")
 
 
 func test_a_cue_is_advanced_by_the_latency_of_the_device() -> void:
 	for latency: float in [0.0, 0.1, 0.2, 0.5]:
-		var seen := {joypad = 0.0, samples = 0.0, arrived_s = INF, told_s = INF}
+		var seen := {joypad = 0.0, samples = 0.0, arrived_s = INF, motor_s = INF}
 		var each := func(synth: HapticSynth, _value: float) -> void:
 			var time_s := synth.gesture_hmm.time
 			var strength := Input.get_joy_vibration_strength(JOYPAD).x
 			seen["joypad"] = maxf(seen["joypad"], strength)
 			if strength > 0.0:
-				seen["told_s"] = minf(seen["told_s"], time_s)
+				seen["motor_s"] = minf(seen["motor_s"], time_s)
 			if synth.get_amplitude() > 0.0:
 				seen["arrived_s"] = minf(seen["arrived_s"], time_s)
 			for sample in synth.get_buffer(roundi(48000.0 * FRAME_S)):
@@ -222,8 +220,8 @@ func test_a_cue_is_advanced_by_the_latency_of_the_device() -> void:
 		_play(prepare, each)
 		var strength: float = seen["samples"]
 		check(strength > 0.4 and strength < 0.9, "%s s: %s in samples" % [latency, strength])
-		check_near(seen["joypad"], strength, 0.1, "%s s: as strong on a motor" % latency)
-		var early_s: float = seen["arrived_s"] - seen["told_s"]
+		check_near(seen["joypad"], strength, 0.1, "%s s: the motor has the same strength" % latency)
+		var early_s: float = seen["arrived_s"] - seen["motor_s"]
 		check(
 			early_s > minf(latency, 0.25) - 0.03 and early_s < latency + 0.03,
 			"%s s: %s s early" % [latency, early_s]
@@ -259,7 +257,7 @@ func test_an_arrival_is_felt_once() -> void:
 			var strength := Input.get_joy_vibration_strength(JOYPAD).x
 			beats += int(strength > before + 0.02)
 			before = strength
-		check_equal(beats, 1, "followed by %s: once" % follows)
+		check_equal(beats, 1, "cue once, followed by %s" % follows)
 		if follows == &"run":
 			rig.tracker.source = ScriptSource.new()
 			rig.tracker.start()
@@ -268,7 +266,7 @@ func test_an_arrival_is_felt_once() -> void:
 				rig.tracker.push_frame(begun_s + frame * FRAME_S, rest)
 				before = maxf(before, Input.get_joy_vibration_strength(JOYPAD).x)
 				before = maxf(before, synth.get_amplitude())
-			check_equal(before, 0.0, "nor at that time of another run")
+			check_equal(before, 0.0, "nor at that time of the next run")
 		synth.free()
 		next.free()
 		rig.free_nodes()

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What is shown of the vibration: the inspector's preview of an effect, and the strip in a game.
+## Displays of the vibration: the inspector's preview of an effect, and the strip in a game.
 
 const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
 const Rig := preload("support/rig.gd")

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What a HapticSynth says where nobody would feel anything, and that it says nothing elsewhere.
+## A HapticSynth without an output gives a warning; one with an output gives none.
 
 const Rig := preload("support/rig.gd")
 
@@ -25,7 +25,7 @@ func test_a_missing_output_is_warned_of_once() -> void:
 	rig.tracker.start()
 	rig.tracker.advance(rig.tracker.get_duration() * 0.5)
 	check_equal(read.get_buffer(10).size(), 10, "a script reads samples")
-	check(shown.get_amplitude() >= 0.0, "or how strong they are")
+	check(shown.get_amplitude() >= 0.0, "or their amplitude")
 	await _wait(LATER_S)
 	late.bus = BUS
 	await _wait(WATCHED_S - LATER_S)

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The vibration as a WAV file: on the motion's own clock, however fast that runs.
+## The vibration as a WAV file, on the motion's own clock at any speed.
 
 const Rig := preload("support/rig.gd")
 const ScenePlayer := preload("res://tools/scene_player.gd")
@@ -39,7 +39,7 @@ func test_vibration_follows_the_motion() -> void:
 	_check_envelope(samples, values, amplitude_m)
 
 
-func test_a_scene_tells_when_its_wav_begins_and_its_cue() -> void:
+func test_a_scene_gives_the_times_of_its_wav_and_cue() -> void:
 	var logs := _folder.get_current_dir().path_join("logs")
 	var wav_path := _folder.get_current_dir().path_join("played.wav")
 	var player := ScenePlayer.new(Tasks.SCENES["horizontal_drag"], logs, root)
@@ -56,7 +56,7 @@ func test_a_scene_tells_when_its_wav_begins_and_its_cue() -> void:
 	while not rows[header].begins_with("t,"):
 		header += 1
 	check_near(played["wav_start_s"], rows[header + 1].to_float(), 1e-6, "the log's first row")
-	# Where the cue begins the amplitude leaps from one instant to the next.
+	# At the cue the amplitude leaps from one instant to the next.
 	var amplitudes: Array[float] = []
 	for row in rows.slice(header + 1):
 		amplitudes.append(row.get_slice(",", 10).to_float())
@@ -66,11 +66,11 @@ func test_a_scene_tells_when_its_wav_begins_and_its_cue() -> void:
 			leap = i
 	var leap_s := rows[header + 1 + leap].to_float()
 	var is_cue: bool = absf(leap_s - played["cue_s"]) < 0.062
-	check(is_cue, "cue at %.3f s, a leap at %.3f s" % [played["cue_s"], leap_s])
+	check(is_cue, "the cue at %.3f s is the leap at %.3f s" % [played["cue_s"], leap_s])
 	var samples := Waveform.read_wav(wav_path, RATE_HZ)
 	var wav_end_s: float = played["wav_start_s"] + float(samples.size()) / RATE_HZ
 	check(
-		wav_end_s > played["cue_s"] + 0.4, "the file goes on after the cue, to %.2f s" % wav_end_s
+		wav_end_s > played["cue_s"] + 0.4, "the file continues after the cue, to %.2f s" % wav_end_s
 	)
 	check_near(Array(samples.slice(-RATE_HZ / 10)).max(), 0.0, 1e-3, "the vibration has stopped")
 
@@ -113,7 +113,7 @@ func test_equal_runs_give_equal_files() -> void:
 	check(texts[0].size() > 100000 and texts[0] == texts[1], "the same bytes")
 
 
-func test_a_file_under_way_can_be_read() -> void:
+func test_an_unfinished_file_can_be_read() -> void:
 	var wav_path := _folder.get_current_dir().path_join("under_way.wav")
 	var rig := Rig.new(_trials.get_trial(0), _trials.get_measured_path(0), root)
 	var synth := _make_synth(rig, wav_path)
@@ -122,7 +122,7 @@ func test_a_file_under_way_can_be_read() -> void:
 	check(samples.size() > RATE_HZ, "%d samples are there" % samples.size())
 	synth.stop_wav()
 	var whole := Waveform.read_wav(wav_path, RATE_HZ)
-	check(whole.size() > samples.size(), "and more in the end")
+	check(whole.size() > samples.size(), "the complete file has more")
 	check_equal(whole.slice(0, samples.size()), samples, "after those")
 	synth.free()
 	rig.free_nodes()
@@ -143,10 +143,12 @@ func test_two_synths_do_not_write_one_file() -> void:
 		synth.free()
 	rig.free_nodes()
 	var bytes := FileAccess.get_file_as_bytes(wav_path)
-	check_equal(bytes, FileAccess.get_file_as_bytes(alone_path), "what one writes is whole")
+	check_equal(
+		bytes, FileAccess.get_file_as_bytes(alone_path), "the file of the first one is complete"
+	)
 
 
-func test_a_path_where_no_wav_can_be_is_refused() -> void:
+func test_an_invalid_wav_path_is_refused() -> void:
 	# expects one error: wav_path must end with .wav, is user://precious.txt
 	# expects one error: there is no folder
 	# expects one error: HapticSynth '/root/Lost': cannot write to
@@ -203,4 +205,4 @@ func _check_envelope(
 		)
 		var value := values[(step + WINDOW_STEPS / 2) * width + width - 1]
 		worst = maxf(worst, absf(heard - clampf(value / amplitude_m, 0.0, 1.0)))
-	check(worst < 0.06, "the envelope is the motion's, within %s" % worst)
+	check(worst < 0.06, "the envelope follows the motion, within %s" % worst)

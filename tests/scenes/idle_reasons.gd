@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What the debug overlay says of a scene in which no gesture starts.
+## The reasons in the debug overlay why no gesture starts.
 
 const DebugOverlay := preload("res://addons/steadyhand/debug_overlay.gd")
 const Rig := preload("support/rig.gd")
@@ -25,40 +25,40 @@ func test_each_reason_in_turn() -> void:
 		root.add_child(node)
 	_hmm.name = "Recogniser"
 	_overlay.gesture_hmm = _hmm
-	_says('No tracker: set "tracker" of Recogniser.')
+	_check_reason('No tracker: set "tracker" of Recogniser.')
 	_hmm.tracker = _tracker
-	_says('No source: set "source" of Hand.')
+	_check_reason('No source: set "source" of Hand.')
 	_tracker.source = ScriptSource.new()
 	_tracker.autostart = false
 	_tracker.stop()
-	_says("Hand is stopped: call start().")
+	_check_reason("Hand is stopped: call start().")
 	_tracker.start()
-	_says('No models: set "models" of Recogniser.')
+	_check_reason('No models: set "models" of Recogniser.')
 	_hmm.models = [load(Rig.MODEL % "horizontal_drag"), load(Rig.MODEL % "zoom")]
 	await create_timer(0.7).timeout
 	check(_overlay.describe_gesture().begins_with("No frame for "), _overlay.describe_gesture())
 	_tracker.push_frame(0.0, {})
-	_says("No hand in view.")
+	_check_reason("No hand in view.")
 	_task.gesture = &"zoom"
 	_task.start_radius = 0.03
 	_hmm.task = _task
 	_push(Vector3.ZERO, 1)
-	_says("'zoom' needs joints that are not tracked: thumb, middle finger.")
+	_check_reason("'zoom' needs joints that are not tracked: thumb, middle finger.")
 	_task.gesture = &"horizontal_drag"
 	_task.start_radius = 0.0
 	_push(Vector3(0.2, 1.0, -0.3), 30)
-	_says("The hand is 30 cm from the start of Key: it has to come within 12 cm.")
+	_check_reason("The hand is 30 cm from the start of Key: it has to come within 12 cm.")
 	_push(_task.position, 90)
-	_says("Ready: waits for a movement.")
+	_check_reason("Ready: waits for a movement.")
 	_hmm.start_condition = GestureHMM.START_PINCH
-	_says("Start condition: a pinch, but the thumb is not tracked.")
+	_check_reason("Start condition: a pinch, but the thumb is not tracked.")
 	var thumb := _task.position + Vector3(0.0, 0.06, 0.0)
 	var joints := {HandTracker.JOINT_INDEX: _task.position, HandTracker.JOINT_THUMB: thumb}
 	_tracker.push_frame(_time(), joints)
-	_says("Start condition: pinch. Thumb and index finger are 6.0 cm apart, not 2.5 cm.")
+	_check_reason("Start condition: pinch. Thumb and index finger are 6.0 cm apart, not 2.5 cm.")
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_push(_task.position + Vector3(0.05, 0.0, 0.0), 10)
-	_says("Start condition: hold the fingertip still for 0.5 s.")
+	_check_reason("Start condition: hold the fingertip still for 0.5 s.")
 	_hmm.start_condition = GestureHMM.START_NONE
 
 
@@ -68,8 +68,8 @@ func test_a_frozen_tracker() -> void:
 		_push(Vector3(0.1 * sin(0.1 * i), 1.0, -0.3), 1)
 	for i in 60:
 		_tracker.push_frame(_time(), {HandTracker.JOINT_INDEX: Vector3(0.1, 1.0, -0.3)})
-	var said := _overlay.describe_gesture()
-	check(said.contains("it is frozen") or not _hmm.gesture.is_empty(), said)
+	var shown := _overlay.describe_gesture()
+	check(shown.contains("it is frozen") or not _hmm.gesture.is_empty(), shown)
 
 
 func test_a_recording_in_milliseconds() -> void:
@@ -83,8 +83,8 @@ func test_a_recording_in_milliseconds() -> void:
 	_tracker.source = recorded
 	_tracker.start()
 	await create_timer(0.7).timeout
-	var said := _overlay.describe_gesture()
-	check(said.contains("are the times of the recording in seconds?"), said)
+	var shown := _overlay.describe_gesture()
+	check(shown.contains("are the times of the recording in seconds?"), shown)
 	_tracker.source = ScriptSource.new()
 	_tracker.start()
 
@@ -94,14 +94,14 @@ func test_an_active_gesture_is_shown() -> void:
 	_push(_task.position, 90)
 	for i in 40:
 		_push(_task.position + Vector3(0.1 * i / 40.0, 0.0, 0.0), 1)
-	var said := _overlay.describe_gesture()
-	check(said.begins_with("horizontal_drag: "), said)
-	check(said.contains(" cm\nconfidence "), said)
+	var shown := _overlay.describe_gesture()
+	check(shown.begins_with("horizontal_drag: "), shown)
+	check(shown.contains(" cm\nconfidence "), shown)
 	for node: Node in [_overlay, _hmm, _task, _tracker]:
 		node.free()
 
 
-func _says(text: String) -> void:
+func _check_reason(text: String) -> void:
 	check_equal(_overlay.describe_gesture(), text, text)
 
 

@@ -1,14 +1,14 @@
 extends "support/scene_test.gd"
-## What the inspector offers where a name is asked for; any other is taken too.
+## Names that the inspector suggests; any other name is accepted, too.
 
 const GESTURES: Array[String] = ["horizontal_drag", "tap", "vertical_drag", "zoom"]
 
 
 func test_the_gesture_of_a_task() -> void:
 	var task := GestureTask.new()
-	check_equal(_suggested(task, "gesture"), GESTURES, "those of the models of the add-on")
+	check_equal(_suggested(task, "gesture"), GESTURES, "gestures of the add-on's models")
 	task.gesture = &"wave"
-	check_equal(task.gesture, &"wave", "one that no model is of")
+	check_equal(task.gesture, &"wave", "a gesture without a model")
 	task.free()
 
 
@@ -46,7 +46,7 @@ func test_no_value_of_a_slider_is_refused() -> void:
 			object.free()
 
 
-## Both ends, and what lies beyond where that may be entered.
+## Both ends, and whether values beyond them may be entered.
 func _check_range(object: Object, about: Dictionary) -> void:
 	var property: String = about["name"]
 	var hint: PackedStringArray = (about["hint_string"] as String).split(",")
@@ -60,7 +60,7 @@ func _check_range(object: Object, about: Dictionary) -> void:
 		check_near(object.get(property), value, 1e-9, "%s.%s" % [object.get_class(), property])
 
 
-## Empty where the property is no name that is suggested.
+## Empty: no names are suggested for the property.
 static func _suggested(object: Object, property: String) -> Array[String]:
 	var names: Array[String] = []
 	for about in object.get_property_list():

@@ -1,5 +1,5 @@
 extends "support/leap_test.gd"
-## LeapSource before a service that fails.
+## LeapSource with a service that fails.
 
 
 func test_bad_messages_are_ignored_and_warned_of_once() -> void:
@@ -12,7 +12,7 @@ func test_bad_messages_are_ignored_and_warned_of_once() -> void:
 	var is_back := func() -> bool:
 		return drag.failures.size() == 1 and drag.tracker.is_hand_tracked()
 	await drag.wait_until(self, PATIENCE_S, is_back)
-	check(is_back.call(), "after 10 MB the hand is there again: %s" % [drag.failures])
+	check(is_back.call(), "after 10 MB the hand is tracked again: %s" % [drag.failures])
 	drag.free_scene()
 	service.stop()
 
@@ -23,7 +23,7 @@ func test_a_lost_hand_comes_back_with_another_id() -> void:
 	var is_back := func() -> bool: return drag.losses == 1 and drag.tracker.is_hand_tracked()
 	await drag.wait_until(self, PATIENCE_S, is_back)
 	check_equal(drag.losses, 1, "one loss")
-	check(drag.tracker.is_hand_tracked(), "and the hand is there again")
+	check(drag.tracker.is_hand_tracked(), "the hand is tracked again")
 	drag.free_scene()
 	service.stop()
 
@@ -33,7 +33,7 @@ func test_a_connection_that_drops_is_made_again() -> void:
 	var service := _service("drop")
 	var drag := await _drag(service)
 	check_equal(drag.failures.size(), 1, "one failure: %s" % [drag.failures])
-	check(drag.tracker.is_hand_tracked(), "the hand is there again")
+	check(drag.tracker.is_hand_tracked(), "the hand is tracked again")
 	drag.free_scene()
 	service.stop()
 
@@ -50,7 +50,7 @@ func test_a_service_that_is_killed_and_comes_back() -> void:
 	check_equal(drag.failures.size(), 1, "no service: %s" % [drag.failures])
 	var service := _service("play", ["--port", str(stopped.port)])
 	await drag.wait(self, 2.0)
-	check(drag.tracker.is_hand_tracked(), "it is found when it starts")
+	check(drag.tracker.is_hand_tracked(), "the service is found once it starts")
 	service.stop()
 	await drag.wait(self, 0.7)
 	check_equal(drag.failures.size(), 2, "killed: %s" % [drag.failures])

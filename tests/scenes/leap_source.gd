@@ -1,5 +1,5 @@
 extends "support/leap_test.gd"
-## LeapSource before a service without faults.
+## LeapSource with a service without faults.
 
 
 func test_a_drag_end_to_end() -> void:
@@ -36,6 +36,6 @@ func test_an_older_service() -> void:
 	var drag := SourceDrag.new(self, _folder.get_current_dir(), service.start)
 	drag.begin(_source(service))
 	await drag.wait(self, 1.5)
-	check(service.log_text().contains("/v5.json"), "an older version is asked for")
+	check(service.log_text().contains("/v5.json"), "an older version is requested")
 	drag.free_scene()
 	service.stop()

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The menu: a button a task, that leads there; Escape leads back.
+## The menu: each button opens its task, Escape returns.
 
 const Tasks := preload("res://scripts/tasks.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
@@ -11,7 +11,9 @@ func test_each_button_opens_its_task() -> void:
 		await _wait()
 		var buttons := current_scene.get_node("%Buttons").get_children()
 		check_equal(
-			buttons.size(), Tasks.SCENES.size() + Tasks.MORE_SCENES.size(), "a button a scene"
+			buttons.size(),
+			Tasks.SCENES.size() + Tasks.MORE_SCENES.size(),
+			"one button for each scene"
 		)
 		(buttons[place] as Button).pressed.emit()
 		await _wait()

@@ -1,6 +1,5 @@
 extends "support/scene_test.gd"
-## Tasks that are moved and changed, alone and all together, as the keys of a panel that follows the
-## player are.
+## Tasks that are moved and changed, one or all, as the keys of a panel that follows the player.
 
 const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
@@ -16,14 +15,16 @@ func test_a_moving_panel_moves_all_its_tasks() -> void:
 	var panel := Node3D.new()
 	var hmm := _hmm(panel, 30)
 	_push_tap(hmm, hmm.tasks[12], 0.0, 1.4)
-	check_equal(hmm.current_task, hmm.tasks[12], "a tap is under way")
+	check_equal(hmm.current_task, hmm.tasks[12], "a tap is active")
 	panel.position = Vector3(1.0, 0.5, 0.0)
 	await process_frame
 	await process_frame
-	check_equal(_events, ["started", "aborted"] as Array[String], "it is given up by the move")
+	check_equal(_events, ["started", "aborted"] as Array[String], "the move aborts it")
 	_push_tap(hmm, hmm.tasks[17], 2.0, 2.6)
 	check_equal(
-		_events, ["started", "aborted", "started", "ended"] as Array[String], "one at the new place"
+		_events,
+		["started", "aborted", "started", "ended"] as Array[String],
+		"a tap at the new place ends"
 	)
 	check_equal(hmm.current_task, hmm.tasks[17], "at its task")
 	_free(hmm, panel)
@@ -37,7 +38,7 @@ func test_a_trembling_panel_keeps_the_gesture() -> void:
 	await process_frame
 	await process_frame
 	_push_tap(hmm, hmm.tasks[12], 1.4, 1.2, 1.4)
-	check_equal(_events, ["started", "ended"] as Array[String], "it goes on to its end")
+	check_equal(_events, ["started", "ended"] as Array[String], "the tap ends")
 	_free(hmm, panel)
 
 
@@ -60,13 +61,13 @@ func test_task_properties_take_effect_at_once() -> void:
 			&"no_gesture":
 				task.gesture = &""
 			&"start_radius":
-				task.start_radius = 0.1  # of no concern to a tap
-		var told := "started" if what == &"start_radius" else "started aborted"
-		check_equal(" ".join(_events), told, "%s: the signals" % what)
+				task.start_radius = 0.1  # has no effect on a tap
+		var expected := "started" if what == &"start_radius" else "started aborted"
+		check_equal(" ".join(_events), expected, "%s: the signals" % what)
 		_free(hmm, panel)
 
 
-## `duration_s` of a tap at `task` and of the rest before it; the first `done_s` of that are over.
+## A tap at `task` and the rest before it, for `duration_s`, after the first `done_s`.
 func _push_tap(
 	hmm: GestureHMM, task: GestureTask, from_s: float, duration_s: float, done_s: float = 0.0
 ) -> void:
@@ -77,7 +78,7 @@ func _push_tap(
 		hmm.tracker.push_frame(from_s + time_s, {HandTracker.JOINT_INDEX: tip})
 
 
-## Of taps at `count` keys of `panel`; its signals are in _events.
+## A GestureHMM for taps at `count` keys of `panel`; its signals are in _events.
 func _hmm(panel: Node3D, count: int) -> GestureHMM:
 	var tracker := HandTracker.new()
 	tracker.source = ScriptSource.new()

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What helps to set a scene up: the debug overlay, and the shapes in the editor's 3D view.
+## Help for the set-up of a scene: the debug overlay, and the shapes in the editor's 3D view.
 
 const DebugOverlay := preload("res://addons/steadyhand/debug_overlay.gd")
 const TaskShape := preload("res://addons/steadyhand/editor/task_shape.gd")
@@ -14,14 +14,14 @@ func test_the_overlay_describes_the_tracker() -> void:
 	overlay.tracker = tracker
 	# expects error: set "source", e.g. to an XRSource
 	tracker.start()
-	_check_says(overlay, 'no source: set "source"')
+	_check_shows(overlay, 'no source: set "source"')
 	tracker.source = ScriptSource.new()
 	tracker.start()
-	_check_says(overlay, "ScriptSource: no hand")
+	_check_shows(overlay, "ScriptSource: no hand")
 	for frame in 100:
 		tracker.push_frame(frame / 60.0, {HandTracker.JOINT_INDEX: Vector3.ONE})
-	_check_says(overlay, "hand tracked\n60.0 Hz, jitter 0.00 ms, latency unknown, noise unknown")
-	_check_says(overlay, "\n0 dropouts, 0 freezes, 0 jumps")
+	_check_shows(overlay, "hand tracked\n60.0 Hz, jitter 0.00 ms, latency unknown, noise unknown")
+	_check_shows(overlay, "\n0 dropouts, 0 freezes, 0 jumps")
 	for frame in 2:
 		await process_frame
 	var label := overlay.get_node("Panel/Rows/Tracker") as Label
@@ -44,7 +44,7 @@ func test_a_task_is_an_arrow_of_its_length_in_the_world() -> void:
 	check(task.to_global(lines[1]).is_equal_approx(end), "to the end")
 	task.start_radius = 0.02
 	var radii := Array(TaskShape.lines(task)).map(func(p: Vector3) -> float: return p.length())
-	check_near(radii.min(), 0.02, 1e-6, "a radius: from its start")
+	check_near(radii.min(), 0.02, 1e-6, "a radius starts at the start radius")
 	check_near(radii.max(), 0.32, 1e-6, "to its end")
 	task.free()
 
@@ -74,7 +74,7 @@ func test_the_range_of_a_tracker_is_where_its_device_is() -> void:
 	root.add_child(tracker)
 	check(TrackerShape.lines(tracker).is_empty(), "without a source")
 	tracker.source = SyntheticSource.new()
-	check(TrackerShape.lines(tracker).is_empty(), "a simulation has none")
+	check(TrackerShape.lines(tracker).is_empty(), "a simulation has no range")
 	var leap := LeapSource.new()
 	leap.device_transform = Transform3D(Basis(), Vector3(0, 0.8, -0.4))
 	tracker.source = leap
@@ -83,9 +83,9 @@ func test_the_range_of_a_tracker_is_where_its_device_is() -> void:
 		var offset := tracker.to_global(point) - leap.device_transform.origin
 		check(offset.y > 0.0, "above the device")
 		farthest = maxf(farthest, offset.length())
-	check_near(farthest, 0.6, 1e-4, "60 cm away at most")
+	check_near(farthest, 0.6, 1e-4, "the range is at most 60 cm")
 	leap.mounting = LeapSource.MOUNTING_HMD
-	check(TrackerShape.lines(tracker).is_empty(), "on a headset it moves")
+	check(TrackerShape.lines(tracker).is_empty(), "no range for a moving headset")
 	tracker.free()
 
 
@@ -96,6 +96,6 @@ func _add_overlay() -> DebugOverlay:
 	return overlay
 
 
-func _check_says(overlay: DebugOverlay, text: String) -> void:
-	var said := overlay.describe_tracker()
-	check(said.contains(text), ("'%s' is in '%s'" % [text, said]).replace("\n", " / "))
+func _check_shows(overlay: DebugOverlay, text: String) -> void:
+	var shown_text := overlay.describe_tracker()
+	check(shown_text.contains(text), ("'%s' is in '%s'" % [text, shown_text]).replace("\n", " / "))

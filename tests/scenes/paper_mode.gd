@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## `paper` mode without a task: HMMs say which gesture it is.
+## `paper` mode without a task: HMMs recognise the gesture.
 
 const Rig := preload("support/rig.gd")
 
@@ -26,7 +26,7 @@ func test_each_gesture_of_a_synthetic_hand_starts_and_ends_without_a_task() -> v
 		source.start = Vector3(0.0, 1.2, -0.3)
 		if i < ways.size():
 			source.direction = ways[i]
-		# HMMs tell a tap down from a drag by its speed.
+		# HMMs distinguish a tap downwards from a drag by its speed.
 		source.pace = 0.6 if gestures[i] == &"tap" else 1.0
 		source.amplitude = {&"tap": 0.15, &"zoom": 0.04}.get(gestures[i], 0.2)
 		var hmm := _hmm(source, ["horizontal_drag", "vertical_drag", "tap", "zoom"])

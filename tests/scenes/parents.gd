@@ -13,7 +13,7 @@ func test_children_follow_their_parents() -> void:
 	var synth := HapticSynth.new()
 	tracker.add_child(hmm)
 	hmm.add_child(synth)
-	check(hmm.tracker == null, "outside of the tree it follows none")
+	check(hmm.tracker == null, "outside of the tree it has no tracker")
 	root.add_child(tracker)
 	check_equal(hmm.tracker, tracker, "the tracker above")
 	check_equal(synth.gesture_hmm, hmm, "the GestureHMM above")
@@ -34,7 +34,7 @@ func test_a_node_that_is_set_comes_before_the_parent() -> void:
 	check_equal(hmm.tracker, other, "it stays")
 	hmm.tracker = parent
 	hmm.reparent(other)
-	check_equal(hmm.tracker, parent, "and follows its own choice at another parent")
+	check_equal(hmm.tracker, parent, "a set tracker stays with another parent")
 	for node: Node in [parent, other]:
 		node.free()
 
@@ -50,7 +50,7 @@ func test_a_child_that_moves_follows_its_new_parent() -> void:
 	hmm.reparent(second)
 	check_equal(hmm.tracker, second, "the second")
 	second.remove_child(hmm)
-	check(hmm.tracker == null, "none outside of the tree")
+	check(hmm.tracker == null, "no tracker outside of the tree")
 	for node: Node in [first, second, hmm]:
 		node.free()
 
@@ -83,7 +83,7 @@ func test_a_simulated_person_makes_its_own_gesture_at_a_task_of_a_new_one() -> v
 	root.add_child(tracker)
 	check_equal(tracker.start(), OK, "it starts")
 	source.place_at(task)
-	check_equal(source.gesture, &"horizontal_drag", "a copy keeps the gesture that is known")
+	check_equal(source.gesture, &"horizontal_drag", "a copy keeps the gesture")
 	for node: Node in [tracker, task]:
 		node.free()
 

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## Practice runs: the positions that they find, where they are kept, and the task that goes there.
+## Practice runs: found positions, their file, and the moved task.
 
 const LiveHand := preload("support/live_hand.gd")
 const Participant := preload("res://scripts/participant.gd")
@@ -9,7 +9,7 @@ const TaskPlayer := preload("support/task_player.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 const TrialRows := preload("support/trial_rows.gd")
 
-## The sensor loses the hand for so long, so often, where it is further away than this.
+## The sensor loses a hand farther away than this, so often and for so long.
 const BAD_BEYOND_Z := -0.45
 const GAP_S := 0.25
 const GAP_EVERY_S := 0.8
@@ -29,11 +29,11 @@ func test_a_practice_run_moves_the_task_and_is_kept() -> void:
 	check_equal(player.colour("HandPlace"), Stage.PLACES[""], "no position before the practice")
 	player.press(KEY_P)
 	_sweep(scene, 125.0)
-	check(_found.contains("stable at") and _found.contains("unstable at"), "said: %s" % _found)
+	check(_found.contains("stable at") and _found.contains("unstable at"), "text: %s" % _found)
 	var kept := Participant.new(name)
 	var stable := kept.get_position("horizontal_drag", "stable")
 	var unstable := kept.get_position("horizontal_drag", "unstable")
-	check(stable.z > -0.4, "stable where the hand is seen: %s" % stable)
+	check(stable.z > -0.4, "stable where the hand is tracked: %s" % stable)
 	check(unstable.z < -0.45, "unstable where it is lost: %s" % unstable)
 	_check_place(player, stable, "stable")
 
@@ -69,7 +69,7 @@ func test_a_practice_run_that_ends_early_moves_nothing() -> void:
 	player.press(KEY_P)
 	_sweep(player.scene, 5.0)
 	player.press(KEY_P)
-	check(_found.contains("too short"), "said: %s" % _found)
+	check(_found.contains("too short"), "text: %s" % _found)
 	check_equal(player.scene.task.get_start(), start, "the task stays")
 	player.scene.free()
 
@@ -87,13 +87,12 @@ func test_a_bad_file_is_reported_once_and_kept() -> void:
 		FileAccess.open(path, FileAccess.WRITE).store_string(texts[name])
 		var participant := Participant.new(name, _folder.get_current_dir())
 		check(
-			participant.error.contains("%s.json:" % name), "says which file: %s" % participant.error
+			participant.error.contains("%s.json:" % name),
+			"the error names the file: %s" % participant.error
 		)
-		check(not participant.has_positions("tap"), "and takes nothing from it")
-		check_equal(FileAccess.get_file_as_string(path), texts[name], "and leaves it as it is")
-		check_equal(
-			participant.keep("zoom", _proposal()), OK, "a practice run is kept all the same"
-		)
+		check(not participant.has_positions("tap"), "no position is read")
+		check_equal(FileAccess.get_file_as_string(path), texts[name], "the file stays the same")
+		check_equal(participant.keep("zoom", _proposal()), OK, "a practice run is kept")
 		var bad := Array(DirAccess.get_files_at(_folder.get_current_dir())).filter(
 			func(file: String) -> bool: return file.begins_with(name) and file.ends_with(".bad")
 		)
@@ -114,7 +113,7 @@ func _proposal() -> Dictionary:
 	return proposal
 
 
-## The hand through 50 x 40 x 40 cm, lost now and then where it is far away.
+## Moves the hand through 50 x 40 x 40 cm; a hand far away is sometimes lost.
 func _sweep(scene: TaskScene, seconds: float) -> void:
 	var until_s := _hand.time_s + seconds
 	var lost_until_s := 0.0
@@ -136,7 +135,7 @@ func _check_place(player: TaskPlayer, place: Vector3, position: String) -> void:
 	var middle := task.get_start() + 0.5 * task.amplitude * task.get_axis()
 	check(middle.distance_to(place) < 1e-4, "the task's middle is at the %s position" % position)
 	var away := player.body("HandPlace").global_position - place
-	check(Vector2(away.x, away.z).length() < 1e-4, "the cylinder stands there")
+	check(Vector2(away.x, away.z).length() < 1e-4, "the cylinder is there")
 	check(_colour_is(player, position), "in its colour")
 
 

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What the task scenes tell of the gesture.
+## The readout of the task scenes.
 
 const Rig := preload("support/rig.gd")
 const TaskPlayer := preload("support/task_player.gd")
@@ -7,7 +7,7 @@ const TaskPlayer := preload("support/task_player.gd")
 var _folder := DirAccess.create_temp("steadyhand_readout")
 
 
-func test_the_readout_tells_of_a_gesture_while_there_is_one() -> void:
+func test_the_readout_shows_the_active_gesture() -> void:
 	var trials := Rig.write_trials(_folder.get_current_dir().path_join("trials"), 2)
 	var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
 	var scene := player.scene
@@ -26,7 +26,7 @@ func test_the_readout_tells_of_a_gesture_while_there_is_one() -> void:
 	scene.free()
 
 
-## The signal comes before the nodes' own work.
+## The signal is emitted before _process().
 func _shown() -> void:
 	await process_frame
 	await process_frame

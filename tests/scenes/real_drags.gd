@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## Recordings of a real hand, where they are: synthesised motion beats the moving average.
+## Recordings of a real hand, if available: synthesised motion beats the moving average.
 
 const Evaluation := preload("res://tools/evaluation.gd")
 const ModelFolder := preload("res://tools/model_folder.gd")
@@ -22,7 +22,7 @@ func test_synthesised_beats_the_average() -> void:
 		_folder.get_current_dir(),
 		root
 	)
-	check_equal(evaluation.broken, 0, "every track is read")
+	check_equal(evaluation.broken, 0, "every track can be read")
 	var drags := 0
 	for group in evaluation.groups:
 		if group["gesture"] in ["horizontal_drag", "vertical_drag"]:

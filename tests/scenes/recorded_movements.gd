@@ -7,7 +7,7 @@ const TrackCurves := preload("res://addons/steadyhand/editor/gestures/track_curv
 
 const SHARED := "../../shared/real/%s"
 const SETS: Array[String] = ["drags", "drags_train"]
-## Of the amplitude of the reference sensor's track.
+## Share of the amplitude of the reference sensor's track.
 const AMPLITUDE_TOLERANCE := 0.2
 const RATE_HZ := 200.0
 const SAME_WAY := 0.8
@@ -40,7 +40,7 @@ func test_simulated_gestures_are_found_with_their_shape() -> void:
 				check(_is_found(trials, i), "%s is found" % trials.get_trial(i)["trial"])
 
 
-## One movement overlaps the trial, goes its way and about as far.
+## One movement overlaps the trial and has its direction and about its length.
 func _is_found(trials: TrialSet, index: int) -> bool:
 	var trial := trials.get_trial(index)
 	var curves := TrackCurves.read(trials.get_measured_path(index))
@@ -58,7 +58,7 @@ func _is_found(trials: TrialSet, index: int) -> bool:
 	return false
 
 
-## How far the reference goes, m: a tap goes on below its surface.
+## Length of the reference, m: a tap continues below its surface.
 func _true_way(trials: TrialSet, index: int, feature: String) -> float:
 	var trial := trials.get_trial(index)
 	var curves := TrackCurves.read(trials.get_reference_path(index))

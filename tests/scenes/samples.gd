@@ -165,7 +165,7 @@ func test_the_add_on_uses_nothing_outside_its_folder() -> void:
 			if name.get_extension() in ["gd", "tscn", "tres"]:
 				var path := folder.path_join(name)
 				var found := outside.search(FileAccess.get_file_as_string(path))
-				# Templates are to be copied; the editor keeps takes and models in the project.
+				# Templates are for copying; the editor keeps takes and models in the project.
 				var may_name_others := folder.ends_with("templates") or "/editor" in folder
 				if found != null and not may_name_others:
 					check(false, "%s uses %s" % [path, found.get_string()])

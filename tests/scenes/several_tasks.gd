@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## A scene that expects several gestures, each at a place of its own, by one GestureHMM.
+## A scene with several gestures, each at its own place, and one GestureHMM.
 
 const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
@@ -38,7 +38,7 @@ func test_a_gesture_is_felt_the_same_at_one_of_several_tasks() -> void:
 	var before := _task(&"horizontal_drag", Vector3(-0.6, 0.1, 0.0), Vector3.RIGHT, 0.2)
 	var beyond := _task(&"vertical_drag", Vector3(0.0, -0.7, 0.0), Vector3.UP, 0.4)
 	var alone := _felt([task], [Vector3.ZERO, end])
-	check(alone.max() as float > 0.9, "the spring is at its end")
+	check(alone.max() as float > 0.9, "the spring is stretched")
 	for tasks: Array[GestureTask] in [
 		[before, task, beyond] as Array[GestureTask],
 		[beyond, before, task] as Array[GestureTask],
@@ -61,26 +61,26 @@ func test_a_gesture_from_the_last_ones_end_has_the_same_haptics() -> void:
 	var both := _felt([drag, tap], places)
 	var set_out := roundi(1000.0 * (3.0 * REST_S + 2.0 * MOVE_S))
 	var instants := range(set_out, mini(both.size(), alone.size()))
-	# The tap's own estimator starts later beside a drag, so that its end may differ by some ms.
+	# The tap's estimator starts later after a drag, so that its end may differ by some ms.
 	var off := instants.map(
 		func(i: int) -> float:
 			var near := range(maxi(i - 3, 0), mini(i + 4, both.size()))
 			return near.map(func(k: int) -> float: return absf(both[k] - alone[i])).min()
 	)
 	check(instants.any(func(i: int) -> bool: return alone[i] > 0.2), "the tap is felt")
-	check_near(off.max() as float, 0.0, 0.02, "as much after a drag")
+	check_near(off.max() as float, 0.0, 0.02, "the same vibration after a drag")
 	for one: GestureTask in [drag, tap]:
 		one.free()
 
 
-func test_a_direction_is_of_any_length() -> void:
+func test_a_direction_may_have_any_length() -> void:
 	for length: float in [1e-20, 1e-3, 3.0, 1e20]:
 		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3(0.6, 0.0, -0.8) * length, 0.2)
 		check_near((task.get_axis() - Vector3(0.6, 0.0, -0.8)).length(), 0.0, 1e-6, "%s" % length)
 		task.free()
 
 
-func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void:
+func test_tasks_on_one_line_end_one_after_the_other() -> void:
 	var middle := Vector3(0.2, 0.0, 0.0)
 	var end := Vector3(0.4, 0.0, 0.0)
 	var first := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
@@ -97,9 +97,9 @@ func test_tasks_one_after_the_other_on_one_way_end_one_after_the_other() -> void
 	check_equal(
 		_ends(_play(near_and_far, [Vector3.ZERO, end])),
 		["ended horizontal_drag at task 1", "ended horizontal_drag at task 0"] as Array[String],
-		"a near mark and a far one"
+		"a near task and a far one"
 	)
-	check_near(near_and_far.value, 0.4, 0.02, "the far one's value")
+	check_near(near_and_far.value, 0.4, 0.02, "the value of the far task")
 	_free(near_and_far)
 	for task in [first, second, both]:
 		task.free()
@@ -109,23 +109,25 @@ func test_a_reset_at_a_start_with_an_immediate_end_sends_aborted() -> void:
 	var far := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.4)
 	var near := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([far, near])
-	var told: Array[String] = []
+	var events: Array[String] = []
 	var reset := func(_gesture: StringName, _task: GestureTask) -> void:
-		told.append("started at %d" % hmm.tasks.find(hmm.current_task))
+		events.append("started at %d" % hmm.tasks.find(hmm.current_task))
 		if hmm.current_task == near:
 			hmm.reset()
 	hmm.gesture_started.connect(reset)
 	hmm.gesture_ended.connect(
 		func(_gesture: StringName, _time_s: float, _task: GestureTask, _fraction: float) -> void:
-			told.append("ended")
+			events.append("ended")
 	)
 	hmm.gesture_aborted.connect(
-		func(_gesture: StringName, _task: GestureTask) -> void: told.append("aborted")
+		func(_gesture: StringName, _task: GestureTask) -> void: events.append("aborted")
 	)
 	_play(hmm, [Vector3.ZERO, Vector3(0.4, 0.0, 0.0)])
-	check(told.has("started at 1"), "the near one's start comes with its end: %s" % [told])
-	var over := told.count("ended") + told.count("aborted")
-	check_equal(over, told.size() - over, "each that started is over: %s" % [told])
+	check(events.has("started at 1"), "the near task has started: %s" % [events])
+	var over := events.count("ended") + events.count("aborted")
+	check_equal(
+		over, events.size() - over, "each started gesture has ended or is aborted: %s" % [events]
+	)
 	_free(hmm)
 	for one: GestureTask in [far, near]:
 		one.free()
@@ -135,26 +137,26 @@ func test_changes_of_tasks_take_effect_at_any_time() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var other := _task(&"tap", Vector3.ZERO, Vector3.FORWARD, 0.15)
 	var hmm := _hmm([task, null, other])
-	check_equal(hmm.task, task, "task is the first one")
-	check(hmm.current_task == null, "none before anything begins")
+	check_equal(hmm.task, task, "task is the first task")
+	check(hmm.current_task == null, "no current task before a gesture")
 	_play(hmm, [Vector3.ZERO, Vector3(0.2, 0.0, 0.0)])
-	check_equal(hmm.current_task, task, "under way, or at its end")
+	check_equal(hmm.current_task, task, "the current task after its gesture")
 	task.free()
-	check(hmm.current_task == null and hmm.task == null, "freed: none any more")
+	check(hmm.current_task == null and hmm.task == null, "null after it was freed")
 	hmm.task = other
-	check_equal(hmm.tasks, [other] as Array[GestureTask], "the only one")
+	check_equal(hmm.tasks, [other] as Array[GestureTask], "only the other task is left")
 	check_equal(
 		_ends(_play(hmm, [Vector3.ZERO, 0.15 * Vector3.FORWARD])),
 		["ended tap at task 0"] as Array[String],
-		"the other's gesture"
+		"the gesture of the other task"
 	)
 	hmm.task = null
-	check_equal(hmm.tasks, [] as Array[GestureTask], "none")
+	check_equal(hmm.tasks, [] as Array[GestureTask], "the list is empty")
 	_free(hmm)
 	other.free()
 
 
-func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
+func test_a_freed_task_is_ignored() -> void:
 	var end := Vector3(0.2, 0.0, 0.0)
 	for are_others: bool in [false, true]:
 		var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
@@ -171,7 +173,7 @@ func test_a_task_that_is_freed_is_waited_for_no_longer() -> void:
 		var expected: Array[String] = []
 		if are_others:
 			expected.append("ended vertical_drag at task 1")
-		check_equal(seen, expected, "others are" if are_others else "the only one")
+		check_equal(seen, expected, "the other task is used" if are_others else "no gesture ends")
 		_free(hmm)
 		other.free()
 
@@ -188,7 +190,9 @@ func test_a_task_without_a_finite_position_is_warned_of_and_ignored() -> void:
 			nowhere.force_update_transform()
 	)
 	var seen := _ends(_play(hmm, [Vector3.ZERO, Vector3(0.2, 0.0, 0.0)]))
-	check_equal(seen, ["ended horizontal_drag at task 1"] as Array[String], "the other one is")
+	check_equal(
+		seen, ["ended horizontal_drag at task 1"] as Array[String], "the other task is used"
+	)
 	_free(hmm)
 	nowhere.free()
 	task.free()
@@ -216,7 +220,7 @@ func test_a_task_in_millimetres_is_warned_of() -> void:
 	task.amplitude = 1e300
 	task.amplitude = 1e-300
 	task.start_radius = 1e300
-	check_equal([task.amplitude, task.start_radius], [0.2, 0.0], "what is no length is refused")
+	check_equal([task.amplitude, task.start_radius], [0.2, 0.0], "invalid lengths are refused")
 	task.amplitude = 200.0
 	var hmm := _hmm([task])
 	hmm.tracker.start()
@@ -247,7 +251,7 @@ func test_a_task_of_a_radius_may_turn_and_move() -> void:
 		task.rotation.y = 0.01 * frame
 		task.position = Vector3(0.01 * frame, NAN, 0.0)
 		task.force_update_transform()
-	check_equal(ended, [&"zoom"] as Array[StringName], "neither is used")
+	check_equal(ended, [&"zoom"] as Array[StringName], "rotation and position have no effect")
 	_free(hmm)
 	task.free()
 
@@ -258,7 +262,7 @@ func test_a_task_moved_before_the_first_frame_has_no_warning() -> void:
 	for step in 200:
 		task.position.x = 0.01 * step
 		task.force_update_transform()
-	check_near(task.get_start().x, 1.99, 1e-6, "slid into its place")
+	check_near(task.get_start().x, 1.99, 1e-6, "the task is at its place")
 	_free(hmm)
 	task.free()
 
@@ -272,13 +276,15 @@ func test_a_task_that_follows_the_hand_is_warned_of_and_never_ends() -> void:
 		task.force_update_transform()  # as at the end of each frame of a game
 	# expects one warning: a GestureTask keeps moving
 	hmm.motion_updated.connect(carry)
-	check_equal(_ends(_play(hmm, [Vector3.ZERO, end])), [] as Array[String], "carried along")
+	check_equal(
+		_ends(_play(hmm, [Vector3.ZERO, end])), [] as Array[String], "a moving task never ends"
+	)
 	hmm.motion_updated.disconnect(carry)
 	task.position = Vector3.ZERO
 	check_equal(
 		_ends(_play(hmm, [Vector3.ZERO, end])),
 		["ended horizontal_drag at task 0"] as Array[String],
-		"left where it is"
+		"a task at rest ends"
 	)
 	_free(hmm)
 	task.free()
@@ -305,7 +311,7 @@ func test_a_task_that_was_freed_is_null_in_the_list() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
 	var hmm := _hmm([task])
 	task.free()
-	check_equal(hmm.tasks, [null] as Array[GestureTask], "there, and nobody's pointer")
+	check_equal(hmm.tasks, [null] as Array[GestureTask], "the entry is null")
 	var copy := hmm.duplicate() as GestureHMM
 	check(copy.tasks.is_empty() or copy.tasks[0] == null, "the engine may copy the node")
 	copy.free()
@@ -343,7 +349,7 @@ func _free(hmm: GestureHMM) -> void:
 	hmm.free()
 
 
-## The amplitude of what is felt at each instant.
+## The amplitude of the vibration at each instant.
 func _felt(tasks: Array[GestureTask], places: Array[Vector3]) -> Array[float]:
 	var hmm := _hmm(tasks)
 	var synth := HapticSynth.new()
@@ -363,17 +369,17 @@ func _ends(seen: Array[String]) -> Array[String]:
 	return seen.filter(func(event: String) -> bool: return event.begins_with("ended"))
 
 
-## A hand that rests at each place and goes on to the next one by minimum-jerk movements; at the
-## last it stays. What the signals say, and the index of `current_task` as they are given.
+## A hand that rests at each place and makes minimum-jerk movements between them. Returns the
+## signals with the index of `current_task`.
 func _play(hmm: GestureHMM, places: Array[Vector3]) -> Array[String]:
 	var seen: Array[String] = []
-	var tell := func(gesture: StringName, _task: GestureTask, what: String) -> void:
+	var note := func(gesture: StringName, _task: GestureTask, what: String) -> void:
 		seen.append("%s %s at task %d" % [what, gesture, hmm.tasks.find(hmm.current_task)])
-	var started := tell.bind("started")
+	var started := note.bind("started")
 	var ended := func(
 		gesture: StringName, _time_s: float, task: GestureTask, _fraction: float
 	) -> void:
-		tell.call(gesture, task, "ended")
+		note.call(gesture, task, "ended")
 	hmm.gesture_started.connect(started)
 	hmm.gesture_ended.connect(ended)
 	hmm.tracker.start()

@@ -51,7 +51,7 @@ func test_synthetic_source() -> void:
 	var drag := SourceDrag.new(self, _folder.get_current_dir(), START)
 	drag.begin(_synthetic(drag))
 	drag.step_for(6.0)
-	# People go a little too far or too short.
+	# People overshoot or undershoot a little.
 	_check_end(drag, "SyntheticSource", 0.03)
 
 
@@ -69,7 +69,7 @@ func test_degraded_source() -> void:
 
 
 func test_fixed_fps_makes_a_run_repeatable() -> void:
-	var said: Array[String] = []
+	var outputs: Array[String] = []
 	for run in 2:
 		var script := ProjectSettings.globalize_path("res://").path_join(
 			"../tests/scenes/support/fixed_fps_run.gd"
@@ -81,9 +81,9 @@ func test_fixed_fps_makes_a_run_repeatable() -> void:
 		var output := []
 		var godot := OS.get_environment("GODOT")
 		OS.execute(godot if godot != "" else OS.get_executable_path(), command, output, true)
-		said.append("\n".join(output))
-	check(said[0].contains("ended at "), "a drag has ended: %s" % said[0].right(200))
-	check_equal(said[0], said[1], "twice the same")
+		outputs.append("\n".join(output))
+	check(outputs[0].contains("ended at "), "a drag has ended: %s" % outputs[0].right(200))
+	check_equal(outputs[0], outputs[1], "both runs have the same output")
 
 
 func _synthetic(drag: SourceDrag) -> SyntheticSource:

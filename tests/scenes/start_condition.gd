@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## With a start condition a gesture begins only where the hand meets it.
+## With a start condition a gesture begins only if the hand meets it.
 
 const PushedHand := preload("support/pushed_hand.gd")
 
@@ -10,7 +10,7 @@ const WAY := 0.2
 const OPEN := 0.08
 const CLOSED := 0.01
 const WHOLE: Array[String] = ["started", "ended"]
-const GIVEN_UP: Array[String] = ["started", "aborted"]
+const ABORTED: Array[String] = ["started", "aborted"]
 const NOTHING: Array[String] = []
 
 var _tracker: HandTracker
@@ -36,7 +36,7 @@ func test_a_pinch_starts_a_drag_and_its_release_aborts_it() -> void:
 			func(time_s: float) -> Dictionary:
 				return _fingers(CLOSED if time_s < REST_S + 0.5 else OPEN)
 		)
-		check_equal(_events, GIVEN_UP, "released half-way, task: %s" % at_task)
+		check_equal(_events, ABORTED, "released half-way, task: %s" % at_task)
 		_free_nodes()
 
 
@@ -53,13 +53,13 @@ func test_a_dwell_starts_a_drag() -> void:
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-	check_equal(_events, WHOLE, "after a rest that is long enough")
+	check_equal(_events, WHOLE, "after a long dwell")
 	_free_nodes()
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_DWELL
 	_hmm.dwell_time = 2.0
 	_drag(func(_time_s: float) -> Dictionary: return _fingers(OPEN))
-	check_equal(_events, NOTHING, "after one that is shorter")
+	check_equal(_events, NOTHING, "after a short dwell")
 	_free_nodes()
 
 
@@ -81,7 +81,7 @@ func test_the_pointing_pose_starts_a_drag() -> void:
 		_free_nodes()
 
 
-func test_joints_that_a_condition_needs_and_no_frame_holds() -> void:
+func test_missing_joints_of_a_condition_are_warned_of() -> void:
 	# expects one warning: "start_condition" needs thumb, index; no frame had thumb
 	_make_nodes(true)
 	_hmm.start_condition = GestureHMM.START_PINCH
@@ -99,7 +99,7 @@ func test_a_zoom_cannot_be_pinched() -> void:
 	_free_nodes()
 
 
-func test_values_that_cannot_be() -> void:
+func test_invalid_values_are_refused() -> void:
 	# expects error: start_condition must be one of START_*
 	# expects error: dwell_time must be 0.1..3 s
 	# expects error: pinch_distance must be 0.005..0.1 m
@@ -113,7 +113,7 @@ func test_values_that_cannot_be() -> void:
 	_free_nodes()
 
 
-## From rest to rest in a second; `fingers`: joints relative to the index tip, of the time.
+## From rest to rest in 1 s. `fingers`: of the time; gives joints relative to the index tip.
 func _drag(fingers: Callable) -> void:
 	for frame in roundi((REST_S + 2.2) / FRAME_S):
 		var time_s := frame * FRAME_S

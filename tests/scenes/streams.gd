@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## A script's stream of frames: where it ends, where it cannot be taken, where it does not come.
+## A script's stream of frames: its end, refused frames, and missing frames.
 
 const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
@@ -29,13 +29,13 @@ func test_a_tracker_that_stops_leaves_no_gesture() -> void:
 				# expects one error: set "track" of the RecordedSource to a recording (*.csv)
 				check_equal(tracker.start(), ERR_CANT_OPEN, "it cannot be started")
 		check_equal(_events, ["started", "aborted"] as Array[String], "%s: the signals" % how)
-		check_equal(hmm.gesture, &"", "%s: no gesture is under way" % how)
-		check_equal(hmm.state, -1, "%s: nor a state" % how)
-		check_equal(hmm.value, 0.0, "%s: nor a motion" % how)
+		check_equal(hmm.gesture, &"", "%s: no active gesture" % how)
+		check_equal(hmm.state, -1, "%s: no state" % how)
+		check_equal(hmm.value, 0.0, "%s: no motion" % how)
 		_free(hmm)
 
 
-func test_a_gesture_that_has_ended_is_not_given_up_where_the_tracker_stops() -> void:
+func test_a_stop_after_the_end_does_not_abort_the_gesture() -> void:
 	var hmm := _hmm()
 	_push_drag(hmm.tracker, 2.5)
 	hmm.tracker.stop()
@@ -45,7 +45,7 @@ func test_a_gesture_that_has_ended_is_not_given_up_where_the_tracker_stops() -> 
 	_free(hmm)
 
 
-func test_who_hears_of_the_loss_may_start_anew() -> void:
+func test_a_handler_of_tracking_lost_may_restart_the_tracker() -> void:
 	var hmm := _hmm()
 	var tracker := hmm.tracker
 	_push_drag(tracker, HALF_WAY_S)
@@ -55,11 +55,11 @@ func test_who_hears_of_the_loss_may_start_anew() -> void:
 	check(tracker.is_running(), "it runs")
 	_push_drag(tracker, 2.5)
 	var both: Array[String] = ["started", "aborted", "started", "ended"]
-	check_equal(_events, both, "the first is given up, the next one ends")
+	check_equal(_events, both, "the first gesture is aborted, the next one ends")
 	_free(hmm)
 
 
-func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void:
+func test_frames_of_another_thread_need_call_deferred() -> void:
 	for is_deferred: bool in [false, true]:
 		var hmm := _hmm()
 		var tracker := hmm.tracker
@@ -79,13 +79,15 @@ func test_frames_of_another_thread_are_refused_and_deferred_ones_taken() -> void
 		await process_frame
 		var count := 0 if is_deferred else 300
 		check_equal(results.count(ERR_INVALID_PARAMETER), count, "refused")
-		var told := "started ended" if is_deferred else ""
-		check_equal(" ".join(_events), told, "the signals, deferred: %s" % is_deferred)
-		check_equal(tracker.get_time() > 0.0, is_deferred, "the clock goes on by what is taken")
+		var expected := "started ended" if is_deferred else ""
+		check_equal(" ".join(_events), expected, "the signals, deferred: %s" % is_deferred)
+		check_equal(
+			tracker.get_time() > 0.0, is_deferred, "the clock advances only with accepted frames"
+		)
 		_free(hmm)
 
 
-func test_a_clock_that_begins_anew() -> void:
+func test_a_new_clock_needs_a_start() -> void:
 	var hmm := _hmm()
 	var tracker := hmm.tracker
 	var losses: Array[float] = []
@@ -95,13 +97,13 @@ func test_a_clock_that_begins_anew() -> void:
 	for time_s: float in [0.0, 0.5]:
 		check_equal(tracker.push_frame(time_s, _hand(0.0)), ERR_INVALID_PARAMETER, "refused")
 		tracker.push_frame(1000.1, _hand(0.0))
-	check_equal(losses.size(), 0, "frames out of order, between others, lose no hand")
+	check_equal(losses.size(), 0, "single late frames do not lose the hand")
 	for frame in 30:
 		tracker.push_frame(frame * FRAME_S, _hand(0.0))
-	check_equal(losses, [1000.1] as Array[float], "those that do not end do")
+	check_equal(losses, [1000.1] as Array[float], "only late frames lose it")
 	tracker.start()
 	_push_drag(tracker, 2.5)
-	check_equal(_events, ["started", "ended"] as Array[String], "a start takes the new clock")
+	check_equal(_events, ["started", "ended"] as Array[String], "a start accepts the new clock")
 	_free(hmm)
 
 
@@ -127,12 +129,12 @@ func test_a_hand_that_never_comes_is_warned_of_once() -> void:
 				hmm.tracker.push_frame(passed_s, {})
 			elif what == &"hand" and passed_s < 1.0:
 				hmm.tracker.push_frame(passed_s, _hand(0.0))
-		check(true, "%s: waited for" % what)
+		check(true, "%s: the wait is over" % what)
 		_free(hmm)
 	Engine.time_scale = 1.0
 
 
-func test_a_tracker_that_is_taken_away_is_not_missed() -> void:
+func test_a_removed_tracker_gives_no_warning() -> void:
 	# expects one warning: no gesture is recognised. Set its "tracker"
 	var without := GestureHMM.new()
 	root.add_child(without)
@@ -146,13 +148,13 @@ func test_a_tracker_that_is_taken_away_is_not_missed() -> void:
 		tracker.free()
 		await process_frame
 		await process_frame
-		check(hmm.tracker == null, "%s: it has none" % what)
+		check(hmm.tracker == null, "%s: it has no tracker" % what)
 		hmm.task.free()
 		hmm.free()
 	without.free()
 
 
-## A drag of 20 cm from the origin, by a clock that begins at 0, as far as it is by `until_s`.
+## Pushes a drag of 20 cm from the origin, with times from 0 to `until_s`.
 func _push_drag(tracker: HandTracker, until_s: float) -> void:
 	var frame := 0
 	while frame * FRAME_S < until_s and tracker.is_running():
@@ -165,7 +167,7 @@ func _hand(time_s: float) -> Dictionary:
 	return {HandTracker.JOINT_INDEX: Vector3(way, 0.0, 0.0) + PushedHand.tremor(time_s)}
 
 
-## Of a drag at the origin, with a tracker that runs; its signals are in _events.
+## A GestureHMM for a drag at the origin, with a running tracker; its signals are in _events.
 func _hmm() -> GestureHMM:
 	var tracker := HandTracker.new()
 	tracker.source = ScriptSource.new()

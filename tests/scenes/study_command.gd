@@ -23,13 +23,13 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 		"none.tres': there is no such file": ["--protocol", out.path_join("none.tres")],
 		"this is no StudyProtocol": ["--protocol", "res://study/panel_style.tres"],
 	}
-	for said in mistakes:
-		var arguments := mistakes[said].duplicate()
-		if said != "--out is missing":
+	for message in mistakes:
+		var arguments := mistakes[message].duplicate()
+		if message != "--out is missing":
 			arguments.append_array(["--out", out])
 		var tool := ToolRun.new("study", arguments)
-		check_equal(tool.exit_code, 2, "exit code with %s" % [mistakes[said]])
-		check_equal(tool.missing([said]), "", "the message")
+		check_equal(tool.exit_code, 2, "exit code with %s" % [mistakes[message]])
+		check_equal(tool.missing([message]), "", "the message")
 	check(not DirAccess.dir_exists_absolute(out), "nothing is written")
 
 
@@ -49,7 +49,9 @@ func test_the_command_leaves_complete_sessions_alone() -> void:
 	arguments.append("--resume")
 	var second := ToolRun.new("study", PackedStringArray(arguments))
 	check_equal(second.exit_code, 0, "exit code with --resume")
-	check_equal(second.missing(["sub-p02/ses-01: complete"]), "", "it says so")
+	check_equal(
+		second.missing(["sub-p02/ses-01: complete"]), "", "the output names the complete session"
+	)
 	var again := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
 	check_equal(again, table, "and changes nothing")
 	check(not DirAccess.dir_exists_absolute(out.path_join("sub-p02/ses-02")), "no new session")

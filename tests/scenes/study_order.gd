@@ -34,18 +34,20 @@ func test_each_condition_has_its_blocks_in_each_round() -> void:
 					var block := trial / StudyOrder.TRIALS_PER_BLOCK
 					is_in_blocks = is_in_blocks and order.position_at(index, positions) == block
 			for first in range(0, drawn.size(), count):
-				var told: Dictionary[GestureHMM.Motion, bool] = {}
+				var used: Dictionary[GestureHMM.Motion, bool] = {}
 				for condition in drawn.slice(first, first + count):
-					told[condition] = true
-				is_whole = is_whole and told.size() == count
+					used[condition] = true
+				is_whole = is_whole and used.size() == count
 				drawn_first[drawn[first]] = drawn_first.get(drawn[first], 0) + 1
 		check(is_in_blocks, "%d positions: a condition stays for a block at each" % positions)
-		check(is_whole, "none comes again before all have been")
+		check(is_whole, "each is used once before any repeats")
 		# Four standard deviations of a binomial, p = 1/3.
 		var rounds := float(SEEDS * ROUNDS)
 		for condition in order.conditions:
 			var share: float = drawn_first.get(condition, 0) / rounds
-			check_near(share, 1.0 / count, 4.0 * sqrt(2.0 / 9.0 / rounds), "each is first as often")
+			check_near(
+				share, 1.0 / count, 4.0 * sqrt(2.0 / 9.0 / rounds), "each is first equally often"
+			)
 
 
 func test_a_live_hand_compares_conditions_block_by_block() -> void:
@@ -66,17 +68,17 @@ func test_a_live_hand_compares_conditions_block_by_block() -> void:
 	for row in TrialRows.read(session):
 		conditions.append(row["condition"])
 	var compared: Array[String] = []
-	# The first trial is the one that R cut off.
+	# Without the first trial, which R has cut off.
 	for first in range(1, 1 + count, StudyOrder.TRIALS_PER_BLOCK):
 		var five := conditions.slice(first, first + StudyOrder.TRIALS_PER_BLOCK)
 		compared.append(five[0])
 		check_equal(five.count(five[0]), 5, "five drags in one condition: %s" % five[0])
 	compared.sort()
 	check_equal(compared, ["average", "measured", "synthesised"] as Array[String], "the paper's")
-	check_equal(conditions[-1], "measured", "and a key chooses one")
+	check_equal(conditions[-1], "measured", "a key chooses a condition")
 
 
-func test_the_key_that_begins_the_comparison_ends_it_and_so_does_a_condition_of_ones_own() -> void:
+func test_r_or_a_condition_key_ends_the_comparison() -> void:
 	for ends: Key in [KEY_R, KEY_1]:
 		var player := TaskPlayer.new("horizontal_drag", _folder.get_current_dir(), self)
 		var scene := player.scene
@@ -86,12 +88,14 @@ func test_the_key_that_begins_the_comparison_ends_it_and_so_does_a_condition_of_
 		await process_frame
 		await process_frame
 		check_equal(
-			readout.text, "conditions in a random order", "key %d: the readout says it" % ends
+			readout.text,
+			"conditions in a random order",
+			"key %d: the readout shows the order" % ends
 		)
 		player.press(ends)
 		await process_frame
 		await process_frame
-		check_equal(readout.text, "one condition", "and that it is over")
+		check_equal(readout.text, "one condition", "the readout shows the end of the comparison")
 		var chosen := scene.gesture_hmm.motion
 		var hand := LiveHand.new()
 		for drag in 2 * StudyOrder.TRIALS_PER_BLOCK:

@@ -134,7 +134,7 @@ func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
 
 
-func test_a_pause_drops_the_trial_under_way() -> void:
+func test_a_pause_drops_the_current_trial() -> void:
 	var session := StudySession.new()
 	session.start(_root.path_join("pause"), "ann", StudySupport.protocol(), "person")
 	var runner := StudyRunner.new()
@@ -143,7 +143,7 @@ func test_a_pause_drops_the_trial_under_way() -> void:
 	var hand := StudyHand.new(ScriptSource.new())
 	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
 	runner.begin(session, hand, DesktopPanel.new())
-	check_equal(runner.state, StudyRunner.State.MAKING, "a trial is under way")
+	check_equal(runner.state, StudyRunner.State.MAKING, "a trial is running")
 	runner.pause()
 	check_equal(session.count_finished(), 0, "it does not count")
 	runner.continue_run()

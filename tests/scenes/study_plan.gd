@@ -32,10 +32,10 @@ func test_default_protocol_is_the_papers() -> void:
 func test_equal_seed_and_participant_give_an_equal_plan() -> void:
 	var protocol := StudyProtocol.paper()
 	var first := StudyPlan.make(protocol, "p01")
-	check_equal(StudyPlan.make(protocol, "p01"), first, "the same plan twice")
-	check(StudyPlan.make(protocol, "p02") != first, "another participant, another plan")
+	check_equal(StudyPlan.make(protocol, "p01"), first, "the same input gives the same plan")
+	check(StudyPlan.make(protocol, "p02") != first, "another participant gets another plan")
 	protocol.seed = 1
-	check(StudyPlan.make(protocol, "p01") != first, "another seed, another plan")
+	check(StudyPlan.make(protocol, "p01") != first, "another seed gives another plan")
 	# Python: int(hashlib.sha256(b"7/p01/3").hexdigest()[:15], 16)
 	check_equal(StudyPlan.draw(7, "p01", 3), DRAWN, "draws equal those of another program")
 
@@ -130,7 +130,7 @@ func test_problems_say_what_to_change() -> void:
 	asked.maximum = 0
 	asked.items = ["a"]
 	protocol.questionnaires = [asked, null]
-	var told := "\n".join(protocol.problems())
+	var found := "\n".join(protocol.problems())
 	for text: String in [
 		"'study_name'",
 		"'wave', which is unknown: use horizontal_drag",
@@ -143,7 +143,7 @@ func test_problems_say_what_to_change() -> void:
 		"1 items, but 0 texts",
 		"an empty slot",
 	]:
-		check(text in told, "a problem says: %s" % text)
+		check(text in found, "a problem says: %s" % text)
 
 
 func test_answers_about_several_conditions_give_a_warning() -> void:
@@ -155,8 +155,8 @@ func test_answers_about_several_conditions_give_a_warning() -> void:
 		)
 	for block_size: int in [1, 2]:
 		protocol.block_size = block_size
-		var told := "'after_trials' is 5, and does not divide 'block_size' (%d)" % block_size
-		check(told in "".join(protocol.warnings()), told)
+		var warning := "'after_trials' is 5, and does not divide 'block_size' (%d)" % block_size
+		check(warning in "".join(protocol.warnings()), warning)
 
 
 func test_a_misspelt_property_of_a_file_is_a_problem() -> void:
@@ -170,11 +170,11 @@ func test_a_misspelt_property_of_a_file_is_a_problem() -> void:
 		text.replace("\n[resource]", 'itemz = ["a"]\n\n[resource]') + '\nconditons = ["measured"]\n'
 	)
 	FileAccess.open(path, FileAccess.WRITE).store_string(text)
-	var told := "\n".join((load(path) as StudyProtocol).problems())
+	var found := "\n".join((load(path) as StudyProtocol).problems())
 	check(
-		"%s: unknown property 'conditons'" % path in told, "the protocol's is named with its file"
+		"%s: unknown property 'conditons'" % path in found, "the protocol's is named with its file"
 	)
-	check("unknown property 'itemz'" in told, "its questionnaire's is named")
+	check("unknown property 'itemz'" in found, "its questionnaire's is named")
 
 
 func test_questionnaires_survive_json() -> void:

@@ -33,7 +33,7 @@ func test_a_simulated_session_writes_every_file() -> void:
 			check(row["r2_synthesised"].to_float() > 0.96, "stable: R2 above 0.96")
 			check_near(row["t_diff_synthesised"].to_float(), 0.0, 0.15, "stable: ends in time")
 			var share: float = row["end_value_m"].to_float() / row["amplitude_m"].to_float()
-			# Raw data are late: a fast tap is seen far from the target when it ends.
+			# Raw data are late: a fast tap is measured far from the target when it ends.
 			if planned["condition"] == "synthesised":
 				check_near(share, 1.0, 0.2, "stable: ends at the target")
 		_check_motion(session, i + 1, row)
@@ -172,8 +172,8 @@ func _check_motion(session: StudySession, trial: int, row: Dictionary) -> void:
 	var first := lines[1].split(",")
 	var last := lines[-1].split(",")
 	check_equal(first.size(), MOTION_COLUMNS, "cells")
-	check_near(first[0].to_float(), row["shown_s"].to_float(), 0.02, "from the target on")
-	check(last[0].to_float() > row["end_s"].to_float(), "to after the end")
+	check_near(first[0].to_float(), row["shown_s"].to_float(), 0.02, "it begins with the target")
+	check(last[0].to_float() > row["end_s"].to_float(), "it ends after the gesture")
 	var passed_ms := roundi(1000.0 * (last[0].to_float() - first[0].to_float()))
 	check_equal(lines.size() - 2, passed_ms, "a row each millisecond")
 	var farthest := 0.0
@@ -198,7 +198,7 @@ func _check_events(session: StudySession) -> void:
 	check_equal(counts["answered"], 12, "event answered")
 
 
-## The trial as a row of a trial set. Its span is found anew from the plan's simulated person.
+## The trial as a row of a trial set. Its span is computed from the plan's simulated person.
 func _as_trial(session: StudySession, number: int) -> Dictionary:
 	var hand := SyntheticHand.new()
 	hand.subject = session.participant.to_int()

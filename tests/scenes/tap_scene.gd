@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The tap-surface, headless: 15 cm away, red from the contact on.
+## The tap scene, headless: the surface is 15 cm away, and red from the contact on.
 
 const Rig := preload("support/rig.gd")
 const TapStage := preload("res://scripts/tap_stage.gd")
@@ -19,7 +19,7 @@ func test_taps_turn_the_surface_red() -> void:
 		check(player.play_to_end() > 2.0, "faster than real time")
 		if trial["position"] == "stable":
 			check_equal(player.colour("Surface"), TapStage.ARRIVED, "red after the contact")
-			check_near(player.scene.course.end_s, trial["end_s"], 0.1, "from the contact on")
+			check_near(player.scene.course.end_s, trial["end_s"], 0.1, "the end is the contact")
 	check_equal(player.log_fault(trials), "", "the logs")
 
 
@@ -53,7 +53,7 @@ func test_the_mouse_in_place_of_the_hand() -> void:
 	scene.free()
 
 
-## Half-way in 0.3 s by a minimum-jerk motion, trembling by 0.1 mm; the path of its track.
+## Writes a track: half-way in 0.3 s on a minimum-jerk motion, with a tremor of 0.1 mm.
 func _write_short_tap() -> String:
 	var path := _folder.get_current_dir().path_join("short.measured.csv")
 	var track := FileAccess.open(path, FileAccess.WRITE)
@@ -66,12 +66,12 @@ func _write_short_tap() -> String:
 	return path
 
 
-## The surface's near face is 15 cm from the start, across the way.
+## The surface's near face is 15 cm from the start, across the path.
 func _check_place(player: TaskPlayer, trial: Dictionary) -> void:
 	var surface := player.body("Surface")
 	var axis: Vector3 = trial["axis"]
 	var normal := surface.global_basis.y.normalized()
-	check_near(absf(normal.dot(axis)), 1.0, 1e-5, "the surface is across the way")
+	check_near(absf(normal.dot(axis)), 1.0, 1e-5, "the surface is across the path")
 	var thickness := (surface.mesh as BoxMesh).size.y
 	var way := axis.dot(surface.global_position - (trial["start"] as Vector3)) - 0.5 * thickness
 	check_near(way, 0.15, 1e-5, "15 cm away")

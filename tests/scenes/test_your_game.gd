@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## What the add-on gives for tests of one's own game: GestureTestHand and the templates.
+## The add-on's help for tests of a game: GestureTestHand and the templates.
 
 # engine options: --fixed-fps 90
 
@@ -16,7 +16,7 @@ func test_the_template_without_a_framework_passes_faster_than_real_time() -> voi
 	var began_ms := Time.get_ticks_msec()
 	var status := _run_script(TEMPLATES.path_join("script_test.gd"), output)
 	check_equal(status, 0, "it passes")
-	check(output[0].contains("pass  a key is pressed"), "it has pressed a key")
+	check(output[0].contains("pass  a key is pressed"), "the template presses a key")
 	print("it took %d ms" % (Time.get_ticks_msec() - began_ms))
 
 
@@ -59,7 +59,7 @@ func test_a_gesture_is_made_at_its_task_in_the_time_given() -> void:
 	)
 	await hand.make_gesture(_hmm.task, 1.2)
 	check_equal(times_s.size(), 2, "one gesture")
-	check_near(times_s[1] - times_s[0], 1.2, 0.35, "it takes as long")
+	check_near(times_s[1] - times_s[0], 1.2, 0.35, "the gesture has the given duration")
 	check_near(hand.get_place().x, _hmm.task.get_start().x + WAY, 1e-6, "the hand is at the end")
 	_free_nodes()
 
@@ -103,7 +103,7 @@ func test_random_faults_spoil_the_hand() -> void:
 	_free_nodes()
 
 
-func test_a_signal_that_does_not_come_is_waited_for_as_long_as_asked() -> void:
+func test_wait_for_ends_at_its_timeout() -> void:
 	var hand := _make_nodes()
 	await hand.rest(0.1)
 	var began_s := _tracker.get_time()
@@ -150,7 +150,7 @@ func test_a_hand_with_equal_time_stamps_is_an_error() -> void:
 	var hand := _make_nodes()
 	_tracker.name = &"Paused"
 	paused = true
-	check(not await hand.wait_for(_hmm.gesture_ended, 1.0), "in a paused game")
+	check(not await hand.wait_for(_hmm.gesture_ended, 1.0), "no end in a paused game")
 	paused = false
 	_tracker.name = &"Manual"
 	_tracker.update_mode = HandTracker.UPDATE_MANUAL
@@ -181,10 +181,10 @@ func _free_nodes() -> void:
 func _run_script(path: String, output: Array[String]) -> int:
 	var arguments := ["--headless", "--fixed-fps", "90", "--path"]
 	arguments.append_array([ProjectSettings.globalize_path("res://"), "--script", path])
-	var said: Array = []
+	var printed: Array = []
 	var godot := OS.get_environment("GODOT")
 	var status := OS.execute(
-		godot if godot != "" else OS.get_executable_path(), arguments, said, true
+		godot if godot != "" else OS.get_executable_path(), arguments, printed, true
 	)
-	output.append(said[0] as String)
+	output.append(printed[0] as String)
 	return status

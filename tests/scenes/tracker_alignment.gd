@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## Two trackers of one hand: their lag and rigid offset, through the nodes.
+## Lag and rigid offset of two trackers of one hand, through the nodes.
 
 const INDEX := HandTracker.JOINT_INDEX
 const LAG_S := 0.06
@@ -10,7 +10,7 @@ const TRACKER_HZ := 90.0
 
 class Pair:
 	extends Node
-	## Two trackers of ScriptSources; the second one is turned, shifted and late.
+	## Two trackers with ScriptSources; the second one is turned, shifted and late.
 
 	var reference := HandTracker.new()
 	var tracker := HandTracker.new()
@@ -80,46 +80,45 @@ func test_the_result_moves_a_liberty() -> void:
 	var liberty := LibertySource.new()
 	liberty.device_transform = place
 	check_equal(alignment.apply(), ERR_UNCONFIGURED, "nothing to apply")
-	check(alignment.error_message.contains("call solve()"), "it says so")
+	check(alignment.error_message.contains("call solve()"), "the error message")
 	pair.run()
 	pair.see(0.0, SECONDS, place)
 	alignment.stop()
 	pair.tracker.source = liberty
 	check_equal(alignment.solve(), OK, "it is solved")
 	check_equal(alignment.apply(), OK, "and applied: %s" % alignment.error_message)
-	check(
-		_is_near(liberty.device_transform, pair.offset),
-		"the source is where it is for the reference"
-	)
+	check(_is_near(liberty.device_transform, pair.offset), "the source is at the reference's place")
 	check_equal(alignment.apply(), ERR_ALREADY_EXISTS, "not twice")
 	check(_is_near(liberty.device_transform, pair.offset), "it is not moved again")
-	check_equal(alignment.solve(), ERR_INVALID_DATA, "positions from before are forgotten")
+	check_equal(alignment.solve(), ERR_INVALID_DATA, "positions from before are cleared")
 	pair.free()
 
 
-func test_a_result_that_cannot_be_applied_says_why() -> void:
+func test_an_inapplicable_result_gives_the_reason() -> void:
 	var headset := LeapSource.new()
 	headset.mounting = LeapSource.MOUNTING_HMD
 	for source: HandSource in [ScriptSource.new(), XRSource.new(), headset]:
 		var pair := _solved()
 		pair.tracker.source = source
 		check_equal(pair.alignment.apply(), ERR_UNAVAILABLE, source.get_class())
-		check(pair.alignment.error_message.contains("no device_transform"), "it says why")
+		check(pair.alignment.error_message.contains("no device_transform"), "the reason")
 		pair.free()
 	var moved := _solved()
 	var leap := LeapSource.new()
 	leap.device_transform = Transform3D(Basis.IDENTITY, Vector3.ONE)
 	moved.tracker.source = leap
-	check_equal(moved.alignment.apply(), ERR_INVALID_DATA, "a device that was moved since")
+	check_equal(
+		moved.alignment.apply(), ERR_INVALID_DATA, "refused for a device that was moved since"
+	)
 	moved.reference.source = leap
-	check_equal(moved.alignment.apply(), ERR_UNAVAILABLE, "one source for both")
+	check_equal(moved.alignment.apply(), ERR_UNAVAILABLE, "refused for one source of both")
 	moved.free()
 
 
-func test_errors_say_what_to_do() -> void:
+func test_errors_name_the_remedy() -> void:
 	var alignment := TrackerAlignment.new()
 	check_equal(alignment.start(), ERR_UNCONFIGURED, "no trackers")
-	check(alignment.error_message.contains("two HandTrackers"), "it says so")
+	check(alignment.error_message.contains("two HandTrackers"), "the error message")
 	var tracker := HandTracker.new()
 	alignment.reference = tracker
 	alignment.tracker = tracker
@@ -138,16 +137,16 @@ func test_errors_say_what_to_do() -> void:
 	check(pair.alignment.error_message.contains("at least 5 s"), pair.alignment.error_message)
 	check(pair.alignment.is_running(), "it goes on")
 	pair.see(3.0, 8.0)
-	check_equal(pair.alignment.solve(), OK, "until there is enough")
+	check_equal(pair.alignment.solve(), OK, "8 s are enough")
 	pair.free()
 
 
-func test_a_stream_that_starts_anew_forgets_the_positions() -> void:
+func test_a_restarted_tracker_clears_the_positions() -> void:
 	var pair := _pair()
 	pair.run()
 	pair.see(0.0, SECONDS)
 	pair.tracker.start()
-	check_equal(pair.alignment.duration, 0.0, "forgotten")
+	check_equal(pair.alignment.duration, 0.0, "the positions are cleared")
 	check(pair.alignment.is_running(), "it goes on")
 	pair.free()
 
@@ -160,7 +159,7 @@ func test_trackers_and_alignment_may_be_freed_in_any_order() -> void:
 		var nodes: Array[Node] = [pair.reference, pair.tracker, pair.alignment]
 		nodes[first].free()
 		if first == 0:
-			check(pair.alignment.reference == null, "no reference any more")
+			check(pair.alignment.reference == null, "the reference is null")
 			check(not pair.alignment.is_running(), "it stops")
 			pair.tracker.push_frame(2.0, {INDEX: Vector3.ONE})
 		elif first == 2:
@@ -192,13 +191,13 @@ func test_the_panel_guides_and_shows_the_residual() -> void:
 	var panel := (load("res://addons/steadyhand/alignment_panel.tscn") as PackedScene).instantiate()
 	root.add_child(panel)
 	panel.call("begin")
-	_check_says(panel, 'Set "alignment"')
+	_check_shows(panel, 'Set "alignment"')
 	var pair := _pair()
 	panel.set("alignment", pair.alignment)
 	for node: HandTracker in [pair.reference, pair.tracker]:
 		node.start()
 	(panel.get_node("Panel/Rows/Align") as Button).pressed.emit()
-	_check_says(panel, "all directions for 10 s")
+	_check_shows(panel, "all directions for 10 s")
 	pair.see(0.0, 5.0)
 	await process_frame
 	await process_frame
@@ -206,8 +205,8 @@ func test_the_panel_guides_and_shows_the_residual() -> void:
 	pair.see(5.0, SECONDS)
 	await process_frame
 	await process_frame
-	_check_says(panel, "lag 60.")
-	_check_says(panel, 'not applied: the source of "tracker"')
+	_check_shows(panel, "lag 60.")
+	_check_shows(panel, 'not applied: the source of "tracker"')
 	check(not pair.alignment.is_running(), "it stops")
 	for node: Node in [panel, pair]:
 		node.free()
@@ -237,6 +236,6 @@ func _is_near(one: Transform3D, other: Transform3D) -> bool:
 	return is_turned_alike and one.origin.distance_to(other.origin) < 0.002
 
 
-func _check_says(panel: Node, text: String) -> void:
-	var said: String = panel.call("describe")
-	check(said.contains(text), ("'%s' is in '%s'" % [text, said]).replace("\n", " / "))
+func _check_shows(panel: Node, text: String) -> void:
+	var shown: String = panel.call("describe")
+	check(shown.contains(text), ("'%s' is in '%s'" % [text, shown]).replace("\n", " / "))

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The trainer: repeatable, cancellable, and the models of the repository come out of it again.
+## The trainer is repeatable and cancellable, and reproduces the models of the repository.
 
 const Rig := preload("support/rig.gd")
 const OwnModels := preload("res://tools/own_models.gd")
@@ -26,10 +26,10 @@ func test_training_is_repeatable() -> void:
 	var sorted := first_run.duplicate()
 	sorted.sort()
 	check(first_run.size() > 20 and first_run[-1] == 1.0, "progress reaches 1")
-	check_equal(first_run, sorted, "and never goes back")
+	check_equal(first_run, sorted, "it never falls")
 
 
-func test_own_models_come_out_again() -> void:
+func test_own_models_are_reproduced() -> void:
 	var trials := OwnModels.write_trials(_path("train"))
 	for gesture in OwnModels.GESTURES:
 		var trainer := GestureTrainer.new()
@@ -73,13 +73,17 @@ func test_an_unknown_feature_is_reported_before_recordings_are_read() -> void:
 	options += ["--out", _path("few/no.gesture"), "--feature", "toe_angle"]
 	var run := ToolRun.new("train", options)
 	check_equal(run.exit_code == 0, false, "refused")
-	check_equal(run.missing(["%s: there is no feature 'toe_angle'" % GESTURE]), "", "and why")
-	check(not run.output.contains("training %s" % GESTURE), "no progress before it")
+	check_equal(
+		run.missing(["%s: there is no feature 'toe_angle'" % GESTURE]),
+		"",
+		"the error names the feature"
+	)
+	check(not run.output.contains("training %s" % GESTURE), "no progress before the error")
 
 
 func test_odd_recordings_are_reported_and_left_out() -> void:
 	var trials := Rig.write_trials(_path("odd"), 4)
-	var told: Array[String] = [
+	var expected: Array[String] = [
 		" is left out: its measured track reaches ",
 		": its measured track ends at ",
 		" is left out: its measured track has no motion of index_along_axis",
@@ -87,27 +91,27 @@ func test_odd_recordings_are_reported_and_left_out() -> void:
 		" is left out: its reference moves from 0.51 amplitudes at start_s to 0.51 at end_s",
 	]
 	for index in 4:
-		_spoil(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])
+		_damage(trials.get_measured_path(index), index, trials.get_trial(index)["end_s"])
 	TrackText.scale(trials.get_reference_path(4), "index_x", 0.0)
 	DirAccess.remove_absolute(trials.get_reference_path(5))
 	var out := _path("odd/drag.gesture")
 	var options := ["--trials", _path("odd"), "--gesture", String(GESTURE), "--out", out]
 	var run := ToolRun.new("train", options)
 	check_equal(run.exit_code, 0, "a model is trained of the others")
-	check_equal(run.output.count("\ntrial "), told.size() + 1, "nothing is said of sound trials")
-	for index in told.size():
+	check_equal(run.output.count("\ntrial "), expected.size() + 1, "other trials are not reported")
+	for index in expected.size():
 		var name: String = trials.get_trial(index)["trial"]
-		var line: Array[String] = ["trial %s%s" % [name, told[index]]]
-		var is_reference := told[index].contains("its reference")
+		var line: Array[String] = ["trial %s%s" % [name, expected[index]]]
+		var is_reference := expected[index].contains("its reference")
 		line.append(
 			[trials.get_measured_path(index), trials.get_reference_path(index)][int(is_reference)]
 		)
-		check_equal(run.missing(line), "", told[index])
+		check_equal(run.missing(line), "", expected[index])
 	var unread := "trial %s is left out: %s: there is no such file"
 	var missing := unread % [trials.get_trial(5)["trial"], trials.get_reference_path(5)]
-	check_equal(run.missing([missing]), "", "of what is not there")
+	check_equal(run.missing([missing]), "", "the missing track is reported")
 	var model := load(out) as GestureModel
-	var names := _names(trials, told.size() + 1)
+	var names := _names(trials, expected.size() + 1)
 	names.remove_at(1)
 	var dropped: Array = model.get_provenance()["dropped"]
 	for name in names:
@@ -115,7 +119,7 @@ func test_odd_recordings_are_reported_and_left_out() -> void:
 	var trainer := GestureTrainer.new()
 	trainer.train(trials, GESTURE)
 	for recording in trainer.get_recordings():
-		var is_odd: bool = recording["trial"] in _names(trials, told.size() + 1)
+		var is_odd: bool = recording["trial"] in _names(trials, expected.size() + 1)
 		check_equal(recording["oddity"].is_empty(), not is_odd, "%s: oddity" % recording["trial"])
 		var curve: PackedFloat64Array = recording["curve"]
 		check_equal(curve.is_empty(), recording["trial"] in names, "%s: curve" % recording["trial"])
@@ -129,9 +133,11 @@ func test_r2_threshold_drops_outlier_recordings() -> void:
 	var kept: int = model.get_provenance()["recordings"]
 	var of := _trials.get_count()
 	check(kept < of, "%d of %d are kept" % [kept, of])
-	var told := "train: %d of %d are less like the mean of all than R2 0.999: " % [of - kept, of]
-	check_equal(run.missing([told]), "", "the report names the others")
-	check_equal(model.get_provenance()["r2_threshold"], 0.999, "and the model says so")
+	var expected := (
+		"train: %d of %d are less like the mean of all than R2 0.999: " % [of - kept, of]
+	)
+	check_equal(run.missing([expected]), "", "the report names the others")
+	check_equal(model.get_provenance()["r2_threshold"], 0.999, "the model has the threshold")
 	check_equal(ToolRun.new("train", options + ["--r2-threshold", "2"]).exit_code, 2, "a share")
 
 
@@ -165,26 +171,26 @@ func test_provenance() -> void:
 		var curve: PackedFloat64Array = recording["curve"]
 		for i in sum.size():
 			sum[i] += curve[i]
-	check_equal(kept, provenance["recordings"], "as many are kept as it says")
+	check_equal(kept, provenance["recordings"], "the number of kept recordings is right")
 	var worst := 0.0
 	for i in sum.size():
 		worst = maxf(worst, absf(sum[i] / kept - model.get_reference_mean()[i]))
 	check(worst < 1e-12, "the reference curve is the mean of those kept, within %s" % worst)
 
 
-func test_cancelled_by_who_hears_of_progress() -> void:
-	# Whenever it comes: while tracks are read, the codebook is made, the HMM is trained.
+func test_a_progress_handler_may_cancel_the_training() -> void:
+	# While tracks are read, the codebook is made, and the HMM is trained.
 	for limit: float in [0.1, 0.5, 0.7, 0.9]:
 		var trainer := GestureTrainer.new()
-		var heard: Array[float] = []
+		var reported: Array[float] = []
 		trainer.progressed.connect(
 			func(done: float) -> void:
-				heard.append(done)
+				reported.append(done)
 				if done >= limit:
 					trainer.cancel()
 		)
 		check(trainer.train(_trials, GESTURE) == null, "cancelled at %s: no model" % limit)
-		check(trainer.is_cancelled() and heard[-1] < 1.0, "and nothing more is done")
+		check(trainer.is_cancelled() and reported[-1] < 1.0, "the training stops")
 		trainer.progressed.disconnect(trainer.progressed.get_connections()[0]["callable"])
 		check(trainer.train(_trials, GESTURE) != null, "the next training is not cancelled")
 
@@ -197,15 +203,15 @@ func test_cancel_without_training_does_nothing() -> void:
 
 func test_cancelled_from_another_thread() -> void:
 	var trainer := GestureTrainer.new()
-	var under_way := Semaphore.new()
+	var is_training := Semaphore.new()
 	var cancelled := Semaphore.new()
 	var wait_once := func(_done: float) -> void:
-		under_way.post()
+		is_training.post()
 		cancelled.wait()
 	trainer.progressed.connect(wait_once, CONNECT_ONE_SHOT)
 	var thread := Thread.new()
 	thread.start(func() -> GestureModel: return trainer.train(_trials, GESTURE))
-	under_way.wait()
+	is_training.wait()
 	trainer.cancel()
 	cancelled.post()
 	check(thread.wait_to_finish() == null, "no model")
@@ -213,7 +219,10 @@ func test_cancelled_from_another_thread() -> void:
 
 func test_training_on_a_gesture_without_trials_is_an_error() -> void:
 	# expects error: no trial of the gesture 'zoom', but of horizontal_drag
-	check(GestureTrainer.new().train(_trials, &"zoom") == null, "no trial of it: null")
+	check(
+		GestureTrainer.new().train(_trials, &"zoom") == null,
+		"no model without trials of the gesture"
+	)
 
 
 func test_settings_out_of_range_are_refused() -> void:
@@ -235,32 +244,34 @@ func test_saving_leaves_no_partial_file() -> void:
 	var path := _path("saved.gesture")
 	FileAccess.open(path, FileAccess.WRITE).store_string("an older one")
 	check_equal(ResourceSaver.save(model, path), OK, "an older file is replaced")
-	check_equal(FileAccess.get_file_as_string(path), model.to_text(), "as a whole")
-	check(not FileAccess.file_exists(path + ".part"), "nothing is left beside it")
+	check_equal(FileAccess.get_file_as_string(path), model.to_text(), "the file is complete")
+	check(not FileAccess.file_exists(path + ".part"), "no partial file is left")
 	var nowhere := _path("no_such_folder/saved.gesture")
-	check(ResourceSaver.save(model, nowhere) != OK, "what cannot be written is said")
+	check(ResourceSaver.save(model, nowhere) != OK, "an unwritable path is an error")
 
 
-func test_a_name_that_is_no_models_is_refused_before_the_training() -> void:
+func test_an_invalid_model_name_is_refused_before_training() -> void:
 	for name: String in ["nameless", "odd.txt", "a_file/tap.gesture"]:
 		FileAccess.open(_path("a_file"), FileAccess.WRITE).store_string("no folder")
 		var run := _train_to(name)
 		check_equal(run.exit_code, 2, "%s: exit code" % name)
-		check_equal(run.missing(["train: ", _path(name).get_base_dir()]), "", "it is named")
-		check(not run.output.contains("training %s" % GESTURE), "and nothing is trained")
-		check(not FileAccess.file_exists(_path(name)), "nor written")
+		check_equal(
+			run.missing(["train: ", _path(name).get_base_dir()]), "", "the message names the path"
+		)
+		check(not run.output.contains("training %s" % GESTURE), "nothing is trained")
+		check(not FileAccess.file_exists(_path(name)), "nothing is written")
 	var ending := _train_to("nameless").missing(["train: ", ".gesture"])
-	check_equal(ending, "", "what a name ends in is said")
+	check_equal(ending, "", "the error names the ending")
 
 
 func test_a_model_that_cannot_be_saved_is_an_error() -> void:
 	DirAccess.make_dir_absolute(_path("folder.gesture"))
 	var run := _train_to("folder.gesture")
 	check_equal(run.exit_code, 2, "exit code")
-	check_equal(run.missing(["cannot write %s" % _path("folder.gesture")]), "", "it is said")
+	check_equal(run.missing(["cannot write %s" % _path("folder.gesture")]), "", "the message")
 
 
-## Of the first trials.
+## Names of the first trials.
 static func _names(trials: TrialSet, count: int) -> Array[String]:
 	var names: Array[String] = []
 	for index in count:
@@ -268,9 +279,9 @@ static func _names(trials: TrialSet, count: int) -> Array[String]:
 	return names
 
 
-## Spoils a track in the way of that number.
-static func _spoil(path: String, way: int, end_s: float) -> void:
-	match way:
+## Damages a track by one of several faults.
+static func _damage(path: String, fault: int, end_s: float) -> void:
+	match fault:
 		0:
 			TrackText.scale(path, "index_x", 1000.0)
 		1:

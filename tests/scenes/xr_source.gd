@@ -20,8 +20,8 @@ func test_a_scene_without_a_script_vibrates() -> void:
 	root.add_child(scene)
 	var hmm := scene.get_node("GestureHMM") as GestureHMM
 	var synth := scene.get_node("HapticSynth") as HapticSynth
-	var said: Array[String] = []
-	PushedHand.listen(hmm, said)
+	var events: Array[String] = []
+	PushedHand.listen(hmm, events)
 	var hand := XRHand.new()
 	hand.register()
 	var start := (scene.get_node("GestureTask") as GestureTask).get_start()
@@ -36,7 +36,7 @@ func test_a_scene_without_a_script_vibrates() -> void:
 		await process_frame
 		most = maxf(most, synth.get_amplitude())
 	Engine.max_fps = 0
-	check_equal(said, ["started", "ended"] as Array[String], "one drag")
+	check_equal(events, ["started", "ended"] as Array[String], "one drag")
 	check(most > 0.1, "it vibrates: %s" % most)
 	scene.free()
 	hand.remove()
@@ -48,11 +48,11 @@ func test_world_and_origin_space() -> void:
 	var tracker := _add_tracker(XRSource.SPACE_WORLD)
 	tracker.advance(STEP_S)
 	check(_index(tracker).is_equal_approx(Vector3(0.1, 1.2, -0.3)), "in the world")
-	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "a joint that is not tracked")
+	check(not tracker.is_joint_tracked(HandTracker.JOINT_THUMB), "the thumb is not tracked")
 	(tracker.source as XRSource).space = XRSource.SPACE_ORIGIN
 	XRServer.world_origin.origin += Vector3(3.0, 0.0, -4.0)
 	tracker.advance(STEP_S)
-	check(_index(tracker).is_equal_approx(PLACE), "with the player, who is moved")
+	check(_index(tracker).is_equal_approx(PLACE), "it moves with the player")
 	_remove(hand, tracker)
 
 
@@ -87,7 +87,7 @@ func test_the_tracker_may_come_after_the_node_and_be_replaced() -> void:
 	check(not tracker.is_hand_tracked(), "removed")
 	check_equal(ready[0], 1, "source_ready comes with the hand")
 	tracker.free()
-	check(hand.tracker != null, "the first one is not the server's any more")
+	check(hand.tracker != null, "the first tracker was replaced")
 
 
 func test_a_missing_tracker_is_an_error_reported_once() -> void:
@@ -120,16 +120,16 @@ func test_inferred_joints_are_marked() -> void:
 	var frames: Array[HandFrame] = []
 	tracker.frame_received.connect(func(frame: HandFrame) -> void: frames.append(frame))
 	tracker.advance(STEP_S)
-	check(tracker.is_joint_tracked(INDEX), "an inferred joint is there")
+	check(tracker.is_joint_tracked(INDEX), "an inferred joint is tracked")
 	check(tracker.is_joint_inferred(INDEX), "and marked")
-	check(frames[-1].is_joint_inferred(INDEX), "in the frame too")
+	check(frames[-1].is_joint_inferred(INDEX), "it is inferred in the frame, too")
 	hand.place(PLACE)
 	tracker.advance(STEP_S)
-	check(not tracker.is_joint_inferred(INDEX), "a tracked one is not")
+	check(not tracker.is_joint_inferred(INDEX), "a tracked joint is not inferred")
 	(tracker.source as XRSource).use_inferred = false
 	hand.place(PLACE, XRHand.INFERRED)
 	tracker.advance(STEP_S)
-	check(not tracker.is_joint_tracked(INDEX), "left out where the user wants that")
+	check(not tracker.is_joint_tracked(INDEX), "left out if the user turns it off")
 	_remove(hand, tracker)
 
 
@@ -180,7 +180,7 @@ func test_a_hand_that_turns_into_the_other_is_an_outlier() -> void:
 		if is_swapped:
 			check(not tracker.is_joint_tracked(INDEX), "frame %d is left out" % step)
 	check(farthest < 0.01, "the hand never jumps: %s m" % farthest)
-	check(tracker.is_joint_tracked(INDEX), "and is there again")
+	check(tracker.is_joint_tracked(INDEX), "the hand is tracked again")
 	left.remove()
 	_remove(right, tracker)
 
@@ -211,7 +211,7 @@ func test_body_space_turns_with_a_player_who_turns() -> void:
 		_move(tracker, hand, start, start, 0.4)
 		var from := _index(tracker)
 		for step in range(1, 8):
-			# The head looks after the hand, which rests in none of the frames.
+			# The head follows the hand, which moves in every frame.
 			_turn(head, turned - 0.15 * (step - 1))
 			hand.place(start + step * Vector3(0.03, 0.0, -0.01).rotated(Vector3.UP, turned))
 			tracker.advance(STEP_S)
@@ -221,7 +221,7 @@ func test_body_space_turns_with_a_player_who_turns() -> void:
 	_remove(hand, tracker)
 
 
-func test_the_tap_of_a_player_who_has_turned_is_one() -> void:
+func test_a_tap_of_a_turned_player_is_recognised() -> void:
 	var hand := _add_hand()
 	var head := _add_head()
 	var tracker := _add_tracker(XRSource.SPACE_BODY)
@@ -230,7 +230,7 @@ func test_the_tap_of_a_player_who_has_turned_is_one() -> void:
 		hmm.models = hmm.models + [load(Rig.MODEL % gesture) as GestureModel]
 	hmm.tracker = tracker
 	root.add_child(hmm)
-	# A quarter to the left: ahead is where the left was.
+	# A quarter turn to the left.
 	_turn(head, 0.5 * PI)
 	var start := Vector3(0.1, 1.2, -0.3).rotated(Vector3.UP, 0.5 * PI)
 	var end := start + Vector3(-0.15, 0.0, 0.0)
@@ -253,7 +253,7 @@ func _steps(tracker: HandTracker, count: int) -> void:
 		tracker.advance(STEP_S)
 
 
-## As smoothly as a hand does, trembling.
+## A minimum-jerk movement with tremor.
 func _move(tracker: HandTracker, hand: XRHand, from: Vector3, to: Vector3, taken_s: float) -> void:
 	for step in int(taken_s / STEP_S):
 		_time_s += STEP_S

@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## The zoom-sphere, headless: three times its size, in one stroke or in several.
+## The zoom scene, headless: the sphere grows to three times its size, in one or several strokes.
 
 const Rig := preload("support/rig.gd")
 const TaskPlayer := preload("support/task_player.gd")
@@ -29,10 +29,10 @@ func test_strokes_add_up() -> void:
 	stage.begin_stroke()
 	stage.show_motion(0.01)
 	check_near(stage.show_motion(0.012), 0.4, 1e-6, "a stroke of 12 of 30 mm")
-	check_near(stage.show_motion(0.002), 0.4, 1e-6, "stays while the hand closes")
+	check_near(stage.show_motion(0.002), 0.4, 1e-6, "it stays while the hand closes")
 	stage.begin_stroke()
-	check_near(stage.show_motion(0.0), 0.4, 1e-6, "and when it begins again")
-	check_near(stage.show_motion(0.009), 0.7, 1e-6, "a further stroke adds its 9 mm")
+	check_near(stage.show_motion(0.0), 0.4, 1e-6, "it stays when the next stroke begins")
+	check_near(stage.show_motion(0.009), 0.7, 1e-6, "the next stroke adds its 9 mm")
 	stage.begin_stroke()
 	check_near(stage.show_motion(0.03), 1.0, 1e-6, "the last one ends at the target")
 	check_near(stage.get_node("Sphere").scale.x, 3.0, 1e-6, "three times the size")

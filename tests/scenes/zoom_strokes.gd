@@ -1,5 +1,5 @@
 extends "support/scene_test.gd"
-## A zoom in several strokes, by the model that is shipped: fingers open, close, and open again.
+## A zoom in several strokes, with the add-on's model: fingers open, close, and open again.
 
 const Rig := preload("support/rig.gd")
 
@@ -10,7 +10,7 @@ const GESTURES: Array[String] = ["horizontal_drag", "vertical_drag", "tap", "zoo
 
 
 func test_three_strokes_are_three_zooms() -> void:
-	# Of the radius at the start: when it begins to change, how long that takes, by how much.
+	# Changes of the radius: begin (s), duration (s), amount (m).
 	var strokes: Array[Vector3] = [
 		Vector3(0.6, 0.7, GROWTH_M),
 		Vector3(1.8, 0.5, -GROWTH_M),
@@ -44,20 +44,20 @@ func test_fingers_that_open_too_far_and_come_back_are_one_zoom() -> void:
 	for in_task: bool in [true, false]:
 		var seen := _play(strokes, 3.0, in_task)
 		check_equal(
-			seen["events"], _zooms(1), "%s: overshoot is no second zoom" % _context(in_task)
+			seen["events"], _zooms(1), "%s: an overshoot is no second zoom" % _context(in_task)
 		)
 		check_near(
 			_value_at(seen, 2.5),
 			GROWTH_M,
 			0.1 * GROWTH_M,
-			"%s: the value comes back with the fingers" % _context(in_task)
+			"%s: the value returns with the fingers" % _context(in_task)
 		)
 
 
 func test_a_hand_that_moves_without_opening_zooms_nothing() -> void:
 	for in_task: bool in [true, false]:
 		var seen := _play([], 4.0, in_task, Vector3(0.03, 0.02, 0.01))
-		# It sways 37 degrees off a drag's axis: one may be thought to begin, and is given up.
+		# It sways 37 degrees off a drag's axis: a drag may start and be aborted.
 		var zooms_or_ends := (seen["events"] as Array[String]).filter(
 			func(event: String) -> bool:
 				return event.ends_with("zoom") or event.begins_with("ended")
@@ -66,7 +66,7 @@ func test_a_hand_that_moves_without_opening_zooms_nothing() -> void:
 
 
 func _context(in_task: bool) -> String:
-	return "task given" if in_task else "nothing given"
+	return "with a task" if in_task else "without a task"
 
 
 func _zooms(count: int) -> Array[String]:
@@ -81,7 +81,7 @@ func _value_at(seen: Dictionary, at_s: float) -> float:
 	return values[roundi(at_s / FRAME_S)]
 
 
-## Signals, and the synthesised value at each frame, m. The hand sways by `sway_m` all the while.
+## Signals, and the synthesised value at each frame, m. The hand sways by `sway_m`.
 func _play(
 	strokes: Array[Vector3], length_s: float, in_task: bool, sway_m: Vector3 = Vector3.ZERO
 ) -> Dictionary:

@@ -31,7 +31,7 @@ func open_scene(nodes: Array[Node]) -> Node:
 	_scenes += 1
 	var path := "res://edited_%d.tscn" % _scenes
 	EditedScene.save(nodes, path)
-	# Whoever emitted the signal that the test waited for has returned by then.
+	# Lets the emitter of the awaited signal return first.
 	await process_frame
 	EditorInterface.open_scene_from_path(path)
 	var patience := PATIENCE_FRAMES

@@ -1,6 +1,6 @@
 extends RefCounted
-## A spring on an audio bus while a hand is held, and what a bus carries of it: the audio thread
-## mixes in real time.
+## A spring on an audio bus while a hand is held, and a recording of a bus. The audio thread mixes
+## in real time.
 
 const Rig := preload("rig.gd")
 
@@ -16,11 +16,11 @@ var _gesture_hmm := GestureHMM.new()
 var _tree: SceneTree
 
 
-## `listened_to`: the index of the bus that is heard.
-func _init(tree: SceneTree, listened_to: int) -> void:
+## `recorded_bus`: the index of the recorded bus.
+func _init(tree: SceneTree, recorded_bus: int) -> void:
 	_tree = tree
 	capture.buffer_length = 2.0
-	AudioServer.add_bus_effect(listened_to, capture)
+	AudioServer.add_bus_effect(recorded_bus, capture)
 	_tracker.source = ScriptSource.new()
 	_tracker.update_mode = HandTracker.UPDATE_MANUAL
 	task.gesture = &"horizontal_drag"
@@ -43,7 +43,7 @@ func free_nodes() -> void:
 		node.free()
 
 
-## The hand is held at `level`, a share of the task's amplitude; what was heard is forgotten.
+## Holds the hand at `level`, a share of the task's amplitude, and clears the recording.
 func settle(level: float, duration_s: float) -> void:
 	var began_s := _now_s()
 	while _now_s() - began_s < duration_s:
@@ -51,25 +51,25 @@ func settle(level: float, duration_s: float) -> void:
 	capture.clear_buffer()
 
 
-## Left channel since the last call, or settle(), of `duration_s` at least, with the hand held on;
-## shorter where the bus is not mixed in time.
-func hear(level: float, duration_s: float) -> PackedFloat32Array:
+## The left channel since the last call or settle(), at least `duration_s` long, while the hand is
+## held. It is shorter if the bus is not mixed in time.
+func record(level: float, duration_s: float) -> PackedFloat32Array:
 	var began_s := _now_s()
 	var wanted := int(duration_s * AudioServer.get_mix_rate())
 	while capture.get_frames_available() < wanted and _now_s() - began_s < PATIENCE_S:
 		await _hold(level)
-	return _heard()
+	return _recorded()
 
 
-## Left channel from one frame to the next, with the hand held on.
-func hear_news(level: float) -> PackedFloat32Array:
-	_tell(level)
+## The left channel from one frame to the next, while the hand is held.
+func record_frame(level: float) -> PackedFloat32Array:
+	_push(level)
 	capture.clear_buffer()
 	await _tree.process_frame
-	return _heard()
+	return _recorded()
 
 
-func _heard() -> PackedFloat32Array:
+func _recorded() -> PackedFloat32Array:
 	var samples := PackedFloat32Array()
 	for frame in capture.get_buffer(capture.get_frames_available()):
 		samples.append(frame.x)
@@ -77,11 +77,11 @@ func _heard() -> PackedFloat32Array:
 
 
 func _hold(level: float) -> void:
-	_tell(level)
+	_push(level)
 	await _tree.process_frame
 
 
-func _tell(level: float) -> void:
+func _push(level: float) -> void:
 	var tip := Vector3(level * task.amplitude, 0, 0)
 	_tracker.push_frame(_now_s(), {HandTracker.JOINT_INDEX: tip})
 

@@ -1,8 +1,8 @@
 extends RefCounted
-## A stand-in for the Leap service: tests/devices/leap_stub.py as a process of its own.
+## A simulated Leap service: tests/devices/leap_stub.py as a process of its own.
 
 var port := 0
-## Where the hand's fingertip is in the first frame, m.
+## Position of the fingertip in the first frame, m.
 var start := Vector3.ZERO
 
 var _pid := -1
@@ -42,7 +42,7 @@ func stop() -> void:
 	OS.kill(_pid)
 
 
-## What clients sent.
+## Messages of the clients.
 func log_text() -> String:
 	return FileAccess.get_file_as_string(_log)
 

@@ -1,5 +1,5 @@
 extends "scene_test.gd"
-## A test of LeapSource before a stand-in for the service, in real time.
+## A test of LeapSource with a simulated service, in real time.
 
 const LeapService := preload("leap_service.gd")
 const SourceDrag := preload("source_drag.gd")

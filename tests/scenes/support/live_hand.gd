@@ -5,12 +5,12 @@ const TaskScene := preload("res://scripts/task_scene.gd")
 
 const FRAME_S := 0.01
 
-## Of the last frame.
+## Time of the last frame.
 var time_s := 0.0
 var place := Vector3.ZERO
 
 
-## The next frame: at `to`, trembling, or with nothing tracked.
+## Pushes the next frame: at `to` with tremor, or without a tracked joint.
 func push(scene: TaskScene, to: Vector3, is_tracked: bool = true) -> void:
 	time_s += FRAME_S
 	place = to
@@ -19,7 +19,7 @@ func push(scene: TaskScene, to: Vector3, is_tracked: bool = true) -> void:
 	scene.tracker.push_frame(time_s, joints)
 
 
-## In a second, as smoothly as a hand does (Flash & Hogan 1985).
+## Moves in 1 s on a minimum-jerk curve (Flash & Hogan 1985).
 func move(scene: TaskScene, to: Vector3) -> void:
 	var from := place
 	for frame in range(1, 101):
@@ -27,7 +27,7 @@ func move(scene: TaskScene, to: Vector3) -> void:
 		push(scene, from.lerp(to, s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)))
 
 
-## From wherever the hand is to the task's start, a rest, the gesture to `way` (m), a rest.
+## Moves to the task's start, rests, makes the gesture to `way` (m), and rests.
 func make_gesture(scene: TaskScene, way: float) -> void:
 	var start := scene.task.get_start()
 	var end := start + scene.task.get_axis() * way

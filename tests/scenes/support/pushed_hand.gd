@@ -1,9 +1,9 @@
 extends RefCounted
-## A hand whose frames a test pushes to a HandTracker, and what a GestureHMM says of it.
+## A hand whose frames a test pushes to a HandTracker, and the signals of its GestureHMM.
 
 
-## The share of its way that a hand has gone after `passed` of its time, as smoothly as hands go
-## (Flash & Hogan 1985); at rest before and after.
+## The share of the amplitude after the share `passed` of the duration: minimum jerk (Flash & Hogan
+## 1985), at rest before and after.
 static func share(passed: float) -> float:
 	var p := clampf(passed, 0.0, 1.0)
 	return p * p * p * (10.0 + p * (6.0 * p - 15.0))
@@ -14,7 +14,7 @@ static func tremor(time_s: float) -> Vector3:
 	return 1e-4 * Vector3(sin(time_s * 777.0), cos(time_s * 555.0), 0.0)
 
 
-## Empties `events`, and from then on appends "started", "aborted" and "ended".
+## Clears `events`, and then appends "started", "aborted" and "ended".
 static func listen(hmm: GestureHMM, events: Array[String]) -> void:
 	events.clear()
 	hmm.gesture_started.connect(

@@ -1,6 +1,6 @@
 extends RefCounted
-## Hands that the editor's panel records: the index tip makes a gesture again and again, and comes
-## back in between. Frames are pushed, as by a device.
+## Hands for the editor's panel: the index tip repeats a gesture, and returns between two of them.
+## Frames are pushed, as by a device.
 
 const PushedHand := preload("pushed_hand.gd")
 
@@ -24,7 +24,7 @@ func rest(seconds: float) -> void:
 	move(Vector3.ZERO, seconds)
 
 
-## By `way` (m) in `seconds`, as smoothly as hands go.
+## Moves by `way` (m) in `seconds` on a minimum-jerk curve.
 func move(way: Vector3, seconds: float) -> void:
 	var from := place
 	var frames := roundi(seconds / FRAME_S)
@@ -33,7 +33,7 @@ func move(way: Vector3, seconds: float) -> void:
 	place = from + way
 
 
-## Counterclockwise for `turns` above 0, beginning to the right.
+## Counterclockwise for `turns` above 0. Starts to the right.
 func circle(radius_m: float, seconds: float, turns: float = 1.0) -> void:
 	var centre := place + Vector3(0.0, radius_m, 0.0)
 	var frames := roundi(seconds / FRAME_S)

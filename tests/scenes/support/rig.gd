@@ -1,5 +1,5 @@
 extends RefCounted
-## The three nodes of a scene on a recorded trial, stepped by the test.
+## Tracker, GestureHMM and task on a recorded trial, stepped by the test.
 
 const TrialTask := preload("res://scripts/trial_task.gd")
 
@@ -53,7 +53,7 @@ func record(first_step: int, last_step: int, stride: int = 1) -> PackedFloat64Ar
 	return values
 
 
-## Synthetic trials of one `gesture` a position and person, in `folder`.
+## Synthetic trials of `gesture` in `folder`, one for each position and person.
 static func write_trials(
 	folder: String, subjects: int = 1, gesture: String = "horizontal_drag"
 ) -> TrialSet:

@@ -10,7 +10,7 @@ var _hmm: GestureHMM = null
 var _events: Array[String] = []
 
 
-## A sample with a simulated hand that has just come.
+## Opens a sample with a simulated hand.
 func _open(sample: String) -> GestureTestHand:
 	_events.clear()
 	_scene = (load(FOLDER % sample) as PackedScene).instantiate()

@@ -1,12 +1,11 @@
 extends SceneTree
-## A test in a headless Godot of its own, through the public API alone: runs every method whose name
+## A test in a headless Godot of its own, through the public API only. Runs every method whose name
 ## begins with `test_`, prints a line for each check and, last, `END <n> passed, <m> failed`. A
-## check that needs data which is not there says SKIP. Errors of the engine that a test provokes are
-## announced to the runner by a comment of that test's: `# expects error: TEXT`; warnings that must
-## come: `# expects warning: TEXT`, once and no more: `# expects one warning: TEXT`. Options for the
-## engine itself: `# engine options: WORDS`.
+## check whose data is missing prints SKIP. Comments of a test define which errors and warnings must
+## occur: `# expects error: TEXT`, `# expects warning: TEXT`, or exactly once: `# expects one error:
+## TEXT`, `# expects one warning: TEXT`. Options of the engine: `# engine options: WORDS`.
 
-## What was freed while it played fades out in one and is let go of in another.
+## A freed playback fades out in one mix and is released in another.
 const AUDIO_RELEASE_MIXES := 4
 
 var _passed := 0
@@ -14,7 +13,7 @@ var _failed := 0
 var _started := false
 
 
-# Before the first frame the root is in no tree.
+# The root is in no tree before the first frame.
 func _process(_delta: float) -> bool:
 	if not _started:
 		_started = true
@@ -41,7 +40,7 @@ func _end(status: int) -> void:
 	quit(status)
 
 
-## The audio thread's time is its own: on a busy machine it may be late by any.
+## Waits for a mix of the audio thread, which may be late on a busy machine.
 func _audio_mixed() -> void:
 	var since_s := 0.0
 	while AudioServer.get_time_since_last_mix() >= since_s:

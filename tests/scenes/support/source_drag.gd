@@ -1,5 +1,5 @@
 extends RefCounted
-## The demo's horizontal drag with a live hand of some source: one trial, from the box's start
+## The demo's horizontal drag with a live hand of a source: one trial, from the box's start
 ## marker to its stop marker.
 
 const DragStage := preload("res://scripts/drag_stage.gd")
@@ -35,8 +35,8 @@ func begin(source: HandSource) -> void:
 	stage.place(player.scene.task, "")
 
 
-## Steps the tracker of a source that has frames of its own; `move` is called with the time before
-## each step.
+## Steps the tracker of a source with its own frames. `move` is called with the time before each
+## step.
 func step_for(seconds: float, move: Callable = Callable()) -> void:
 	for step in int(seconds / STEP_S):
 		if move.is_valid():
@@ -45,12 +45,12 @@ func step_for(seconds: float, move: Callable = Callable()) -> void:
 			tracker.advance(STEP_S)
 
 
-## In real time, until a gesture has ended or `patience_s` is over.
+## Runs in real time until a gesture has ended or `patience_s` is over.
 func wait(tree: SceneTree, patience_s: float) -> void:
 	await wait_until(tree, patience_s, func() -> bool: return ends > 0)
 
 
-## The same, until `is_over` says so.
+## The same, until `is_over` is true.
 func wait_until(tree: SceneTree, patience_s: float, is_over: Callable) -> void:
 	tracker.update_mode = HandTracker.UPDATE_IDLE
 	Engine.max_fps = 120

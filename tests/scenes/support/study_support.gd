@@ -1,5 +1,5 @@
 extends RefCounted
-## What the scene tests of studies share.
+## Common functions of the scene tests of studies.
 
 
 ## 2 gestures x 2 positions x 2 conditions x 2 trials, and a practice trial for each gesture.

@@ -1,5 +1,5 @@
 extends RefCounted
-## A task scene of the demo in the hands of a test: plays trials, or moves the mouse.
+## A task scene of the demo, controlled by a test: plays trials, or moves the mouse.
 
 const Rig := preload("rig.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
@@ -7,7 +7,7 @@ const Tasks := preload("res://scripts/tasks.gd")
 
 const REST_S := 0.8
 const STROKE_S := 1.0
-## Of a screen; a headless engine would run as fast as it can, in fits and starts.
+## As on a screen: without a limit a headless engine has uneven frames.
 const FRAMES_PER_S := 90
 ## The first frames after a scene was loaded come in one burst.
 const SETTLING_FRAMES := 8
@@ -26,7 +26,7 @@ func _init(gesture: String, log_folder: String, tree: SceneTree) -> void:
 	tree.root.add_child(scene)
 
 
-## To the end of the trial that the scene has begun; how many times as fast as real time.
+## Plays the current trial to its end. Returns its speed relative to real time.
 func play_to_end() -> float:
 	var began_us := Time.get_ticks_usec()
 	while not scene.tracker.is_finished():
@@ -34,7 +34,7 @@ func play_to_end() -> float:
 	return scene.tracker.get_duration() / (1e-6 * (Time.get_ticks_usec() - began_us))
 
 
-## The mouse in place of the hand, from where the pointer is at `place`.
+## Follows the mouse in place of the hand, with the pointer at `place`.
 func follow_mouse(place: Vector3) -> void:
 	Engine.max_fps = FRAMES_PER_S
 	for i in SETTLING_FRAMES:
@@ -43,7 +43,7 @@ func follow_mouse(place: Vector3) -> void:
 	scene.follow_mouse(true)
 
 
-## Rests the pointer at `from`, takes it to `to` by a minimum-jerk motion, rests there.
+## Rests the pointer at `from`, moves it to `to` on a minimum-jerk curve, rests there.
 func stroke_mouse(from: Vector3, to: Vector3) -> void:
 	var began_us := Time.get_ticks_usec()
 	var phase := -REST_S / STROKE_S
@@ -70,7 +70,7 @@ func colour(name: String) -> Color:
 	return (body(name).material_override as StandardMaterial3D).albedo_color
 
 
-## What is wrong with the session's logs of these trials; empty when all is well.
+## The error of the session's logs of these trials. Empty: none.
 func log_fault(trials: TrialSet) -> String:
 	var folder := scene.session_folder
 	scene.free()
@@ -79,11 +79,11 @@ func log_fault(trials: TrialSet) -> String:
 		return "%d rows for %d trials" % [rows.size(), trials.get_count()]
 	for row in rows.slice(1):
 		if row.split(",").size() != rows[0].split(",").size():
-			return "'%s' has not the columns of '%s'" % [row, rows[0]]
+			return "'%s' does not have the columns of '%s'" % [row, rows[0]]
 		var log_path := folder.path_join("%s.log.csv" % row.get_slice(",", 0))
 		var samples := FileAccess.get_file_as_string(log_path).split("\n", false)
 		if samples.size() <= 1000:
-			return "%s holds no row an instant: %d" % [log_path, samples.size()]
+			return "%s has no row for each instant: %d" % [log_path, samples.size()]
 	return ""
 
 

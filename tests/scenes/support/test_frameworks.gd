@@ -1,5 +1,5 @@
 extends Node
-## As much of GUT and gdUnit4 as the add-on's templates use, to run these without the frameworks.
+## The parts of GUT and gdUnit4 that the add-on's templates use, to run them without a framework.
 
 var failures: Array[String] = []
 

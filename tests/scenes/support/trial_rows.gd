@@ -1,10 +1,10 @@
 extends RefCounted
-## A session's trials.csv.
+## Reads a session's trials.csv.
 
 const NAME := "trials.csv"
 
 
-## A row a trial, by column.
+## One row for each trial, by column.
 static func read(session: String) -> Array[Dictionary]:
 	var file := FileAccess.open(session.path_join(NAME), FileAccess.READ)
 	var header := file.get_csv_line()

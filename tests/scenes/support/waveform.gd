@@ -1,5 +1,5 @@
 extends RefCounted
-## What a vibration is made of.
+## Measures of a sampled vibration.
 
 
 ## Amplitude of the component at `frequency_hz`, by Goertzel's recursion (1958, DOI
@@ -32,7 +32,7 @@ static func greatest_step(samples: PackedFloat32Array) -> float:
 	return greatest
 
 
-## The one channel of a 16-bit PCM file; empty where it is none.
+## The channel of a mono 16-bit PCM file. Empty: another format.
 static func read_wav(path: String, expected_rate_hz: int) -> PackedFloat32Array:
 	var samples := PackedFloat32Array()
 	var bytes := FileAccess.get_file_as_bytes(path)
