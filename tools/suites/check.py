@@ -5,5 +5,5 @@ from suites.process import run
 
 
 def check(name: str, command: list) -> Outcome:
-    status, output = run(["nice", *command])  # what runs beside may have something to hear or to time
+    status, output = run(["nice", *command])  # parallel tests may measure audio or time
     return Outcome.of(f"lint/{name}", status == 0, output)

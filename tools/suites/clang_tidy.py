@@ -1,8 +1,8 @@
-"""clang-tidy on what ships, only on sources that have changed since they were last found clean.
+"""clang-tidy on the shipped sources that have changed since they were last found clean.
 
-Tests are compiled with all warnings as errors, and their runs show the rest. Most of the time goes into headers, which
-the sources of a folder share: one source that is made here includes those of a folder that are to be checked. So the
-sources of a folder must not define the same name, even in an anonymous namespace.
+Tests are not checked: they are compiled with all warnings as errors. Most of the time goes into headers, which the
+sources of a folder share, so one generated source includes all sources of a folder to check. The sources of a folder
+must not define the same name, even in an anonymous namespace.
 """
 
 import itertools
@@ -23,18 +23,18 @@ from suites.process import ROOT, run, scons
 
 PROGRAM = Path(sys.executable).parent / "clang-tidy"
 TOGETHER = ROOT / "build/clang_tidy"
-NAME = "UnifiedSource.cpp"  # by which the static analyzer knows that what is included is not a header
+NAME = "UnifiedSource.cpp"  # the static analyzer expects this name of a source that includes sources
 INCLUDE = re.compile(rb'^\s*#\s*include\s*["<]([^">]+)[">]', re.MULTILINE)
 
 
 def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
-    """One outcome a folder."""
+    """One outcome for each folder."""
     status, output = scons("compiledb")
     if status != 0:
         yield Outcome.of("lint/clang-tidy", False, output)
         return
     commands = {entry["file"]: entry["command"] for entry in json.loads((ROOT / "compile_commands.json").read_text())}
-    for path in settings:  # what holds in a folder holds for the source that is made of it
+    for path in settings:  # the settings of a folder apply to its generated source
         if path.parent != ROOT:
             write(TOGETHER / path.relative_to(ROOT), path.read_text())
     keys = Keys(settings)
@@ -62,7 +62,7 @@ def outcomes(sources: list[Path], settings: list[Path]) -> Iterator[Outcome]:
 
 
 class Keys:
-    """Of a source: a hash of all that clang-tidy reads for it, but for the headers of other packages."""
+    """Hash of all that clang-tidy reads for a source, without the headers of other packages."""
 
     def __init__(self, settings: list[Path]) -> None:
         self.common = [run([PROGRAM, "--version"])[1], *(path.read_bytes() for path in [Path(__file__), *settings])]

@@ -1,4 +1,4 @@
-"""What a linter has found clean, kept in the cache: a fresh clone need not repeat what another has done."""
+"""Cache of sources that a linter has found clean, shared by all clones."""
 
 import hashlib
 import sys
@@ -20,7 +20,7 @@ def is_clean(key: str) -> bool:
 
 
 def keep(keys: Iterable[str]) -> None:
-    """Whether they are new or used again; forgets those that no clone has used for long."""
+    """Marks the keys as clean and used, and removes keys that no clone has used for long."""
     FOLDER.mkdir(exist_ok=True)
     for key in keys:
         (FOLDER / key).touch()

@@ -1,4 +1,4 @@
-"""The entry, ./steadyhand, as a user at a terminal meets it."""
+"""The command ./steadyhand, as used at a terminal."""
 
 import csv
 import os
@@ -44,7 +44,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def helps() -> Iterator[Outcome]:
-    """Every verb's own part of the help, and no other's."""
+    """`VERB --help` prints only the verb's part of the help."""
     _, whole = run(["./steadyhand", "--help"])
     verbs = dict.fromkeys(re.findall(r"^\./steadyhand (\w+)", whole, re.MULTILINE))
     parts = {verb: run(["./steadyhand", verb, "--help"]) for verb in verbs}
@@ -64,20 +64,20 @@ def helps() -> Iterator[Outcome]:
     good = status == 0 and output.startswith("SteadyHand: ")
     yield Outcome.of("command/--help needs no cache", good, f"{status}\n{output}")
     status, output = run(["tools/setup_python.sh", "plots"], STEADYHAND_CACHE="/dev/null/cache")
-    told = "cannot write to the cache /dev/null/cache: set $STEADYHAND_CACHE to a folder that you can write to"
-    good = (status, output) == (1, f"steadyhand: {told}\n")
+    message = "cannot write to the cache /dev/null/cache: set $STEADYHAND_CACHE to a folder that you can write to"
+    good = (status, output) == (1, f"steadyhand: {message}\n")
     yield Outcome.of("command/setup: a cache that cannot be written is named", good, f"{status}\n{output}")
 
 
 def refusals(folder: Path) -> Iterator[Outcome]:
-    """What cannot be done ends with 2, before anything is built, and one line that says why."""
+    """Bad arguments give exit code 2 and one line with the reason, before a build."""
     (folder / "set").mkdir()
     (folder / "set/trials.csv").touch()
     (folder / "file").touch()
     evaluate = ["evaluate", "--out", folder / "out", "--trials"]
     train = ["train", "--trials", folder / "set", "--gesture", "tap", "--out"]
     no_folder = f"cannot make the folder {folder}/{{}}: {folder}/file is a file"
-    for given, told in (
+    for given, message in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
         (
@@ -95,19 +95,19 @@ def refusals(folder: Path) -> Iterator[Outcome]:
         (["demo", "--out", folder / "file/demo"], no_folder.format("file/demo")),
         (["docs", "--out", folder / "file"], no_folder.format("file")),
         (["docs", "--out", folder / "set"], f"{folder}/set is not empty, and is no earlier site: name a new folder"),
-        (["bench", "--front", ""], "--front wants a value (./steadyhand --help)"),
+        (["bench", "--front", ""], "--front needs a value (./steadyhand --help)"),
         (["train", "--trials", "-none", "--gesture", "tap", "--out", "a"], f"no trials.csv in {ROOT}/-none"),
-        (["train", "--trails", folder], "train knows no '--trails' (./steadyhand --help)"),
-        (["evaluate", "--out", folder / "a=b"], "evaluate wants --trials (./steadyhand --help)"),
+        (["train", "--trails", folder], "train has no '--trails' (./steadyhand --help)"),
+        (["evaluate", "--out", folder / "a=b"], "evaluate needs --trials (./steadyhand --help)"),
     ):
         for arguments in (given, with_equals_signs(given)):
             status, output = run(["./steadyhand", *arguments])
-            good = status == 2 and output == f"steadyhand: {told}\n"
+            good = status == 2 and output == f"steadyhand: {message}\n"
             form = " ".join(str(word) for word in arguments).replace(str(folder), "DIR")
-            yield Outcome.of(f"command/{form}: {told.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
+            yield Outcome.of(f"command/{form}: {message.replace(str(folder), 'DIR')}", good, f"{status}\n{output}")
     status, output = run(["./steadyhand", "train", "--trials", "--gesture", "circle", "--out", "x.gesture"])
-    good = (status, output) == (2, "steadyhand: --trials wants a value (./steadyhand --help)\n")
-    yield Outcome.of("command/train --trials --gesture: --trials wants a value", good, f"{status}\n{output}")
+    good = (status, output) == (2, "steadyhand: --trials needs a value (./steadyhand --help)\n")
+    yield Outcome.of("command/train --trials --gesture: --trials needs a value", good, f"{status}\n{output}")
     status, output = run(["./steadyhand", "study", folder, f"--out={folder}/none"])
     yield Outcome.of("command/study --out=DIR", status == 2 and "no trial was read" in output, f"{status}\n{output}")
 
@@ -118,7 +118,7 @@ def with_equals_signs(arguments: list) -> list[str]:
 
 
 def emptied_cache(folder: Path) -> Iterator[Outcome]:
-    """A stamp says that packages are installed, into a folder that is gone."""
+    """A stamp for installed packages whose folder was removed."""
     stamp = folder / "cache/stamps/python-plots"
     stamp.parent.mkdir(parents=True)
     stamp.write_text((ROOT / "tools/requirements/python-plots.txt").read_text())
@@ -129,21 +129,21 @@ def emptied_cache(folder: Path) -> Iterator[Outcome]:
     environment = {"STEADYHAND_CACHE": str(folder / "cache"), "PATH": f"{python.parent}:{os.environ['PATH']}"}
     status, output = run(["tools/setup_python.sh", "plots"], **environment)
     good = status == 1 and "python3 -m venv failed" in output
-    yield Outcome.of("command/setup: a stamp without its folder is not believed", good, f"{status}\n{output}")
+    yield Outcome.of("command/setup: a stamp without its folder is ignored", good, f"{status}\n{output}")
 
 
 def other_godots(folder: Path) -> Iterator[Outcome]:
-    """A Godot that the user names is used, or nothing is done."""
+    """A $GODOT that is no Godot ends the command."""
     old = folder / "old_godot"
     write_program(old, "3.5.stable\n", 0)
-    for named, told in ((folder / "none", "is no program"), (old, "is no Godot 4.4 or later")):
+    for named, message in ((folder / "none", "is no program"), (old, "is no Godot 4.4 or later")):
         status, output = run(["./steadyhand", "build"], GODOT=str(named))
-        good = (status, output) == (1, f"steadyhand: $GODOT {told}: {named}\n")
-        yield Outcome.of(f"command/build: a $GODOT that {told} ends it", good, f"{status}\n{output}")
+        good = (status, output) == (1, f"steadyhand: $GODOT {message}: {named}\n")
+        yield Outcome.of(f"command/build: a $GODOT that {message} ends it", good, f"{status}\n{output}")
 
 
 def training(folder: Path) -> Iterator[Outcome]:
-    """One model from trials of which `./steadyhand train` without options would make all."""
+    """One model, equal to the one of `./steadyhand train` without options."""
     status, output = run(["./steadyhand", "build"])
     if status == 0:
         options = ["--models", folder / "models", "--work", folder]
@@ -158,12 +158,12 @@ def training(folder: Path) -> Iterator[Outcome]:
     status, output = interrupted([str(word) for word in command], "training tap")
     left = [path.name for path in folder.iterdir() if path.name.startswith("tap")]
     good = status == 128 + signal.SIGINT and "cancelled" in output and not left
-    yield Outcome.of("command/train: Ctrl-C cancels and leaves nothing", good, f"status {status}, {left}\n{output}")
+    yield Outcome.of("command/train: Ctrl-C cancels and leaves no file", good, f"status {status}, {left}\n{output}")
 
     status, output = run(["./steadyhand", *with_equals_signs(command[1:])])
     good = status == 0 and model.read_bytes() == (folder / "models/tap.gesture").read_bytes()
     yield Outcome.of("command/train: the model", good, output)
-    yield Outcome.of("command/train: progress by lines where there is no terminal", "##" not in output, output)
+    yield Outcome.of("command/train: progress in lines without a terminal", "##" not in output, output)
     _, output = run(["script", "--quiet", "--command", shlex.join(str(word) for word in command), "/dev/null"])
     good = len(re.findall(r"training tap  #+-* ", output)) > 20
     yield Outcome.of("command/train: progress in one line on a terminal", good, output)
@@ -172,13 +172,15 @@ def training(folder: Path) -> Iterator[Outcome]:
 
     command[command.index("tap")] = "swipe"
     status, output = run(command)
-    told = f"ERROR: {folder}/train: no trial of the gesture 'swipe', but of horizontal_drag, tap, vertical_drag, zoom"
-    good = status == 2 and output.splitlines()[-1] == told
-    yield Outcome.of("command/train: another gesture's name is one line", good, f"{status}\n{output}")
+    message = (
+        f"ERROR: {folder}/train: no trial of the gesture 'swipe', but of horizontal_drag, tap, vertical_drag, zoom"
+    )
+    good = status == 2 and output.splitlines()[-1] == message
+    yield Outcome.of("command/train: an unknown gesture gives one line", good, f"{status}\n{output}")
 
 
 def cost(folder: Path) -> Iterator[Outcome]:
-    """docs/cost.md from benchmarks that print two rows each, and then from one that fails."""
+    """docs/cost.md from benchmarks with two rows each, and then from a failing one."""
     page = folder / "cost.md"
     page.write_text((ROOT / "docs/cost.md").read_text())
     recognition = [("plain scaled forward pass, a symbol", 12.34, 1.0), ("a frame", 5678.9, 460.2)]
@@ -236,17 +238,17 @@ def events() -> Iterator[Outcome]:
     rows = re.findall(r"^\| ([a-z].*?) \|((?: [\d.]+ \|){6})$", output, re.MULTILINE)
     yield Outcome.of("command/bench events: every hand", status == 0 and len(rows) == 38, output)
     plain = dict(rows).get("twelve equal gestures in a row")
-    yield Outcome.of("command/bench events: plain gestures are told", plain == " 100 |" * 6, output)
+    yield Outcome.of("command/bench events: plain gestures are detected", plain == " 100 |" * 6, output)
     status, output = run(["./steadyhand", "bench", "events", "--runs", "some"])
     good = status == 2 and output.startswith("steadyhand: --runs is no whole number of at least 1: 'some'")
-    yield Outcome.of("command/bench events: a number is one", good, f"{status}\n{output}")
+    yield Outcome.of("command/bench events: --runs must be a number", good, f"{status}\n{output}")
     status, output = run(["./steadyhand", "bench", "events", "--min-confidence", "1.5"])
     good = status == 2 and output.startswith("steadyhand: --min-confidence is no probability, 0 to 1: '1.5'")
-    yield Outcome.of("command/bench events: a probability is one", good, f"{status}\n{output}")
+    yield Outcome.of("command/bench events: --min-confidence must be a probability", good, f"{status}\n{output}")
 
 
 def results(folder: Path) -> Iterator[Outcome]:
-    """The pages of results for one simulated person, their numbers worked out anew from results.csv."""
+    """The pages of results for one simulated person, compared with numbers computed from results.csv."""
     write_drag(folder / "lm_digits/plain.csv")
     options = ["--out", folder, "--work", folder / "work", "--subjects", 1, "--real", folder / "none"]
     options += ["--durations", "0.15,4"]
@@ -316,7 +318,7 @@ def results(folder: Path) -> Iterator[Outcome]:
 
 
 def write_drag(path: Path) -> None:
-    """Three seconds of a hand that rests, goes 20 cm to the side in one, and rests."""
+    """Three seconds of a hand that rests, moves 20 cm to the side in 1 s, and rests."""
     path.parent.mkdir()
     lines = ["t,index_x,index_y,index_z"]
     for frame in range(301):
@@ -326,7 +328,7 @@ def write_drag(path: Path) -> None:
 
 
 def interrupted(command: list[str], at: str) -> tuple[int, str]:
-    """Ctrl-C, to all processes of the command, as soon as it says `at`; its exit status and what it said."""
+    """Sends Ctrl-C to all processes of the command once it prints `at`. Returns exit status and output."""
     child = subprocess.Popen(
         command,
         cwd=ROOT,
@@ -335,12 +337,12 @@ def interrupted(command: list[str], at: str) -> tuple[int, str]:
         stderr=subprocess.STDOUT,
         text=True,
         start_new_session=True,
-        # A shell that runs the tests in the background has them ignore it, and all that they start.
+        # Background jobs of a shell ignore SIGINT, and so do their children.
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
-    said = []
+    lines = []
     for line in child.stdout:
-        said.append(line)
+        lines.append(line)
         if at in line:
             os.killpg(child.pid, signal.SIGINT)
             break
@@ -349,4 +351,4 @@ def interrupted(command: list[str], at: str) -> tuple[int, str]:
     except subprocess.TimeoutExpired:
         os.killpg(child.pid, signal.SIGKILL)
         rest, _ = child.communicate()
-    return child.returncode, "".join(said) + rest
+    return child.returncode, "".join(lines) + rest

@@ -1,4 +1,4 @@
-"""LibertyDevice on a simulated Liberty, which umockdev puts on the USB of the program under test.
+"""LibertyDevice on a simulated Liberty, which umockdev adds to the USB of the program under test.
 
 The probe prints an event a line; the simulator prints the commands that it received. The sanitized probes run the
 cases, so that a leak, an overflow or a race fails them too. Without umockdev the cases are skipped.
@@ -19,7 +19,7 @@ from suites.process import ROOT, run, scons
 
 BUILDS = {"plain": "", "address": "address,undefined", "thread": "thread"}
 KILL_S = 30
-# The thread sanitizer's symbolizer dies under umockdev's preload: addr2line reads the offsets of a report.
+# The thread sanitizer's symbolizer crashes under umockdev's preload: addr2line reads the offsets of a report.
 SANITIZERS = {"UBSAN_OPTIONS": "print_stacktrace=1", "TSAN_OPTIONS": "symbolize=0"}
 GODOT_CASES = {
     "drag": [],
@@ -92,7 +92,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def run_godot(case: tuple[str, list[str]]) -> Outcome:
-    """The scene test of LibertySource, in an engine that is the simulator's child."""
+    """The scene test of LibertySource, in an engine started by the simulator."""
     name, options = case
     script = "liberty_faults" if options else "liberty_source"
     simulator = ["umockdev-wrapper", ROOT / "build/devices/liberty_sim", *options]
@@ -115,7 +115,7 @@ def run_case(case: Case) -> Outcome:
 
 
 def read(output: str) -> tuple[Session, list[str]]:
-    """The session, and lines that belong to none, as a sanitizer's."""
+    """The session, and other lines, such as those of a sanitizer."""
     session, strange = Session(), []
     for line in output.splitlines():
         kind, _, rest = line.partition(" ")
@@ -143,7 +143,7 @@ def expected_m(t_s: float, station: int) -> tuple[float, float, float]:
 
 
 def stream_faults(records: list[Record], seconds: float) -> list[str]:
-    """Of one station's unbroken stream."""
+    """Faults of one station's unbroken stream."""
     faults = []
     if len(records) < 0.9 * RATE_HZ * seconds:
         return [f"{len(records)} records in {seconds} s"]
@@ -168,7 +168,7 @@ def stream_faults(records: list[Record], seconds: float) -> list[str]:
 
 
 def only(session: Session, kind: str, wanted: list[str]) -> list[str]:
-    """Complains where the texts of a kind are not these; "..." ends a text of which the rest is free."""
+    """Faults if the texts of a kind differ from these; "..." at the end stands for any rest."""
     found = session.texts(kind)
     same = len(found) == len(wanted) and all(
         text.startswith(want.removesuffix("...")) if want.endswith("...") else text == want

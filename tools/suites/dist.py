@@ -1,6 +1,6 @@
-"""The add-on's zip as its user meets it: unpacked into an empty project, exported for release, run, and heard.
+"""The add-on's zip: unpacked into an empty project, exported for release, and run; its vibration is recorded.
 
-Here for Linux on x86-64; the suite `platforms` has the others.
+For Linux on x86-64; the suite `platforms` has the others.
 """
 
 import os
@@ -94,7 +94,7 @@ def make_project(project: Path, path: Path, templates: Path) -> None:
 
 
 def heard(root: Path, exported: Path, folder: Path) -> Iterator[Outcome]:
-    """The game finds its .pck by the name of what runs, which is its root's loader: that is called like the .pck."""
+    """The game finds its .pck by the name of the running program, the loader of its root: it has the .pck's name."""
     libraries = root / "usr/lib/x86_64-linux-gnu"
     shutil.copy(libraries / "ld-linux-x86-64.so.2", exported / "game")
     game = [exported / "game", "--library-path", f"{libraries}:{libraries}/pulseaudio", exported / "game.x86_64"]

@@ -1,4 +1,4 @@
-"""The pages that people read: their links, commands, scripts, lengths and sentences, and the site made of them."""
+"""The documentation: links, commands, scripts, lengths, sentences, and the built site."""
 
 import re
 import sys
@@ -78,7 +78,7 @@ def sentences(pages: dict[str, Page]) -> Iterator[Outcome]:
 
 
 def commands(pages: dict[str, Page]) -> Iterator[Outcome]:
-    """Every `./steadyhand` of a page has a verb and options that the help names."""
+    """Every `./steadyhand` of a page uses a verb and options of the help."""
     helps: dict[str, str] = {}
     suites = re.search(r"=~ \^\(unit\|([^)]*)\)\$", (ROOT / "steadyhand").read_text())
     known = {"unit", *(suites[1].split("|") if suites else [])}
@@ -93,7 +93,7 @@ def commands(pages: dict[str, Page]) -> Iterator[Outcome]:
             unknown += [word for word in arguments.split() if verb == "test" and word not in known]
             if not helps[verb]:
                 faults.append(f"{name}:{number}: no verb '{verb}'")
-            faults += [f"{name}:{number}: {verb} knows no {word}" for word in unknown]
+            faults += [f"{name}:{number}: {verb} has no {word}" for word in unknown]
     yield Outcome.of(
         f"docs/{count} commands have a verb and options that exist", count > 0 and not faults, "\n".join(faults)
     )
@@ -118,7 +118,7 @@ def readme_table() -> Outcome:
 
 
 def site() -> Outcome:
-    """It is built, and asks for nothing from the network."""
+    """Builds the site, and checks that it needs no network."""
     with tempfile.TemporaryDirectory(prefix="steadyhand_docs") as folder:
         command = [sys.executable, "-m", "docs_site", "--out", folder]
         status, output = run(command, PYTHONPATH=str(ROOT / "tools"))

@@ -15,7 +15,7 @@ from suites.process import ROOT, run
 
 PROJECT = ROOT / "demo_project"
 COMPLETE = "<!-- complete scene -->"
-# The nodes that a piece of a script is about; it becomes the body of a function.
+# Nodes for a piece of a script, which becomes the body of a function.
 AROUND_A_PIECE = """extends Node3D
 
 {constants}
@@ -78,7 +78,7 @@ def linted(saved: dict[str, Path]) -> Outcome:
 
 
 def scene(place: str, script: Path) -> Outcome:
-    """Faster than real time, as a script of its node."""
+    """Runs it faster than real time, as the script of its node."""
     command = [os.environ["GODOT"], "--headless", "--fixed-fps", "60", "--path", PROJECT]
     status, output = run([*command, "--script", ROOT / "tests/docs/play.gd", "--", script], kill_s=60)
     good = status == 0 and "a gesture has ended" in output and not COMPLAINT.search(output)

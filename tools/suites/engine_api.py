@@ -1,4 +1,4 @@
-"""compatibility_minimum: what the bindings compile in is the same in each Godot from that version to the newest.
+"""compatibility_minimum: the compiled-in API is the same in each Godot from that version to the newest.
 
 The library is built for one of these versions and loaded in another: methods have a hash, builtin types a size, enums
 values. The crate gdextension-api has the engine's own description of each version.
@@ -57,7 +57,7 @@ def named(version: tuple[int, ...]) -> str:
 
 
 class Used:
-    """What of one version's API the bindings compile in."""
+    """The parts of one version's API that the bindings compile in."""
 
     def __init__(self, manifest: dict, data: dict) -> None:
         self.facts: dict[str, object] = {}
@@ -102,12 +102,12 @@ class Used:
             self.names |= {f"{prefix}{value['name']}": value["value"] for value in enum["values"]}
 
     def differences(self, built: "Used", version: str) -> Iterator[str]:
-        """What a library built for another version finds otherwise here."""
+        """Differences for a library that was built for another version."""
         for key, value in built.facts.items():
             here = self.facts.get(key)
             if value is None or (value != here and value not in self.older.get(key, [])):
                 yield f"{key}: {here} here, {value} in {version}, for which the library may be built"
         for key, value in built.names.items():
-            counts = key.endswith("_MAX")  # how many values there are
+            counts = key.endswith("_MAX")  # the number of values
             if not counts and self.names.get(key, value) != value:
                 yield f"{key}: {self.names[key]} here, {value} in {version}"

@@ -1,7 +1,7 @@
-"""Files on a disk that is full: nothing passes for whole, and what was there before stays.
+"""Files on a full disk: no incomplete file looks complete, and earlier files stay.
 
-A limit on the size of a file stands in for the disk. It is met after 8192 bytes: what comes then is less than a
-buffer, so that the engine believes it to be written.
+A limit of the file size simulates the disk. It is reached after 8192 bytes. The rest is smaller than a buffer, so
+that the engine reports no error.
 """
 
 import csv
@@ -110,7 +110,7 @@ SESSION_SCRIPT = """extends SceneTree
 const EACH := 15
 
 var _session := StudySession.new()
-var _told := 0
+var _signals := 0
 
 
 func _initialize() -> void:
@@ -118,7 +118,7 @@ func _initialize() -> void:
 	protocol.gestures = ["tap"]
 	protocol.practice_trials = 0
 	_session.start(OS.get_cmdline_user_args()[0], "ann", protocol, "person")
-	_session.trouble.connect(func(_message: String) -> void: _told += 1)
+	_session.trouble.connect(func(_message: String) -> void: _signals += 1)
 	_make("before")
 	var path := _session.folder.path_join("trials.csv")
 	_limit(str(FileAccess.get_file_as_bytes(path).size() + 250))
@@ -127,7 +127,7 @@ func _initialize() -> void:
 	print("while full: whole rows ", text.ends_with("\\n"), ", at least those before ", text.count("\\n") > EACH)
 	_limit("unlimited")
 	_make("after")
-	print("signals ", _told)
+	print("signals ", _signals)
 	quit()
 
 
@@ -162,7 +162,7 @@ def godot(script: Path | str, *arguments: Path | str) -> list:
 
 
 def files(folder: Path) -> Iterator[Outcome]:
-    """What a program with the add-on and a study write."""
+    """Files of a program with the add-on and of a study."""
     script = folder / "write.gd"
     script.write_text(SCRIPT)
     for name in ("tap.gesture", "ann.json"):
@@ -171,14 +171,16 @@ def files(folder: Path) -> Iterator[Outcome]:
     for what, name in (("model", "tap.gesture"), ("positions", "ann.json")):
         good = f"{what} refused: true" in output and (folder / name).read_text() == "{}"
         yield Outcome.of(f"command/full disk: {name} stays as it was", good, output)
-        yield Outcome.of(f"command/full disk: no half of {name}", not (folder / f"{name}.part").exists(), output)
+        yield Outcome.of(f"command/full disk: no incomplete {name}", not (folder / f"{name}.part").exists(), output)
     for name in ("frames.csv", "short.wav", "a.log.csv"):
         written = (folder / name).read_bytes()
-        # Of a track whole rows.
+        # A cut track has whole rows.
         full = 8000 < len(written) <= 8192 and written.endswith(b"\n") if name == "frames.csv" else len(written) == 8192
         good = full and output.count(f"{folder / name}: ") == 1
-        yield Outcome.of(f"command/full disk: {name} is said to be cut short, once", good, output)
-    yield Outcome.of("command/full disk: short.wav says how long it is", is_whole_wav(folder / "short.wav"), output)
+        yield Outcome.of(f"command/full disk: one message that {name} is cut", good, output)
+    yield Outcome.of(
+        "command/full disk: short.wav has the right length in its header", is_whole_wav(folder / "short.wav"), output
+    )
 
 
 def is_whole_wav(path: Path) -> bool:
@@ -198,21 +200,23 @@ def vibration(folder: Path) -> Iterator[Outcome]:
     good = is_whole_wav(wav) and wav.stat().st_size <= 150_001
     yield Outcome.of("command/full disk: vibration ends where the disk was full, and its header says so", good, output)
     yield Outcome.of(
-        "command/full disk: that is said once", output.count("the vibration cannot be written") == 1, output
+        "command/full disk: one message about the vibration",
+        output.count("the vibration cannot be written") == 1,
+        output,
     )
 
 
 def picture(folder: Path) -> Iterator[Outcome]:
-    """Of a model, which is there by then."""
+    """The picture of a model that exists."""
     out, recordings = folder / "tap.png", folder / "tap.recordings.csv"
     out.write_text("as it was")
     recordings.write_text("a,1,0.99,0,0.5,1\n")
     draw = [sys.executable, "-m", "plots.model", ROOT / "models/tap.gesture", recordings, "--out", out]
     status, output = run([*LIMITED, *draw], PYTHONPATH=str(ROOT / "tools"))
-    said = f"{out}: the picture cannot be written: File too large\n"
-    good = status == 1 and output == said and out.read_text() == "as it was"
-    yield Outcome.of("command/full disk: a picture is said to be missing, in one line", good, output)
-    yield Outcome.of("command/full disk: no half of it", not (folder / "tap.png.part").exists(), output)
+    expected = f"{out}: the picture cannot be written: File too large\n"
+    good = status == 1 and output == expected and out.read_text() == "as it was"
+    yield Outcome.of("command/full disk: one line for a missing picture", good, output)
+    yield Outcome.of("command/full disk: no incomplete file is left", not (folder / "tap.png.part").exists(), output)
 
 
 def evaluation(folder: Path) -> Iterator[Outcome]:
@@ -228,7 +232,7 @@ def evaluation(folder: Path) -> Iterator[Outcome]:
 
 
 def study(folder: Path) -> Iterator[Outcome]:
-    """Of so many participants that their table is too long."""
+    """A study with so many participants that its table exceeds the limit."""
     logs, out = folder / "logs", folder / "means"
     for place in (logs, out):
         place.mkdir()
@@ -240,7 +244,9 @@ def study(folder: Path) -> Iterator[Outcome]:
     status, output = run([*LIMITED, "./steadyhand", "study", logs, "--out", out])
     good = status == 2 and f"cannot write to {out}: File too large" in output and table.read_text() == "as it was"
     yield Outcome.of("command/full disk: a study's table stays as it was", good, f"{status}\n{output}")
-    yield Outcome.of("command/full disk: no half of it", not (out / "throughput.csv.part").exists(), output)
+    yield Outcome.of(
+        "command/full disk: no incomplete file is left", not (out / "throughput.csv.part").exists(), output
+    )
 
 
 def session(folder: Path) -> Iterator[Outcome]:
@@ -255,7 +261,7 @@ def session(folder: Path) -> Iterator[Outcome]:
     good = "while full: whole rows true, at least those before true" in output and "after: written at once 15" in output
     yield Outcome.of("command/full disk: a session has whole rows while the disk is full", good, output)
     good = output.count("cannot be written. Is the disk full") == 1 and "signals 2" in output
-    yield Outcome.of("command/full disk: a session says so once, and when it is over", good, output)
+    yield Outcome.of("command/full disk: a session reports the full disk once, and its end", good, output)
     files = folder / "sessions/sub-ann/ses-01"
     for name, column in (("trials.csv", "trial"), ("events.csv", "trial")):
         with (files / name).open(newline="") as file:

@@ -59,7 +59,7 @@ def outcome_of(target: Path, faults: dict[Path, str]) -> Outcome:
 
 
 def fuzz(name: str, program: Path) -> Outcome:
-    """Runs it from a copy of the corpus: libFuzzer adds what it finds to its first folder."""
+    """Runs it on a copy of the corpus, because libFuzzer adds inputs to its first folder."""
     seconds = float(os.environ.get("STEADYHAND_FUZZ_S", "5"))
     target = program.name.removeprefix("fuzz_")
     corpus = BUILD / f"{target}.corpus"
@@ -69,15 +69,15 @@ def fuzz(name: str, program: Path) -> Outcome:
         old.unlink()
     options = [*RUN, f"-max_total_time={seconds:.0f}", f"-artifact_prefix={BUILD / target}-"]
     status, output = run([program, *options, corpus], kill_s=seconds + 120, UBSAN_OPTIONS="print_stacktrace=1")
-    said = RUNS.search(output)
+    runs = RUNS.search(output)
     failing = [path.relative_to(ROOT) for path in sorted(BUILD.glob(f"{target}-*"))]
-    good = status == 0 and said is not None and int(said[1]) > 0 and not failing
+    good = status == 0 and runs is not None and int(runs[1]) > 0 and not failing
     where = "".join(f"\n-> failing input: {path}" for path in failing)
     return Outcome.of(name, good, f"exit status {status}\n{output[-8000:]}{where}")
 
 
 def compile_source(source: Path) -> str:
-    """What the compiler says where it fails. An object that is newer than all it is made of stays."""
+    """Compiles if a source is newer than the object. Returns the compiler's output if it fails."""
     product = object_of(source)
     if product.exists():
         made = product.stat().st_mtime
@@ -110,7 +110,7 @@ def sources_of(target: Path) -> list[Path]:
 
 @cache
 def sources_of_header(header: Path) -> list[Path]:
-    """X.cpp of X.h, and sources beside it that include it and have no header of their own."""
+    """X.cpp of X.h, and sources in its folder that include it and have no own header."""
     folder = sorted(header.parent.glob("*.cpp")) if header.is_relative_to(CORE) else []
     own = [source for source in folder if source.stem == header.stem]
     others = [source for source in folder if not source.with_suffix(".h").exists()]
@@ -119,7 +119,7 @@ def sources_of_header(header: Path) -> list[Path]:
 
 @cache
 def headers_of(source: Path) -> set[Path]:
-    """All headers of the repo that it includes, also by way of others."""
+    """All headers of the repo that it includes, directly or indirectly."""
     found: set[Path] = set()
     ahead = [source]
     while ahead:

@@ -1,7 +1,7 @@
 """`scons godot_cpp=PREFIX`: the nodes on an installed godot-cpp in place of the repo's own bindings.
 
 $STEADYHAND_GODOT_CPP is the prefix of one, or a checkout that has been built (target=template_debug): the nodes are
-built on it, and a scene test runs. Where it is not set that is skipped, and only what would be built is looked at.
+built on it, and a scene test runs. Without it only the list of compiled files is checked.
 """
 
 import os
@@ -32,7 +32,7 @@ def outcomes() -> Iterator[Outcome]:
 def without_one(prefix: Path) -> Iterator[Outcome]:
     status, output = run(["scons", "-Q", f"godot_cpp={prefix}"])
     good = status != 0 and f"no {LIBRARY} in {prefix}/lib or {prefix}/bin" in output
-    yield Outcome.of("command/scons godot_cpp=PREFIX: none there is said", good, f"{status}\n{output}")
+    yield Outcome.of("command/scons godot_cpp=PREFIX: a missing godot-cpp is an error", good, f"{status}\n{output}")
     (prefix / "lib").mkdir()
     (prefix / "lib" / LIBRARY).touch()
     status, output = run(["scons", "-Q", "-n", f"godot_cpp={prefix}"])
@@ -44,7 +44,7 @@ def without_one(prefix: Path) -> Iterator[Outcome]:
     nodes = {str(path.relative_to(ROOT)) for path in (ROOT / "extension/nodes").glob("*.cpp")}
     own = [source for source in compiled if "bindings" in source]
     good = status == 0 and nodes <= set(compiled) and not own
-    name = "command/scons godot_cpp=PREFIX: all nodes would be compiled, and nothing of the own bindings"
+    name = "command/scons godot_cpp=PREFIX: all nodes are compiled, but not the own bindings"
     yield Outcome.of(name, good, f"{status}, {own}\n{output}")
 
 
@@ -55,5 +55,5 @@ def with_one(prefix: Path) -> Iterator[Outcome]:
         ran = scenes.run_script(os.environ["GODOT"], ROOT / f"tests/scenes/{SCENE}.gd")
         ran.name = f"command/scons godot_cpp=PREFIX: {ran.name}"
         yield ran
-    status, output = scons()  # the add-on that the other tests meet
+    status, output = scons()  # restores the add-on for the other tests
     yield Outcome.of("command/scons: on the own bindings again", status == 0, output)

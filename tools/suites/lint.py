@@ -34,7 +34,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def of_changed(tool: str, sources: list[Path], *options: str) -> Outcome:
-    """On the sources that have changed since the tool was last content with them."""
+    """Checks the sources that have changed since the tool last found them clean."""
     version = run([VENV / tool, "--version"])[1]
     key = {source: clean.key_of(tool, version, source.read_bytes()) for source in sources}
     changed = [source for source in sources if not clean.is_clean(key[source])]
@@ -45,7 +45,7 @@ def of_changed(tool: str, sources: list[Path], *options: str) -> Outcome:
 
 
 def one_version() -> Outcome:
-    """The editor reads the plugin's version from a file of its own."""
+    """plugin.cfg has a copy of the version."""
     wanted = re.search(r'VERSION = "([^"]+)"', (ROOT / "extension/core/base/version.h").read_text())
     found = re.search(r'^version="([^"]+)"', (ROOT / "demo_project/addons/steadyhand/plugin.cfg").read_text(), re.M)
     good = wanted is not None and found is not None and wanted[1] == found[1]
@@ -53,14 +53,14 @@ def one_version() -> Outcome:
 
 
 def one_end() -> Outcome:
-    """The tools that look at curves cannot read the core's header."""
+    """Tools that evaluate curves have a copy of the level."""
     wanted = re.search(r"END_LEVEL = ([\d.]+);", (ROOT / "extension/core/gesture/task.h").read_text())
     good = wanted is not None and float(wanted[1]) == END_LEVEL
     return Outcome.of("lint/gesture_end.py has the level of task.h", good, f"{wanted} {END_LEVEL}")
 
 
 def tests_of_page(page: str) -> Outcome:
-    """A row of a table ends with `file`: and how the name of a test in it begins."""
+    """Each row of the table ends with `file`: and the begin of a test's name."""
     rows = [line for line in (ROOT / page).read_text().splitlines() if line.startswith("| ")]
     gone = []
     for row in rows:

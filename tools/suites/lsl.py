@@ -1,4 +1,4 @@
-"""LslOutlet against a receiver of the Lab Streaming Layer's own."""
+"""LslOutlet with a receiver of the Lab Streaming Layer."""
 
 import os
 import sys

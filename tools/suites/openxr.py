@@ -1,7 +1,7 @@
 """XRSource and the study end to end: Godot in a session of Monado, an OpenXR runtime, whose hands the test moves.
 
 Monado's remote driver takes the hands' places on a TCP port of all interfaces: it runs in a network namespace of its
-own. Xvfb is the screen, lavapipe the graphics card. Where one of them cannot be had the suite is skipped.
+own. Xvfb is the screen, lavapipe the graphics card. Without one of them the suite is skipped.
 """
 
 import ctypes
@@ -83,7 +83,7 @@ def make_project(folder: Path) -> None:
 
 
 def session(in_root: str, project: str, name: str) -> None:
-    """Within the namespace: prints what Godot prints. Whatever ends the session ends all that it started."""
+    """Runs in the namespace and prints Godot's output. The end of the session ends all its processes."""
     die_with_parent(signal.SIGKILL)
     bring_up_loopback()
     children: list[subprocess.Popen] = []
@@ -104,7 +104,7 @@ def session(in_root: str, project: str, name: str) -> None:
 
 
 def start_screen(children: list[subprocess.Popen]) -> str:
-    """Its name. Xvfb's own search for a free one does not see servers of other network namespaces."""
+    """Starts Xvfb and returns its name. Xvfb's own search misses servers of other network namespaces."""
     for number in DISPLAYS:
         lock, connection = Path(f"/tmp/.X{number}-lock"), Path(f"/tmp/.X11-unix/X{number}")
         if lock.exists() or connection.exists():

@@ -1,4 +1,4 @@
-"""What one line of the test report says."""
+"""One line of the test report."""
 
 from dataclasses import dataclass
 

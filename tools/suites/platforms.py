@@ -1,7 +1,7 @@
 """The add-on for the other platforms: Linux on arm64 under qemu-user, Windows on x86-64 under wine.
 
-The core's unit tests run there, but for the suite "figures", which judges figures by code that the others run too. The
-Windows library is loaded by a program with a stub for an engine; no Windows Godot is at hand.
+The core's unit tests run there, without the suite "figures", whose code is covered by the others. A program with a
+stub of an engine loads the Windows library, because there is no Windows Godot.
 """
 
 import os
@@ -20,7 +20,7 @@ from suites.process import ROOT, run, scons
 TESTS = {"linux.arm64": "unit_tests", "windows.x86_64": "unit_tests.exe"}
 ARM64 = ["qemu-aarch64-static", "-L", "/usr/aarch64-linux-gnu"]
 WINE = "/usr/lib/wine/wine64"
-OF_WINDOWS = {"KERNEL32.dll", "msvcrt.dll", "USER32.dll"}  # which each Windows has
+OF_WINDOWS = {"KERNEL32.dll", "msvcrt.dll", "USER32.dll"}  # parts of each Windows
 ADDON_BIN = addon.ADDON / "bin"
 PARTS_A_CORE = 4  # some cases take a hundred times as long as others
 GLIBC = (2, 36)  # that of Debian 12
@@ -49,7 +49,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def needs() -> Iterator[Outcome]:
-    """What a library asks of the system that loads it."""
+    """Requirements of a library for its system."""
     for target in addon.TARGETS:
         windows = ADDON_BIN / f"libsteadyhand.windows.{target}.x86_64.dll"
         _, output = run(["x86_64-w64-mingw32-objdump", "-p", windows])
@@ -85,11 +85,11 @@ def unit_tests(one: str, emulator: list[str], environment: dict[str, str]) -> It
         return
     program = [*emulator, ROOT / f"build/template_debug.{one}" / TESTS[one], "--test-suite-exclude=figures"]
     status, output = run([*program, "--count"], **environment)
-    said = re.search(r"(\d+)\s*$", output)
-    if status != 0 or said is None:
+    total = re.search(r"(\d+)\s*$", output)
+    if status != 0 or total is None:
         yield Outcome.of(f"platforms/{one}: the unit tests start", False, output)
         return
-    count, cores = int(said[1]), len(os.sched_getaffinity(0))
+    count, cores = int(total[1]), len(os.sched_getaffinity(0))
     size = -(-count // (PARTS_A_CORE * cores))
     parts = [range(first, min(first + size, count + 1)) for first in range(1, count + 1, size)]
     with ThreadPoolExecutor(cores) as pool:

@@ -1,4 +1,4 @@
-"""The predictors that ours is compared with, against closed forms, and their metrics against the core's."""
+"""The compared predictors against closed forms, and their metrics against the core's."""
 
 import csv
 import json
@@ -30,7 +30,7 @@ def outcomes() -> Iterator[Outcome]:
     yield from ridge_goes_on()
     yield primitive_is_learned()
     yield from promp_is_gaussian_conditioning()
-    yield frozen_frames_are_told()
+    yield frozen_frames_are_detected()
     yield from causality()
     yield refusal()
     yield unreadable()
@@ -39,19 +39,19 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def minimum_jerk_is_found(duration_s: float, tolerance: float) -> Outcome:
-    """The mean duration is DURATION_S; of another one, the prior pulls a little."""
+    """The prior's mean is DURATION_S, which biases other durations slightly."""
     onset_s, predictor = 0.513, MinimumJerk(DURATION_S)
     for t_s in np.arange(0.0, onset_s + 0.6 * duration_s, 0.01):
         predictor.observe(t_s, float(minimum_jerk((t_s - onset_s) / duration_s)))
     times_s = t_s + np.linspace(0.0, 0.6, 61)
     wanted = minimum_jerk((times_s + SENSOR_LATENCY_S - onset_s) / duration_s)
     error = np.max(np.abs(predictor.predict(times_s) - wanted))
-    name = f"predictors/minimum jerk: one of {duration_s} s is foretold to its end from 0.6 of it"
+    name = f"predictors/minimum jerk: a movement of {duration_s} s is predicted from 60 % on"
     return Outcome.of(name, error < tolerance, f"error {error}, not below {tolerance}")
 
 
 def trial_of(t_s: np.ndarray, value: np.ndarray, name: str = "") -> Trial:
-    """Measured and reference alike."""
+    """A trial whose reference equals the measured track."""
     return Trial(name, "tap", "stable", 0.1, float(t_s[0]), float(t_s[-1]), t_s, value, t_s, value)
 
 
@@ -78,7 +78,7 @@ def ridge_goes_on() -> Iterator[Outcome]:
 
 
 def primitive_is_learned() -> Outcome:
-    """Hands that differ by one shape, of which each has +1 or -1."""
+    """Hands that differ by +1 or -1 of one shape."""
     mean, shape = minimum_jerk(promp.PHASES), 0.1 * np.sin(np.pi * promp.PHASES)
     primitive = promp.Primitive.of(np.array([mean + sign * shape for sign in (1.0, -1.0, 1.0, -1.0)]))
     modes = primitive.modes * np.sign(primitive.modes[:, 50:51])
@@ -128,17 +128,17 @@ def promp_is_gaussian_conditioning() -> Iterator[Outcome]:
         yield Outcome.of(title, np.isclose(one.log_weight[0], wanted_log), f"{one.log_weight[0]} {wanted_log}")
 
 
-def frozen_frames_are_told() -> Outcome:
+def frozen_frames_are_detected() -> Outcome:
     frames = FrozenFrames()
     values = [0.0] * 10 + [0.01 * i for i in range(1, 11)] + [0.1] * 10
-    told = [frames.is_frozen(0.01 * i, value) for i, value in enumerate(values)]
-    first = told.index(True) if True in told else -1
-    good = first in (23, 24) and all(told[24:])  # 30 ms after the last change, at frame 19 or 20 by rounding
-    return Outcome.of("predictors/frozen frames: a hand at rest has none, a moving one has", good, f"{told}")
+    frozen = [frames.is_frozen(0.01 * i, value) for i, value in enumerate(values)]
+    first = frozen.index(True) if True in frozen else -1
+    good = first in (23, 24) and all(frozen[24:])  # 30 ms after the last change, at frame 19 or 20 by rounding
+    return Outcome.of("predictors/frozen frames: a hand at rest has none, a moving one has", good, f"{frozen}")
 
 
 def causality() -> Iterator[Outcome]:
-    """What comes after a time changes nothing before it, to the last bit."""
+    """Later frames do not change earlier output, to the last bit."""
     random = np.random.default_rng(4)
     t_s = np.delete(np.arange(0.0, 1.2, 0.01), range(60, 75))
     value = minimum_jerk((t_s - 0.3) / 0.6) + random.normal(0.0, 0.01, size=len(t_s))
@@ -153,7 +153,7 @@ def causality() -> Iterator[Outcome]:
     for name, make in makers.items():
         whole, _ = follow(make(), trial_of(t_s, value), times_s)
         equal = [is_prefix(make(), t_s, value, cut_s, times_s, whole) for cut_s in (0.35, 0.62, 0.9)]
-        yield Outcome.of(f"predictors/{name}: a track cut off leaves what is before as it was", all(equal), f"{equal}")
+        yield Outcome.of(f"predictors/{name}: a cut track gives the same output before the cut", all(equal), f"{equal}")
 
 
 def is_prefix(
@@ -165,7 +165,7 @@ def is_prefix(
 
 
 def refusal() -> Outcome:
-    """The folder of the tables is the user's: what is in it stays."""
+    """Files of the user in the output folder stay."""
     with tempfile.TemporaryDirectory(prefix="steadyhand_predictors") as folder:
         own = [Path(folder, "trials.csv"), Path(folder, "work/mine.txt")]
         for path in own:
@@ -183,11 +183,11 @@ def unreadable() -> Outcome:
         path = Path(folder) / "trials.csv"
         path.write_text("trial,gesture\na,tap\n")
         try:
-            told = f"{read_trials(Path(folder))}"
+            message = f"{read_trials(Path(folder))}"
         except SystemExit as error:
-            told = str(error)
-    good = told.startswith(f"{path}: no trial set: ")
-    return Outcome.of("predictors/trials: a set without its columns gives the path and the reason", good, told)
+            message = str(error)
+    good = message.startswith(f"{path}: no trial set: ")
+    return Outcome.of("predictors/trials: a set without its columns gives the path and the reason", good, message)
 
 
 def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
@@ -206,7 +206,7 @@ def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
         yield Outcome.of("predictors/metrics: a trial set is evaluated", False, output)
         return
     with (out / "results.csv").open(newline="") as file:
-        told = {row["trial"]: row for row in csv.DictReader(file)}
+        results = {row["trial"]: row for row in csv.DictReader(file)}
     summary = json.loads((out / "summary.json").read_text())
     missed = {
         condition: sum(group["conditions"][condition]["missed"] for group in summary["groups"])
@@ -219,7 +219,7 @@ def metrics_as_in_core(folder: Path) -> Iterator[Outcome]:
         for condition in CONDITIONS:
             of = compare(curves["t"], curves["reference"], curves[condition], trial.start_s, trial.end_s)
             found.append([of.r2_zero, of.t_diff_s])
-            wanted.append([float(told[trial.name][f"{what}_{condition}"]) for what in ("r2_zero", "t_diff")])
+            wanted.append([float(results[trial.name][f"{what}_{condition}"]) for what in ("r2_zero", "t_diff")])
             counted[condition] += of.missed
     good = len(found) == 8 * len(CONDITIONS) and np.allclose(found, wanted, rtol=0.0, atol=2e-6)
     yield Outcome.of("predictors/metrics: zero-lag R2 and T_diff as in results.csv", good, f"{found}\n{wanted}")

@@ -10,7 +10,7 @@ KILLED = "killed after {} s"
 
 
 def run(command: list, kill_s: float = 600, **environment: str) -> tuple[int, str]:
-    """Runs it in the repo's root; its exit status and everything it said. A killed one has a status that is not 0."""
+    """Runs it in the repo's root. Returns exit status and output. A killed process has a status other than 0."""
     child = subprocess.Popen(
         [str(word) for word in command],
         cwd=ROOT,
@@ -20,7 +20,7 @@ def run(command: list, kill_s: float = 600, **environment: str) -> tuple[int, st
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        process_group=0,  # not a session: where the kernel shares time by sessions, `nice` is of no use between them
+        process_group=0,  # not a session: some kernels share time by sessions, and `nice` has no effect between them
     )
     try:
         output, _ = child.communicate(timeout=kill_s)

@@ -1,4 +1,4 @@
-"""The class reference of extension/doc_classes: as the classes are, and with a description of everything."""
+"""The class reference of extension/doc_classes is current and complete."""
 
 import re
 import shutil
@@ -13,14 +13,14 @@ EMPTY = re.compile(r"<(?:brief_)?description>\s*</|<(?:member|constant) (?![^>]*
 
 
 def outcome(godot: str, project: Path) -> Outcome:
-    """Godot's own doctool writes each page anew from the classes, and keeps what is described."""
+    """Compares with Godot's doctool, which writes each page from the classes and keeps descriptions."""
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(PAGES, Path(folder, "doc_classes"))
         _, output = run([godot, "--headless", "--path", project, "--doctool", folder, "--gdextension-docs"])
         made = {page.name: page.read_text() for page in Path(folder, "doc_classes").glob("*.xml")}
     kept = {page.name: page.read_text() for page in PAGES.glob("*.xml")}
     faults = [f"{name} is not in extension/doc_classes" for name in sorted(made.keys() - kept.keys())]
-    faults += [f"{name} is of no class" for name in sorted(kept.keys() - made.keys())]
+    faults += [f"{name} has no class" for name in sorted(kept.keys() - made.keys())]
     for name in sorted(made.keys() & kept.keys()):
         faults += [f"{name} is stale: {line}" for line in changed(kept[name], made[name])]
         faults += [f"{name} lacks a description: {found[0]}" for found in EMPTY.finditer(kept[name])]
@@ -29,7 +29,7 @@ def outcome(godot: str, project: Path) -> Outcome:
 
 
 def changed(kept: str, made: str) -> list[str]:
-    """Lines, but for white space, of one that the other has not."""
+    """Lines of one page that the other does not have, without white space."""
     before, after = ([line.strip() for line in text.splitlines()] for text in (kept, made))
     return [line for line in after if line and line not in before] + [
         line for line in before if line and line not in after

@@ -1,12 +1,11 @@
-"""The scene tests: each GDScript of tests/scenes in a headless Godot of its own, through the public API alone.
+"""The scene tests: each GDScript of tests/scenes in a headless Godot of its own, through the public API only.
 
 A script whose name begins with `editor_` runs inside the editor, with the add-on's plugin.
 
-A script ends with the line `END <n> passed, <m> failed`; where no test ran it says why in a line `SKIP ...`.
-Whatever the engine complains of fails the test too, unless the script says in a line `# expects error: TEXT` that
-it provokes it; `# expects one error: TEXT`, that it comes no second time. `# expects warning: TEXT` and `# expects
-one warning: TEXT` say the same of a warning, which fails nothing where it is not announced. `# engine options: WORDS`
-are Godot's own, for example `--fixed-fps 90`.
+A script ends with the line `END <n> passed, <m> failed`. A line `SKIP ...` gives the reason of a skipped test. Errors
+of the engine fail the test, unless the script has a line `# expects error: TEXT`; `# expects one error: TEXT` allows it
+once. `# expects warning: TEXT` and `# expects one warning: TEXT` require a warning; other warnings are ignored.
+`# engine options: WORDS` are options of Godot, for example `--fixed-fps 90`.
 """
 
 import os
@@ -25,7 +24,7 @@ from suites.process import ROOT, run, scons
 PROJECT = ROOT / "demo_project"
 KILL_S = 60
 IN_EDITOR = "editor_"
-WAITING = "leap_"  # these wait for messages most of the time, and use no audio: they run beside the others
+WAITING = "leap_"  # these mostly wait for messages, and use no audio: they run in parallel
 LEAKED = re.compile(r"^ERROR: .*(?:leaked at exit|still in use at exit).*$", re.MULTILINE)
 END = re.compile(r"^END (\d+) passed, (\d+) failed$")
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT ERROR|ERROR|USER ERROR|USER SCRIPT ERROR): (.*)|.*(Parse Error.*)")
@@ -56,7 +55,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def build() -> tuple[int, str]:
-    """The add-on, and the demo that imports it."""
+    """Builds the add-on and imports the demo."""
     status, output = scons()
     return (status, output) if status != 0 else run([ROOT / "tools/import_project.sh", os.environ["GODOT"], PROJECT])
 
@@ -80,7 +79,7 @@ def run_in_editor(godot: str, script: Path, name: str) -> Outcome:
         project = Path(folder, "project")
         shutil.copytree(PROJECT, project)
         status, output = run([godot, "--headless", "--editor", "--path", project, "--script", script], kill_s=KILL_S)
-    # An editor that a script ends says so of its own resources.
+    # An editor that is ended by a script reports its own resources as leaked.
     output = LEAKED.sub("", output)
     return outcome_of(name, script, status, output)
 
@@ -91,7 +90,7 @@ def outcome_of(name: str, script: Path, status: int, output: str) -> Outcome:
     faults = unexpected(output, script.read_text())
     warnings = WARNING.findall(output)
     for text in EXPECTED_WARNING.findall(script.read_text()):
-        if not any(text in said for said in warnings):
+        if not any(text in message for message in warnings):
             faults.append(f"expected warning did not come: {text}")
     for text in EXPECTED_ONCE.findall(script.read_text()):
         if times(text, warnings) != 1:
@@ -109,14 +108,14 @@ def outcome_of(name: str, script: Path, status: int, output: str) -> Outcome:
 
 
 def unexpected(output: str, script: str) -> list[str]:
-    """The engine's complaints that the script did not announce, and announced ones that did not come, or came again."""
+    """Unexpected errors, expected errors that did not occur, and repeated ones."""
     expected = EXPECTED.findall(script)
     complaints = [found[1] or found[2] for line in output.splitlines() if (found := COMPLAINT.match(line))]
-    faults = [f"error: {said}" for said in complaints if not any(text in said for text in expected)]
+    faults = [f"error: {message}" for message in complaints if not any(text in message for text in expected)]
     faults += [f"expected error did not come: {text}" for text in expected if times(text, complaints) == 0]
     again = [text for text in ERROR_ONCE.findall(script) if times(text, complaints) > 1]
     return faults + [f"expected error came {times(text, complaints)} times: {text}" for text in again]
 
 
 def times(text: str, complaints: list[str]) -> int:
-    return sum(text in said for said in complaints)
+    return sum(text in message for message in complaints)

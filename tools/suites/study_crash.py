@@ -1,4 +1,4 @@
-"""A study that is killed again and again: every trial is there once, and a crash loses the running trial at most."""
+"""A study that is killed repeatedly: each trial is there once, and a crash loses only the running trial."""
 
 import csv
 import json
@@ -16,7 +16,7 @@ from suites.outcome import Outcome
 from suites.process import ROOT, run
 
 KILLS = 20
-# From when the session is open to the kill: some ten trials.
+# Time from the open session to the kill: about ten trials.
 LONGEST_S = 0.3
 START_S = 60
 PROTOCOL = """[gd_resource type="Resource" script_class="StudyProtocol" load_steps=3 format=3]
@@ -65,16 +65,16 @@ def killed(folder: Path) -> Iterator[Outcome]:
 
 
 def kill_after(command: list[str], wait_s: float) -> None:
-    """Kills it so long after the session was opened."""
+    """Kills it this long after the session was opened."""
     child = subprocess.Popen(
         command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, process_group=0
     )
     until = time.monotonic() + START_S
-    said = b""
-    while b"sub-p01" not in said and time.monotonic() < until:
+    output_so_far = b""
+    while b"sub-p01" not in output_so_far and time.monotonic() < until:
         if select.select([child.stdout], [], [], 1.0)[0]:
             more = os.read(child.stdout.fileno(), 65536)
-            said += more
+            output_so_far += more
             if not more:
                 break
     time.sleep(wait_s)

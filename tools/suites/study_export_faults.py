@@ -1,4 +1,4 @@
-"""What python -m study_export says of damaged sessions, and what it still writes."""
+"""Messages and output of python -m study_export for damaged sessions."""
 
 import csv
 import shutil
@@ -28,8 +28,8 @@ def doubled(folder: Path, export: Export) -> Iterator[Outcome]:
     path.write_text(path.read_text() + path.read_text().splitlines()[2] + "\n")
     status, output = export(folder, "--tidy", folder / "out.csv")
     named = f"{path}:6: trial 2 is already in line 3" in output
-    yield Outcome.of(f"{NAME}: a trial that is there twice is an error", status == 1 and named, output)
-    yield Outcome.of(f"{NAME}: and counts once", len(rows(folder / "out.csv")) == 48)
+    yield Outcome.of(f"{NAME}: a repeated trial is an error", status == 1 and named, output)
+    yield Outcome.of(f"{NAME}: a repeated trial counts once", len(rows(folder / "out.csv")) == 48)
 
 
 def cut_off(folder: Path, export: Export) -> Iterator[Outcome]:
@@ -43,14 +43,14 @@ def cut_off(folder: Path, export: Export) -> Iterator[Outcome]:
     frames = session / "trial_0001.frames.csv"
     frames.write_text(frames.read_text() + "\n1e9,0.1")
     status, output = export(folder, "--tidy", folder / "out.csv", "--bids", folder / "bids")
-    told = ["trials.csv:5: the last row is cut off", "answers.csv:6: the last row is cut off"]
-    told += ["frames.csv:", "3 of 4 planned", "trial_0004.motion.csv is left out"]
-    missing = [text for text in told if text not in output and text != "3 of 4 planned"]
+    messages = ["trials.csv:5: the last row is cut off", "answers.csv:6: the last row is cut off"]
+    messages += ["frames.csv:", "3 of 4 planned", "trial_0004.motion.csv is left out"]
+    missing = [text for text in messages if text not in output and text != "3 of 4 planned"]
     missing += [] if "1 of 4 planned trials" in output else ["1 of 4 planned trials"]
     yield Outcome.of(
         f"{NAME}: cut last rows are left out with a note", status == 0 and not missing, f"{missing}\n{output}"
     )
-    yield Outcome.of(f"{NAME}: and the other trials are there", len(rows(folder / "out.csv")) == 45)
+    yield Outcome.of(f"{NAME}: the other trials of cut tables are there", len(rows(folder / "out.csv")) == 45)
 
 
 def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
@@ -66,21 +66,21 @@ def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
     binary = folder / "sub-sim1/ses-02/trials.csv"
     binary.write_bytes(binary.read_bytes().replace(b"tap", b"t\xfcp", 1))
     status, output = export(folder, "--tidy", folder / "out.csv")
-    told = [
+    messages = [
         f"{path}:2: amplitude_m: 'nan' is no finite number",
         f"{path}:3: condition: 'steady' is none of measured, average",
         f"{path}:4: participant: 'sim2' differs from 'sim1' in session.json",
         f"{spreadsheet}:1: cells are separated by ';'",
         f"{binary}:2: this is no UTF-8 text",
     ]
-    missing = [text for text in told if text not in output]
+    missing = [text for text in messages if text not in output]
     yield Outcome.of(
         f"{NAME}: bad cells are named with file and line", status == 1 and not missing, f"{missing}\n{output}"
     )
 
 
 def open_quote(folder: Path, export: Export) -> Iterator[Outcome]:
-    """It takes all rows after it with it, so that it is more than a last row that is cut off."""
+    """It affects all rows after it, unlike a last row that is cut off."""
     write_study(folder)
     path = folder / "sub-ann/ses-01/trials.csv"
     path.write_text(path.read_text().replace(",tap,", ',"tap,', 1).rstrip("\n"))
@@ -94,10 +94,10 @@ def no_frames(folder: Path, export: Export) -> Iterator[Outcome]:
     path = folder / "sub-ann/ses-02/trial_0002.frames.csv"
     path.write_text(path.read_text().splitlines()[0] + "\n")
     status, output = export(folder, "--bids", folder / "bids")
-    told = f"{path}: no frame" in output and "trial 2 has no frame: BIDS gets its result only" in output
+    is_noted = f"{path}: no frame" in output and "trial 2 has no frame: BIDS gets its result only" in output
     results = folder / "bids/sub-ann/ses-02/beh/sub-ann_ses-02_task-horizontalDrag_beh.tsv"
     kept = [line.split("\t")[0] for line in results.read_text().splitlines()] == ["trial", "2", "4"]
-    yield Outcome.of(f"{NAME}: a trial without frames keeps its result", status == 0 and told and kept, output)
+    yield Outcome.of(f"{NAME}: a trial without frames keeps its result", status == 0 and is_noted and kept, output)
 
 
 def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
@@ -110,19 +110,19 @@ def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
     answers = folder / "a/sub-ann/ses-02/answers.csv"
     answers.unlink()
     status, output = export(folder, "--bids", folder / "bids")
-    told = [
+    messages = [
         f"{about}: origin: 'robot' is none of person, mouse",
         f"{folder}/a/sub-sim1/ses-02/session.json: ",
         f"participant 'ann', session 1 is also in {folder}/a/sub-ann/ses-01",
         "trial_0002.reference.csv: not there",
         f"{answers}: this file is missing. Copy the whole folder of the session",
     ]
-    missing = [text for text in told if text not in output]
+    missing = [text for text in messages if text not in output]
     yield Outcome.of(
         f"{NAME}: bad sessions are named and left out", status == 1 and not missing, f"{missing}\n{output}"
     )
     found = sorted(path.name for path in (folder / "bids").glob("sub-*"))
-    yield Outcome.of(f"{NAME}: and the good ones are exported", found == ["sub-ann"], f"{found}")
+    yield Outcome.of(f"{NAME}: good sessions are exported", found == ["sub-ann"], f"{found}")
 
 
 def refused(folder: Path, export: Export) -> Iterator[Outcome]:
@@ -136,7 +136,7 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
     good = status == 2 and f"{folder}/taken/mine.txt: this is a file. Name a new folder" in output
     yield Outcome.of(f"{NAME}: --bids with the name of a file is an error", good, output)
     raw = folder / "study/sub-ann/ses-01/trials.csv"
-    for path, told in (
+    for path, message in (
         (raw, "this file is no earlier export"),
         (folder / "taken", "the name of a table ends in .csv"),
         (folder / "folder.csv", "this is a folder"),
@@ -144,8 +144,8 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
         (folder / "folder.csv").mkdir(exist_ok=True)
         before = contents(folder)
         status, output = export(folder / "study", "--tidy", path)
-        good = status == 2 and f"{path}: {told}" in output and contents(folder) == before
-        yield Outcome.of(f"{NAME}: --tidy {path.name}: {told}", good, output)
+        good = status == 2 and f"{path}: {message}" in output and contents(folder) == before
+        yield Outcome.of(f"{NAME}: --tidy {path.name}: {message}", good, output)
     status, output = export(folder / "taken", "--tidy", folder / "none.csv")
     good = status == 2 and "no finished trial" in output and not (folder / "none.csv").exists()
     yield Outcome.of(f"{NAME}: a folder without sessions is an error", good, output)

@@ -1,4 +1,4 @@
-"""What ./steadyhand study leaves out of sessions, and how it names it: trials twice, cut rows, bad values."""
+"""Rows that ./steadyhand study leaves out and reports: repeated trials, cut rows, bad values."""
 
 import json
 import shutil
@@ -17,11 +17,13 @@ def doubles(folder: Path) -> Iterator[Outcome]:
     lines = path.read_text().splitlines(keepends=True)
     path.write_text("".join([*lines, lines[3]]))
     status, output = report(folder / "study", folder / "second")
-    told = f"{path}:{len(lines) + 1}: the same participant, session and trial as {path}:4: the first counts"
-    yield Outcome.of("command/study report: a trial twice is named, exit 1", status == 1 and told in output, output)
+    message = f"{path}:{len(lines) + 1}: the same participant, session and trial as {path}:4: the first counts"
+    yield Outcome.of(
+        "command/study report: a repeated trial is reported, exit 1", status == 1 and message in output, output
+    )
     name = "drags_synthetic_curves.csv"
     good = (folder / "first" / name).read_bytes() == (folder / "second" / name).read_bytes()
-    yield Outcome.of("command/study report: a trial twice counts once", good)
+    yield Outcome.of("command/study report: a repeated trial counts once", good)
     path.write_text("".join(lines))
     copy = folder / "study/copy/sub-p02/ses-01"
     shutil.copytree(path.parent, copy)
@@ -36,13 +38,13 @@ def cut_rows(folder: Path) -> Iterator[Outcome]:
     path = folder / "study/drags/sub-p03/ses-01/trials.csv"
     text = path.read_text()
     last = text.count("\n")
-    # Cut after 40 letters of the row; at its last cell, which leaves all cells there.
+    # Cut after 40 letters of the row, and within its last cell.
     for length in (len(text) - 200, len(text) - 1):
         path.write_text(text[:length])
         status, output = report(folder / "study", folder / "out")
         line = path.read_text().count("\n") + 1
-        told = f"{path}:{line}: the line is cut (it has no line end): the row is left out"
-        good = status == 1 and told in output and line == last and "1 of 12 planned trials have no row" in output
+        message = f"{path}:{line}: the line is cut (it has no line end): the row is left out"
+        good = status == 1 and message in output and line == last and "1 of 12 planned trials have no row" in output
         yield Outcome.of(f"command/study report: a row cut at {length - len(text)} is left out", good, output)
     path.write_text("".join(text.splitlines(keepends=True)[:-2]))
     status, output = report(folder / "study", folder / "out")
@@ -51,7 +53,7 @@ def cut_rows(folder: Path) -> Iterator[Outcome]:
 
 
 def bad_rows(folder: Path) -> Iterator[Outcome]:
-    """Each is named with its line; the other rows count."""
+    """Each bad row is reported with its line; the other rows count."""
     write_study(folder / "study", 3, **SMALL)
     path = folder / "study/drags/sub-p01/ses-01/trials.csv"
     answers = path.with_name("answers.csv")
@@ -69,22 +71,22 @@ def bad_rows(folder: Path) -> Iterator[Outcome]:
         ("aborts", "1.5", "aborts: '1.5' must be a whole number from 0"),
     ]
     good_rows = read(path)
-    for column, value, told in changes:
+    for column, value, message in changes:
         rows = [dict(row) for row in good_rows]
         rows[2][column] = value
         rewrite(path, rows)
         from study.sessions import read_sessions
 
         found = read_sessions([folder / "study"], [])
-        good = len(found.faults) == 1 and f"{path}:4: {told}" in found.faults[0] and len(found.trials) == 41
-        yield Outcome.of(f"command/study report: bad row: {told}", good, f"{found.faults}")
+        good = len(found.faults) == 1 and f"{path}:4: {message}" in found.faults[0] and len(found.trials) == 41
+        yield Outcome.of(f"command/study report: bad row: {message}", good, f"{found.faults}")
     rewrite(path, good_rows)
     text = path.read_text()
-    for change, told in ((text.replace(",", ";"), "cells are separated by ';'"), ("", "no header line")):
+    for change, message in ((text.replace(",", ";"), "cells are separated by ';'"), ("", "no header line")):
         path.write_text(change)
         faults = read_sessions([folder / "study"], []).faults
-        good = len(faults) == 1 and faults[0].startswith(f"{path}:1: {told}")
-        yield Outcome.of(f"command/study report: bad table: {told}", good, f"{faults}")
+        good = len(faults) == 1 and faults[0].startswith(f"{path}:1: {message}")
+        yield Outcome.of(f"command/study report: bad table: {message}", good, f"{faults}")
     path.write_text(text)
     rows = read(answers)
     rows[0]["value"] = "7"
@@ -98,7 +100,7 @@ def bad_session_files(folder: Path) -> Iterator[Outcome]:
     write_study(folder / "study", 4, **SMALL)
     path = folder / "study/drags/sub-p04/ses-01/session.json"
     data = json.loads(path.read_text())
-    for text, told in (
+    for text, message in (
         ("{\n", ":2: this is not JSON"),
         (json.dumps(data | {"version": 2}), ': "version" must be 1, is 2'),
         (json.dumps(data | {"origin": "robot"}), ': "origin" must be one of person, mouse, synthetic, replay'),
@@ -108,8 +110,8 @@ def bad_session_files(folder: Path) -> Iterator[Outcome]:
         path.write_text(text)
         status, output = report(folder / "study", folder / "out")
         people = {row["people"] for row in read(folder / "out/drags_synthetic_curves.csv")}
-        good = status == 1 and f"{path}{told}" in output and people == {"3"}
-        yield Outcome.of(f"command/study report: session.json{told}", good, f"{status}\n{output}")
+        good = status == 1 and f"{path}{message}" in output and people == {"3"}
+        yield Outcome.of(f"command/study report: session.json{message}", good, f"{status}\n{output}")
     path.unlink()
     status, output = report(folder / "study", folder / "out")
     good = status == 1 and f"{path.parent}: session.json is missing: copy the whole folder" in output

@@ -10,13 +10,13 @@ SMALL = {"repetitions": 2, "curves": False}
 
 
 def report(folder: Path, out: Path, *without: str) -> tuple[int, str]:
-    """In this process: the exit code and all that it said."""
+    """Runs in this process. Returns exit code and output."""
     from study.report import run as run_report
 
-    said = io.StringIO()
-    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+    output = io.StringIO()
+    with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
         status = run_report([folder], out, list(without))
-    return status, said.getvalue()
+    return status, output.getvalue()
 
 
 def read(path: Path) -> list[dict[str, str]]:

@@ -26,7 +26,7 @@ BY_HAND = {"Ann, A.": [(2.545746, 2.545746)], "Bob": [(1.438761, 3.596903), (1.4
 MEAN_BY_HAND = (2.545746 + 3.237212) / 2
 
 DEVIATION_M = 0.012
-# Of the ends of a normal distribution, inside the effective width: what defines it.
+# Share of the ends of a normal distribution within the effective width, by its definition.
 SHARE_INSIDE = 0.96
 
 
@@ -38,7 +38,7 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def conditions() -> Outcome:
-    """study/rows.py knows those of the scenes."""
+    """study/rows.py has the conditions of the scenes."""
     text = (ROOT / "demo_project/scripts/conditions.gd").read_text()
     names = re.search(r"^const NAMES.*= \[(.*)\]$", text, re.MULTILINE)[1]
     return Outcome.of("command/study: the conditions of the scenes", json.loads(f"[{names}]") == CONDITIONS, names)
@@ -47,11 +47,11 @@ def conditions() -> Outcome:
 def by_hand(folder: Path) -> Iterator[Outcome]:
     write_log(folder / "logs/first", "Ann, A.", ANN)
     write_log(folder / "logs/second", "Bob", BOB)
-    # A trial that never ended, one of another condition that has no spread, and the blank line that an editor leaves.
+    # A trial without an end, one trial of another condition, and a blank line, as some editors add.
     with (folder / "logs/second/trials.csv").open("a") as file:
         file.write("live_900,tap,stable,synthesised,1.0,,,Bob,0.200000,0.004000,,\n")
         file.write("live_901,tap,stable,measured,1.0,1.9,0.9,Bob,0.200000,0.004000,0.2,2.0\n\n")
-    # A folder that is in another is read once.
+    # A folder inside of another is read once.
     status, output = run(["./steadyhand", "study", folder / "logs", folder / "logs/first", "--out", folder / "out"])
     yield Outcome.of("command/study: exit code", status == 0, output)
     if status != 0:
@@ -78,7 +78,7 @@ def by_hand(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/study: a participant counts once", good, f"{means} instead of {MEAN_BY_HAND}")
     [alone] = [row for row in read(folder / "out/throughput_means.csv") if row["condition"] == "measured"]
     good = (alone["participants"], alone["n"], alone["throughput_bits_s"]) == ("0", "1", "")
-    yield Outcome.of("command/study: a trial without a throughput was made all the same", good, f"{alone}")
+    yield Outcome.of("command/study: a trial without a throughput is counted", good, f"{alone}")
     lines = [line for line in output.splitlines() if line.startswith(("gesture ", "tap "))]
     ends = {len(line) for line in lines if not line.endswith("-")}
     shown = [line.split()[-2] for line in lines if " synthesised " in line]
@@ -115,7 +115,7 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
     (folder / "logs/binary/trials.csv").write_bytes(bytes((197 * i + i // 7) % 256 for i in range(4000)))
     command = ["./steadyhand", "study", folder / "logs", folder / "nowhere", "--out", folder / "out"]
     status, output = run(command)
-    told = [
+    messages = [
         f"{folder}/nowhere: not there",
         f"{folder}/logs/old/trials.csv:1: no column gesture_end_s, end_value_m",
         f"{folder}/logs/spreadsheet/trials.csv:1: cells are separated by ';'",
@@ -125,18 +125,20 @@ def bad_logs(folder: Path) -> Iterator[Outcome]:
         f"{folder}/logs/broken/trials.csv:4: 3 cells",
         f"{folder}/logs/binary/trials.csv:1: this is no UTF-8 text",
     ]
-    missing = [text for text in told if text not in output]
-    yield Outcome.of("command/study: bad logs are told", status == 1 and not missing, f"{status}, {missing}\n{output}")
+    missing = [text for text in messages if text not in output]
+    yield Outcome.of(
+        "command/study: bad logs are reported", status == 1 and not missing, f"{status}, {missing}\n{output}"
+    )
     rows = read(folder / "out/throughput.csv") if status == 1 else []
     good = [row["participant"] for row in rows] == ["Ann"] and near(float(rows[0]["throughput_bits_s"]), 2.545746, 2e-6)
-    yield Outcome.of("command/study: and the others go on", good, f"{rows}")
+    yield Outcome.of("command/study: the other logs count", good, f"{rows}")
     status, output = run(["./steadyhand", "study", folder / "logs/binary", "--out", folder / "none"])
     good = status == 2 and "no trial was read" in output and not (folder / "none").exists()
     yield Outcome.of("command/study: nothing can be read", good, f"{status}\n{output}")
 
 
 def bad_cells(folder: Path) -> Iterator[Outcome]:
-    """Each is told with its line, and takes no other one with it."""
+    """Each bad row is reported with its line, and affects no other row."""
     good = "tap,stable,measured,1.0,2.0,1.0,Bob,0.2,0.004,0.2,2.0"
     rows: dict[str, str] = {
         good.replace("Bob", '"Bob'): "a quote is opened in this line, and not closed",
@@ -162,19 +164,21 @@ def bad_cells(folder: Path) -> Iterator[Outcome]:
     path = folder / "logs/trials.csv"
     path.write_bytes("".join(lines).encode("utf-8", "surrogateescape"))
     status, output = run(["./steadyhand", "study", folder / "logs", "--out", folder / "out"])
-    told = [f"study: {path}:{line}: {fault}" for line, fault in enumerate(rows.values(), start=2)]
-    missing = [text for text in told if text not in output]
-    good_lines = status == 1 and not missing and output.count(f"{path}:") == len(told) + 1
-    yield Outcome.of("command/study: bad cells are told by line", good_lines, f"{status}, {missing}\n{output}")
+    messages = [f"study: {path}:{line}: {fault}" for line, fault in enumerate(rows.values(), start=2)]
+    missing = [text for text in messages if text not in output]
+    good_lines = status == 1 and not missing and output.count(f"{path}:") == len(messages) + 1
+    yield Outcome.of(
+        "command/study: bad cells are reported with their line", good_lines, f"{status}, {missing}\n{output}"
+    )
     own = "study: 'swpe' is none of the demo's tasks, horizontal_drag, vertical_drag, tap, zoom; the first is in "
-    yield Outcome.of("command/study: a gesture of one's own is told", f"{own}{path}:12\n" in output, output)
+    yield Outcome.of("command/study: a custom gesture is reported", f"{own}{path}:12\n" in output, output)
     read_rows = read(folder / "out/throughput.csv") if status == 1 else []
     names = [row["gesture"] for row in read_rows]
-    yield Outcome.of("command/study: and rows after them are read", names == ["swpe", "tap"], f"{names}")
+    yield Outcome.of("command/study: rows after bad rows are read", names == ["swpe", "tap"], f"{names}")
 
 
 def rows_again(folder: Path) -> Iterator[Outcome]:
-    """A trial counts once, however often its row is there; one that never began may be another session's."""
+    """Equal rows of a trial count once. A trial without a start counts in each session."""
     write_log(folder / "logs/first", "Ann", ANN)
     write_log(folder / "logs/second", "Ann", [*ANN, (0.2, 0.22, 1.0)])
     for session in ("first", "second"):
@@ -184,19 +188,19 @@ def rows_again(folder: Path) -> Iterator[Outcome]:
         file.write("live_003,tap,stable,synthesised,3.0,3.5,0.5,Ann,0.2,0.004,0.22,4.0\n")
     status, output = run(["./steadyhand", "study", folder / "logs", "--out", folder / "out"])
     first, second = folder / "logs/first/trials.csv", folder / "logs/second/trials.csv"
-    told = [
-        f"study: {second}:2: the row of {first}:2 again, and 2 more rows of these files: counted once",
-        f"study: {second}:7: the row of {second}:5 again: counted once",
+    messages = [
+        f"study: {second}:2: the same row as {first}:2, and 2 more rows of these files: counted once",
+        f"study: {second}:7: the same row as {second}:5: counted once",
     ]
-    missing = [text for text in told if text not in output]
-    yield Outcome.of("command/study: rows again are told", status == 1 and not missing, f"{missing}\n{output}")
+    missing = [text for text in messages if text not in output]
+    yield Outcome.of("command/study: repeated rows are reported", status == 1 and not missing, f"{missing}\n{output}")
     rows = read(folder / "out/throughput.csv") if status == 1 else []
     counts = [(row["n"], row["without_end"]) for row in rows]
-    yield Outcome.of("command/study: and count once", counts == [("4", "2")], f"{counts}")
+    yield Outcome.of("command/study: repeated rows count once", counts == [("4", "2")], f"{counts}")
 
 
 def played_twice(folder: Path) -> Iterator[Outcome]:
-    """Two demos play the same trials. None of their subjects is a person; a log of old has no column `origin`."""
+    """Two demos play the same trials. Their subjects are no persons. An old log has no column `origin`."""
     write_log(folder / "logs/person", "Ann", ANN)
     for session, added in (("first", ""), ("second", ""), ("third", ",replay")):
         write_log(folder / f"logs/{session}", "evaluate_0", ANN)
@@ -210,11 +214,11 @@ def played_twice(folder: Path) -> Iterator[Outcome]:
     means = read(folder / "out/throughput_means.csv") if status == 0 else []
     found = [(row["origin"], row["participants"], row["n"]) for row in means]
     good = found == [("person", "1", "3"), ("replay", "1", "3")]
-    yield Outcome.of("command/study: played trials are no person's", good, f"{found}")
+    yield Outcome.of("command/study: played trials do not count as a person's", good, f"{found}")
 
 
 def no_study(folder: Path) -> Iterator[Outcome]:
-    """What the demo leaves beside its logs: replays, and the trial set that was played."""
+    """Other files of the demo: replays, and the played trial set."""
     write_log(folder / "logs/first", "Ann", ANN)
     write_log(folder / "replays/second", "Bob", BOB)
     (folder / "replays/no_study.txt").touch()
@@ -228,15 +232,15 @@ def no_study(folder: Path) -> Iterator[Outcome]:
         f"study: {folder}/synthetic/trials.csv is left out: it is a trial set's, no log",
     ]
     missing = [text for text in notes if text not in output]
-    yield Outcome.of("command/study: of the demo's folder the logs alone", status == 0 and not missing, output)
+    yield Outcome.of("command/study: only the logs of the demo's folder are read", status == 0 and not missing, output)
     people = {row["participant"] for row in read(folder / "out/throughput.csv")} if status == 0 else {}
     yield Outcome.of("command/study: no replay counts", people == {"Ann"}, f"{people}")
     status, output = run(["./steadyhand", "study", folder / "replays", "--out", folder / "out"])
-    yield Outcome.of("command/study: but where it is named", status == 0, f"{status}\n{output}")
+    yield Outcome.of("command/study: a named folder of replays is read", status == 0, f"{status}\n{output}")
 
 
 def write_log(folder: Path, participant: str, trials: list[tuple[float, float, float]]) -> None:
-    """Taps in `synthesised`: amplitude, m, where each ended, m, and how long it took, s."""
+    """Taps in `synthesised`: amplitude (m), end (m) and duration (s) of each."""
     folder.mkdir(parents=True)
     with (folder / "trials.csv").open("w", newline="") as file:
         file.write(HEADER)

@@ -43,7 +43,7 @@ def follow(folder: Path) -> Iterator[Outcome]:
         if kind == "ini":
             (folder / SAVED_AS.findall(page[: block.start()])[-1]).write_text(text)
             continue
-        # A window of a person's session would stay open: it is closed after some frames.
+        # Closes the window of a person's session after some frames.
         text = re.sub(r"^godot ", f"{shlex.quote(os.environ['GODOT'])} --headless --quit-after 20 ", text)
         command = ["bash", "-ec", text] if kind == "sh" else [sys.executable, "-c", text]
         status, output = run(["env", "-C", folder, *command], kill_s=KILL_S)
@@ -53,8 +53,8 @@ def follow(folder: Path) -> Iterator[Outcome]:
         if not good:
             return
         if "--resume" in name:
-            told = [f"sub-p0{number}/ses-01: complete" for number in (1, 2, 3)]
-            good = all(text in output for text in told)
+            expected = [f"sub-p0{number}/ses-01: complete" for number in (1, 2, 3)]
+            good = all(text in output for text in expected)
             yield Outcome.of("command/study page: complete sessions stay as they are", good, output)
         count += 1
     missing = [name for name in MADE if not (folder / name).is_file()]

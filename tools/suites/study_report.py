@@ -258,8 +258,8 @@ def few_values(folder: Path) -> Iterator[Outcome]:
         path.write_text(path.read_text().replace('"unstable"', '""').replace('"stable"', '""'))
     status, output = report(root / "study", root / "out")
     reasons = {row["reason"] for row in read(root / "out/drags_synthetic_refused.csv")}
-    told = "A two-way ANOVA needs 2 or more levels of the position, and there is only 'none'."
-    good = status == 0 and told in reasons and len(read(root / "out/drags_synthetic_post_hoc.csv")) > 9
+    reason = "A two-way ANOVA needs 2 or more levels of the position, and there is only 'none'."
+    good = status == 0 and reason in reasons and len(read(root / "out/drags_synthetic_post_hoc.csv")) > 9
     yield Outcome.of("command/study report: no position refuses the ANOVA alone, exit 0", good, f"{reasons}\n{output}")
 
 
@@ -270,7 +270,7 @@ def one_person(folder: Path) -> Iterator[Outcome]:
     reasons = {row["reason"] for row in read(folder / "out/drags_synthetic_refused.csv")}
     good = status == 0 and reasons == {"The test needs 3 or more people, and there is data of 1 person."}
     yield Outcome.of("command/study report: one person gives tables, tests are refused", good, f"{reasons}\n{output}")
-    yield Outcome.of("command/study report: --without is told", "participant p03 is left out" in output, output)
+    yield Outcome.of("command/study report: --without is noted", "participant p03 is left out" in output, output)
     status, output = report(folder / "study", folder / "out", "p09")
     good = status == 1 and "--without p09: no session is of this participant" in output
     yield Outcome.of("command/study report: --without an unknown participant is named", good, output)

@@ -160,10 +160,12 @@ def pairs() -> Iterator[Outcome]:
     good = good and row["df"] == 4 and np.isclose(row["p_bonferroni"], 9 * row["p"])
     yield Outcome.of("command/study report: a t-test as by hand, p times 9", good, f"{row}")
     values = {(f"p{i}", *first): 0.999 + 1e-3 * i for i in range(3)} | {(f"p{i}", *second): 0.0 for i in range(3)}
-    with warnings.catch_warnings(record=True) as said:
+    with warnings.catch_warnings(record=True) as issued:
         warnings.simplefilter("always")
         row = paired_t(Design(values), first, second, 9)
-    yield Outcome.of("command/study report: a t-test of nearly equal differences is silent", not said, f"{said}, {row}")
+    yield Outcome.of(
+        "command/study report: a t-test of nearly equal differences is silent", not issued, f"{issued}, {row}"
+    )
     results = tests("curve", "r2", "tap", design(textbook_matrix()))
     good = len(results.post_hoc) == 9 and all(one["comparisons"] == 9 for one in results.post_hoc)
     yield Outcome.of("command/study report: 6 pairs of motions and 3 of positions", good, f"{results.post_hoc}")
@@ -175,7 +177,9 @@ def pairs() -> Iterator[Outcome]:
     skewed = design(np.exp(2.0 * random.normal(size=(30, 6))))
     normal = design(random.normal(size=(30, 6)))
     p = [normality(one, "stable", "measured")["shapiro_p"] for one in (skewed, normal)]
-    yield Outcome.of("command/study report: Shapiro-Wilk tells skewed from normal", p[0] < 1e-3 < 0.05 < p[1], f"{p}")
+    yield Outcome.of(
+        "command/study report: Shapiro-Wilk distinguishes skewed from normal", p[0] < 1e-3 < 0.05 < p[1], f"{p}"
+    )
 
 
 def refusals() -> Iterator[Outcome]:
@@ -186,7 +190,7 @@ def refusals() -> Iterator[Outcome]:
     del gap.values[("p03", "unstable", "average")]
     constant = design(np.full((5, 6), 2.0))
     additive = design(np.arange(5.0)[:, None] + np.arange(6.0)[None, :])
-    for name, run, told in (
+    for name, run, message in (
         ("two people", lambda: anova(design(matrix[:2])), "3 or more people, and there is data of 2 people"),
         ("one person", lambda: anova(design(matrix[:1])), "3 or more people, and there is data of 1 person"),
         ("a gap", lambda: anova(gap), "Participant p03 has no value in the cell unstable, average"),
@@ -199,17 +203,17 @@ def refusals() -> Iterator[Outcome]:
         ("equal values", lambda: friedman(constant, "stable"), "the same value for all motion profiles"),
         ("two motions", lambda: friedman(design(matrix[:, :2], CELLS[:2]), "stable"), "needs 3 or more motion"),
     ):
-        yield Outcome.of(f"command/study report: {name} refused: {told}", *refused(run, told))
+        yield Outcome.of(f"command/study report: {name} refused: {message}", *refused(run, message))
     results = tests("answer", "paper/smoothness", "tap", gap)
     done = (len(results.anova), len(results.post_hoc), len(results.normality), len(results.friedman))
     # A gap takes the ANOVA, 3 of 9 pairs, one normality test and one of two Friedman tests.
     yield Outcome.of("command/study report: after a refusal other tests go on", done == (0, 6, 5, 1), f"{done}")
 
 
-def refused(run, told: str) -> tuple[bool, str]:
+def refused(run, message: str) -> tuple[bool, str]:
     from study.inference import Refused
 
     try:
         return False, f"not refused: {run()}"
     except Refused as reason:
-        return told in str(reason), str(reason)
+        return message in str(reason), str(reason)

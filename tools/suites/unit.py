@@ -1,6 +1,6 @@
-"""The doctest cases of the core, as built for the extension and under sanitizers; of what threads share, under TSan.
+"""The doctest cases of the core, in a normal build and under sanitizers; threaded parts under TSan.
 
-The suite "figures" is left out under sanitizers: cases that run for long to judge figures, by code that others run too.
+Sanitizers leave out the suite "figures": long cases whose code is covered by others.
 """
 
 import os
@@ -34,16 +34,16 @@ def outcomes() -> Iterator[Outcome]:
 
 
 def run_cases(name: str, program: list) -> Iterator[Outcome]:
-    """A part of the cases at a time on each core: under sanitizers they take minutes."""
+    """Runs parts of the cases on each core, because they take minutes under sanitizers."""
     status, output = run([*program, "--count"])
-    said = re.search(r"(\d+)\s*$", output)
-    if status != 0 or said is None or int(said[1]) == 0:
+    total = re.search(r"(\d+)\s*$", output)
+    if status != 0 or total is None or int(total[1]) == 0:
         yield Outcome.of(f"{name} ends", False, f"exit status {status}, no test case\n{output}")
         return
     cores = len(os.sched_getaffinity(0))
-    size = -(-int(said[1]) // (PARTS_A_CORE * cores))
+    size = -(-int(total[1]) // (PARTS_A_CORE * cores))
     with ThreadPoolExecutor(cores) as pool:
-        parts = list(pool.map(partial(run_part, name, program, size), range(1, int(said[1]) + 1, size)))
+        parts = list(pool.map(partial(run_part, name, program, size), range(1, int(total[1]) + 1, size)))
     ran = [outcome for part in parts for outcome in part if not outcome.skipped]
     yield from ran
     ran_names = {outcome.name for outcome in ran}
@@ -73,10 +73,10 @@ def outcome_of(build: str, case: xml.Element) -> Outcome:
     name = f"{build}: {case.get('name')}"
     if case.get("skipped") == "true":
         return Outcome(name, skipped=1)
-    said = " ".join(text.strip() for message in case.iter("Message") for text in message.itertext())
+    text = " ".join(text.strip() for message in case.iter("Message") for text in message.itertext())
     result = case.find("OverallResultsAsserts")
     if result.get("successes") == result.get("failures") == "0":
-        without_data = said.strip().startswith("skipped: ")
+        without_data = text.strip().startswith("skipped: ")
         return Outcome(name, skipped=1) if without_data else Outcome.of(name, False, "not one assertion was made")
     return Outcome.of(name, result.get("test_case_success") == "true", "\n".join(complaints(case)))
 

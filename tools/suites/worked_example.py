@@ -21,7 +21,7 @@ def outcomes() -> Iterator[Outcome]:
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
     page = PAGE.read_text()
-    said = ""
+    printed = ""
     for block in BLOCK.finditer(page):
         kind, text = block.groups()
         if kind == "gdscript":
@@ -31,18 +31,20 @@ def outcomes() -> Iterator[Outcome]:
         status, output = run(["bash", "-ec", text], GODOT=os.environ["GODOT"])
         good = status == 0 and not COMPLAINT.search(output)
         yield Outcome.of(f"command/new gesture: {text.split()[0]} ... {text.split()[-1]}", good, output)
-        said += output
+        printed += output
         if not good:
             return
-    yield Outcome.of("command/new gesture: its feature is found", "by index_along_circle" in said, said)
-    followed = re.search(r"^started circle$.*^ended circle at [\d.]+ s: (\d+) degrees$", said, re.MULTILINE | re.DOTALL)
+    yield Outcome.of("command/new gesture: its feature is found", "by index_along_circle" in printed, printed)
+    followed = re.search(
+        r"^started circle$.*^ended circle at [\d.]+ s: (\d+) degrees$", printed, re.MULTILINE | re.DOTALL
+    )
     good = followed is not None and abs(int(followed[1]) - 360) < 36
-    yield Outcome.of("command/new gesture: a whole circle is followed", good, said)
+    yield Outcome.of("command/new gesture: a whole circle is followed", good, printed)
     yield from figures(json.loads((FOLDER / "evaluation/summary.json").read_text()))
 
 
 def figures(summary: dict) -> Iterator[Outcome]:
-    """Where tracking is bad the gesture has to be better than what the tracker saw, and all filters."""
+    """With bad tracking the synthesised motion must be better than the raw data and all filters."""
     for group in summary["groups"]:
         means = {name: figure["r2_zero"]["mean"] for name, figure in group["conditions"].items()}
         name = f"command/new gesture: {group['position']}: {group['trials']} trials, mean zero-lag R2 {means}"
