@@ -38,14 +38,14 @@ write_apt_configuration() {
 	CONF
 }
 
-# What no program of a root opens is left out: it is half of the root.
+# Files that no program of a root opens are left out: they are half of the root.
 unpack() {
 	dpkg-deb --fsys-tarfile "$1" | tar -x -C "$2" --no-same-owner \
 		--exclude=./usr/share/{doc,man,locale,info,icons,bash-completion,lintian} --exclude=./usr/{sbin,games,include}
 }
 export -f unpack
 
-# fetch_root ROOT WHAT ADVICE PACKAGE...: makes ROOT anew. WHAT is for the user to read, ADVICE what to do where it fails.
+# fetch_root ROOT WHAT ADVICE PACKAGE...: makes ROOT anew. Texts for the user: WHAT, the content, and ADVICE, the remedy.
 fetch_root() {
 	local root=$1 what=$2 advice=$3 work=$1.apt
 	shift 3

@@ -12,8 +12,8 @@ complaints='SCRIPT ERROR|Parse Error|^ERROR: '
 import() {
 	output=$(timeout 300 "$godot" --headless --path "$project" --import 2>&1) && ! grep -Eq "$complaints" <<<"$output"
 }
-# The first import may crash while it writes documentation (godotengine/godot#111048), and reads scripts before it
-# knows the extension's classes: the second one counts.
+# The first import may crash while it writes documentation (godotengine/godot#111048), and reads scripts before the
+# extension's classes are known: only the second import counts.
 if ! import && ! import; then
 	tail -n 30 <<<"$output" >&2
 	printf 'steadyhand: Godot could not import %s\n' "$project" >&2

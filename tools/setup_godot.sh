@@ -20,7 +20,7 @@ new_enough() {
 	printf '%s\n%s\n' "$MINIMUM" "$version" | sort --version-sort --check=quiet
 }
 
-# find_own: an own Godot. If there is none in $GODOT, nothing else is taken in its place.
+# find_own: the user's Godot. A $GODOT that is no Godot is an error.
 find_own() {
 	local candidate path
 	if [[ -n ${GODOT:-} ]]; then

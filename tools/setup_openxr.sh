@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # setup_openxr.sh: prints the path of a program that starts another one, as `godot` or `monado-service`, out of a root
 # in the cache (debian_root.sh): Monado, an OpenXR runtime with simulated devices, a Godot that loads it, and lavapipe,
-# a Vulkan driver that needs no graphics card. They are of one root, as a runtime is loaded into Godot's process.
+# a Vulkan driver that needs no graphics card. They share one root, because the runtime is loaded into Godot's process.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tools/shell.sh

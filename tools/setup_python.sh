@@ -5,7 +5,7 @@ tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tools/shell.sh
 source "$tools/shell.sh"
 
-# A folder that somebody has emptied makes no stamp true.
+# A stamp is not valid if its folder is empty.
 [[ -x $CACHE/venv/bin/python && -x $CACHE/venv/bin/pip ]] || rm -f "$CACHE/stamps"/python-*
 
 lists=() requirements=()

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Sourced by ./steadyhand and the set-up scripts: the cache folder, words to the user, apt-get.
+# Sourced by ./steadyhand and the set-up scripts: the cache folder, messages, apt-get.
 
 CACHE=$(realpath -m -- "${STEADYHAND_CACHE:-${XDG_CACHE_HOME:-${HOME:-}/.cache}/steadyhand}")
 
@@ -13,13 +13,13 @@ fail() {
 # once NAME KEY: true if set-up step NAME has already been done for this KEY.
 once() { [[ -f $CACHE/stamps/$1 && $(<"$CACHE/stamps/$1") == "$2" ]]; }
 
-# done_with NAME KEY: what once() asks for.
+# done_with NAME KEY: marks the step as done for once().
 done_with() {
 	mkdir -p "$CACHE/stamps"
 	printf '%s\n' "$2" >"$CACHE/stamps/$1"
 }
 
-# Two set-ups at once (a demo and a test, say) wait for each other rather than write the same files.
+# Two set-ups at once (of a demo and a test) wait for each other, because they write the same files.
 lock_cache() {
 	if ! mkdir -p "$CACHE/log" 2>/dev/null || [[ ! -w $CACHE ]]; then
 		fail "cannot write to the cache $CACHE: set \$STEADYHAND_CACHE to a folder that you can write to"
@@ -43,7 +43,7 @@ show_apt_progress() {
 	[[ ! -t 2 || $drawn == -1 ]] || printf '\n' >&2
 }
 
-# run_apt LABEL ARGUMENT...: apt-get with these, as as_root says; what it says goes to a log, whose end is shown on failure.
+# run_apt LABEL ARGUMENT...: apt-get by as_root. Its output goes to a log, whose end is shown on failure.
 # Its status lines come on descriptor 3, made within sudo, which closes every one above 2. They cannot share
 # descriptor 1: apt-get keeps the status one from the packages' scripts, and those write to their standard output.
 as_root=()

@@ -22,7 +22,7 @@ def main() -> None:
     parser.add_argument("--work", type=Path, default=ROOT / "build/haptics", help="for trials and recordings")
     parser.add_argument("--rates", type=int, nargs="+", default=RATES_HZ, help="mix rates (Hz)")
     parser.add_argument("--subjects", type=int, default=6, help="simulated people")
-    parser.add_argument("--minutes", type=float, default=60.0, help="of play through the nodes")
+    parser.add_argument("--minutes", type=float, default=60.0, help="length of play through the nodes")
     parser.add_argument("--real", type=Path, default=REAL, help="trial set of real hands")
     parser.add_argument("--programs", type=Path, help="folder of the benchmarks; without it they are left out")
     given = parser.parse_args()
@@ -37,15 +37,15 @@ def main() -> None:
     tables = {"live": page.live_tables(live.measure(given.rates, synthetic, given.work))}
     felt = {}
     for name, folder in sets.items():
-        print(f"what is felt of the {name} trials", flush=True)
+        print(f"vibration of the {name} trials", flush=True)
         felt[name] = trials.measure(folder, given.work / f"felt_{name}")
     tables["trials"] = page.trials_table(felt)
     print(f"{given.minutes:g} minutes of play", flush=True)
-    said = []
+    outputs = []
     for program in ("bench_vibration", "soak_vibration") if given.programs else ():
-        said.append(subprocess.run([given.programs / program], check=True, capture_output=True, text=True).stdout)
-    run_tool("soak", {"trials": synthetic, "minutes": given.minutes}, heard=said.append)
-    tables["cost"] = page.as_text(said)
+        outputs.append(subprocess.run([given.programs / program], check=True, capture_output=True, text=True).stdout)
+    run_tool("soak", {"trials": synthetic, "minutes": given.minutes}, on_line=outputs.append)
+    tables["cost"] = page.as_text(outputs)
     fill(given.page, tables)
     for recording in [*given.work.rglob("*.wav"), *given.work.rglob("*.f32")]:
         recording.unlink()

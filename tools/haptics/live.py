@@ -1,4 +1,4 @@
-"""The live vibration as an audio bus of a running Godot carries it."""
+"""Measures the live vibration on an audio bus of a running Godot."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from results.evaluation import ROOT, run_tool
 
 PROJECT = ROOT / "demo_project"
 SPRING_HZ = 180.0
-MARGIN_S = 0.1  # of a recording's ends, where a filter that runs both ways is not at its own yet
+MARGIN_S = 0.1  # left out at a recording's ends, where a filter that runs both ways has not settled
 
 
 @dataclass
@@ -28,13 +28,13 @@ class Held:
 @dataclass
 class Change:
     what: str
-    step: float  # share of the waveform's own, the greater of both buses'
+    step: float  # share of the waveform's own; the greater of both buses
     recovered: float  # amplitude at the end of the recording
 
 
 @dataclass
 class Followed:
-    """A recorded hand's vibration, live beside the same on the motion's own clock."""
+    """A recorded hand's vibration, live and on the motion's own clock."""
 
     gesture: str
     spring_delay_s: float
@@ -70,7 +70,7 @@ def measure(rates_hz: list[int], trials: Path, work: Path) -> Live:
 
 
 class project_at:
-    """The demo's project with another mix rate: the same files, and an override.cfg beside them."""
+    """The demo's project with another mix rate: the same files, and an override.cfg."""
 
     def __init__(self, rate_hz: int) -> None:
         self.rate_hz = rate_hz
@@ -115,13 +115,13 @@ def moments_of(trial: dict) -> np.ndarray:
 
 
 def block_of(moments: np.ndarray) -> int:
-    """Frames that the engine mixes at a time: what was made between two game frames most often, if anything was."""
+    """Frames per mix of the engine: the most frequent number above 0 between two game frames."""
     made = np.diff(moments[:, 1]).astype(int)
     return int(np.argmax(np.bincount(made[made > 0])))
 
 
 def read_followed(out: Path, report: dict, trial: dict) -> Followed:
-    """A block's first sample is at the output when the block is made; so the last one is, by then, a block late."""
+    """A block's first sample is at the output when the block is made, and its last sample one block later."""
     rate_hz, gesture = report["mix_rate"], trial["gesture"]
     moments, clock = moments_of(trial), np.array(trial["clock"]).reshape(-1, 2)
     block = block_of(moments)

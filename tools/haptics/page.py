@@ -86,6 +86,6 @@ def cell(rows: list[Felt], gesture: str) -> str:
     return f"{error:.3f}, {late}, {len(rows) - len(cues)}"
 
 
-def as_text(said: Iterable[str]) -> str:
-    lines = [line.rstrip() for part in said for line in part.splitlines() if not ENGINE_SAYS.search(line)]
+def as_text(outputs: Iterable[str]) -> str:
+    lines = [line.rstrip() for part in outputs for line in part.splitlines() if not ENGINE_SAYS.search(line)]
     return "```\n" + "\n".join(lines) + "\n```\n"

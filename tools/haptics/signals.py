@@ -1,4 +1,4 @@
-"""What is heard: spectra, envelopes, onsets and steps of sampled vibration."""
+"""Spectra, envelopes, onsets and steps of sampled vibration."""
 
 import wave
 from pathlib import Path
@@ -19,7 +19,7 @@ def read_floats(path: Path) -> np.ndarray:
 
 
 def peak_frequency(samples: np.ndarray, rate_hz: float) -> float:
-    """Of the spectrum's highest line (Hz), read between the points of a zero-padded spectrum."""
+    """Frequency of the spectrum's highest line (Hz), interpolated in a zero-padded spectrum."""
     padded = 1 << (len(samples) - 1).bit_length() + 3
     power = np.abs(np.fft.rfft(samples * signal.windows.hann(len(samples), sym=False), padded)) ** 2
     top = int(np.clip(np.argmax(power), 1, len(power) - 2))
@@ -28,14 +28,14 @@ def peak_frequency(samples: np.ndarray, rate_hz: float) -> float:
 
 
 def amplitude_at(samples: np.ndarray, rate_hz: float, frequency_hz: float) -> float:
-    """Of the sine at frequency_hz, by least squares."""
+    """Amplitude of the sine at frequency_hz, by least squares."""
     phase = 2.0 * np.pi * frequency_hz * np.arange(len(samples)) / rate_hz
     both = np.linalg.lstsq(np.column_stack([np.sin(phase), np.cos(phase)]), samples, rcond=None)[0]
     return float(np.hypot(*both))
 
 
 def envelope(samples: np.ndarray, rate_hz: float, carrier_hz: float) -> np.ndarray:
-    """Amplitude of a carrier: the analytic signal (Hilbert) about it. No delay: filtered both ways, +-60 Hz."""
+    """Amplitude of a carrier by its analytic signal (Hilbert). No delay: filtered both ways, +-60 Hz."""
     band = signal.butter(2, [carrier_hz - 60.0, carrier_hz + 60.0], "bandpass", fs=rate_hz, output="sos")
     return np.abs(signal.hilbert(signal.sosfiltfilt(band, samples)))
 
@@ -47,7 +47,7 @@ def onset(samples: np.ndarray) -> int | None:
 
 
 def step_share(samples: np.ndarray, rate_hz: float, frequency_hz: float) -> float:
-    """The largest step from a sample to the next, over the largest that a sine of the samples' own peak makes."""
+    """The largest step between two samples, relative to the largest step of a sine with the samples' peak."""
     bound = 2.0 * np.sin(np.pi * frequency_hz / rate_hz) * np.max(np.abs(samples))
     return float(np.max(np.abs(np.diff(samples))) / bound)
 
@@ -55,7 +55,7 @@ def step_share(samples: np.ndarray, rate_hz: float, frequency_hz: float) -> floa
 def delay_and_error(
     reference: np.ndarray, curve: np.ndarray, rate_hz: float, most_s: float
 ) -> tuple[float, float, float]:
-    """How late the curve is (s, positive: late), and its RMS difference at that delay and at none."""
+    """Delay of the curve (s, positive: late), and its RMS difference at that delay and without a delay."""
     most = round(most_s * rate_hz)
     middle = reference[most:-most]
     errors = [

@@ -1,4 +1,4 @@
-"""Envelope error and cue error (SPEC's metrics) of the vibration that recorded hands make, condition by condition."""
+"""Envelope error and cue error (SPEC's metrics) of the vibration of recorded hands, by condition."""
 
 import json
 from dataclasses import dataclass

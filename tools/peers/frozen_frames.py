@@ -1,6 +1,6 @@
 """Detects frames that a frozen tracker repeats while the hand moves: they are no measurements."""
 
-HELD_S = 0.03  # as long as two frames of a slow camera may be equal
+HELD_S = 0.03  # two frames of a slow camera may be equal for this time
 MOVING = 0.1  # amplitudes a second
 
 

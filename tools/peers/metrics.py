@@ -15,7 +15,7 @@ SLACK_S = 1e-9  # instants this near are on the grid
 @dataclass(frozen=True)
 class Figures:
     r2_zero: float
-    t_diff_s: float  # positive: the curve ends early; where it is missed, the bound that the record gives
+    t_diff_s: float  # positive: the curve ends early; if it is missed, until the end of the record
     missed: bool  # it never reaches END_LEVEL of the reference's level at the end
 
 

@@ -8,7 +8,7 @@ from peers.trials import Trial
 # s. The default of GestureHMM.sensor_latency, which ./steadyhand evaluate uses.
 SENSOR_LATENCY_S = 0.007
 HORIZONS_S = np.array([0.0, 0.05, 0.1, 0.2])
-# A frame nearer to the one before is passed over: its velocity would be mostly the jitter of time stamps.
+# Nearer frames are skipped: their velocity would be mostly the jitter of time stamps.
 LEAST_INTERVAL_S = 0.003
 MARGIN_S = 0.25  # before and after the gesture, where prediction errors are taken
 

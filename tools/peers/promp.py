@@ -21,7 +21,7 @@ PHASES = np.linspace(0.0, 1.0, 101)
 SLOW = 0.05  # share of the peak speed: slower is before the onset or after the end
 MARGIN_S = 0.1  # before and after the gesture, where a training hand may begin and end
 
-# The grid, and what is known beforehand.
+# The grid and the priors.
 ONSET_STEP_S = 0.02
 ONSETS_PER_S = 1.0  # of a hand at rest
 LOG_DURATION_STEP = 0.2
@@ -35,12 +35,12 @@ DEVIATION_S = np.array([0.1, 0.2, 1.0])
 NOISE = 0.0035  # of a frame without tracker noise, amplitudes
 NOISE_FRAMES = 18  # from which the tracker's white noise is measured
 OUTLIERS, OUTLIER_DENSITY = 0.01, 0.4  # their share, and their density over all places (1 / amplitudes)
-# What keeps the bank small and open.
+# Limits of the number of hypotheses.
 MOST_HYPOTHESES = 300
 MOST_ONSETS = 100  # in a gap: the newest 2 s of it
 LEAST_LOG_WEIGHT = -12.0
 REST_ROW, FREE_ROW = 0, 1
-LEAST_WEIGHT = np.array([1e-4, 1e-3])  # of these two: a hand that came back may begin once more
+LEAST_WEIGHT = np.array([1e-4, 1e-3])  # of these two hypotheses, because a hand that returned may start again
 DEVIATES = MODES + 2
 STATE = MODES + 3
 # Of the two shifts within a cell of the grid.
@@ -112,7 +112,7 @@ class ProMP:
         self.frozen = FrozenFrames()
         log_durations = LOG_DURATION_STEP * LOG_DURATION_STEPS
         prior = np.exp(-0.5 * (log_durations / LOG_DURATION_DEVIATION) ** 2)
-        # Those that are born at each onset: duration, tracker and log prior.
+        # New hypotheses at each onset: duration, tracker and log prior.
         self.born_duration_s = np.tile(duration_s * np.exp(log_durations), 2)
         self.born_kind = np.repeat([SOUND, FAULTY], len(prior))
         self.born_log_prior = np.log(np.outer([1.0 - FAULTY_SHARE, FAULTY_SHARE], prior / prior.sum()).ravel())

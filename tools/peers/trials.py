@@ -31,7 +31,7 @@ class Trial:
 
 
 def read_trials(folder: Path, is_wanted: Callable[[str], bool] = lambda name: True) -> list[Trial]:
-    """The trials of a gesture whose name is wanted. What cannot be read ends the program with path and reason."""
+    """The trials of the wanted gestures. Ends the program with path and reason if a file cannot be read."""
     path = folder / "trials.csv"
     with open_or_exit(path) as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))

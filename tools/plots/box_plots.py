@@ -17,10 +17,10 @@ SHORT = {
     "paper": "synth.,\npaper",
     "phase": "synth.,\nphase",
 }
-# What lies beyond is counted at the edge instead of drawn, so that the others stay legible.
+# Values beyond are counted at the edge instead of drawn, so that the others stay legible.
 R2_SHOWN = (0.5, 1.01)
 T_DIFF_SHOWN_MS = (-700.0, 300.0)
-# Figure, its name on the axis, factor to the axis' unit, what is shown.
+# Figure, its name on the axis, factor to the axis' unit, shown range.
 ROWS = [
     ("r2", "R² at the best lag", 1, R2_SHOWN),
     ("r2_zero", "zero-lag R²", 1, R2_SHOWN),

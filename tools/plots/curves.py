@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from plots.style import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, plt, save
 
-MARGIN_S = 0.35  # shown before the reference leaves its start and after the last curve has arrived, or the end cue
+MARGIN_S = 0.35  # shown before the reference's onset, and after the last curve's end or the end cue
 LEFT = 0.02  # share of the amplitude
 
 
@@ -70,7 +70,7 @@ def read_wav(path: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def shown_span(curves: dict[str, np.ndarray], cue_s: float | None = None) -> tuple[float, float]:
-    """From the reference's departure to the last curve's arrival, and to the end cue, with a margin."""
+    """From the reference's onset to the last curve's end or the end cue, with a margin."""
     t = curves["t"]
     reference = curves.get("reference", curves["measured"])
     leaves = t[np.argmax(reference > LEFT)]
@@ -81,7 +81,7 @@ def shown_span(curves: dict[str, np.ndarray], cue_s: float | None = None) -> tup
 
 
 def marks(curves: dict[str, np.ndarray], played: dict) -> list[Mark]:
-    """Of a trial that was played (vibration.json)."""
+    """Marks of a played trial (vibration.json)."""
     found = []
     if "reference" in curves:
         t, reference = curves["t"], curves["reference"]
@@ -111,7 +111,7 @@ def draw_curves(axes: Axes, curves: dict[str, np.ndarray], of: Iterable[Mark] = 
             )
     axes.set_ylabel("motion element\n(share of the amplitude)")
     handles = [lines[name] for name in LEGEND_ORDER if name in lines] + draw_marks(axes, of)
-    # Beside the curves, which may be anywhere.
+    # Outside of the axes, because curves may be anywhere.
     axes.figure.legend(handles=handles, loc="outside lower center", ncols=3, fontsize=9)
 
 
@@ -126,7 +126,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("curves", type=Path, metavar="CURVES.csv")
     parser.add_argument("--wav", type=Path, help="the vibration of the same trial")
-    parser.add_argument("--of", type=Path, metavar="FILE.json", help="what was played: vibration.json of the demo")
+    parser.add_argument("--of", type=Path, metavar="FILE.json", help="the played trial: vibration.json of the demo")
     parser.add_argument("--out", type=Path, required=True, metavar="FILE.png")
     given = parser.parse_args()
 

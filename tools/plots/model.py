@@ -81,7 +81,7 @@ def main() -> None:
     figure, (curves, training) = plt.subplots(1, 2, figsize=(10, 4.6), width_ratios=[2.4, 1], layout="constrained")
     draw_recordings(curves, recordings)
     draw_reference(curves, model)
-    # An outlier may lead far off: it is cut rather than the others made small.
+    # Outliers are cut, so that the other curves stay large.
     curves.set_xlim(0, 1)
     curves.set_ylim(max(-0.25, min(recording.curve.min() for recording in recordings) - 0.05), 1.22)
     curves.set_yticks([0, 0.25, 0.5, 0.75, 1])

@@ -13,7 +13,7 @@ from plots.curves import STYLES, read_curves, read_wav, shown_span
 from plots.style import plt
 from whole_file import whole
 
-SLOWER = 2.0  # than the hand: a drag is over in a second
+SLOWER = 2.0  # than the hand, because a drag takes 1 s
 FRAMES_PER_S = 15
 LAST_FRAME_S = 1.5
 MARGIN_S = 0.2  # shown before the gesture
@@ -78,7 +78,7 @@ def image_of(figure: Figure) -> Image.Image:
 
 
 def save(drawn: list[Image.Image], path: Path) -> None:
-    """With the palette of the last frame, which has all colours."""
+    """Uses the palette of the last frame, which has all colours."""
     palette = drawn[-1].quantize(COLOURS)
     pictures = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in drawn]
     durations_ms = [1000 // FRAMES_PER_S] * (len(pictures) - 1) + [round(1000 * LAST_FRAME_S)]

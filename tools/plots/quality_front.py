@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the cost of a frame against how near the motion comes, for what bench_quality has measured."""
+"""Draws the accuracy of the motion over the cost of a frame, from the output of bench_quality."""
 
 import argparse
 import csv
@@ -26,7 +26,7 @@ def read_rows(path: Path) -> list[dict[str, str]]:
 
 
 def front(points: list[tuple[float, float]], sign: int) -> list[tuple[float, float]]:
-    """Those that no cheaper one equals, from cheap to dear. sign: -1 where less is better."""
+    """Settings that are better than all cheaper ones, from cheap to expensive. sign: -1 if less is better."""
     kept = []
     for cost, accuracy in sorted(points):
         if not kept or sign * accuracy > sign * kept[-1][1]:
@@ -44,7 +44,7 @@ def draw(axes: Axes, rows: list[dict[str, str]], column: str, title: str, sign: 
         marker = {"filter": "^", "viterbi": "o" if row["lag"] == "0" else "v"}[row["decoder"]]
         axes.plot(cost, accuracy, marker, color=colour, ms=8 if name else 5 if marker in "^v" else 4)
         if name:
-            # On the side that the others leave free, and away from the right edge.
+            # On the free side, and away from the right edge.
             above, side = (24 * sign, "left") if name == "paper" else (-10 * sign, "right")
             axes.annotate(
                 name,

@@ -12,7 +12,7 @@ from plots.style import plt, save
 
 CONDITIONS = ["measured", "paper", "phase"]  # as in the table below the picture
 MODES = ["paper", "phase"]
-# What lies beyond is told at the edge instead of drawn, so that the others stay legible.
+# Values beyond are written at the edge instead of drawn, so that the others stay legible.
 R2_SHOWN = (0.0, 1.02)
 T_DIFF_SHOWN_MS = (-320.0, 320.0)
 
@@ -28,8 +28,8 @@ def draw_speed(path: Path, durations: list[float], values: Values, recognised: S
         for condition in CONDITIONS:
             draw_line(axes[0, column], durations, r2[condition], condition)
             draw_line(axes[1, column], durations, t_diff[condition], condition)
-        tell_beyond(axes[0, column], durations, r2, R2_SHOWN, "{:.2f}")
-        tell_beyond(axes[1, column], durations, t_diff, T_DIFF_SHOWN_MS, "{:+.0f}")
+        mark_beyond(axes[0, column], durations, r2, R2_SHOWN, "{:.2f}")
+        mark_beyond(axes[1, column], durations, t_diff, T_DIFF_SHOWN_MS, "{:+.0f}")
         for mode in MODES:
             shares = [100 * recognised(d, position, mode) for d in durations]
             draw_line(axes[2, column], durations, shares, mode)
@@ -54,10 +54,10 @@ def draw_line(axes: Axes, durations: list[float], values: list[float], condition
     axes.plot(durations, values, "o-", color=style.colour, lw=style.width, ms=4, label=style.label)
 
 
-def tell_beyond(
+def mark_beyond(
     axes: Axes, durations: list[float], lines: dict[str, list[float]], shown: tuple[float, float], number: str
 ) -> None:
-    """At the edge, in the colour of its line, each value beyond it."""
+    """Writes each value beyond the edge at the edge, in the colour of its line."""
     for place, duration in enumerate(durations):
         for edge, side, up in ((0.02, "bottom", 1), (0.98, "top", -1)):
             row = 0

@@ -1,4 +1,4 @@
-"""What all pictures have in common."""
+"""Common style of all pictures."""
 
 import sys
 from pathlib import Path
@@ -12,7 +12,7 @@ from whole_file import whole
 
 __all__ = ["BLACK", "BLUE", "GREEN", "GREY", "ORANGE", "PURPLE", "SKY", "VERMILION", "plt", "save"]
 
-# Okabe and Ito's palette: told apart by colour-blind people too.
+# Okabe and Ito's palette, which colour-blind people can distinguish.
 BLACK, ORANGE, SKY, GREEN = "#000000", "#e69f00", "#56b4e9", "#009e73"
 BLUE, VERMILION, PURPLE, GREY = "#0072b2", "#d55e00", "#cc79a7", "#999999"
 
@@ -22,9 +22,9 @@ plt.rcParams.update(
 
 
 def save(figure: Figure, path: Path) -> None:
-    """In one step: nobody sees a half of it, and it stays away where the work is broken off.
+    """Writes in one step, so that no incomplete file appears.
 
-    Ends the program with one line where it cannot be written.
+    Ends the program with one line if that fails.
     """
     try:
         with whole(path) as part:

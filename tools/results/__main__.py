@@ -26,7 +26,7 @@ from results.speed import DURATIONS_S, Speed
 from results.study import Study
 
 REAL = ROOT.parent / "shared/real/drags"
-# Folders beside REAL: hands that do other things, and what.
+# Folders beside REAL with other motion, and a description.
 OTHER_HANDS = {
     "lm_digits": "an index finger that writes digits into the air, 10 to 20 cm tall",
     "leapjs_playback": "hands that splay, pinch, clap, wave, paddle, tap on a table, roll, move about",
@@ -125,13 +125,13 @@ def describe(study: Study, subjects: int) -> str:
 
 
 def origin(study: Study) -> str:
-    """The version, and the last commit that changed what the figures depend on: this page's own does not."""
+    """The version, and the last commit of the sources of the figures."""
     settings = study.scene["phase"].summary["settings"]
     return f"SteadyHand {settings['version']}, Godot {settings['godot']}{commit_of(SOURCES)}."
 
 
 def draw(studies: list[Study], images: Path) -> dict[str, str]:
-    """Markdown of each picture by its name; a name begins with its set's."""
+    """Markdown of each picture by its name, which begins with the name of its set."""
     pictures = {}
 
     def add(name: str, file: str, caption: str) -> Path:

@@ -1,4 +1,4 @@
-"""Runs evaluations in headless Godot, and reads what they leave."""
+"""Runs evaluations in headless Godot, and reads their results."""
 
 import csv
 import json
@@ -13,14 +13,14 @@ from pathlib import Path
 from results.progress import Progress
 
 ROOT = Path(__file__).resolve().parents[2]
-TOLD = re.compile(r"(\d+) %")
+PERCENT = re.compile(r"(\d+) %")
 FIGURES = ("r2_", "lag_", "t_diff_", "sparc_")
 
 
 def run_tool(
-    name: str, options: dict[str, object], heard=lambda line: None, project: Path = ROOT / "demo_project"
+    name: str, options: dict[str, object], on_line=lambda line: None, project: Path = ROOT / "demo_project"
 ) -> None:
-    """tools/NAME.gd of the project with these options; ends the program with what the tool said where it fails."""
+    """tools/NAME.gd of the project with these options; ends the program with its output if it fails."""
     command = [os.environ["GODOT"], "--headless", "--path", project, "--script", f"res://tools/{name}.gd"]
     command += ["--", *(word for option, value in options.items() for word in (f"--{option}", value))]
     child = subprocess.Popen(
@@ -31,12 +31,12 @@ def run_tool(
         stderr=subprocess.STDOUT,
         text=True,
     )
-    said = []
+    lines = []
     for line in child.stdout:
-        said.append(line)
-        heard(line)
+        lines.append(line)
+        on_line(line)
     if child.wait() != 0:
-        raise SystemExit(f"{name} failed with status {child.returncode}:\n{''.join(said[-20:])}")
+        raise SystemExit(f"{name} failed with status {child.returncode}:\n{''.join(lines[-20:])}")
 
 
 def is_figure(column: str) -> bool:
@@ -51,13 +51,13 @@ class Evaluation:
     mode: str
     context: str
     out: Path
-    keeps_curves: bool  # they are large: until drop_curves()
+    keeps_curves: bool  # until drop_curves(): they are large
     summary: dict = field(default_factory=dict)
     rows: list[dict] = field(default_factory=list)  # of results.csv, figures as numbers
 
-    def run(self, heard) -> None:
+    def run(self, on_line) -> None:
         run_tool(
-            "evaluate", {"trials": self.trials, "out": self.out, "mode": self.mode, "context": self.context}, heard
+            "evaluate", {"trials": self.trials, "out": self.out, "mode": self.mode, "context": self.context}, on_line
         )
         if not self.keeps_curves:
             self.drop_curves()
@@ -81,7 +81,7 @@ class Evaluation:
         return {row["trial"]: (float(row["start_s"]), float(row["end_s"])) for row in rows}
 
     def groups(self) -> list[dict]:
-        """Those with figures, gesture by gesture, the stable position first."""
+        """Groups with figures, by gesture, the stable position first."""
         judged = [group for group in self.summary["groups"] if group["conditions"]]
         return sorted(judged, key=lambda group: (group["gesture"], group["position"]))
 
@@ -109,19 +109,19 @@ class Evaluation:
 
 
 def run_all(evaluations: list[Evaluation]) -> None:
-    """As many at once as there are processors."""
+    """Runs as many at once as there are processors."""
     progress = Progress("evaluating")
     done = [0.0] * len(evaluations)
     lock = threading.Lock()
 
     def run(number: int) -> None:
-        def heard(line: str) -> None:
-            if told := TOLD.search(line):
+        def on_line(line: str) -> None:
+            if percent := PERCENT.search(line):
                 with lock:
-                    done[number] = int(told[1]) / 100
+                    done[number] = int(percent[1]) / 100
                     progress.show(sum(done) / len(done))
 
-        evaluations[number].run(heard)
+        evaluations[number].run(on_line)
 
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         list(pool.map(run, range(len(evaluations))))

@@ -1,4 +1,4 @@
-"""The goals of `phase` mode: each is one figure on one set, beside raw data and the best other predictor."""
+"""The goals of `phase` mode: one figure on one set each, with raw data and the best other predictor."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

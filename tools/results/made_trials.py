@@ -1,12 +1,12 @@
-"""Trials of simulated people whom neither training nor tuning knows."""
+"""Trials of simulated people that were not used for training or tuning."""
 
 from pathlib import Path
 
 from results.evaluation import run_tool
 
-# Asked for their own pace, faster, very fast, and slower.
+# Their own pace, faster, very fast, and slower.
 PACES = [1.0, 0.6, 0.4, 1.6]
-# Of the same people, doing other things: long enough to tell 0.2 false alarms a minute from none.
+# Other motion of the same people: long enough to distinguish 0.2 false alarms per minute from none.
 OTHER_MOTION_S = 20.0
 
 

@@ -1,4 +1,4 @@
-"""Recordings of hands that make none of the gestures, as trial sets: what is recognised in them is a false alarm."""
+"""Trial sets of hands that make none of the gestures: every recognised gesture is a false alarm."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +10,7 @@ HEADER = "trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_z,a
 
 @dataclass
 class OtherHands:
-    """What one folder of tracks holds; nothing is given."""
+    """The tracks of one folder, without a task."""
 
     what: str
     evaluation: Evaluation  # in `phase` mode
@@ -26,7 +26,7 @@ class OtherHands:
         return self.evaluation.summary["none_minutes"]
 
     def alarms(self) -> dict[str, dict[str, int]]:
-        """How often each gesture ended in each recording, none left out that has any."""
+        """How often each gesture ended in each recording that has one."""
         counts: dict[str, dict[str, int]] = {}
         for alarm in self.evaluation.summary["false_alarms"]:
             recording = counts.setdefault(alarm["gesture"], {})

@@ -1,4 +1,4 @@
-"""docs/results*.md: every number and every mark of them is filled in here."""
+"""Writes docs/results*.md, with all numbers and marks."""
 
 from collections.abc import Iterable, Iterator
 from pathlib import Path

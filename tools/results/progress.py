@@ -1,4 +1,4 @@
-"""How far a long run has come: one line that moves on a terminal, a line at every tenth elsewhere."""
+"""Shows the progress of a long run: one moving line on a terminal, else a line for every 10 %."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""One after another: what the same execution comes to after others of its kind."""
+"""Repetition: figures of a gesture after others of its kind."""
 
 from dataclasses import dataclass
 from pathlib import Path

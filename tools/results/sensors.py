@@ -1,4 +1,4 @@
-"""Other sensors: the same people's trials as trackers of other makes would have shown them."""
+"""Other sensors: the same people's trials with the errors of other trackers."""
 
 import csv
 import shutil
@@ -19,7 +19,7 @@ SLIDES_BACK_S = 0.06
 WANDERS_M_PER_S = 0.4
 WANDERS_S = 0.3
 
-# Of the coordinates (frames, columns) that a tracker showed at these times, nan where it saw nothing.
+# Changes the coordinates (frames, columns) of a tracker at these times; nan: not tracked.
 Change = Callable[[np.ndarray, np.ndarray, np.random.Generator], np.ndarray]
 
 
@@ -40,13 +40,13 @@ def rounded(resolution_m: float) -> Change:
 
 
 def outliers(_: np.ndarray, shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
-    """The whole hand is elsewhere, frame by frame."""
+    """Moves the whole hand in single frames."""
     where = rng.normal(0.0, OUTLIER_M, (len(shown), 3)) * (rng.random((len(shown), 1)) < OUTLIERS)
     return shown + np.tile(where, shown.shape[1] // 3)
 
 
 def astray(way_m: Callable[[np.ndarray], np.ndarray]) -> Change:
-    """The whole hand is off in one direction, by way_m of the time since that began, now and then."""
+    """Sometimes moves the whole hand in one direction, by way_m of the time since then."""
 
     def change(t: np.ndarray, shown: np.ndarray, rng: np.random.Generator) -> np.ndarray:
         off = np.zeros((len(t), 3))
@@ -64,7 +64,7 @@ def astray(way_m: Callable[[np.ndarray], np.ndarray]) -> Change:
 @dataclass(frozen=True)
 class Sensor:
     change: Change
-    every: int = 1  # so manieth frame is all that it has
+    every: int = 1  # keeps only every n-th frame
 
 
 SENSORS = {
@@ -95,7 +95,7 @@ class Sensors:
 
     @classmethod
     def of(cls, trials: Path, out: Path) -> "Sensors":
-        """The sets are made beside one another in `out`."""
+        """Makes one set for each sensor in `out`."""
         folders = {name: out / name for name in SENSORS}
         for name, sensor in SENSORS.items():
             write_trials(trials, folders[name], sensor)
@@ -113,7 +113,7 @@ class Sensors:
         return [*self.task_given.values(), *self.nothing_given.values()]
 
     def values(self, sensor: str, position: str, figure: str, condition: str) -> np.ndarray:
-        """Of each trial: r2, r2_zero or t_diff, with a task."""
+        """The figure (r2, r2_zero or t_diff) of each trial, with a task."""
         column = f"{figure}_{condition}"
         return np.array([row[column] for row in self.task_given[sensor].rows if row["position"] == position])
 
@@ -128,7 +128,7 @@ class Sensors:
 
 
 def write_trials(source: Path, out: Path, sensor: Sensor) -> None:
-    """The set as the sensor would have measured it."""
+    """Writes the set with the sensor's errors."""
     out.mkdir(parents=True)
     shutil.copy(source / "trials.csv", out)
     rng = np.random.default_rng(SEED)

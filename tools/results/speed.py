@@ -1,4 +1,4 @@
-"""Speed of execution: what the same people's gestures come to when they take from 0.15 s to 4 s."""
+"""Speed: figures of the same people's gestures with durations from 0.15 s to 4 s."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -24,7 +24,7 @@ class Speed:
         return [evaluation for study in self.studies.values() for evaluation in study.evaluations()]
 
     def values(self, duration_s: float, position: str, figure: str, condition: str) -> np.ndarray:
-        """Of each trial: r2, r2_zero, lag, t_diff or sparc."""
+        """The figure (r2, r2_zero, lag, t_diff or sparc) of each trial."""
         study = self.studies[duration_s]
         return np.concatenate([study.values(gesture, position, figure, condition) for gesture in study.gestures()])
 

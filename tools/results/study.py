@@ -1,4 +1,4 @@
-"""One trial set in both modes and both contexts, as the conditions that are compared."""
+"""One trial set in both modes and both contexts, as compared conditions."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +10,7 @@ from results.evaluation import Evaluation
 MODES = ["paper", "phase"]
 CONTEXTS = ["scene", "open"]
 
-# What is compared, in the order of every table and picture; both modes are the synthesised motion of a run each.
+# Conditions in the order of every table and picture. Each mode is the synthesised motion of its own run.
 CONDITIONS = {
     "measured": "measured",
     "average": "41-point average",
@@ -23,7 +23,7 @@ OTHERS = ["measured", "average", "one_euro", "kalman"]
 
 
 def source_of(condition: str) -> tuple[str, str]:
-    """The mode whose run has it, and its name there."""
+    """The mode whose run has the condition, and its name there."""
     return (condition, "synthesised") if condition in MODES else ("phase", condition)
 
 
@@ -31,7 +31,7 @@ def source_of(condition: str) -> tuple[str, str]:
 class Study:
     name: str
     scene: dict[str, Evaluation]  # by mode; the trial's task is given
-    open: dict[str, Evaluation]  # by mode; nothing is given
+    open: dict[str, Evaluation]  # by mode; without a task
 
     @classmethod
     def of(cls, name: str, trials: Path, out: Path, keeps_curves: bool = True) -> "Study":
@@ -73,7 +73,7 @@ class Study:
         return self.scene[mode].values(gesture, position, figure, name)
 
     def curves(self, trial: str) -> dict[str, np.ndarray]:
-        """Those of TRIAL.curves.csv, with both modes by their names in place of `synthesised`."""
+        """Curves of TRIAL.curves.csv, with both modes in place of `synthesised`."""
         curves = read_curves(self.scene["phase"].out / f"{trial}.curves.csv")
         curves["phase"] = curves.pop("synthesised")
         curves["paper"] = read_curves(self.scene["paper"].out / f"{trial}.curves.csv")["synthesised"]

@@ -26,7 +26,7 @@ class Analysis:
 
     @property
     def label(self) -> str:
-        """Stands in the title of every section, table and figure."""
+        """Part of the title of every section, table and figure."""
         return ORIGINS[self.origin]
 
     @property

@@ -50,7 +50,7 @@ def run(given: list[Path], out: Path) -> int:
 
 
 def write(path: Path, kind: type, rows: Iterable[Cell] | Iterable[Group]) -> None:
-    """In one step: the table of an earlier run stays where this one cannot be written."""
+    """In one step: an earlier table stays if the new one cannot be written."""
     with whole(path) as part, part.open("w", encoding="utf-8", newline="") as file:
         lines = csv.writer(file, lineterminator="\n")
         lines.writerow(field.name for field in fields(kind))
@@ -65,7 +65,7 @@ def plain(value: str | int | float | None) -> str:
 
 
 def table(rows: list[Group]) -> str:
-    """Text to the left, numbers to the right; what there is none of is a dash."""
+    """Text to the left, numbers to the right. A missing value is a dash."""
 
     def shown(value: float | None, form: str, unit: float = 1.0) -> str:
         return "-" if value is None else format(value / unit, form)
@@ -102,6 +102,6 @@ def table(rows: list[Group]) -> str:
 def notes(trials: list[Trial], of: list[Cell]) -> Iterable[str]:
     persons = [trial for trial in trials if trial.origin == "person"]
     if unnamed := sum(not trial.participant for trial in persons):
-        yield f"{unnamed} of {len(persons)} trials of persons name no participant: they are taken for one person's"
+        yield f"{unnamed} of {len(persons)} trials of persons name no participant: they count as one person"
     if without := sum(one.throughput_bits_s is None for one in of):
-        yield f"{without} of {len(of)} rows have no throughput: it wants two ends or more that differ, beyond the start"
+        yield f"{without} of {len(of)} rows have no throughput: it needs two or more different ends beyond the start"

@@ -8,9 +8,9 @@ from pathlib import Path
 from study.rows import COLUMNS, TASKS, Trial, parse
 
 FILE_NAME = "trials.csv"
-# What is in and below a folder with a file of this name is not of the study.
+# A folder with a file of this name is no part of the study.
 NO_STUDY = "no_study.txt"
-# Of a trial set, which is a trials.csv too.
+# A column of trial sets, whose table is named trials.csv, too.
 SET_COLUMNS = {"start_x", "axis_x", "subject"}
 
 # Origins whose trials are the same in each session.
@@ -21,10 +21,10 @@ PLAYED = ["synthetic", "replay"]
 class Line:
     number: int
     cells: list[str] = field(default_factory=list)
-    fault: str = ""  # why it has none
+    fault: str = ""  # why it has no cells
 
     def row(self, header: list[str]) -> dict[str, str]:
-        """ValueError says what is wrong."""
+        """ValueError names the fault."""
         if self.fault or len(self.cells) != len(header):
             raise ValueError(self.fault or f"{len(self.cells)} cells, the header has {len(header)}")
         return dict(zip(header, self.cells, strict=True))
@@ -34,14 +34,14 @@ class Line:
 class Logs:
     trials: list[Trial] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)  # each names its file, and the line if it is one
-    notes: list[str] = field(default_factory=list)  # what is no fault, and worth to be told
-    # Where each trial was read, FILE:LINE. One that is there twice is so to the last digit; without a start it may be
-    # another session's: the file is part of its key.
+    notes: list[str] = field(default_factory=list)  # notes that are no faults
+    # FILE:LINE of each trial. Equal rows are the same trial. Without a start time they may be of two sessions: the file
+    # is part of the key.
     read: dict[tuple[Trial, Path | None], str] = field(default_factory=dict)
 
 
 def read_logs(given: list[Path]) -> Logs:
-    """Every trials.csv in or below the folders given, each once. What cannot be read is a fault; the rest goes on."""
+    """Every trials.csv in or below the given folders, each once. An unreadable file is a fault; the others are read."""
     logs = Logs()
     files: dict[Path, tuple[Path, bool]] = {}
     for path in given:
@@ -55,18 +55,18 @@ def read_logs(given: list[Path]) -> Logs:
                 logs.notes.append(note)
     for file, is_named in files.values():
         read_file(file, is_named, logs)
-    tell_own_gestures(logs)
+    note_custom_gestures(logs)
     return logs
 
 
 def set_apart(file: Path, given: Path) -> Path | None:
-    """The folder below the one given that says that what is in it is not of the study."""
+    """The folder below the given one that is marked as no part of the study."""
     between = [folder for folder in file.parents if folder != given and folder.is_relative_to(given)]
     return next((folder for folder in between if (folder / NO_STUDY).exists()), None)
 
 
 def read_file(path: Path, is_named: bool, logs: Logs) -> None:
-    """Its trials in their order, and what is wrong with a line: the others go on."""
+    """Reads its trials in order. A bad line is a fault; the others are read."""
     try:
         lines = list(read_lines(path))
     except OSError as fault:
@@ -87,7 +87,7 @@ def header_fault(header: list[str], columns: list[str]) -> str:
     """Why a table cannot be read. Empty: it has all columns."""
     if not header:
         return "no header line"
-    # As spreadsheets write it where numbers have a decimal comma, and as they copy it.
+    # Spreadsheets write ';' if numbers have a decimal comma, and copy with tabs.
     for mark, name in ((";", "';'"), ("\t", "tabs")):
         if len(header) == 1 and mark in header[0]:
             return f"cells are separated by {name}: they must be by ',', and numbers have a '.'"
@@ -117,12 +117,12 @@ def read_rows(path: Path, header: list[str], lines: list[Line], logs: Logs) -> N
     for (_, is_fault), rows in again.items():
         number, first = rows[0]
         others = f", and {len(rows) - 1} more rows of these files" if len(rows) > 1 else ""
-        told = logs.faults if is_fault else logs.notes
-        told.append(f"{path}:{number}: the row of {first} again{others}: counted once")
+        found = logs.faults if is_fault else logs.notes
+        found.append(f"{path}:{number}: the same row as {first}{others}: counted once")
 
 
 def read_lines(path: Path) -> Iterator[Line]:
-    """Those that are not empty. No cell has a line break: a quote that stays open takes no other line with it."""
+    """Lines that are not empty. Cells have no line breaks: an open quote affects only its own line."""
     for number, line in enumerate(path.read_bytes().splitlines(), start=1):
         try:
             text = line.decode("utf-8-sig" if number == 1 else "utf-8")
@@ -136,9 +136,9 @@ def read_lines(path: Path) -> Iterator[Line]:
             yield Line(number, fault=what)
 
 
-def tell_own_gestures(logs: Logs) -> None:
-    """A gesture may be one's own, and one of the demo's that is misspelt."""
+def note_custom_gestures(logs: Logs) -> None:
+    """Notes unknown gestures: custom ones, or misspelt ones of the demo."""
     for (trial, _), place in logs.read.items():
         note = f"'{trial.gesture}' is none of the demo's tasks, {', '.join(TASKS)}; the first is in "
-        if trial.gesture not in TASKS and not any(told.startswith(note) for told in logs.notes):
+        if trial.gesture not in TASKS and not any(one.startswith(note) for one in logs.notes):
             logs.notes.append(note + place)

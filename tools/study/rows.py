@@ -16,13 +16,13 @@ COLUMNS = [
     "end_value_m",
 ]
 NUMBERS = COLUMNS[5:]
-# Of the scenes; a gesture of one's own may have another.
+# Gestures of the scenes; there may be custom ones.
 TASKS = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
 POSITIONS = ["stable", "unstable", ""]
 ORIGINS = ["person", "mouse", "synthetic", "replay"]
-# As demo_project/scripts/conditions.gd has them, which the command suite compares.
+# As in demo_project/scripts/conditions.gd; the command suite compares them.
 CONDITIONS = ["measured", "average", "one_euro", "kalman", "synthesised"]
-# A log without the column origin is of an earlier version: its trials' names tell.
+# A log of an earlier version has no column origin: the trials' names give it.
 NAMED_AFTER = {"live": "person", "mouse": "mouse", "synthetic": "synthetic"}
 # Metres or seconds: eleven days.
 LARGEST = 1e6
@@ -37,7 +37,7 @@ class Trial:
     condition: str
     amplitude_m: float
     width_m: float | None
-    start_s: float | None  # None, as the next two: it never came
+    start_s: float | None  # None, as the next two: it did not occur
     gesture_end_s: float | None
     end_value_m: float | None
     origin: str = "replay"  # of study.session_file.ORIGINS
@@ -53,7 +53,7 @@ class Trial:
 
 
 def parse(row: dict[str, str]) -> Trial:
-    """ValueError says what is wrong."""
+    """ValueError names the fault."""
     if row["gesture"] in ("", "none"):
         raise ValueError(f"gesture: '{row['gesture']}' is no gesture's name")
     for column, known in (("position", POSITIONS), ("condition", CONDITIONS)):

@@ -40,7 +40,7 @@ class Session:
 
 
 def read_session(path: Path) -> Session:
-    """ValueError names the file, the place in it and what is wrong."""
+    """ValueError names file, place and fault."""
     try:
         data = json.loads(path.read_text("utf-8-sig"))
     except json.JSONDecodeError as fault:

@@ -71,7 +71,7 @@ class Answer:
 
 
 def parse_trial(session: Session, row: dict[str, str]) -> StudyTrial:
-    """ValueError says what is wrong."""
+    """ValueError names the fault."""
     check_owner(session, row)
     trial = integer(row, "trial", 1)
     practice = one_of(row, "practice", ["0", "1"]) == "1"
@@ -111,7 +111,7 @@ def parse_trial(session: Session, row: dict[str, str]) -> StudyTrial:
 
 
 def parse_answer(session: Session, row: dict[str, str]) -> Answer:
-    """ValueError says what is wrong."""
+    """ValueError names the fault."""
     check_owner(session, row)
     for column in ("questionnaire", "item"):
         if not row[column]:

@@ -17,9 +17,9 @@ WIDTH_PER_DEVIATION = 4.133
 
 @dataclass(frozen=True)
 class Cell:
-    """What one participant did in one task, position and condition, at one amplitude and width.
+    """Results of one participant in one task, position and condition, at one amplitude and width.
 
-    None: there is no such figure. A width wants two ends at least that differ.
+    None: there is no such figure. A width needs two or more different ends.
     """
 
     origin: str
