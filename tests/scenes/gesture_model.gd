@@ -12,7 +12,7 @@ func test_installed_models_load() -> void:
 		check(model != null, "%s loads" % gesture)
 		check_equal(String(model.gesture), gesture, "its gesture")
 		check_equal(model.state_count, 4, "its states")
-		check(not model.get_provenance().is_empty(), "it says where it comes from")
+		check(not model.get_provenance().is_empty(), "it has a provenance")
 		check_near(model.evaluate(0.0), 0.0, 0.05, "its curve starts at 0")
 		check_near(model.evaluate(1.0), 1.0, 0.05, "and ends at 1")
 

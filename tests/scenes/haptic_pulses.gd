@@ -71,7 +71,7 @@ func test_a_controller_feels_the_spring_and_the_end() -> void:
 	check_equal(pulses[0]["action"], "haptic", "the action")
 	check_equal(pulses[0]["tracker"], &"right_hand", "the tracker")
 	check_near(pulses[0]["frequency"], 180.0, 1e-6, "the frequency")
-	check(pulses[0]["duration"] <= 0.1, "it ends by itself")
+	check(pulses[0]["duration"] <= 0.1, "a pulse lasts 0.1 s at most")
 	check_equal(pulses[-1]["amplitude"], 0.0, "the last pulse is silent")
 	var most: int = ceili(played["seconds"] / 0.02) + 2
 	check(pulses.size() <= most, "%d pulses in %s s" % [pulses.size(), played["seconds"]])
@@ -266,7 +266,7 @@ func test_an_arrival_is_felt_once() -> void:
 				rig.tracker.push_frame(begun_s + frame * FRAME_S, rest)
 				before = maxf(before, Input.get_joy_vibration_strength(JOYPAD).x)
 				before = maxf(before, synth.get_amplitude())
-			check_equal(before, 0.0, "nor at that time of the next run")
+			check_equal(before, 0.0, "no pulse at that time of the next run")
 		synth.free()
 		next.free()
 		rig.free_nodes()

@@ -18,7 +18,7 @@ func test_without_liblsl_it_warns_once_and_frames_go_on() -> void:
 	check_equal(_push_frames(outlet), FRAMES, "frames go on")
 	root.remove_child(outlet)
 	root.add_child(outlet)
-	check(not outlet.is_active(), "nor after it is in the tree again")
+	check(not outlet.is_active(), "it stays inactive in the tree again")
 	outlet.stream_name = "Other"
 	check_equal(outlet.stream_name, "Other", "its name can be changed")
 	_free(outlet)
