@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# setup_debian.sh LIST...: installs what is missing of the packages in tools/requirements/debian-LIST.txt.
+# setup_debian.sh LIST...: installs the missing packages of tools/requirements/debian-LIST.txt.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tools/shell.sh

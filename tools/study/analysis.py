@@ -1,4 +1,4 @@
-"""Splits what was read: one analysis for each study and origin, so that persons and made-up data never mix."""
+"""One analysis for each study and origin, so that persons and made-up data never mix."""
 
 from dataclasses import dataclass, field
 

@@ -31,7 +31,7 @@ LARGEST = 1e6
 @dataclass(frozen=True)
 class Trial:
     name: str
-    participant: str  # empty: nobody was named
+    participant: str  # empty: not named
     gesture: str
     position: str  # stable, unstable; empty: neither
     condition: str

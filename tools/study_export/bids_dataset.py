@@ -43,7 +43,7 @@ SESSIONS = [
 
 
 def write_dataset(sessions: list[Session], out: Path, found: Findings) -> None:
-    """`out` is there whole or not at all. ValueError: the study cannot be a BIDS dataset. OSError: as of the disk."""
+    """Writes all of `out` or nothing. ValueError: the study cannot be a BIDS dataset. OSError: a disk error."""
     if out.exists() and not out.is_dir():
         raise ValueError(f"{out}: this is a file. Name a new folder")
     if out.exists() and any(out.iterdir()):

@@ -59,7 +59,7 @@ def read_table(
 
 
 def records(text: str) -> Iterator[tuple[int, list[str], str, bool]]:
-    """Of each record that is not empty: its first line, its cells, what is wrong, and whether that is the last line."""
+    """First line, cells and fault of each record that is not empty, and whether that line is the last one."""
     last = len(io.StringIO(text, newline=None).readlines())
     lines = csv.reader(io.StringIO(text, newline=""), strict=True)
     while True:

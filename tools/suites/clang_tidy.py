@@ -105,7 +105,7 @@ def together(sources: list[Path]) -> str:
 
 
 def as_compiled(made: Path, source: Path, commands: dict[str, str]) -> dict:
-    """The entry of compile_commands.json for what was made of a folder with this source."""
+    """The entry of compile_commands.json for the generated source of this source's folder."""
     name = str(source.relative_to(ROOT))
     command = commands[name].removesuffix(name) + shlex.quote(str(made))
     return {"directory": str(ROOT), "file": str(made), "command": command}

@@ -60,7 +60,7 @@ class Page:
         return {title.strip().replace(" ", "-") for title in plain}
 
     def commands(self) -> Iterator[tuple[int, str, str]]:
-        """Line, verb and arguments of each `./steadyhand` in code; a line that ends with `\\` goes on."""
+        """Line, verb and arguments of each `./steadyhand` in code; a line that ends with `\\` continues."""
         text = "\n".join(self.lines)
         for found in COMMAND.finditer(re.sub(r"\\\n", "  ", text)):
             yield text[: found.start()].count("\n") + 1, found[1], found[2]

@@ -70,7 +70,7 @@ def ridge_goes_on() -> Iterator[Outcome]:
     found = predictor.predict(t_s[-1] + ahead_s)
     line = 0.2 + 1.5 * (t_s[-1] + wanted[0, 0] * (ahead_s + SENSOR_LATENCY_S))
     yield Outcome.of(
-        "predictors/ridge: a constant speed goes on", np.allclose(found, line, atol=1e-6), f"{found} {line}"
+        "predictors/ridge: a constant speed continues", np.allclose(found, line, atol=1e-6), f"{found} {line}"
     )
     of_hand = ridge.derivatives(t_s, 0.3 + 0.7 * t_s + 2.0 * t_s**2)
     good = np.allclose(of_hand, [0.7 + 4.0 * t_s[-1], 4.0])

@@ -1,4 +1,4 @@
-"""docs/study.md, word by word: its protocol saved, its commands run in their order in an empty folder."""
+"""docs/study.md: saves its protocol, and runs its commands in order in an empty folder."""
 
 import csv
 import os
@@ -16,7 +16,7 @@ from suites.process import ROOT, run
 PAGE = ROOT / "docs/study.md"
 BLOCK = re.compile(r"^( *)```(ini|sh|python)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
 SAVED_AS = re.compile(r"Save it as `([^`]+)`")
-# The engine goes on after an error, and exits with 0.
+# The engine continues after an error, and exits with 0.
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT )?ERROR:|Parse Error|Traceback", re.MULTILINE)
 KILL_S = 120
 MADE = [

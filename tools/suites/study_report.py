@@ -1,4 +1,4 @@
-"""./steadyhand study on sessions: who counts, what is left out, and the report."""
+"""./steadyhand study on sessions: counted people, left-out rows, and the report."""
 
 import re
 import shutil
@@ -293,13 +293,15 @@ def curves_of_the_median(folder: Path) -> Iterator[Outcome]:
     chosen.path.write_text("".join(lines))
     status, output = report(folder / "study", folder / "out")
     good = status == 1 and f"{chosen.path}:5: measured: 'x' is not a number" in output
-    yield Outcome.of("command/study report: a bad curve is named, the rest goes on", good, f"{status}\n{output}")
+    yield Outcome.of(
+        "command/study report: a bad curve is named, the other figures are made", good, f"{status}\n{output}"
+    )
     for path in folder.rglob("*.motion.csv"):
         path.unlink()
     status, output = report(folder / "study", folder / "out")
     text = (folder / "out/report.html").read_text("utf-8")
     good = status == 0 and "there are no curves to draw" in text and not list((folder / "out").glob("*curves.png"))
-    yield Outcome.of("command/study report: without curves a note stands there", good, f"{status}\n{output}")
+    yield Outcome.of("command/study report: without curves there is a note", good, f"{status}\n{output}")
 
 
 def other_inputs(folder: Path) -> Iterator[Outcome]:

@@ -1,4 +1,4 @@
-"""docs/new_gesture.md, word by word: its scripts saved where it says, its commands run in their order."""
+"""docs/new_gesture.md: saves its scripts, and runs its commands in order."""
 
 import json
 import os
@@ -13,7 +13,7 @@ PAGE = ROOT / "docs/new_gesture.md"
 FOLDER = ROOT / "build/new_gesture"
 BLOCK = re.compile(r"^```(gdscript|sh)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SAVED_AS = re.compile(r"[Ss]ave\s+(?:this\s+|it\s+)?as\s+`([^`]+)`")
-# The engine goes on after an error, and exits with 0.
+# The engine continues after an error, and exits with 0.
 COMPLAINT = re.compile(r"^\s*(?:SCRIPT )?ERROR:|Parse Error", re.MULTILINE)
 
 
