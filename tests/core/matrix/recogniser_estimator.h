@@ -2,7 +2,7 @@
 
 #include "estimator.h"
 #include "recognition/gesture_changes.h"
-#include "tracking/frame_door.h"
+#include "tracking/frame_filter.h"
 
 #include <memory>
 #include <utility>
@@ -19,7 +19,7 @@ public:
 	void push(const HandFrame &frame) override {
 		DeviceFrame shown;
 		shown.hand = frame;
-		door_.clean(shown);
+		filter_.clean(shown);
 		recogniser_.push(shown.hand);
 	}
 
@@ -32,7 +32,7 @@ public:
 	}
 
 private:
-	FrameDoor door_;
+	FrameFilter filter_;
 	GestureRecogniser recogniser_;
 	ShownGesture shown_;
 };
