@@ -80,7 +80,8 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	const CurvePoint hand = curve.at(phase);
 	const double progress = std::clamp(hand.value, 0.0, 1.0),
 				 progress_slope = hand.value == progress ? hand.slope : 0.0;
-	const double lag_slope = is_lagging ? lag_fraction(duration_s_) * rate * progress : 0.0;
+	const double lag_rate = is_lagging ? lag_fraction(duration_s_) * rate : 0.0;
+	const double lag_slope = lag_rate * progress; // phase by which the tracker is behind, per second of lag
 	const double shown_phase = phase - mean_(LAG) * lag_slope;
 	const CurvePoint own = is_lagging ? curve.at(shown_phase) : hand;
 	const Polynomial::Point jerk = minimum_jerk(shown_phase);
@@ -90,8 +91,7 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	p.x = amplitude * f + mean_(DEVIATION);
 	p.velocity = rate * own.slope;
 	// d x / d phase. The lag depends on the phase too.
-	const double by_phase =
-			slope * (progress > 0.0 ? 1.0 - mean_(LAG) * lag_slope / progress * progress_slope : 1.0);
+	const double by_phase = slope * (1.0 - mean_(LAG) * lag_rate * progress_slope);
 	p.slope(ONSET) = -by_phase * rate;
 	p.slope(LOG_DURATION) = -by_phase * phase +
 			slope * mean_(LAG) * lag_slope * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
