@@ -110,18 +110,9 @@ func warnings() -> PackedStringArray:
 	var found := PackedStringArray()
 	for asked in questionnaires:
 		if asked != null and asked.after_trials > 0 and block_size % asked.after_trials != 0:
-			(
-				found
-				. append(
-					(
-						(
-							"Questionnaire '%s': 'after_trials' is %d, and does not divide 'block_size' (%d): "
-							% [asked.name, asked.after_trials, block_size]
-						)
-						+ "its answers are about several conditions, and count for the last one."
-					)
-				)
-			)
+			var text := "Questionnaire '%s': 'after_trials' is %d, and does not divide 'block_size' (%d): "
+			text += "its answers are about several conditions, and count for the last one."
+			found.append(text % [asked.name, asked.after_trials, block_size])
 	return found
 
 

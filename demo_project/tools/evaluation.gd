@@ -140,8 +140,8 @@ static func default_of(property: StringName) -> float:
 	return ClassDB.class_get_property_default_value(&"GestureHMM", property)
 
 
-## A scene has a task also while the hand makes no gesture: that of one of the set's other trials at
-## this position, each in turn. Empty: there is none.
+## The task of a trial without a gesture: trial number `turn` of those with a gesture at this
+## position, in a cycle. Empty if there is none.
 static func _task_to_wait_for(
 	trial_set: TrialSet, models: Array[GestureModel], position: String, turn: int
 ) -> Dictionary:

@@ -15,7 +15,7 @@ inline String node_label(const Node &p_node) {
 	return name.is_empty() ? p_node.get_class() : p_node.get_class() + String(" '") + name + String("'");
 }
 
-/// Why a value is refused, e.g. "GestureTask '/root/Key': amplitude must be 1e-6..1e9 m, is 0.0".
+/// Why a value is refused, e.g. "GestureTask '<path>': amplitude must be 1e-6..1e9 m, is 0.0".
 inline String refusal(const String &p_where, const String &p_rule, const Variant &p_value) {
 	return p_where + String(": ") + p_rule + String(", is ") + p_value.stringify();
 }
