@@ -1,54 +1,46 @@
-#include "gesture_events.h"
 #include "recognition/gesture_changes.h"
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 using namespace steadyhand;
-using namespace steadyhand::test;
 
 namespace {
 
-constexpr ShownGesture NOTHING, DRAG_MOVES{ 0, 1, 0, false }, DRAG_NEAR_END{ 0, 1, 3, false },
+constexpr ShownGesture NONE, DRAG_MOVES{ 0, 1, 0, false }, DRAG_NEAR_END{ 0, 1, 3, false },
 		DRAG_ENDS{ 0, 1, 3, true }, SECOND_DRAG{ 0, 2, 0, false }, SHORT_DRAG{ 0, 2, 3, true },
 		TAP_MOVES{ 1, 1, 0, false };
 
-constexpr GestureChanges STARTS{ .started = true, .state_changed = true },
+constexpr GestureChanges NO_CHANGE, STARTS{ .started = true, .state_changed = true },
 		STATE_CHANGES{ .state_changed = true }, ABORTS{ .aborted = true, .state_changed = true },
 		ENDS{ .ended = true }, IS_REPLACED{ .aborted = true, .started = true, .state_changed = true },
 		STARTS_AND_ENDS{ .started = true, .state_changed = true, .ended = true };
 
+struct Row {
+	std::string what;
+	ShownGesture before, now;
+	GestureChanges changes;
+};
+
 } // namespace
 
 TEST_CASE("changes_between() reports starts, state changes, ends and aborts") {
-	CHECK(changes_between(NOTHING, NOTHING) == GestureChanges());
-	CHECK(changes_between(DRAG_MOVES, DRAG_MOVES) == GestureChanges());
-	CHECK(changes_between(NOTHING, DRAG_MOVES) == STARTS);
-	CHECK(changes_between(DRAG_MOVES, DRAG_NEAR_END) == STATE_CHANGES);
-	CHECK(changes_between(DRAG_NEAR_END, DRAG_ENDS) == ENDS);
-	CHECK(changes_between(DRAG_MOVES, NOTHING) == ABORTS);
-	CHECK_MESSAGE(changes_between(DRAG_ENDS, NOTHING) == STATE_CHANGES, "an ended gesture does not abort");
-}
-
-TEST_CASE("a gesture that replaces an active one aborts that one") {
-	CHECK(changes_between(DRAG_MOVES, TAP_MOVES) == IS_REPLACED);
-	CHECK_MESSAGE(changes_between(DRAG_ENDS, TAP_MOVES) == STARTS, "after an ended gesture");
-	CHECK_MESSAGE(
-			changes_between(DRAG_ENDS, SECOND_DRAG) == STARTS, "after an ended gesture of the same model");
-	CHECK_MESSAGE(
-			changes_between(DRAG_NEAR_END, SECOND_DRAG) == IS_REPLACED, "aborts and starts at one instant");
-	CHECK_MESSAGE(
-			changes_between(DRAG_ENDS, SHORT_DRAG) == STARTS_AND_ENDS, "starts and ends at one instant");
-}
-
-TEST_CASE("shown_gesture() gives idle, active and ended of a drag") {
-	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
-	CHECK(shown_gesture(recogniser) == NOTHING);
-	bool moved = false;
-	for (const HandFrame &frame : drag_track(DRAG, 100.0, 2.5).frames) {
-		recogniser.push(frame);
-		const ShownGesture now = shown_gesture(recogniser);
-		moved = moved || (now.gesture == 0 && now.number == 1 && !now.has_ended);
+	for (const auto &[what, before, now, changes] : {
+				 Row{ "idle", NONE, NONE, NO_CHANGE },
+				 { "the same", DRAG_MOVES, DRAG_MOVES, NO_CHANGE },
+				 { "start", NONE, DRAG_MOVES, STARTS },
+				 { "later state", DRAG_MOVES, DRAG_NEAR_END, STATE_CHANGES },
+				 { "end", DRAG_NEAR_END, DRAG_ENDS, ENDS },
+				 { "abort", DRAG_MOVES, NONE, ABORTS },
+				 { "an ended gesture does not abort", DRAG_ENDS, NONE, STATE_CHANGES },
+				 { "another gesture", DRAG_MOVES, TAP_MOVES, IS_REPLACED },
+				 { "another gesture after an end", DRAG_ENDS, TAP_MOVES, STARTS },
+				 { "the same gesture after an end", DRAG_ENDS, SECOND_DRAG, STARTS },
+				 { "aborts and starts at one instant", DRAG_NEAR_END, SECOND_DRAG, IS_REPLACED },
+				 { "starts and ends at one instant", DRAG_ENDS, SHORT_DRAG, STARTS_AND_ENDS },
+		 }) {
+		INFO(what);
+		CHECK(changes_between(before, now) == changes);
 	}
-	CHECK(moved);
-	CHECK(shown_gesture(recogniser) == DRAG_ENDS);
 }
