@@ -1,9 +1,6 @@
 // The own acceleration: acceleration of the hand, without corrections at new frames.
 
 #include "gesture_events.h"
-#include "haptics/effect.h"
-#include "near.h"
-#include "vibration_rig.h"
 
 #include <doctest/doctest.h>
 
@@ -51,40 +48,4 @@ TEST_CASE("the own acceleration follows the hand at noise of 0.5 mm") {
 		}
 	}
 	CHECK(std::sqrt(off_square / truth_square) < 0.7);
-}
-
-TEST_CASE("an effect uses the own acceleration, linear between knots") {
-	const test::Movement movement{ 0.35 };
-	MotionSnapshot snapshot = movement.snapshot(0.05);
-	for (std::size_t i = 0; i < snapshot.count; ++i) {
-		snapshot.knots[i].correction = 90.0 * std::cos(2.0 * static_cast<double>(i));
-	}
-	MotionCurve curve;
-	curve.set(snapshot);
-	Effect effect;
-	effect.drive = Drive::ACCELERATION;
-	effect.full_scale = 1000.0;
-	for (int i = 0; i < 270; ++i) {
-		const double t_s = 0.05 + 0.00037 * i;
-		const auto knot = static_cast<std::size_t>((t_s - 0.05) / 0.01);
-		const auto own_at = [&](std::size_t k) {
-			return snapshot.knots[k].acceleration - snapshot.knots[k].correction;
-		};
-		const double slope = (own_at(knot + 1) - own_at(knot)) / 0.01;
-		const double own = own_at(knot) + slope * (t_s - 0.05 - 0.01 * static_cast<double>(knot));
-		const MotionPoint truth = movement.at(t_s);
-		for (const MotionPoint &made : { snapshot.at(t_s), curve.at(t_s) }) {
-			REQUIRE(std::abs(made.position - truth.position) < 1e-12);
-			REQUIRE(std::abs(made.acceleration - truth.acceleration) < 1e-7);
-			REQUIRE(std::abs(made.own_acceleration() - own) < 1e-7);
-			const LevelPoint level = level_of(effect, made, test::AMPLITUDE_M);
-			REQUIRE(level.value == test::near(test::AMPLITUDE_M * std::abs(own) / 1000.0).epsilon(1e-6));
-			const double sign = own < 0.0 ? -1.0 : 1.0;
-			REQUIRE(level.slope == test::near(sign * test::AMPLITUDE_M * slope / 1000.0).epsilon(1e-6));
-		}
-	}
-	for (const double t_s : { snapshot.time_s, snapshot.end_s() }) {
-		CHECK(snapshot.at(t_s + 1e-9).own_acceleration() ==
-				test::near(snapshot.at(t_s - 1e-9).own_acceleration()).epsilon(1e-5));
-	}
 }
