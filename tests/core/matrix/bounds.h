@@ -117,7 +117,6 @@ inline constexpr std::array BOUNDS{
 	Bound{ "smooth stop", Metric::STOP_ERROR_PERCENT, 2.0, Standing::MEASURED },
 	Bound{ "smooth stop", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },
 	Bound{ "halt", Metric::R2_BELOW_RAW, 0.0, Standing::MEASURED },
-	Bound{ "halt", Metric::VALUE_STEP_PERCENT, QUICKEST_VALUE_STEP_PERCENT, Standing::ASSERTED },
 	Bound{ "halt", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },
 	Bound{ "dropout 0.1 s", Metric::END_ERROR_MS, 30.0, Standing::MEASURED },
 	Bound{ "dropout 0.1 s", Metric::WRONG_ENDS, 0.0, Standing::ASSERTED },

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "estimator.h"
-#include "recognition/gesture_changes.h"
+#include "shown_changes.h"
 #include "tracking/frame_filter.h"
 
 #include <memory>
-#include <utility>
 
 namespace steadyhand::matrix {
 
@@ -25,8 +24,7 @@ public:
 
 	Output advance(double t_s) override {
 		recogniser_.advance(t_s);
-		const ShownGesture now = shown_gesture(recogniser_);
-		const GestureChanges happened = changes_between(std::exchange(shown_, now), now);
+		const GestureChanges happened = shown_.next(recogniser_);
 		const Motion motion = recogniser_.motion(MotionSource::SYNTHESISED);
 		return { motion.value_m, motion.velocity_m_s, happened.started, happened.ended, happened.aborted };
 	}
@@ -34,7 +32,7 @@ public:
 private:
 	FrameFilter filter_;
 	GestureRecogniser recogniser_;
-	ShownGesture shown_;
+	test::ShownChanges shown_;
 };
 
 } // namespace steadyhand::matrix
