@@ -1,7 +1,8 @@
 #pragma once
 
 #include "overlapping_drags.h"
-#include "recognition/gesture_changes.h"
+#include "recognition/gesture_recogniser.h"
+#include "shown_changes.h"
 #include "trained_drag.h"
 
 #include <doctest/doctest.h>
@@ -22,6 +23,7 @@ namespace steadyhand::test {
 
 inline const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::UnitY(),
 							 Z = Eigen::Vector3d::UnitZ();
+inline constexpr double NEVER_S = 1e9;
 inline constexpr Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 
 inline std::shared_ptr<const GestureModel> model(
@@ -43,18 +45,9 @@ inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 	return all;
 }
 
-/// Peak change in a millisecond of a value that decays critically damped at 50 /s from 0.2 m: 0.2 * 50 / e
-/// m/s.
+/// Peak change in a millisecond of a value that decays critically damped at 50
+/// /s from 0.2 m: 0.2 * 50 / e m/s.
 inline constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
-
-/// Time at which the drag reaches this fraction of its amplitude, to the millisecond.
-inline double reaches_s(const Drag &drag, double share) {
-	double t_s = drag.onset_s;
-	while (drag.x_m(t_s) < share * drag.amplitude_m) {
-		t_s += 1e-3;
-	}
-	return t_s;
-}
 
 /// Stage of the shown gesture.
 inline GestureSession::Stage stage(const GestureRecogniser &recogniser) {
@@ -77,16 +70,36 @@ private:
 	int count_ = 0;
 };
 
+using EventNames = std::vector<std::string>;
+using TestPath = std::function<Eigen::Vector3d(double t_s)>;
+
+/// Events of "sideways".
+inline const EventNames NOTHING{}, STARTS{ "started sideways" },
+		ABORTS{ "started sideways", "aborted sideways" }, ENDS{ "started sideways", "ended sideways" };
+
 struct Events {
-	std::vector<std::string> names; ///< such as "started sideways"
-	double largest_step = 0.0;      ///< largest change of the synthesised value in 1 ms, m
-	double last_confidence = 0.0;   ///< at the last end
-	double last_value_m = 0.0;      ///< synthesised value at the end of the run
-	double first_shown_s = 1e9;     ///< time at which a gesture first was active
-	double last_ended_s = 0.0;      ///< time of the last end
+	EventNames names;             ///< such as "started sideways"
+	double largest_step = 0.0;    ///< largest change of the synthesised value in 1 ms, m
+	double last_confidence = 0.0; ///< at the last end
+	double last_value_m = 0.0;    ///< synthesised value at the end of the run
+	double first_shown_s = 1e9;   ///< time at which a gesture first was active
+	double last_ended_s = 0.0;    ///< time of the last end
 };
 
-using TestPath = std::function<Eigen::Vector3d(double t_s)>;
+/// A tracker with a dropout from lost_from_s to lost_to_s, and white noise on
+/// each axis.
+struct TestTracker {
+	double lost_from_s = NEVER_S, lost_to_s = NEVER_S;
+	double rate_hz = 110.0, noise_m = 1e-4;
+};
+
+/// A row of a table: a hand, and the events that it must make.
+struct HandRow {
+	std::string hand;
+	TestPath path;
+	double length_s;
+	EventNames events;
+};
 
 /// White noise on each axis.
 class Tremor {
@@ -103,8 +116,8 @@ private:
 	std::normal_distribution<double> noise_;
 };
 
-/// The path with a freeze from from_s to to_s. Without an earlier pose it is at 0. During the freeze `seen`
-/// is not called.
+/// The path with a freeze from from_s to to_s. Without an earlier pose it is at
+/// 0. During the freeze `seen` is not called.
 inline TestPath held(const TestPath &seen, double from_s, double to_s) {
 	return [=, shown_m = Eigen::Vector3d(Eigen::Vector3d::Zero())](double t_s) mutable {
 		if (t_s < from_s || t_s >= to_s) {
@@ -127,43 +140,49 @@ inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
 	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;
 }
 
-/// Events of the recogniser for a hand and a tracker with a dropout from lost_from_s to lost_to_s.
+inline TestPath along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
+	return [=](double t_s) { return Eigen::Vector3d(x_m(strokes, t_s) * axis); };
+}
+
+inline GestureRecogniser without_task() {
+	return { models(), std::nullopt, MotionMode::PHASE };
+}
+
+inline GestureRecogniser with_task(const Task &task = {}) {
+	return { { models()[0] }, task, MotionMode::PHASE };
+}
+
+/// Events of the recogniser for a hand and a tracker.
 inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double length_s,
-		double lost_from_s = 1e9, double lost_to_s = 1e9, double rate_hz = 110.0, double noise_m = 1e-4) {
+		const TestTracker &tracker = {}) {
 	Events events;
 	std::mt19937_64 random(5);
 	std::normal_distribution<double> noise;
-	ShownGesture shown;
+	ShownChanges shown;
 	std::string name;
-	const GestureSession *session = nullptr;
-	double last_value_m = 0.0;
 	int frames = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
 		const double t_s = ms / 1000.0;
-		for (; frames / rate_hz <= t_s; ++frames) {
-			const double frame_s = frames / rate_hz;
-			if (frame_s >= lost_from_s && frame_s < lost_to_s) {
+		for (; frames / tracker.rate_hz <= t_s; ++frames) {
+			const double frame_s = frames / tracker.rate_hz;
+			if (frame_s >= tracker.lost_from_s && frame_s < tracker.lost_to_s) {
 				continue;
 			}
 			HandFrame frame;
 			frame.t_s = frame_s;
 			const double z_m = noise(random), y_m = noise(random), x_m = noise(random);
 			const Eigen::Vector3d trembling(x_m, y_m, z_m);
-			frame.set(Joint::INDEX, path(frame_s) + noise_m * trembling);
+			frame.set(Joint::INDEX, path(frame_s) + tracker.noise_m * trembling);
 			recogniser.push(frame);
 		}
 		recogniser.advance(t_s);
-		const ShownGesture now = shown_gesture(recogniser);
+		const GestureChanges changes = shown.next(recogniser);
 		const std::string left =
-				std::exchange(name, now.gesture < 0 ? "" : recogniser.session()->model().gesture);
-		// A path may call expect(), which changes indices.
-		const GestureSession *before = std::exchange(session, recogniser.session());
-		shown.gesture = before == session ? now.gesture : shown.gesture;
-		const GestureChanges changes = changes_between(std::exchange(shown, now), now);
+				std::exchange(name, recogniser.gesture() < 0 ? "" : recogniser.session()->model().gesture);
 		if (changes.aborted) {
 			events.names.push_back("aborted " + left);
 		}
-		if (shown.gesture >= 0) {
+		if (recogniser.gesture() >= 0) {
 			events.first_shown_s = std::min(events.first_shown_s, t_s);
 		}
 		if (changes.started) {
@@ -175,40 +194,51 @@ inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double 
 			events.last_ended_s = t_s;
 		}
 		const double value_m = recogniser.motion(MotionSource::SYNTHESISED).value_m;
-		events.largest_step = std::max(events.largest_step, std::abs(value_m - last_value_m));
-		last_value_m = value_m;
+		events.largest_step = std::max(events.largest_step, std::abs(value_m - events.last_value_m));
+		events.last_value_m = value_m;
 	}
-	events.last_value_m = last_value_m;
 	return events;
 }
 
+inline Events watch(GestureRecogniser &&recogniser, const TestPath &path, double length_s,
+		const TestTracker &tracker = {}) {
+	return watch(recogniser, path, length_s, tracker);
+}
+
+inline Events watch_without_task(const TestPath &path, double length_s, const TestTracker &tracker = {}) {
+	return watch(without_task(), path, length_s, tracker);
+}
+
+inline Events watch_with_task(const TestPath &path, double length_s, const TestTracker &tracker = {}) {
+	return watch(with_task(), path, length_s, tracker);
+}
+
+inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double length_s, double lost_from_s,
+		double lost_to_s = NEVER_S, double rate_hz = 110.0, double noise_m = 1e-4) {
+	return watch(recogniser, path, length_s, TestTracker{ lost_from_s, lost_to_s, rate_hz, noise_m });
+}
+
 inline Events watch_without_task(
-		const TestPath &path, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
-	GestureRecogniser recogniser(models(), std::nullopt, MotionMode::PHASE);
-	return watch(recogniser, path, length_s, lost_from_s, lost_to_s);
+		const TestPath &path, double length_s, double lost_from_s, double lost_to_s = NEVER_S) {
+	return watch_without_task(path, length_s, TestTracker{ lost_from_s, lost_to_s });
 }
 
 inline Events watch_with_task(
-		const TestPath &path, double length_s, double lost_from_s = 1e9, double lost_to_s = 1e9) {
-	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
-	return watch(recogniser, path, length_s, lost_from_s, lost_to_s);
+		const TestPath &path, double length_s, double lost_from_s, double lost_to_s = NEVER_S) {
+	return watch_with_task(path, length_s, TestTracker{ lost_from_s, lost_to_s });
 }
 
-inline TestPath along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
-	return [=](double t_s) { return Eigen::Vector3d(x_m(strokes, t_s) * axis); };
+inline std::vector<std::string> started_and_aborted(const std::string &gesture) {
+	return { "started " + gesture, "aborted " + gesture };
 }
 
-inline std::vector<std::string> times(int n, const std::string &gesture) {
-	std::vector<std::string> names;
+inline EventNames times(int n, const std::string &gesture) {
+	EventNames names;
 	for (int i = 0; i < n; ++i) {
 		names.push_back("started " + gesture);
 		names.push_back("ended " + gesture);
 	}
 	return names;
-}
-
-inline std::vector<std::string> started_and_aborted(const std::string &gesture) {
-	return { "started " + gesture, "aborted " + gesture };
 }
 
 inline std::ptrdiff_t count(const Events &events, std::string_view names) {
