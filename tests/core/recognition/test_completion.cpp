@@ -12,103 +12,91 @@ using namespace steadyhand::test;
 
 namespace {
 
-constexpr double TASK_M = 0.2; ///< amplitude of Task{}
-
-/// A drag to `far` of the amplitude, where the hand stays.
-std::vector<Drag> to(double far, double onset_s = 0.5, double duration_s = 1.0) {
-	return { Drag{ .onset_s = onset_s, .duration_s = duration_s, .amplitude_m = far * TASK_M } };
-}
-
-std::vector<Drag> and_on(std::vector<Drag> path, double far, double onset_s, double duration_s) {
-	path.push_back(to(far, onset_s, duration_s).front());
-	return path;
-}
-
-/// Events with a completion of 70 %.
-Events lowered(const TestPath &path, double length_s, double noise_m = 1e-4) {
-	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PHASE);
+/// With a completion of 70 %.
+GestureRecogniser lowered() {
+	GestureRecogniser recogniser = with_task();
 	recogniser.set_completion(0.7);
-	return watch(recogniser, path, length_s, 1e9, 1e9, 110.0, noise_m);
+	return recogniser;
 }
 
 } // namespace
 
-TEST_CASE("a hand that stops short of completion ends nothing") {
-	for (const double far : { 0.3, 0.9 }) {
-		for (const double duration_s : { 0.3, 2.5 }) {
-			INFO("far ", far, ", duration ", duration_s);
-			CHECK(has_no_end(watch_with_task(along(X, to(far, 0.5, duration_s)), duration_s + 4.0)));
-		}
-	}
-}
-
 TEST_CASE("a hand that stops beyond a completion of 70 % ends there") {
-	for (const double far : { 0.75, 0.88 }) {
+	for (const double far_m : { 0.15, 0.176 }) {
 		for (const double duration_s : { 0.3, 2.5 }) {
 			for (const double noise_m : { 0.0, 1e-4 }) {
-				INFO("far ", far, ", duration ", duration_s, ", noise ", noise_m);
-				const std::vector<Drag> strokes = to(far, 0.5, duration_s);
-				const Events events = lowered(along(X, strokes), duration_s + 2.0, noise_m);
-				CHECK(events.names == times(1, "sideways"));
-				CHECK(x_m(strokes, events.last_ended_s) > (far - 0.01) * TASK_M);
+				INFO("far ", far_m, ", duration ", duration_s, ", noise ", noise_m);
+				const Drag drag{ 0.5, duration_s, far_m };
+				const Events events =
+						watch(lowered(), along(X, { drag }), duration_s + 2.0, { .noise_m = noise_m });
+				CHECK(events.names == ENDS);
+				CHECK(drag.x_m(events.last_ended_s) > far_m - 0.002);
 				CHECK(events.last_ended_s < 0.5 + duration_s + 0.8);
-				CHECK(std::abs(events.last_value_m - far * TASK_M) < 0.002);
+				CHECK(std::abs(events.last_value_m - far_m) < 0.002);
 			}
 		}
 	}
 }
 
 TEST_CASE("a movement of 4 s ends beyond 90 % of its amplitude") {
-	const std::vector<Drag> slow = to(1.0, 0.5, 4.0);
-	const Events events = watch_with_task(along(X, slow), 6.5);
-	CHECK(events.names == times(1, "sideways"));
-	CHECK(x_m(slow, events.last_ended_s) > 0.9 * TASK_M);
+	const Drag slow{ 0.5, 4.0, 0.2 };
+	const Events events = watch_with_task(along(X, { slow }), 6.5);
+	CHECK(events.names == ENDS);
+	CHECK(slow.x_m(events.last_ended_s) > 0.18);
 }
 
 TEST_CASE("a gesture with a pause ends within 0.2 s of its endpoint") {
-	for (const double far : { 0.3, 0.4 }) {
+	for (const double far_m : { 0.06, 0.08 }) {
 		for (const double halts_s : { 0.2, 0.5 }) {
-			INFO("far ", far, ", halts ", halts_s);
-			const double continues_s = 0.5 + 0.4 + halts_s;
-			const auto strokes = and_on(to(far, 0.5, 0.4), 1.0 - far, continues_s, 0.6);
-			const Events events = watch_with_task(along(X, strokes), continues_s + 2.0);
-			CHECK(events.names == times(1, "sideways"));
-			CHECK(events.last_ended_s < continues_s + 0.6 + 0.2);
+			INFO("far ", far_m, ", halts ", halts_s);
+			const double on_s = 0.9 + halts_s;
+			const Events events = watch_with_task(
+					along(X, { { 0.5, 0.4, far_m }, { on_s, 0.6, 0.2 - far_m } }), on_s + 2.0);
+			CHECK(events.names == ENDS);
+			CHECK(events.last_ended_s < on_s + 0.6 + 0.2);
 		}
 	}
-	const Events late = watch_with_task(along(X, and_on(to(0.75, 0.5, 0.8), 0.25, 1.6, 0.5)), 3.5);
-	CHECK(late.names == times(1, "sideways"));
+	const Events late = watch_with_task(along(X, { { 0.5, 0.8, 0.15 }, { 1.6, 0.5, 0.05 } }), 3.5);
+	CHECK(late.names == ENDS);
 	CHECK_MESSAGE(late.last_ended_s > 1.6, "not during the pause at three quarters");
 }
 
-TEST_CASE("a hand that turns back ends only beyond completion") {
-	const auto turns = [](double far) { return along(X, and_on(to(far, 0.5, 0.4), -far, 0.95, 0.5)); };
-	CHECK(lowered(turns(0.8), 3.0).names == times(1, "sideways"));
-	CHECK(lowered(turns(0.98), 3.0).names == times(1, "sideways"));
-	CHECK(has_no_end(lowered(turns(0.6), 3.0)));
+TEST_CASE("a hand that stops or turns short of completion ends nothing") {
+	const auto stops = [](double far, double duration_s) {
+		return along(X, { { 0.5, duration_s, far * 0.2 } });
+	};
+	const auto turns = [](double far) {
+		return along(X, { { 0.5, 0.4, far * 0.2 }, { 0.95, 0.5, -far * 0.2 } });
+	};
+	CHECK(has_no_end(watch_with_task(stops(0.3, 2.5), 6.5)));
+	CHECK(has_no_end(watch_with_task(stops(0.9, 0.3), 4.3)));
+	CHECK(has_no_end(watch_with_task(stops(0.9, 2.5), 6.5)));
 	CHECK(has_no_end(watch_with_task(turns(0.5), 3.0)));
 	CHECK(has_no_end(watch_with_task(turns(0.88), 3.0)));
+	CHECK(has_no_end(watch(lowered(), turns(0.6), 3.0)));
+	CHECK(watch(lowered(), turns(0.8), 3.0).names == ENDS);
+	CHECK(watch(lowered(), turns(0.98), 3.0).names == ENDS);
 }
 
 TEST_CASE("a hand that stops beside the target ends nothing") {
 	const TestPath beside = [](double t_s) {
-		const double moved_m = x_m(to(1.0), t_s);
-		return Eigen::Vector3d(moved_m, 0.5 * TASK_M + 0.5 * moved_m, 0.0);
+		const double moved_m = Drag{ 0.5, 1.0, 0.2 }.x_m(t_s);
+		return Eigen::Vector3d(moved_m, 0.1 + 0.5 * moved_m, 0.0);
 	};
 	CHECK(has_no_end(watch_with_task(beside, 3.5)));
 	const auto oblique = [](double angle_rad) {
 		const Eigen::Vector3d axis(std::cos(angle_rad), std::sin(angle_rad), 0.0);
-		return along(axis, to(0.8 / std::cos(angle_rad)));
+		return along(axis, { { 0.5, 1.0, 0.16 / std::cos(angle_rad) } });
 	};
-	CHECK(lowered(oblique(0.15), 3.5).names == times(1, "sideways"));
-	CHECK(has_no_end(lowered(oblique(0.5), 3.5)));
+	CHECK(watch(lowered(), oblique(0.15), 3.5).names == ENDS);
+	CHECK(has_no_end(watch(lowered(), oblique(0.5), 3.5)));
 }
 
 TEST_CASE("only a hand that returns near its start makes the gesture again") {
-	for (const double left : { 0.05, 0.08, 0.22, 0.5 }) {
-		CAPTURE(left);
-		auto strokes = and_on(to(1.0, 0.5, 0.8), left - 1.0, 2.0, 0.8);
-		strokes = and_on(strokes, 1.0 - left, 3.5, 0.8);
-		CHECK(watch_with_task(along(X, strokes), 6.0).names == times(left < 0.15 ? 2 : 1, "sideways"));
+	for (const double left_m : { 0.01, 0.016, 0.044, 0.1 }) {
+		CAPTURE(left_m);
+		const TestPath path =
+				along(X, { { 0.5, 0.8, 0.2 }, { 2.0, 0.8, left_m - 0.2 }, { 3.5, 0.8, 0.2 - left_m } });
+		CHECK(watch_with_task(path, 6.0).names == times(left_m < 0.03 ? 2 : 1, "sideways"));
 	}
 }
