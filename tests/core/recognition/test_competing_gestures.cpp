@@ -13,10 +13,18 @@ using namespace steadyhand::test;
 namespace {
 
 using Expected = std::vector<ExpectedGesture>;
-using EventNames = std::vector<std::string>;
 
 Eigen::Vector3d turned(double angle_rad) {
 	return { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
+}
+
+ExpectedGesture free(const char *name, double angle_rad) {
+	return { model(name, turned(angle_rad), false), std::nullopt };
+}
+
+ExpectedGesture at(
+		const char *name, double angle_rad, double length_m, const Eigen::Vector3d &start_m = 0.0 * X) {
+	return { model(name, turned(angle_rad), false), Task{ start_m, turned(angle_rad), length_m } };
 }
 
 std::vector<Expected> both_orders(const ExpectedGesture &one, const ExpectedGesture &other) {
@@ -31,8 +39,7 @@ ExpectedGesture key(const char *name, double x_m, double deeper_m) {
 }
 
 /// A finger presses 3 mm into the surface at beside_m from the first key, and returns. Its onset is at
-/// beside_m
-/// + onset_m.
+/// beside_m + onset_m.
 Events press(const Expected &keys, double beside_m, double onset_m, double duration_s, double noise_m) {
 	const double down_m = LIFT_M + 0.003;
 	const std::vector<Drag> strokes{ { 0.8, duration_s, down_m },
@@ -41,82 +48,64 @@ Events press(const Expected &keys, double beside_m, double onset_m, double durat
 		const double moved_m = x_m(strokes, t_s);
 		return Eigen::Vector3d(beside_m + onset_m * (1.0 - moved_m / down_m), 0.0, LIFT_M - moved_m);
 	};
-	GestureRecogniser recogniser(keys);
-	return watch(recogniser, finger, 3.0, 1e9, 1e9, 90.0, noise_m);
+	return watch(GestureRecogniser(keys), finger, 3.0, { .rate_hz = 90.0, .noise_m = noise_m });
 }
 
 } // namespace
 
-TEST_CASE("the likelier of two gestures along nearly equal axes ends") {
-	for (const Expected &both : both_orders({ model("level", X, false), std::nullopt },
-				 { model("rising", turned(0.35), false), std::nullopt })) {
-		for (const double angle_rad : { 0.1, 0.25 }) {
-			INFO("first ", both.front().model->gesture, ", angle ", angle_rad);
-			GestureRecogniser recogniser(both);
-			const Events events = watch(recogniser, along(turned(angle_rad), { DRAG }), 2.5);
+TEST_CASE("of two gestures that fit, the likelier one ends") {
+	struct Row {
+		std::string likelier;
+		ExpectedGesture one, other;
+		double angle_rad; ///< of the hand's movement
+		Drag drag;
+	};
+	const Drag quick{ 1.0, 0.4, 0.15 }, slow{ 1.0, 1.2, 0.15 };
+	for (const auto &[likelier, one, other, angle_rad, drag] : {
+				 Row{ "level", free("level", 0.0), free("rising", 0.35), 0.1, DRAG },
+				 { "rising", free("level", 0.0), free("rising", 0.35), 0.25, DRAG },
+				 // The hand stops at the nearer one of two targets.
+				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, quick },
+				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, slow },
+				 { "near", at("near", 0.0, 0.15, 0.02 * Y), at("far", 0.0, 0.3), 0.0, quick },
+				 // A task 34 degrees off is less likely than the gesture without a task.
+				 { "anywhere", at("here", 0.6, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 0.5, 0.2 } },
+				 { "anywhere", at("here", 0.7, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 1.2, 0.2 } },
+				 // The same gesture with a task is likelier than without one.
+				 { "here", at("here", 0.0, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 0.8, 0.2 } },
+				 { "here", at("here", 0.2, 0.15), free("anywhere", 0.0), 0.2, { 1.0, 0.8, 0.15 } },
+		 }) {
+		for (const Expected &both : both_orders(one, other)) {
+			INFO("likelier ", likelier, ", first ", both.front().model->gesture, ", angle ", angle_rad);
+			const Events events = watch(GestureRecogniser(both), along(turned(angle_rad), { drag }), 3.0);
 			REQUIRE(!events.names.empty());
-			CHECK(events.names.back() == (angle_rad < 0.17 ? "ended level" : "ended rising"));
+			CHECK(events.names.back() == "ended " + likelier);
 			CHECK(ends(events) == 1);
 		}
 	}
 }
 
 TEST_CASE("a movement that bends onto another gesture's axis changes to it once") {
-	GestureRecogniser recogniser({ model("first", X, false), model("second", turned(0.45), false) },
-			std::nullopt, MotionMode::PHASE);
 	const TestPath path = [](double t_s) {
 		const double share = DRAG.x_m(t_s) / DRAG.amplitude_m;
 		return Eigen::Vector3d(DRAG.x_m(t_s) * turned(0.42 * std::min(share / 0.7, 1.0)));
 	};
-	CHECK(watch(recogniser, path, 1.25).names ==
+	CHECK(watch(GestureRecogniser({ free("first", 0.0), free("second", 0.45) }), path, 1.25).names ==
 			EventNames{ "started first", "aborted first", "started second" });
 }
 
 TEST_CASE("a gesture between two of another kind ends, from the endpoint before") {
 	for (const double pause_s : { 0.3, 0.8 }) {
 		CAPTURE(pause_s);
-		const double each_s = 0.6, period_s = each_s + pause_s;
+		const double period_s = 0.6 + pause_s;
 		const TestPath path = [&](double t_s) {
-			const Drag first{ 1.0, each_s, 0.2 }, push{ 1.0 + period_s, each_s, 0.2 },
-					last{ 1.0 + 2.0 * period_s, each_s, 0.2 };
-			return Eigen::Vector3d((first.x_m(t_s) + last.x_m(t_s)) * X - push.x_m(t_s) * Z);
+			const Drag push{ 1.0 + period_s, 0.6, 0.2 };
+			const double right_m = x_m({ { 1.0, 0.6, 0.2 }, { 1.0 + 2.0 * period_s, 0.6, 0.2 } }, t_s);
+			return Eigen::Vector3d(right_m * X - push.x_m(t_s) * Z);
 		};
-		EventNames names = watch_without_task(path, 1.0 + 3.0 * period_s + 0.5).names;
+		EventNames names = watch_without_task(path, 1.5 + 3.0 * period_s).names;
 		std::erase_if(names, [](const std::string &one) { return !one.starts_with("ended"); });
 		CHECK(names == EventNames{ "ended sideways", "ended push", "ended sideways" });
-	}
-}
-
-TEST_CASE("a hand that stops at the nearer of two targets ends there") {
-	for (const double beside_m : { 0.0, 0.02 }) {
-		for (const Expected &both : both_orders({ model("near", X, false), Task{ beside_m * Y, X, 0.15 } },
-					 { model("far", X, false), Task{ Eigen::Vector3d::Zero(), X, 0.3 } })) {
-			for (const double duration_s : { 0.4, 1.2 }) {
-				INFO("beside ", beside_m, ", first ", both.front().model->gesture, ", duration ", duration_s);
-				GestureRecogniser recogniser(both);
-				const Events events = watch(recogniser, along(X, { { 1.0, duration_s, 0.15 } }), 3.0);
-				REQUIRE(!events.names.empty());
-				CHECK(events.names.back() == "ended near");
-				CHECK(ends(events) == 1);
-			}
-		}
-	}
-}
-
-TEST_CASE("a likelier gesture without a task beats one with a task") {
-	for (const double angle_rad : { 0.6, 0.7 }) {
-		const Eigen::Vector3d axis = turned(angle_rad);
-		for (const Expected &both :
-				both_orders({ model("here", axis, false), Task{ Eigen::Vector3d::Zero(), axis, 0.2 } },
-						{ model("anywhere", X, false), std::nullopt })) {
-			for (const double duration_s : { 0.5, 1.2 }) {
-				INFO("angle ", angle_rad, ", duration ", duration_s);
-				GestureRecogniser recogniser(both);
-				const Events events = watch(recogniser, along(X, { { 1.0, duration_s, 0.2 } }), 3.0);
-				REQUIRE(!events.names.empty());
-				CHECK(events.names.back() == "ended anywhere");
-			}
-		}
 	}
 }
 

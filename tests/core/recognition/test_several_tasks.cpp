@@ -14,7 +14,7 @@ using namespace steadyhand::test;
 
 namespace {
 
-const Task HERE{ Eigen::Vector3d::Zero(), X, 0.2 };
+const Eigen::Vector3d ORIGIN = Eigen::Vector3d::Zero();
 
 ExpectedGesture drag_at(const Eigen::Vector3d &start_m, const Eigen::Vector3d &axis) {
 	return { models()[0], Task{ start_m, axis, 0.2 } };
@@ -35,7 +35,7 @@ Run run(const std::vector<ExpectedGesture> &gestures, const TestPath &path, doub
 		run.shown.push_back(recogniser.shown());
 		return path(t_s);
 	};
-	run.events = watch(recogniser, noted, length_s, 1e9, 1e9, 110.0, noise_m);
+	run.events = watch(recogniser, noted, length_s, { .noise_m = noise_m });
 	return run;
 }
 
@@ -52,26 +52,26 @@ TestPath comes_from(const Eigen::Vector3d &direction, double pause_s) {
 
 TEST_CASE("distant tasks change no bit of the motion, in any order") {
 	const TestPath drag = along(X, { DRAG });
-	const Run alone = run({ drag_at(HERE.start_m, X) }, drag, 2.5);
+	const Run alone = run({ drag_at(ORIGIN, X) }, drag, 2.5);
 	for (const std::size_t place : { 0, 4, 10 }) {
 		std::vector<ExpectedGesture> gestures;
 		for (int i = 1; i <= 10; ++i) {
 			gestures.push_back(
 					drag_at(i * Eigen::Vector3d(i % 3 == 0 ? -0.4 * Y : 0.6 * X), i % 2 == 0 ? X : Y));
 		}
-		gestures.insert(gestures.begin() + static_cast<std::ptrdiff_t>(place), drag_at(HERE.start_m, X));
+		gestures.insert(gestures.begin() + static_cast<std::ptrdiff_t>(place), drag_at(ORIGIN, X));
 		const Run among = run(gestures, drag, 2.5);
-		CHECK(std::ranges::equal(alone.values_m, among.values_m));
+		CHECK(among.values_m == alone.values_m);
 		CHECK(among.shown.back() == place);
-		CHECK(among.events.names == times(1, "sideways"));
+		CHECK(among.events.names == ENDS);
 	}
 }
 
 TEST_CASE("an idle hand is shown at its nearest task") {
 	const TestPath path = comes_from(-X, 0.5);
-	const Run alone = run({ drag_at(HERE.start_m, X) }, path, 6.0);
-	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(HERE.start_m, X) }, path, 6.0);
-	CHECK(two.events.names == times(1, "sideways"));
+	const Run alone = run({ drag_at(ORIGIN, X) }, path, 6.0);
+	const Run two = run({ drag_at(-0.5 * X, Y), drag_at(ORIGIN, X) }, path, 6.0);
+	CHECK(two.events.names == ENDS);
 	for (std::size_t i = 1; i < two.values_m.size(); ++i) {
 		const bool is_here = two.shown[i] == 1;
 		// At the other task the value is 0. A hand at 2 m/s moves 2 cm between two frames.
@@ -85,16 +85,14 @@ TEST_CASE("a hand that comes from another task is followed as usual") {
 	for (const double noise_m : { 1e-4, 2e-3 }) {
 		for (const Eigen::Vector3d &direction : { Y, Z }) {
 			for (const double pause_s : { 0.1, 0.3 }) {
-				CAPTURE(noise_m);
-				CAPTURE(direction.transpose());
-				CAPTURE(pause_s);
+				INFO("noise ", noise_m, ", from ", direction.transpose(), ", pause ", pause_s);
 				const TestPath path = comes_from(direction, pause_s);
-				const Run alone = run({ drag_at(HERE.start_m, X) }, path, 6.0, noise_m);
-				const Run coming = run({ drag_at(0.5 * direction, direction), drag_at(HERE.start_m, X) },
-						path, 6.0, noise_m);
+				const Run alone = run({ drag_at(ORIGIN, X) }, path, 6.0, noise_m);
+				const Run coming =
+						run({ drag_at(0.5 * direction, direction), drag_at(ORIGIN, X) }, path, 6.0, noise_m);
 				CHECK(coming.events.names == alone.events.names);
-				for (auto i = static_cast<std::size_t>(110.0 * (3.5 + pause_s)); i < alone.values_m.size();
-						++i) {
+				const auto onset = static_cast<std::size_t>(110.0 * (3.5 + pause_s));
+				for (std::size_t i = onset; i < alone.values_m.size(); ++i) {
 					CHECK(std::abs(coming.values_m[i] - alone.values_m[i]) < 5e-3);
 				}
 			}
@@ -104,15 +102,14 @@ TEST_CASE("a hand that comes from another task is followed as usual") {
 
 TEST_CASE("a gesture that begins near the last endpoint is shown") {
 	// Both are drags to the right. The second begins 15 cm below the end of the first.
-	const Drag first{ .onset_s = 0.6, .duration_s = 0.8, .amplitude_m = 0.2 },
-			down{ .onset_s = 1.9, .duration_s = 0.4, .amplitude_m = 0.15 },
-			second{ .onset_s = 2.7, .duration_s = 0.8, .amplitude_m = 0.2 };
-	const TestPath path = [&](double t_s) {
-		return Eigen::Vector3d((first.x_m(t_s) + second.x_m(t_s)) * X - down.x_m(t_s) * Y);
+	const TestPath path = [](double t_s) {
+		const Drag down{ .onset_s = 1.9, .duration_s = 0.4, .amplitude_m = 0.15 };
+		const double right_m = x_m({ { 0.6, 0.8, 0.2 }, { 2.7, 0.8, 0.2 } }, t_s);
+		return Eigen::Vector3d(right_m * X - down.x_m(t_s) * Y);
 	};
 	const ExpectedGesture there = drag_at(0.2 * X - 0.15 * Y, X);
 	const Run alone = run({ there }, path, 4.5);
-	const Run both = run({ drag_at(HERE.start_m, X), there }, path, 4.5);
+	const Run both = run({ drag_at(ORIGIN, X), there }, path, 4.5);
 	CHECK(both.events.names == times(2, "sideways"));
 	for (std::size_t i = 0; i < both.values_m.size(); ++i) {
 		if (both.shown[i] == 1) {
@@ -123,27 +120,9 @@ TEST_CASE("a gesture that begins near the last endpoint is shown") {
 }
 
 TEST_CASE("with two tasks at one place the gesture begins without a step") {
-	const Run other = run({ drag_at(HERE.start_m, Y), drag_at(HERE.start_m, X) }, along(X, { DRAG }), 2.5);
-	CHECK(other.events.names == times(1, "sideways"));
+	const Run other = run({ drag_at(ORIGIN, Y), drag_at(ORIGIN, X) }, along(X, { DRAG }), 2.5);
+	CHECK(other.events.names == ENDS);
 	CHECK(other.events.largest_step < FASTEST_M_MS);
-}
-
-TEST_CASE("a gesture at a task beats the same gesture without a task") {
-	for (const double amplitude_m : { 0.2, 0.15 }) {
-		for (const double angle_rad : { 0.0, 0.2 }) {
-			CAPTURE(amplitude_m);
-			CAPTURE(angle_rad);
-			Task task;
-			task.axis = { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
-			task.amplitude_m = amplitude_m;
-			const auto here = model("here", X, false), anywhere = model("anywhere", X, true);
-			GestureRecogniser recogniser({ ExpectedGesture{ here, task }, { anywhere, std::nullopt } });
-			const Drag drag{ .onset_s = 1.0, .duration_s = 0.8, .amplitude_m = amplitude_m };
-			const Events events = watch(recogniser, along(task.axis, { drag }), 3.5);
-			CHECK(count(events, "ended here") == 1);
-			CHECK(count(events, "ended anywhere") == 0);
-		}
-	}
 }
 
 TEST_CASE("an idle zoom is shown where no other task is near") {
@@ -154,11 +133,11 @@ TEST_CASE("an idle zoom is shown where no other task is near") {
 		for (int i = 0; i < 60; ++i) {
 			HandFrame frame;
 			frame.t_s = i / 110.0;
-			int tip = 0;
+			double angle_rad = 0.0;
 			for (const Joint joint : { Joint::THUMB, Joint::INDEX, Joint::MIDDLE }) {
-				const double angle_rad = 2.1 * tip++;
 				const Eigen::Vector3d spread(std::cos(angle_rad), std::sin(angle_rad), 0.0);
 				frame.set(joint, off_m * Y - X + CLOSED_M * spread);
+				angle_rad += 2.1;
 			}
 			recogniser.push(frame);
 		}
@@ -167,15 +146,13 @@ TEST_CASE("an idle zoom is shown where no other task is near") {
 }
 
 TEST_CASE("a hand midway between two tasks does not switch between them") {
-	const std::vector<ExpectedGesture> two{ drag_at(0.1 * Y, X), drag_at(-0.1 * Y, X) };
-	const Run between = run(
-			two, [](double t_s) { return Eigen::Vector3d(0.008 * std::sin(9.0 * t_s) * Y); }, 3.0);
+	const TestPath sways = [](double t_s) { return Eigen::Vector3d(0.008 * std::sin(9.0 * t_s) * Y); };
+	const Run between = run({ drag_at(0.1 * Y, X), drag_at(-0.1 * Y, X) }, sways, 3.0);
 	CHECK(std::ranges::count(between.shown, between.shown.back()) >= std::ssize(between.shown) - 1);
 }
 
 TEST_CASE("if expect() removes the shown task, the nearest is shown") {
-	const ExpectedGesture here = drag_at(HERE.start_m, X), beside = drag_at(0.1 * Y, X),
-						  away = drag_at(2.0 * Y, X);
+	const ExpectedGesture here = drag_at(ORIGIN, X), beside = drag_at(0.1 * Y, X), away = drag_at(2.0 * Y, X);
 	GestureRecogniser recogniser({ here, beside, away });
 	watch(recogniser, along(X, {}), 0.5);
 	REQUIRE(recogniser.shown() == 0);
@@ -184,20 +161,18 @@ TEST_CASE("if expect() removes the shown task, the nearest is shown") {
 }
 
 TEST_CASE("expect() of other tasks at an end keeps the velocity low") {
-	GestureRecogniser recogniser({ drag_at(HERE.start_m, X) });
-	bool is_changed = false;
+	GestureRecogniser recogniser({ drag_at(ORIGIN, X) });
+	watch(recogniser, along(X, { DRAG }), 1.9);
+	recogniser.expect({ drag_at(1.2 * Y, Y), drag_at(0.2 * X + 0.24 * Y, -Y) });
 	double fastest_m_s = 0.0;
-	const TestPath path = [&](double t_s) {
-		if (is_changed) {
-			const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
-			fastest_m_s = std::max(fastest_m_s, std::abs(motion.velocity_m_s));
-		} else if (t_s > 1.9) {
-			is_changed = true;
-			recogniser.expect({ drag_at(1.2 * Y, Y), drag_at(0.2 * X + 0.24 * Y, -Y) });
-		}
-		return Eigen::Vector3d(DRAG.x_m(t_s) * X);
-	};
-	watch(recogniser, path, 3.0);
+	for (int i = 210; i < 330; ++i) {
+		const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
+		fastest_m_s = std::max(fastest_m_s, std::abs(motion.velocity_m_s));
+		HandFrame frame;
+		frame.t_s = i / 110.0;
+		frame.set(Joint::INDEX, 0.2 * X + 1e-4 * std::sin(3.0 * i) * Y);
+		recogniser.push(frame);
+	}
 	CHECK(recogniser.shown() == 1);
 	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).value_m - 0.24) < 2e-3);
 	CHECK(fastest_m_s < 0.2); // as at the begin of a track away from the start
