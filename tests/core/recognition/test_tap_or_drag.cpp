@@ -46,43 +46,31 @@ TestPath drag(double duration_s) {
 	return along(-Y, { { 0.6, duration_s, 0.2 } });
 }
 
-Events events_of(const Models &models, const TestPath &path) {
-	GestureRecogniser recogniser(models, std::nullopt, MotionMode::PHASE);
-	return watch(recogniser, path, 3.0);
+Events events_of(const Models &models, const TestPath &path, const TestTracker &tracker = {}) {
+	return watch(GestureRecogniser(models, std::nullopt, MotionMode::PHASE), path, 3.0, tracker);
 }
 
 } // namespace
 
-TEST_CASE("a fast stroke down that comes back is a tap") {
-	for (const double duration_s : { 0.2, 0.3, 0.4, 0.5 }) {
-		CAPTURE(duration_s);
-		const Events events = events_of(taps_and_drags(), tap(duration_s));
+TEST_CASE("a fast stroke down that comes back is a tap, one that stays a drag") {
+	for (const auto &[path, end] : { std::pair{ tap(0.2), "ended tap" }, { tap(0.3), "ended tap" },
+				 { tap(0.4), "ended tap" }, { tap(0.5), "ended tap" }, { drag(0.35), "ended upright" },
+				 { drag(0.5), "ended upright" }, { drag(0.7), "ended upright" } }) {
+		const Events events = events_of(taps_and_drags(), path);
+		CAPTURE(events.names);
 		REQUIRE(!events.names.empty());
-		CHECK(events.names.back() == "ended tap");
+		CHECK(events.names.back() == end);
 		CHECK(ends(events) == 1);
 	}
 }
 
-TEST_CASE("a stroke down that stays is a drag at any pace") {
-	for (const double duration_s : { 0.35, 0.5, 0.7, 1.0, 2.0 }) {
-		CAPTURE(duration_s);
-		const Events events = events_of(taps_and_drags(), drag(duration_s));
-		REQUIRE(!events.names.empty());
-		CHECK(events.names.back() == "ended upright");
-		CHECK(ends(events) == 1);
+TEST_CASE("slow strokes down and drags up show no tap") {
+	const TestPath fast_return = along(Y, { { 0.6, 0.8, 0.2 }, { 1.8, 0.35, -0.2 } });
+	for (const TestPath &path : { tap(1.2), drag(1.0), drag(2.0), fast_return }) {
+		CHECK(events_of(taps_and_drags(), path).names == times(1, "upright"));
 	}
-}
-
-TEST_CASE("a slow stroke down that comes back is a drag") {
-	const Events events = events_of(taps_and_drags(), tap(1.2));
-	CHECK(events.names == times(1, "upright"));
-}
-
-TEST_CASE("a drag down of 1 s shows no tap beside the model of a tap") {
-	for (const double duration_s : { 1.0, 2.0 }) {
-		CAPTURE(duration_s);
-		CHECK(events_of(taps_and_drags(), drag(duration_s)).names == times(1, "upright"));
-	}
+	const TestPath half_way = along(-Y, { { 0.6, 0.8, 0.1 }, { 2.6, 0.5, -0.1 } });
+	CHECK(has_no_end(events_of(taps_and_drags(), half_way)));
 }
 
 TEST_CASE("a drag down of 0.8 s ends no later beside the model of a tap") {
@@ -104,18 +92,7 @@ TEST_CASE("a tap down ends at its contact without the model of a drag") {
 }
 
 TEST_CASE("a tap that is lost at its end has no second event") {
-	GestureRecogniser recogniser(taps_and_drags(), std::nullopt, MotionMode::PHASE);
-	const Events events = watch(recogniser, tap(0.3), 3.0, 0.85, 1.4);
+	const Events events = events_of(taps_and_drags(), tap(0.3), { 0.85, 1.4 });
 	CHECK(ends(events) <= 1);
 	CHECK(count(events, "started") <= 2);
-}
-
-TEST_CASE("a fast return from a drag up is no tap") {
-	const TestPath path = along(Y, { { 0.6, 0.8, 0.2 }, { 1.8, 0.35, -0.2 } });
-	CHECK(events_of(taps_and_drags(), path).names == times(1, "upright"));
-}
-
-TEST_CASE("a drag down that stops half-way ends no gesture") {
-	const TestPath path = along(-Y, { { 0.6, 0.8, 0.1 }, { 2.6, 0.5, -0.1 } });
-	CHECK(has_no_end(events_of(taps_and_drags(), path)));
 }
