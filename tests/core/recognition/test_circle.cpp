@@ -6,7 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
 
 using namespace steadyhand;
@@ -17,8 +16,6 @@ namespace {
 constexpr double RADIUS_M = 0.06;
 constexpr double ROUND_M = 2.0 * std::numbers::pi * RADIUS_M;
 constexpr Drag ROUND{ .onset_s = 0.5, .duration_s = 1.3, .amplitude_m = ROUND_M };
-constexpr std::array MODES{ MotionMode::PHASE, MotionMode::PAPER };
-
 const Task TASK{ { 0.0, RADIUS_M, 0.0 }, { -1.0, 0.0, 0.0 }, ROUND_M };
 
 /// Point at an arc length from the circle's top, counterclockwise.
@@ -37,7 +34,7 @@ Track track_of(double rate_hz, double length_s, const std::vector<Drag> &rounds)
 	return track;
 }
 
-const std::shared_ptr<const GestureModel> &circle() {
+GestureRecogniser circles(MotionMode mode = MotionMode::PHASE, const std::optional<Task> &task = TASK) {
 	static const auto model = [] {
 		std::vector<TrainingRecording> recordings;
 		for (int i = 0; i < 12; ++i) {
@@ -49,21 +46,15 @@ const std::shared_ptr<const GestureModel> &circle() {
 		return std::make_shared<const GestureModel>(
 				train("circle", "index_along_circle", recordings, {}).value());
 	}();
-	return model;
-}
-
-std::vector<std::string> event_names(const TestPath &hand, const std::optional<Task> &task = TASK) {
-	GestureRecogniser recogniser({ circle() }, task, MotionMode::PHASE);
-	return watch(recogniser, hand, 2.5).names;
+	return { { model }, task, mode };
 }
 
 } // namespace
 
 TEST_CASE("phase mode follows a circle within 2 %; both modes end") {
-	CHECK(evaluate(*circle(), 1.0).value == near(1.0).epsilon(0.01));
-	for (const MotionMode mode : MODES) {
+	for (const MotionMode mode : { MotionMode::PHASE, MotionMode::PAPER }) {
 		CAPTURE(static_cast<int>(mode));
-		GestureRecogniser recogniser({ circle() }, TASK, mode);
+		GestureRecogniser recogniser = circles(mode);
 		double largest_m = 0.0;
 		for (const HandFrame &frame : track_of(110.0, 2.5, { ROUND }).frames) {
 			recogniser.push(frame);
@@ -81,38 +72,36 @@ TEST_CASE("phase mode follows a circle within 2 %; both modes end") {
 
 TEST_CASE("three rounds with a rest between them are three circles") {
 	const std::vector<Drag> rounds{ { 0.5, 1.2, ROUND_M }, { 2.5, 1.2, ROUND_M }, { 4.5, 1.2, ROUND_M } };
-	for (const MotionMode mode : MODES) {
+	for (const MotionMode mode : { MotionMode::PHASE, MotionMode::PAPER }) {
 		CAPTURE(static_cast<int>(mode));
-		GestureRecogniser recogniser({ circle() }, TASK, mode);
-		StageEntries ended(GestureSession::Stage::ENDED);
+		GestureRecogniser recogniser = circles(mode);
+		ShownChanges shown;
+		int ended = 0;
 		for (const HandFrame &frame : track_of(110.0, 6.5, rounds).frames) {
 			recogniser.push(frame);
-			ended.look(recogniser);
+			ended += shown.next(recogniser).ended ? 1 : 0;
 			const Motion motion = recogniser.motion(MotionSource::SYNTHESISED);
 			REQUIRE(motion.value_m > -0.1 * ROUND_M);
 			REQUIRE(motion.value_m < 1.3 * ROUND_M);
 		}
-		CHECK(ended.count() == 3);
+		CHECK(ended == 3);
 		CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m == near(ROUND_M).epsilon(0.05));
 	}
 }
 
-TEST_CASE("a circle without a task starts nothing") {
-	CHECK(event_names([](double t_s) { return on_circle(ROUND.x_m(t_s)); }, std::nullopt).empty());
-}
-
-TEST_CASE("a circle of twice or half the radius, off its plane, ends") {
+TEST_CASE("a circle of another size, off its plane, ends; without a task none does") {
 	struct Form {
 		double width, height, nearer_m;
 	};
 	for (const auto &[width, height, nearer_m] : { Form{ 2.0, 2.0, 0.0 }, Form{ 0.5, 0.5, 0.0 },
 				 Form{ 0.6, 1.0, 0.0 }, Form{ 1.0, 1.0, -RADIUS_M }, Form{ 1.8, 1.8, RADIUS_M } }) {
 		INFO("width ", width, ", nearer ", nearer_m);
-		const auto hand = [&](double t_s) {
+		const TestPath hand = [&](double t_s) {
 			const Eigen::Vector3d on_m = on_circle(ROUND.x_m(t_s));
 			return Eigen::Vector3d(width * on_m.x(), height * on_m.y(), nearer_m);
 		};
-		CHECK(event_names(hand) == times(1, "circle"));
+		CHECK(watch(circles(), hand, 2.5).names == times(1, "circle"));
+		CHECK(watch(circles(MotionMode::PHASE, std::nullopt), hand, 2.5).names.empty());
 	}
 }
 
@@ -123,18 +112,17 @@ TEST_CASE("a hand that moves beside a circle's task starts nothing") {
 				 std::pair{ Eigen::Vector3d(0.02, RADIUS_M, 0.2), Eigen::Vector3d(-X) } }) {
 		CAPTURE(from_m.transpose());
 		const TestPath there_and_back = along(axis, { { 0.6, 0.8, 0.2 }, { 1.6, 0.8, -0.2 } });
-		CHECK(event_names([&](double t_s) { return Eigen::Vector3d(from_m + there_and_back(t_s)); }).empty());
+		const TestPath hand = [&](double t_s) { return Eigen::Vector3d(from_m + there_and_back(t_s)); };
+		CHECK(watch(circles(), hand, 2.5).names.empty());
 	}
 }
 
 TEST_CASE("a hand that leaves the circle at 40 % aborts the gesture") {
-	GestureRecogniser recogniser({ ExpectedGesture{ circle(), TASK } });
-	const Drag part{ .onset_s = 0.5, .duration_s = 0.7, .amplitude_m = 0.4 * ROUND_M },
-			leaves{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = 0.4 };
-	const auto hand = [&](double t_s) {
+	GestureRecogniser recogniser = circles();
+	const TestPath hand = [](double t_s) {
+		const Drag part{ 0.5, 0.7, 0.4 * ROUND_M }, leaves{ 1.0, 0.5, 0.4 };
 		return Eigen::Vector3d(on_circle(part.x_m(t_s)) - leaves.x_m(t_s) * X);
 	};
-	CHECK(watch(recogniser, hand, 2.5).names ==
-			std::vector<std::string>{ "started circle", "aborted circle" });
+	CHECK(watch(recogniser, hand, 2.5).names == EventNames{ "started circle", "aborted circle" });
 	CHECK(std::abs(recogniser.motion(MotionSource::SYNTHESISED).progress) < 1e-9);
 }
