@@ -75,32 +75,6 @@ Track in_bursts(const Track &track) {
 	return bursts;
 }
 
-/// Largest change of the synthesised velocity within a step, m/s, for fast drags and returns. r_off_m:
-/// largest difference between the change of the value and the integral of the velocity.
-double largest_velocity_step(MotionMode mode, double step_s, double &r_off_m) {
-	GestureRecogniser hmm = recogniser(mode);
-	const std::vector<Drag> strokes{ { 0.5, 0.35, 0.2 }, { 1.0, 0.35, -0.2 }, { 2.0, 1.6, 0.2 } };
-	double largest = 0.0;
-	Motion before;
-	int frames = 0;
-	for (int step = 1; step * step_s < 4.0; ++step) {
-		const double t_s = step * step_s;
-		for (; frames / 60.0 <= t_s; ++frames) {
-			HandFrame frame;
-			frame.t_s = frames / 60.0;
-			frame.set(Joint::INDEX, x_m(strokes, frame.t_s) * X);
-			hmm.push(frame);
-		}
-		hmm.advance(t_s);
-		const Motion now = hmm.motion(MotionSource::SYNTHESISED);
-		largest = std::max(largest, std::abs(now.velocity_m_s - before.velocity_m_s));
-		const double goes_on_m = 0.5 * step_s * (before.velocity_m_s + now.velocity_m_s);
-		r_off_m = std::max(r_off_m, std::abs(now.value_m - before.value_m - goes_on_m));
-		before = now;
-	}
-	return largest;
-}
-
 } // namespace
 
 TEST_CASE("a clean drag is followed within 4 mm in phase mode") {
@@ -206,67 +180,6 @@ TEST_CASE("the synthesised velocity and acceleration are the value's derivatives
 	}
 }
 
-TEST_CASE("phase mode does not depend on the HMM or the states' durations") {
-	const Track track = shaky_drag();
-	const auto rows_of = [&](const GestureModel &model) {
-		GestureRecogniser hmm({ std::make_shared<const GestureModel>(model) }, Task{}, MotionMode::PHASE);
-		std::vector<Row> rows;
-		for (const HandFrame &frame : track.frames) {
-			hmm.push(frame);
-			rows.push_back(row_of(hmm));
-		}
-		return rows;
-	};
-	const std::vector<Row> own = rows_of(drag_model());
-	GestureModel other = drag_model();
-	other.hmm.log_b.rowwise().reverseInPlace();
-	other.hmm.log_a.setConstant(-std::log(static_cast<double>(other.hmm.states())));
-	for (PrimitiveMotionElement &element : other.elements) {
-		element.duration_mean_s *= 3.0;
-		element.duration_deviation_s *= 3.0;
-		element.deviation *= 3.0;
-	}
-	CHECK(rows_of(other) == own);
-	other.duration_mean_s *= 3.0;
-	CHECK(rows_of(other) != own);
-}
-
-TEST_CASE("value and velocity of the motion do not step") {
-	for (const MotionMode mode : MODES) {
-		CAPTURE(static_cast<int>(mode));
-		double off_m = 0.0, finely_off_m = 0.0;
-		const double in_a_ms = largest_velocity_step(mode, 1e-3, off_m);
-		CHECK(largest_velocity_step(mode, 1e-4, finely_off_m) < 0.2 * in_a_ms);
-		CHECK(finely_off_m < 1e-5);
-	}
-}
-
-TEST_CASE("a hand that rests or twitches by 15 mm makes no gesture") {
-	for (const MotionMode mode : MODES) {
-		CHECK(std::abs(play(mode, drag_track({ .onset_s = 1e9 }, 110.0, 5.0), 5.0).back()[0]) < 0.001);
-		GestureRecogniser hmm = recogniser(mode);
-		const Drag twitch{ .onset_s = 0.5, .duration_s = 0.2, .amplitude_m = 0.015 };
-		for (const HandFrame &frame : drag_track(twitch, 110.0, 4.0).frames) {
-			hmm.push(frame);
-		}
-		CHECK(hmm.gesture() == -1);
-		CHECK(hmm.motion(MotionSource::SYNTHESISED).value_m < 0.016);
-	}
-}
-
-TEST_CASE("ten drags in a row end ten times") {
-	std::vector<Drag> strokes;
-	for (int i = 0; i < 10; ++i) {
-		strokes.push_back({ 3.0 * i + 0.3, 1.0, 0.2 });
-		strokes.push_back({ 3.0 * i + 1.8, 1.0, -0.2 });
-	}
-	for (const MotionMode mode : MODES) {
-		CAPTURE(static_cast<int>(mode));
-		GestureRecogniser hmm = recogniser(mode);
-		CHECK(ends(watch(hmm, along(X, strokes), 30.0, 1e9, 1e9, 200.0, 0.0)) == 10);
-	}
-}
-
 TEST_CASE("NaN, infinite and huge input leaves every output finite") {
 	const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
 	for (const MotionMode mode : MODES) {
@@ -285,7 +198,9 @@ TEST_CASE("NaN, infinite and huge input leaves every output finite") {
 			t_s += 0.01;
 		}
 		hmm.advance(t_s + 3600.0);
-		hmm.advance(1e12); // and does not hang
+		hmm.advance(1e300); // is ignored
+		CHECK(hmm.time_s() < 1e4);
+		hmm.advance(1e12); // does not hang
 		CHECK(std::isfinite(hmm.motion(MotionSource::SYNTHESISED).value_m));
 	}
 	CHECK(row_of(GestureRecogniser({}, std::nullopt, MotionMode::PHASE))[0] == 0.0);
