@@ -45,30 +45,14 @@ inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 	return all;
 }
 
-/// Peak change in a millisecond of a value that decays critically damped at 50
-/// /s from 0.2 m: 0.2 * 50 / e m/s.
+/// Peak change in a millisecond of a value that decays critically damped at 50 /s from 0.2 m: 0.2 * 50 / e
+/// m/s.
 inline constexpr double FASTEST_M_MS = 0.2 * 50.0 / std::numbers::e / 1000.0;
 
 /// Stage of the shown gesture.
 inline GestureSession::Stage stage(const GestureRecogniser &recogniser) {
 	return recogniser.session() != nullptr ? recogniser.session()->stage() : GestureSession::Stage::IDLE;
 }
-
-/// Counts how often a recogniser enters a stage.
-class StageEntries {
-public:
-	explicit StageEntries(GestureSession::Stage counted) : counted_(counted) {}
-	void look(const GestureRecogniser &recogniser) {
-		const GestureSession::Stage now = stage(recogniser);
-		count_ += now == counted_ && last_ != now ? 1 : 0;
-		last_ = now;
-	}
-	[[nodiscard]] int count() const { return count_; }
-
-private:
-	GestureSession::Stage counted_, last_ = GestureSession::Stage::IDLE;
-	int count_ = 0;
-};
 
 using EventNames = std::vector<std::string>;
 using TestPath = std::function<Eigen::Vector3d(double t_s)>;
@@ -86,8 +70,7 @@ struct Events {
 	double last_ended_s = 0.0;    ///< time of the last end
 };
 
-/// A tracker with a dropout from lost_from_s to lost_to_s, and white noise on
-/// each axis.
+/// A tracker with a dropout from lost_from_s to lost_to_s, and white noise on each axis.
 struct TestTracker {
 	double lost_from_s = NEVER_S, lost_to_s = NEVER_S;
 	double rate_hz = 110.0, noise_m = 1e-4;
@@ -116,8 +99,8 @@ private:
 	std::normal_distribution<double> noise_;
 };
 
-/// The path with a freeze from from_s to to_s. Without an earlier pose it is at
-/// 0. During the freeze `seen` is not called.
+/// The path with a freeze from from_s to to_s. Without an earlier pose it is at 0. During the freeze `seen`
+/// is not called.
 inline TestPath held(const TestPath &seen, double from_s, double to_s) {
 	return [=, shown_m = Eigen::Vector3d(Eigen::Vector3d::Zero())](double t_s) mutable {
 		if (t_s < from_s || t_s >= to_s) {
@@ -211,25 +194,6 @@ inline Events watch_without_task(const TestPath &path, double length_s, const Te
 
 inline Events watch_with_task(const TestPath &path, double length_s, const TestTracker &tracker = {}) {
 	return watch(with_task(), path, length_s, tracker);
-}
-
-inline Events watch(GestureRecogniser &recogniser, const TestPath &path, double length_s, double lost_from_s,
-		double lost_to_s = NEVER_S, double rate_hz = 110.0, double noise_m = 1e-4) {
-	return watch(recogniser, path, length_s, TestTracker{ lost_from_s, lost_to_s, rate_hz, noise_m });
-}
-
-inline Events watch_without_task(
-		const TestPath &path, double length_s, double lost_from_s, double lost_to_s = NEVER_S) {
-	return watch_without_task(path, length_s, TestTracker{ lost_from_s, lost_to_s });
-}
-
-inline Events watch_with_task(
-		const TestPath &path, double length_s, double lost_from_s, double lost_to_s = NEVER_S) {
-	return watch_with_task(path, length_s, TestTracker{ lost_from_s, lost_to_s });
-}
-
-inline std::vector<std::string> started_and_aborted(const std::string &gesture) {
-	return { "started " + gesture, "aborted " + gesture };
 }
 
 inline EventNames times(int n, const std::string &gesture) {
