@@ -97,18 +97,6 @@ double end_s(const std::vector<MotionEstimate> &out) {
 
 } // namespace
 
-TEST_CASE("calls of at() change no bit of the motion") {
-	test::MonitoredEstimator watched(test::drag_model()), unwatched(test::drag_model());
-	for (const Reading &reading : faulty_readings()) {
-		for (int i = 0; i < 5; ++i) {
-			static_cast<void>(watched.at(reading.t_s + 0.01 * i));
-		}
-		watched.push(reading.t_s, reading.x);
-		unwatched.push(reading.t_s, reading.x);
-		CHECK(same_bits(watched.at(reading.t_s + 0.005), unwatched.at(reading.t_s + 0.005)));
-	}
-}
-
 TEST_CASE("stamps 1e5 s later give the same motion within 1e-6") {
 	const std::vector<Reading> all = faulty_readings();
 	const std::vector<MotionEstimate> now = replay(all, 3.5), later = replay(all, 3.5, 1e5);
@@ -175,21 +163,6 @@ TEST_CASE("the motion is finite if stamps are equal or an hour apart") {
 		estimator.push(3600.0 * i, 0.1 * i);
 		CHECK(is_finite(estimator.at(3600.0 * i + 1800.0)));
 	}
-}
-
-TEST_CASE("five equal readings at once count as one") {
-	const std::vector<Reading> all = readings(drag(), 90.0, 2.5, 1e-3);
-	test::MonitoredEstimator often(test::drag_model()), once(test::drag_model());
-	double largest = 0.0;
-	for (const Reading &reading : all) {
-		for (int i = 0; i < 5; ++i) {
-			often.push(reading.t_s + 1e-4 * i, reading.x);
-		}
-		once.push(reading.t_s, reading.x);
-		const double t_s = reading.t_s + 0.005;
-		largest = std::max(largest, std::abs(often.at(t_s).value - once.at(t_s).value));
-	}
-	CHECK(largest < 0.01);
 }
 
 TEST_CASE("a reset estimator puts out the same bits as a new one") {

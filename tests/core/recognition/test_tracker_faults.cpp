@@ -104,18 +104,6 @@ TEST_CASE("without a task a freeze of rounded positions does not abort") {
 	}
 }
 
-TEST_CASE("a freeze in mid-gesture keeps the end value of a long gesture") {
-	for (const double frozen_s : { 0.15, 0.25 }) {
-		for (const double from_s : { 1.0, 1.2 }) {
-			INFO("frozen ", frozen_s, ", from ", from_s);
-			const TestPath reach = along(X, { { 0.6, 1.0, 0.28 } });
-			const Events events = watch_without_task(held(reach, from_s, from_s + frozen_s), 2.0);
-			CHECK(events.names == ENDS);
-			CHECK(std::abs(events.last_value_m - 0.28) < 0.01);
-		}
-	}
-}
-
 TEST_CASE("a persistent jump before the onset does not change the gesture") {
 	const Events events = watch_without_task(jumped(along(X, { DRAG }), 0.3, NEVER_S, 0.04 * X), 2.2);
 	CHECK(events.names == ENDS);
