@@ -1,11 +1,10 @@
-// `paper` mode with a task: aborts, ends, and the effect of the state decoder.
+// `paper` mode with a task: aborts, ends, and late states.
 
 #include "gesture_events.h"
 #include "near.h"
 
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
 
 using namespace steadyhand;
@@ -15,13 +14,6 @@ namespace {
 
 constexpr double TASK_M = 0.2; ///< amplitude of Task{}
 constexpr double ONSET_S = 0.5;
-
-constexpr std::array DECODINGS{
-	StateDecoding{ StateDecoding::Rule::VITERBI, 3 },
-	StateDecoding{ StateDecoding::Rule::VITERBI, 8 },
-	StateDecoding{ StateDecoding::Rule::FILTER },
-	StateDecoding{ StateDecoding::Rule::VITERBI, 0, StateDecoding::Precision::SINGLE },
-};
 
 Events watch_paper_mode(const TestPath &path, double length_s) {
 	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
@@ -129,34 +121,4 @@ TEST_CASE("a gesture that begins late starts at its phase") {
 	CHECK(late.phase(known_s) == near(first.phase_end));
 	CHECK(late.phase(known_s + 0.5e-3) > first.phase_end);
 	CHECK(late.phase(known_s + 1.1e-3) == near(second.phase_end));
-}
-
-TEST_CASE("paper mode ends with every decoder; lagged decoders are never earlier") {
-	const Drag drag{ .onset_s = 0.5, .duration_s = 1.1, .amplitude_m = 0.2 };
-	const Track track = drag_track(drag, 97.0, 3.0);
-	const auto first_seen_s = [&](const StateDecoding &decoding) {
-		GestureRecogniser recogniser({ shared_drag_model() }, Task{}, MotionMode::PAPER, {}, 0.0, decoding);
-		std::array<double, 4> seen_s{};
-		for (const HandFrame &frame : track.frames) {
-			recogniser.push(frame);
-			if (const GestureSession *const session = recogniser.session()) {
-				double &first_s = seen_s.at(static_cast<std::size_t>(session->state()));
-				first_s = first_s > 0.0 ? first_s : frame.t_s;
-			}
-		}
-		CHECK(recogniser.motion(MotionSource::SYNTHESISED).value_m == near(drag.amplitude_m));
-		return seen_s;
-	};
-	const std::array<double, 4> as_shipped = first_seen_s({});
-	for (const StateDecoding &decoding : DECODINGS) {
-		const std::array<double, 4> seen_s = first_seen_s(decoding);
-		for (std::size_t state = 1; state < seen_s.size(); ++state) {
-			CAPTURE(state);
-			CAPTURE(decoding.lag);
-			CHECK(seen_s[state] > 0.0);
-			if (decoding.rule == StateDecoding::Rule::VITERBI) {
-				CHECK(seen_s[state] >= as_shipped[state]);
-			}
-		}
-	}
 }
