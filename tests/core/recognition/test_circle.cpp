@@ -89,7 +89,7 @@ TEST_CASE("three rounds with a rest between them are three circles") {
 	}
 }
 
-TEST_CASE("a circle of another size, off its plane, ends; without a task none does") {
+TEST_CASE("a circle of another size or depth ends only with a task") {
 	struct Form {
 		double width, height, nearer_m;
 	};

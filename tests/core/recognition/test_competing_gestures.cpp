@@ -169,7 +169,7 @@ TEST_CASE("a press ends at its key despite a deeper one beside it" * doctest::te
 	}
 }
 
-TEST_CASE("a fast stroke down that comes back is a tap, one that stays a drag") {
+TEST_CASE("a stroke down that returns fast is a tap, otherwise a drag") {
 	for (const auto &[path, end] : { std::pair{ tap(0.2), "ended tap" }, { tap(0.3), "ended tap" },
 				 { tap(0.4), "ended tap" }, { tap(0.5), "ended tap" }, { drag(0.35), "ended upright" },
 				 { drag(0.5), "ended upright" }, { drag(0.7), "ended upright" } }) {

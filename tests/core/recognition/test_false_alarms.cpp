@@ -59,7 +59,7 @@ TEST_CASE("diagonal, bent, circular and winding movement ends nothing") {
 	CHECK(has_no_end(watch_without_task(digit_one, 3.0)));
 }
 
-TEST_CASE("a still hand, a shift of 3 cm and a waving hand start nothing") {
+TEST_CASE("still, slightly shifted and waving hands start nothing") {
 	const TestPath still = [](double) { return Eigen::Vector3d(0.02, -0.01, 0.03); };
 	CHECK(watch_without_task(still, 20.0).names.empty());
 	CHECK(watch_with_task(still, 20.0).names.empty());

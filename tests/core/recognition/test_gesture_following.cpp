@@ -192,7 +192,7 @@ TEST_CASE("the synthesised velocity and acceleration are the value's derivatives
 	}
 }
 
-TEST_CASE("the acceleration without corrections at frames follows the hand at noise of 0.5 mm") {
+TEST_CASE("the acceleration without frame corrections follows the hand at 0.5 mm noise") {
 	Tremor tremor(0.0005, 5);
 	double truth_square = 0.0, off_square = 0.0;
 	for (const double duration_s : { 0.6, 0.9, 1.2 }) {

@@ -71,7 +71,7 @@ TEST_CASE("without a task each hand makes its events") {
 	CHECK(std::abs(returned.last_value_m) < 0.005);
 }
 
-TEST_CASE("without a task the value is the distance from the onset, in the hand's direction") {
+TEST_CASE("without a task the value is the distance since the onset") {
 	struct Row {
 		double angle_rad, amplitude_m, duration_s, tolerance;
 	};

@@ -92,7 +92,7 @@ Outcome watch_fingers(const Opening &opening) {
 
 } // namespace
 
-TEST_CASE("opening fingers are a zoom of their own growth, also with shift or dropout") {
+TEST_CASE("opening fingers are one zoom of their own growth") {
 	struct Row {
 		Opening opening;
 		double tolerance_m;
@@ -150,7 +150,7 @@ TEST_CASE("with a task noise of 1 mm hardly starts a zoom") {
 	CHECK(started <= 3); // in 200 s
 }
 
-TEST_CASE("repeated zooms with 1 mm noise end no drag; a drag after them does") {
+TEST_CASE("repeated zooms end no drag; a drag after them ends") {
 	constexpr double OUT_S = 0.55, REST_S = 0.1, BACK_S = 1.0, PERIOD_S = 1.75, SMALL_M = 0.016;
 	constexpr int STROKES = 4;
 	std::vector<Drag> radius_m; // minimum jerk, as of a drag
