@@ -123,6 +123,7 @@ inline Eigen::Vector3d rounded(const Eigen::Vector3d &place_m, double grid_m) {
 	return grid_m > 0.0 ? Eigen::Vector3d(grid_m * (place_m / grid_m).array().round()) : place_m;
 }
 
+/// strokes: each { onset s, duration s, amplitude m }; they may overlap.
 inline TestPath along(const Eigen::Vector3d &axis, const std::vector<Drag> &strokes) {
 	return [=](double t_s) { return Eigen::Vector3d(x_m(strokes, t_s) * axis); };
 }

@@ -18,7 +18,7 @@ Eigen::Vector3d turned(double angle_rad) {
 	return { std::cos(angle_rad), std::sin(angle_rad), 0.0 };
 }
 
-ExpectedGesture free(const char *name, double angle_rad) {
+ExpectedGesture no_task(const char *name, double angle_rad) {
 	return { model(name, turned(angle_rad), false), std::nullopt };
 }
 
@@ -102,18 +102,18 @@ TEST_CASE("of two gestures that fit, the likelier one ends") {
 	};
 	const Drag quick{ 1.0, 0.4, 0.15 }, slow{ 1.0, 1.2, 0.15 };
 	for (const auto &[likelier, one, other, angle_rad, drag] : {
-				 Row{ "level", free("level", 0.0), free("rising", 0.35), 0.1, DRAG },
-				 { "rising", free("level", 0.0), free("rising", 0.35), 0.25, DRAG },
+				 Row{ "level", no_task("level", 0.0), no_task("rising", 0.35), 0.1, DRAG },
+				 { "rising", no_task("level", 0.0), no_task("rising", 0.35), 0.25, DRAG },
 				 // The hand stops at the nearer one of two targets.
 				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, quick },
 				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, slow },
 				 { "near", at("near", 0.0, 0.15, 0.02 * Y), at("far", 0.0, 0.3), 0.0, quick },
 				 // A task 34 degrees off is less likely than the gesture without a task.
-				 { "anywhere", at("here", 0.6, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 0.5, 0.2 } },
-				 { "anywhere", at("here", 0.7, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 1.2, 0.2 } },
+				 { "anywhere", at("here", 0.6, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 0.5, 0.2 } },
+				 { "anywhere", at("here", 0.7, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 1.2, 0.2 } },
 				 // The same gesture with a task is likelier than without one.
-				 { "here", at("here", 0.0, 0.2), free("anywhere", 0.0), 0.0, { 1.0, 0.8, 0.2 } },
-				 { "here", at("here", 0.2, 0.15), free("anywhere", 0.0), 0.2, { 1.0, 0.8, 0.15 } },
+				 { "here", at("here", 0.0, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 0.8, 0.2 } },
+				 { "here", at("here", 0.2, 0.15), no_task("anywhere", 0.0), 0.2, { 1.0, 0.8, 0.15 } },
 		 }) {
 		for (const Expected &both : both_orders(one, other)) {
 			INFO("likelier ", likelier, ", first ", both.front().model->gesture, ", angle ", angle_rad);
@@ -130,7 +130,7 @@ TEST_CASE("a movement that bends onto another gesture's axis changes to it once"
 		const double share = DRAG.x_m(t_s) / DRAG.amplitude_m;
 		return Eigen::Vector3d(DRAG.x_m(t_s) * turned(0.42 * std::min(share / 0.7, 1.0)));
 	};
-	CHECK(watch(GestureRecogniser({ free("first", 0.0), free("second", 0.45) }), path, 1.25).names ==
+	CHECK(watch(GestureRecogniser({ no_task("first", 0.0), no_task("second", 0.45) }), path, 1.25).names ==
 			EventNames{ "started first", "aborted first", "started second" });
 }
 

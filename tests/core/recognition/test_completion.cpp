@@ -38,13 +38,6 @@ TEST_CASE("a hand that stops beyond a completion of 70 % ends there") {
 	}
 }
 
-TEST_CASE("a movement of 4 s ends beyond 90 % of its amplitude") {
-	const Drag slow{ 0.5, 4.0, 0.2 };
-	const Events events = watch_with_task(along(X, { slow }), 6.5);
-	CHECK(events.names == ENDS);
-	CHECK(slow.x_m(events.last_ended_s) > 0.18);
-}
-
 TEST_CASE("a gesture with a pause ends within 0.2 s of its endpoint") {
 	for (const double far_m : { 0.06, 0.08 }) {
 		for (const double halts_s : { 0.2, 0.5 }) {

@@ -53,14 +53,6 @@ TEST_CASE("paper mode ends at the task's amplitude wherever the hand stops") {
 	}
 }
 
-TEST_CASE("paper mode waits at the end of the first state") {
-	// A slow movement to 0.3 of the amplitude stays in the first state.
-	const double first_end = drag_model().elements.front().phase_end;
-	const Events waits = watch_paper_mode(along(X, { drag_to(0.3) }), 4.0);
-	CHECK(waits.names == STARTS);
-	CHECK(waits.last_value_m == near(TASK_M * evaluate(drag_model(), first_end).value).epsilon(1e-9));
-}
-
 TEST_CASE("paper mode with a task accepts oblique and winding movement") {
 	CHECK(watch_paper_mode(along((X + Y).normalized(), { drag_to(2.0) }), 3.0).names == ENDS);
 	const TestPath winding = [](double t_s) {
