@@ -138,7 +138,7 @@ private:
 	TypedArray<GestureTask> tasks_;
 	TypedArray<GestureModel> models_;
 	Mode mode_ = MODE_PHASE;
-	Quality quality_ = QUALITY_ACCURATE;
+	Quality quality_ = QUALITY_BALANCED;
 	Motion motion_ = MOTION_SYNTHESISED;
 	/// The default is the low end of hand trackers' latencies, 10 to 30 ms. A value above the real latency
 	/// makes ends early.

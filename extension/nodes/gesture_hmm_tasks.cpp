@@ -131,7 +131,7 @@ void GestureHMM::build_recogniser() {
 	frames_with_hand_ = 0;
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
 			static_cast<steadyhand::MotionMode>(mode_),
-			steadyhand::estimator_effort(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
+			steadyhand::hypotheses_of(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
 	recogniser_->set_min_confidence(min_confidence_);
 	recogniser_->set_completion(completion_);
 	recogniser_->set_start_condition(start_);

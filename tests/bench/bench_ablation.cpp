@@ -103,7 +103,7 @@ private:
 		return each(chosen.size(), [&](std::size_t i) {
 			const auto &model = model_of(chosen[i]->trial.gesture);
 			GestureRecogniser recogniser({ model }, task_of(*chosen[i]), MotionMode::PHASE,
-					estimator_effort(Quality::ACCURATE), USUAL_SENSOR_LATENCY_S);
+					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
 			constexpr double OUTPUTS_PER_S = 250.0;
 			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
 		});

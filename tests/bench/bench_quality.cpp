@@ -1,5 +1,5 @@
-// Cost and accuracy of settings: a line of CSV for each effort of `phase` mode, and for `paper` mode with
-// several numbers of states and symbols, decoders, precisions and output rates.
+// Cost and accuracy of settings: a line of CSV for each number of hypotheses of `phase` mode, and for `paper`
+// mode with several numbers of states and symbols, decoders, precisions and output rates.
 //
 //     bench_quality [MODELS [TRIALS]]
 //
@@ -58,7 +58,7 @@ public:
 			for (std::size_t i = 0; i < std::min(TRIALS, trials_[g].size()); ++i) {
 				const SyntheticTrial &trial = trials_[g][i];
 				GestureRecogniser recogniser({ models_of(setting)[g] }, task_of(trial), setting.mode,
-						setting.effort, 0.0, setting.decoding);
+						setting.hypotheses, 0.0, setting.decoding);
 				ns += ns_of([&] {
 					replay(trial, recogniser, setting.outputs_per_s,
 							[&](double) { keep(recogniser.motion(MotionSource::SYNTHESISED)); });
@@ -107,14 +107,14 @@ private:
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
 		GestureRecogniser recogniser({ models_of(setting)[gesture] }, task_of(trial), setting.mode,
-				setting.effort, 0.0, setting.decoding);
+				setting.hypotheses, 0.0, setting.decoding);
 		return compare_replay(trial, *models_of(setting)[gesture], recogniser, setting.outputs_per_s);
 	}
 
 	/// Gestures that ended, with all models active and without a task.
 	[[nodiscard]] std::vector<int> ended(const SyntheticTrial &trial, const Setting &setting) const {
 		GestureRecogniser recogniser(
-				models_of(setting), std::nullopt, setting.mode, setting.effort, 0.0, setting.decoding);
+				models_of(setting), std::nullopt, setting.mode, setting.hypotheses, 0.0, setting.decoding);
 		std::vector<int> found;
 		bool had_ended = false;
 		for (const HandFrame &frame : trial.measured.frames) {
@@ -161,22 +161,21 @@ int main(int count, char **arguments) {
 			ns[i].push_back(study.cost_ns(all[i]));
 		}
 	}
-	std::printf("setting,states,symbols,decoder,lag,precision,hypotheses,durations,outputs_per_s,"
+	std::printf("setting,states,symbols,decoder,lag,precision,hypotheses,outputs_per_s,"
 				"ns_a_frame,x_paper,r2_zero_stable,r2_zero_unstable,t_diff_s,missed,recognised,"
 				"false_alarms_per_minute\n");
 	for (std::size_t i = 0; i < all.size(); ++i) {
 		const Setting &setting = all[i];
-		const EstimatorEffort &effort = setting.effort;
 		const bool is_phase = setting.mode == MotionMode::PHASE;
 		const Accuracy accuracy = study.accuracy(setting);
-		std::printf("%s,%d,%d,%s,%d,%s,%zu,%zu,%g,%.0f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n",
+		std::printf("%s,%d,%d,%s,%d,%s,%zu,%g,%.0f,%.3f,%.5f,%.5f,%.4f,%.4f,%.4f,%.3f\n",
 				setting.name.c_str(), setting.states, setting.symbols,
 				setting.decoding.rule == StateDecoding::Rule::FILTER ? "filter" : "viterbi",
 				setting.decoding.lag,
 				setting.decoding.precision == StateDecoding::Precision::SINGLE ? "float" : "double",
-				is_phase ? effort.hypotheses : 0, is_phase ? effort.durations : 0, setting.outputs_per_s,
-				least(ns[i]), least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable,
-				accuracy.t_diff_s, accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);
+				is_phase ? setting.hypotheses : 0, setting.outputs_per_s, least(ns[i]),
+				least(ns[i]) / least(ns.front()), accuracy.r2_stable, accuracy.r2_unstable, accuracy.t_diff_s,
+				accuracy.missed, accuracy.recognised, accuracy.alarms_per_minute);
 	}
 	return 0;
 }

@@ -130,12 +130,12 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials,
 
 /// Time for a frame, with all models at the trial's task, or without a task.
 double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
-		MotionMode mode, int outputs = 0, Quality quality = Quality::ACCURATE) {
+		MotionMode mode, int outputs = 0, Quality quality = Quality::BALANCED) {
 	return ns_a_frame(
 			trials,
 			[&](const Task &task) {
-				return GestureRecogniser(models, has_task ? std::optional(task) : std::nullopt, mode,
-						estimator_effort(quality));
+				return GestureRecogniser(
+						models, has_task ? std::optional(task) : std::nullopt, mode, hypotheses_of(quality));
 			},
 			outputs);
 }
@@ -203,7 +203,7 @@ std::vector<Row> motion_rows(const Models &models, const std::vector<SyntheticTr
 			}
 		}
 		for (const auto &[name, quality] :
-				{ std::pair{ "fast", Quality::FAST }, std::pair{ "balanced", Quality::BALANCED } }) {
+				{ std::pair{ "fast", Quality::FAST }, std::pair{ "accurate", Quality::ACCURATE } }) {
 			for (const bool has_task : { true, false }) {
 				if (mode == MotionMode::PHASE) {
 					rows.push_back({ std::string("frame, ") + name +

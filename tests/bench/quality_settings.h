@@ -1,8 +1,8 @@
 #pragma once
 
 #include "hmm/state_decoder.h"
-#include "motion/estimator_effort.h"
 #include "motion/motion.h"
+#include "motion/quality.h"
 
 #include <algorithm>
 #include <array>
@@ -21,22 +21,18 @@ inline constexpr std::array<std::pair<int, int>, 8> MODEL_SIZES{ { { 2, 16 }, { 
 struct Setting {
 	std::string name; ///< of the preset; empty if it is none
 	MotionMode mode;
-	EstimatorEffort effort;
+	std::size_t hypotheses;
 	double outputs_per_s = OUTPUTS_PER_S;
 	int states = 4, symbols = 16; ///< of the models; default: those of the shipped models
 	StateDecoding decoding = {};  ///< of `paper` mode
 };
 
-inline bool is_same(const EstimatorEffort &a, const EstimatorEffort &b) {
-	return a.hypotheses == b.hypotheses && a.durations == b.durations;
-}
-
 /// Settings of `paper` mode: first the shipped one; then other models; then all decoders, precisions and
 /// output rates.
 inline std::vector<Setting> paper_settings() {
-	std::vector<Setting> all{ { "paper", MotionMode::PAPER, {} } };
+	std::vector<Setting> all{ { "paper", MotionMode::PAPER, 0 } };
 	for (const auto &[states, symbols] : MODEL_SIZES) {
-		all.push_back({ "", MotionMode::PAPER, {}, OUTPUTS_PER_S, states, symbols });
+		all.push_back({ "", MotionMode::PAPER, 0, OUTPUTS_PER_S, states, symbols });
 	}
 	using Rule = StateDecoding::Rule;
 	using Precision = StateDecoding::Precision;
@@ -48,7 +44,7 @@ inline std::vector<Setting> paper_settings() {
 						outputs_per_s == OUTPUTS_PER_S;
 				if (!ships) {
 					all.push_back(
-							{ "", MotionMode::PAPER, {}, outputs_per_s, 4, 16, { rule, lag, precision } });
+							{ "", MotionMode::PAPER, 0, outputs_per_s, 4, 16, { rule, lag, precision } });
 				}
 			}
 		}
@@ -58,17 +54,15 @@ inline std::vector<Setting> paper_settings() {
 
 inline std::vector<Setting> phase_settings() {
 	std::vector<Setting> all;
-	for (const std::size_t hypotheses : { 2, 4, 6, 10, 16, 24, 48 }) {
-		for (const std::size_t durations : { 3, 5, 7 }) {
-			all.push_back({ "", MotionMode::PHASE, { hypotheses, durations } });
-		}
+	for (const std::size_t hypotheses : { 2, 3, 4, 6, 8, 12, 16, 24, 48 }) {
+		all.push_back({ "", MotionMode::PHASE, hypotheses });
 	}
 	for (const auto &[name, quality] : { std::pair{ "fast", Quality::FAST },
 				 std::pair{ "balanced", Quality::BALANCED }, std::pair{ "accurate", Quality::ACCURATE } }) {
-		const EstimatorEffort effort = estimator_effort(quality);
-		std::erase_if(all, [&effort](const Setting &setting) { return is_same(setting.effort, effort); });
-		all.push_back({ name, MotionMode::PHASE, effort });
-		all.push_back({ "", MotionMode::PHASE, effort, FEW_OUTPUTS_PER_S });
+		const std::size_t hypotheses = hypotheses_of(quality);
+		std::erase_if(all, [&](const Setting &setting) { return setting.hypotheses == hypotheses; });
+		all.push_back({ name, MotionMode::PHASE, hypotheses });
+		all.push_back({ "", MotionMode::PHASE, hypotheses, FEW_OUTPUTS_PER_S });
 	}
 	return all;
 }

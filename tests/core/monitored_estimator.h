@@ -12,9 +12,9 @@ class MonitoredEstimator {
 public:
 	static constexpr double AMPLITUDE_M = 0.2;
 
-	explicit MonitoredEstimator(
-			const GestureModel &model, const EstimatorEffort &effort = {}, double latency_s = 0.0) :
-			estimator_(model, AMPLITUDE_M, effort, latency_s) {}
+	explicit MonitoredEstimator(const GestureModel &model,
+			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0) :
+			estimator_(model, AMPLITUDE_M, hypotheses, latency_s) {}
 
 	void push(double t_s, double x) {
 		wait(std::nextafter(t_s, -INFINITY));

@@ -167,7 +167,7 @@ func test_get_value_at_predicts_the_value() -> void:
 
 func test_quality() -> void:
 	var gesture_hmm := GestureHMM.new()
-	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_ACCURATE, "accurate by default")
+	check_equal(gesture_hmm.quality, GestureHMM.QUALITY_BALANCED, "balanced by default")
 	gesture_hmm.free()
 
 	var curves: Array[PackedFloat64Array] = []

@@ -82,7 +82,7 @@ STEADYHAND_PARAMETER OUTLIERS = 0.01, OUTLIER_DENSITY = 0.4;
 // motion/: the hypotheses.
 
 /// Time between two births of hypotheses, and the range of their durations, in standard deviations.
-STEADYHAND_PARAMETER BIRTH_PERIOD_S = 0.03, WIDEST_DURATION = 1.9;
+STEADYHAND_PARAMETER BIRTH_PERIOD_S = 0.05, WIDEST_DURATION = 1.7;
 /// Hypotheses of less weight, relative to the greatest one, are deleted.
 STEADYHAND_PARAMETER LEAST_WEIGHT = 1e-3;
 /// A hand does not turn within this time.

@@ -3,10 +3,10 @@
 #include "base/parameters.h"
 #include "motion/motion.h"
 #include "signal/minimum_jerk.h"
-#include "signal/quintic_piece.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace steadyhand {
@@ -27,16 +27,16 @@ double switch_probability(double per_s, double dt_s) {
 
 } // namespace
 
-SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m,
-		const EstimatorEffort &effort, double latency_s, double gain_spread) :
+SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m, std::size_t hypotheses,
+		double latency_s, double gain_spread) :
 		curve_(model),
-		amplitude_m_(amplitude_m), effort_(effort), latency_s_(latency_s),
+		amplitude_m_(amplitude_m), hypotheses_(hypotheses), latency_s_(latency_s),
 		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
 		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
-	const double step = 2.0 * parameters::WIDEST_DURATION / static_cast<double>(effort.durations - 1);
+	const double step = 2.0 * parameters::WIDEST_DURATION / static_cast<double>(DURATIONS - 1);
 	log_duration_deviation_ = 0.55 * step * parameters::LOG_DURATION_SPREAD; // so that neighbours overlap
 	double total = 0.0;
-	for (std::size_t k = 0; k < effort.durations; ++k) {
+	for (std::size_t k = 0; k < DURATIONS; ++k) {
 		const double z = step * static_cast<double>(k) - parameters::WIDEST_DURATION;
 		log_durations_[k] = std::log(model.duration_mean_s) + parameters::LOG_DURATION_SPREAD * z;
 		duration_weights_[k] = std::exp(-0.5 * z * z);
@@ -46,7 +46,7 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 		weight /= total;
 	}
 	for (Belief *belief : { &now_, &before_last_ }) {
-		belief->gestures.reserve(effort.hypotheses + 2 * TRACKERS.size() * effort.durations);
+		belief->gestures.reserve(hypotheses + 2 * TRACKERS.size() * DURATIONS);
 	}
 }
 
@@ -98,18 +98,11 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 	});
 }
 
-void SwitchingEstimator::start_knots(double t_s) {
-	mean_s_ = t_s;
-	for (Knot &knot : knots_) {
-		knot.number = -1.0;
-	}
-}
-
 /// Applies a change at t_s and blends the step of the output.
 template <class Change> void SwitchingEstimator::change(double t_s, Change apply) {
 	const MotionEstimate before = at(t_s);
 	apply();
-	start_knots(t_s);
+	cached_s_ = NAN;
 	const MotionEstimate now = unblended(t_s);
 	acceleration_step_ = before.acceleration - before.correction - now.acceleration;
 	blend_.start(
@@ -125,7 +118,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		now_.measured_s = now_.changed_s = t_s;
 		now_.changed_x = x;
 		before_last_ = now_;
-		start_knots(t_s);
+		cached_s_ = NAN;
 		return;
 	}
 	if (measurement.is_usable() && !measurement.replaces_last) {
@@ -321,7 +314,7 @@ void SwitchingEstimator::spawn_gestures(double t_s) {
 		const double begun_weight =
 				begin * start_likelihood(tracker) * mode_probability(tracker, now_.hold.lagging);
 		begun += begun_weight;
-		for (std::size_t k = 0; k < effort_.durations; ++k) {
+		for (std::size_t k = 0; k < DURATIONS; ++k) {
 			const double weight = begun_weight * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
@@ -344,7 +337,7 @@ void SwitchingEstimator::spawn_unseen_gestures(const ElementReading &reading, do
 		const double deviation = GestureFilter::deviation(tracker);
 		const double velocity = GestureFilter::deviation_rate_per_s(tracker) * deviation;
 		const double error = std::sqrt(deviation * deviation + reading.variance);
-		for (std::size_t k = 0; k < effort_.durations; ++k) {
+		for (std::size_t k = 0; k < DURATIONS; ++k) {
 			const double duration_s = std::exp(log_durations_[k]), elapsed_s = phase * duration_s;
 			const double speed = slope / duration_s;
 			if (elapsed_s > gap_s + parameters::BIRTH_PERIOD_S || speed <= 0.0) {
@@ -397,10 +390,9 @@ void SwitchingEstimator::prune() {
 	std::erase_if(now_.gestures, [&](const GestureFilter &gesture) {
 		return !(gesture.weight > parameters::LEAST_WEIGHT * best);
 	});
-	if (now_.gestures.size() > effort_.hypotheses) {
-		const auto last = now_.gestures.begin() + static_cast<std::ptrdiff_t>(effort_.hypotheses);
-		std::nth_element(now_.gestures.begin(), last, now_.gestures.end(),
-				[](const GestureFilter &a, const GestureFilter &b) { return a.weight > b.weight; });
+	if (now_.gestures.size() > hypotheses_) {
+		const auto last = now_.gestures.begin() + static_cast<std::ptrdiff_t>(hypotheses_);
+		std::ranges::nth_element(now_.gestures, last, std::greater(), &GestureFilter::weight);
 		now_.gestures.erase(last, now_.gestures.end());
 	}
 }
@@ -446,32 +438,15 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	return estimate;
 }
 
-const MotionEstimate &SwitchingEstimator::knot(double number) const {
-	Knot &r_knot = knots_[static_cast<std::size_t>(std::fmod(number, 2.0))];
-	if (r_knot.number != number) {
-		r_knot = { number, mean(mean_s_ + number * KNOT_S) };
-	}
-	return r_knot.mean;
-}
-
 MotionEstimate SwitchingEstimator::unblended(double t_s) const {
 	if (!has_hand()) {
 		return {};
 	}
-	const double knots = std::max(t_s - mean_s_, 0.0) / KNOT_S, number = std::floor(knots),
-				 share = knots - number;
-	const MotionEstimate &from = knot(number);
-	if (share == 0.0) {
-		return from;
+	if (cached_s_ != t_s) {
+		cached_ = mean(std::max(t_s, now_.time_s));
+		cached_s_ = t_s;
 	}
-	const MotionEstimate &to = knot(number + 1.0);
-	const auto point = [](const MotionEstimate &mean) {
-		return MotionPoint{ mean.value, mean.velocity, mean.acceleration };
-	};
-	const MotionPoint between = QuinticPiece::between(point(from), point(to), KNOT_S).at(share * KNOT_S);
-	const auto mixed = [&](double MotionEstimate::*part) { return std::lerp(from.*part, to.*part, share); };
-	return { between.position, between.velocity, between.acceleration, mixed(&MotionEstimate::phase),
-		mixed(&MotionEstimate::gesture), mixed(&MotionEstimate::remaining), mixed(&MotionEstimate::hold) };
+	return cached_;
 }
 
 MotionEstimate SwitchingEstimator::at(double t_s) const {

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "base/parameters.h"
-#include "motion/estimator_effort.h"
 #include "motion/gesture_filter.h"
 #include "motion/output_blend.h"
+#include "motion/quality.h"
 #include "tracking/measurement.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -36,10 +37,12 @@ struct MotionEstimate {
 /// Only the constructor allocates.
 class SwitchingEstimator {
 public:
-	/// amplitude_m: of the task. latency_s: the tracker's; the estimate is this far ahead of the frames.
-	/// gain_spread: standard deviation of the endpoint, amplitudes.
-	SwitchingEstimator(const GestureModel &model, double amplitude_m, const EstimatorEffort &effort = {},
-			double latency_s = 0.0, double gain_spread = parameters::GAIN_SPREAD);
+	/// amplitude_m: of the task. hypotheses: most GESTURE hypotheses, 2..MOST_HYPOTHESES. latency_s: the
+	/// tracker's; the estimate is this far ahead of the frames. gain_spread: standard deviation of the
+	/// endpoint, amplitudes.
+	SwitchingEstimator(const GestureModel &model, double amplitude_m,
+			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0,
+			double gain_spread = parameters::GAIN_SPREAD);
 
 	/// Adds a frame. Stamps must not decrease. x: the motion element, amplitudes.
 	void push(const Measurement &measurement, double x);
@@ -77,11 +80,12 @@ private:
 
 	ReferenceTable curve_;
 	double amplitude_m_;
-	EstimatorEffort effort_;
+	std::size_t hypotheses_;
 	double latency_s_;
 	double gain_spread_;
 	HandProcess hold_process_, free_process_;
-	std::array<double, EstimatorEffort::MOST_DURATIONS> log_durations_{}, duration_weights_{};
+	static constexpr std::size_t DURATIONS = 5; ///< of new hypotheses
+	std::array<double, DURATIONS> log_durations_{}, duration_weights_{};
 	double log_duration_deviation_ = 0.0;
 
 	/// State after the measurements so far.
@@ -103,19 +107,11 @@ private:
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< step of the acceleration at the last change
 
-	/// The mean of all hypotheses is evaluated lazily at knots after the last change, and cached. Outputs
-	/// between two knots are a quintic.
-	static constexpr double KNOT_S = 0.01;
-	struct Knot {
-		double number = -1.0; ///< counted from the last change; -1: not evaluated
-		MotionEstimate mean;
-	};
-	double mean_s_ = 0.0; ///< time of knot 0
-	mutable std::array<Knot, 2> knots_;
+	/// Result of the last unblended(), and its time; NAN after a change.
+	mutable MotionEstimate cached_;
+	mutable double cached_s_ = NAN;
 
 	[[nodiscard]] MotionEstimate mean(double t_s) const;
-	[[nodiscard]] const MotionEstimate &knot(double number) const;
-	void start_knots(double t_s);
 	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);

@@ -46,13 +46,13 @@ std::unique_ptr<GestureSession> session_for(
 } // namespace
 
 GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-		const std::optional<Task> &task, MotionMode mode, const EstimatorEffort &effort, double latency_s,
+		const std::optional<Task> &task, MotionMode mode, std::size_t hypotheses, double latency_s,
 		const StateDecoding &decoding) :
-		GestureRecogniser(at_one_place(models, task), mode, effort, latency_s, decoding) {}
+		GestureRecogniser(at_one_place(models, task), mode, hypotheses, latency_s, decoding) {}
 
 GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
-		const EstimatorEffort &effort, double latency_s, const StateDecoding &decoding) :
-		synthesis_{ mode, effort, latency_s, decoding },
+		std::size_t hypotheses, double latency_s, const StateDecoding &decoding) :
+		synthesis_{ mode, hypotheses, latency_s, decoding },
 		time_s_(-std::numeric_limits<double>::infinity()) {
 	expect(std::move(gestures));
 }

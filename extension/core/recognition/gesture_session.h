@@ -20,11 +20,11 @@
 
 namespace steadyhand {
 
-/// Options of the synthesis. effort, latency_s: of SwitchingEstimator; decoding: of the states in `paper`
+/// Options of the synthesis. hypotheses, latency_s: of SwitchingEstimator; decoding: of the states in `paper`
 /// mode.
 struct Synthesis {
 	MotionMode mode = MotionMode::PHASE;
-	EstimatorEffort effort = {};
+	std::size_t hypotheses = hypotheses_of(Quality::BALANCED);
 	double latency_s = 0.0;
 	StateDecoding decoding = {};
 };

@@ -181,7 +181,7 @@ TEST_CASE("a reset estimator puts out the same bits as a new one") {
 
 TEST_CASE("an estimator allocates nothing after construction") {
 	for (const Quality quality : { Quality::FAST, Quality::BALANCED, Quality::ACCURATE }) {
-		test::MonitoredEstimator estimator(test::drag_model(), estimator_effort(quality));
+		test::MonitoredEstimator estimator(test::drag_model(), hypotheses_of(quality));
 		const std::vector<Reading> all = faulty_readings();
 		double sum = 0.0;
 		const std::size_t allocated = test::allocations_of([&] {

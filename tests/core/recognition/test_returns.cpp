@@ -109,7 +109,7 @@ TEST_CASE("a return after a dwell is followed at any quality") {
 				INFO("quality ", static_cast<int>(quality), ", rest ", rest_s, ", back ", back_s);
 				const std::vector<Drag> strokes{ { 1.0, 1.6, 0.28 }, { 2.6 + rest_s, back_s, -0.28 } };
 				GestureRecogniser recogniser({ shared_drag_model() }, Task{ 0.0 * X, X, 0.28 },
-						MotionMode::PHASE, estimator_effort(quality));
+						MotionMode::PHASE, hypotheses_of(quality));
 				const Events events = watch(
 						recogniser, along(X, strokes), 4.1 + rest_s, { .rate_hz = 60.0, .noise_m = 0.0 });
 				CHECK(std::abs(events.last_value_m) < 1e-3);
