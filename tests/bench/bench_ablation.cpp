@@ -16,6 +16,7 @@
 #include "matrix/scenarios.h"
 #include "metrics/summary.h"
 #include "models.h"
+#include "recognition/gesture_changes.h"
 #include "trials.h"
 
 #include <algorithm>
@@ -64,6 +65,7 @@ public:
 		std::array<Sample, 4> r2_zero;  ///< unstable: simulated, real; stable: simulated, real
 		Sample bounds;                  ///< checks of bench_matrix outside of their bounds, %
 		Sample with_task, without_task; ///< runs of bench_events with a fault, %
+		Sample missed;                  ///< real trials whose gesture is not recognised without a task, %
 		Sample starts, alarms;          ///< per minute of idle hands: starts with a task, ends without one
 	};
 	/// All measures. If `same_motion` is given, r2_zero and bounds are copied from it.
@@ -71,6 +73,7 @@ public:
 		Samples all = same_motion != nullptr ? *same_motion : motion();
 		all.with_task = percent_faulty(Context::WITH_TASK);
 		all.without_task = percent_faulty(Context::WITHOUT_TASK);
+		all.missed = percent_missed();
 		all.starts = events_per_minute(Context::WITH_TASK, EventKind::STARTED);
 		all.alarms = events_per_minute(Context::WITHOUT_TASK, EventKind::ENDED);
 		return all;
@@ -106,6 +109,26 @@ private:
 					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
 			constexpr double OUTPUTS_PER_S = 250.0;
 			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
+		});
+	}
+	/// Real trials, with all models and without a task, in which the last gesture that ended is another one.
+	[[nodiscard]] Sample percent_missed() const {
+		std::vector<const SyntheticTrial *> chosen;
+		for (const SyntheticTrial &one : real_) {
+			if (one.trial.gesture != NO_GESTURE) {
+				chosen.push_back(&one);
+			}
+		}
+		return each(chosen.size(), [&](std::size_t i) {
+			GestureRecogniser recogniser(models_, std::nullopt, MotionMode::PHASE,
+					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
+			std::string last;
+			for (const HandFrame &frame : chosen[i]->measured.frames) {
+				recogniser.push(frame);
+				const ShownGesture now = shown_gesture(recogniser);
+				last = now.has_ended ? models_[static_cast<std::size_t>(now.gesture)]->gesture : last;
+			}
+			return last == chosen[i]->trial.gesture ? 0.0 : 100.0;
 		});
 	}
 	[[nodiscard]] Sample bounds() const {
@@ -172,6 +195,7 @@ which nothing gets worse are candidates for removal.
 | simulated, real | zero-lag R2 with a task, at the unstable and the stable position. *real*: `../shared/real`, if it is there |
 | outside bounds | checks of `bench_matrix` (closed-form hands x faults x lengths x rates) outside of their bounds, % |
 | faults with a task, without | runs of `bench_events` with an event missing, wrong or too much, % |
+| real, missed | trials of *real* hands whose gesture is not recognised without a task, % |
 | needless starts | starts a minute of hands that make no gesture, with a task |
 | false alarms | ends a minute of hands that make no gesture, without a task |
 
@@ -184,13 +208,15 @@ void print_head(const Measure::Samples &with) {
 	std::printf("%s", HEAD);
 	std::printf("| | simulated, unstable | real, unstable | simulated, stable | real, stable | outside "
 				"bounds, %% | "
-				"faults with a task, %% | without, %% | needless starts | false alarms |\n"
-				"| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n| all mechanisms |");
+				"faults with a task, %% | without, %% | real, missed, %% | needless starts | false alarms |\n"
+				"| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n| all "
+				"mechanisms |");
 	for (const Sample &r2_zero : with.r2_zero) {
 		r2_zero.empty() ? std::printf(" - |") : std::printf(" %.4f |", mean(r2_zero));
 	}
-	std::printf(" %.2f | %.1f | %.1f | %.1f | %.2f |\n", mean(with.bounds), mean(with.with_task),
-			mean(with.without_task), mean(with.starts), mean(with.alarms));
+	std::printf(" %.2f | %.1f | %.1f |", mean(with.bounds), mean(with.with_task), mean(with.without_task));
+	with.missed.empty() ? std::printf(" - |") : std::printf(" %.1f |", mean(with.missed));
+	std::printf(" %.1f | %.2f |\n", mean(with.starts), mean(with.alarms));
 }
 
 } // namespace
@@ -232,6 +258,7 @@ int main(int count, char **arguments) {
 		print_change(with.bounds, without.bounds, 2);
 		print_change(with.with_task, without.with_task, 1);
 		print_change(with.without_task, without.without_task, 1);
+		print_change(with.missed, without.missed, 1);
 		print_change(with.starts, without.starts, 1);
 		print_change(with.alarms, without.alarms, 2);
 		std::printf("\n");
