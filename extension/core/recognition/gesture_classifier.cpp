@@ -102,7 +102,6 @@ void GestureClassifier::reset() {
 		onset.is_used = false;
 	}
 	std::ranges::fill(candidates_, GestureCandidate());
-	filler_posterior_ = 1.0;
 }
 
 void GestureClassifier::forget_before(double t_s) {
@@ -237,7 +236,6 @@ void GestureClassifier::evaluate(const HandMotion &motion) {
 	for (GestureCandidate &candidate : candidates_) {
 		candidate.posterior /= all;
 	}
-	filler_posterior_ = 1.0 / all;
 }
 
 /// Adds the weight of a gesture and an onset, relative to the filler, to the candidate's posterior, which is

@@ -67,8 +67,6 @@ public:
 
 	/// One for each of gestures(), in this order, at time_s().
 	[[nodiscard]] std::span<const GestureCandidate> candidates() const { return candidates_; }
-	/// Probability that the hand makes none of the gestures.
-	[[nodiscard]] double filler_posterior() const { return filler_posterior_; }
 	/// The newest instant of the SymbolClock with a new frame.
 	[[nodiscard]] double time_s() const { return time_s_; }
 
@@ -105,7 +103,6 @@ private:
 	std::array<Eigen::Index, ONSETS> columns_{}; ///< newest symbol of each onset
 	std::vector<GestureCandidate> candidates_;
 	std::vector<double> greatest_; ///< weight of the likeliest onset of each candidate
-	double filler_posterior_ = 1.0;
 	SymbolClock clock_;
 	HandMotionWindow window_;
 	Ring<HandMotion, REST_SYMBOLS> recent_;
