@@ -2,9 +2,10 @@
 
 import os
 import time
+from collections.abc import Iterable
 from pathlib import Path
 
-KEPT_S = 14 * 86400
+KEPT_S = 30 * 86400
 
 
 def folder() -> Path:
@@ -22,7 +23,12 @@ def prepare(objects: Path) -> bool:
         objects.mkdir(parents=True, exist_ok=True)
     except OSError:
         return False
-    for kept in objects.glob("*/*"):
-        if time.time() - kept.stat().st_mtime > KEPT_S:
-            kept.unlink(missing_ok=True)
+    drop_old(objects.glob("*/*"))
     return os.access(objects, os.W_OK)
+
+
+def drop_old(files: Iterable[Path]) -> None:
+    """Deletes the files that no clone has used for long. Who uses one must touch it."""
+    for file in files:
+        if time.time() - file.stat().st_mtime > KEPT_S:
+            file.unlink(missing_ok=True)

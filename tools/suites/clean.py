@@ -1,13 +1,11 @@
 """Cache of sources that a linter has found clean, shared by all clones."""
 
 import hashlib
-import sys
-import time
 from collections.abc import Iterable
-from pathlib import Path
 
-FOLDER = Path(sys.prefix).parent / "clean"
-KEPT_S = 60 * 86400
+import caches
+
+FOLDER = caches.folder() / "clean"
 
 
 def key_of(*parts: bytes | str) -> str:
@@ -24,6 +22,4 @@ def keep(keys: Iterable[str]) -> None:
     FOLDER.mkdir(exist_ok=True)
     for key in keys:
         (FOLDER / key).touch()
-    for stamp in FOLDER.iterdir():
-        if time.time() - stamp.stat().st_mtime > KEPT_S:
-            stamp.unlink(missing_ok=True)
+    caches.drop_old(FOLDER.iterdir())

@@ -1,6 +1,7 @@
 """Fuzzing: libFuzzer runs each parser of the core under sanitizers, from the corpus in tests/fuzz/corpus.
 
-Each target runs for 5 s; STEADYHAND_FUZZ_S sets another time. An input that fails stays in build/fuzz.
+Each target runs for 5 s; STEADYHAND_FUZZ_S sets another time. An input that fails stays in build/fuzz. Clones share the
+compiled sources.
 """
 
 import os
@@ -11,17 +12,22 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from pathlib import Path
 
+import caches
+from suites import clean
 from suites.outcome import Outcome
 from suites.process import ROOT, run
 
 CORE = ROOT / "extension/core"
 TARGETS = ROOT / "tests/fuzz"
 BUILD = ROOT / "build/fuzz"
+OBJECTS = caches.folder() / "fuzz"
 SANITIZERS = "address,undefined,float-cast-overflow"
+COMPILER = "clang++"
 COMPILE = [
-    *["clang++", "-std=c++20", "-O1", "-g1", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fno-math-errno"],
+    *[COMPILER, "-std=c++20", "-O1", "-g1", "-fno-omit-frame-pointer", "-ffp-contract=off", "-fno-math-errno"],
     *["-w", "-D_GLIBCXX_ASSERTIONS", "-DEIGEN_DONT_VECTORIZE"],
-    *["-fno-sanitize-recover=all", "-isystem", "/usr/include/eigen3", f"-I{CORE}", f"-I{TARGETS}"],
+    *["-fno-sanitize-recover=all", f"-fsanitize=fuzzer-no-link,{SANITIZERS}", "-isystem", "/usr/include/eigen3"],
+    *[f"-I{folder.relative_to(ROOT)}" for folder in (CORE, TARGETS)],
 ]
 RUN = ["-timeout=5", "-rss_limit_mb=2048", "-print_final_stats=1"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
@@ -33,15 +39,17 @@ def outcomes() -> Iterator[Outcome]:
     if not targets:
         yield Outcome.of("fuzz: there are targets", False)
         return
-    if shutil.which("clang++") is None:
+    if shutil.which(COMPILER) is None:
         missing = "clang++ is missing: install the packages of tools/requirements/debian-test.txt"
         yield Outcome.of("fuzz: clang++ is installed", False, missing)
         return
-    BUILD.mkdir(parents=True, exist_ok=True)
+    for folder in (BUILD, OBJECTS):
+        folder.mkdir(parents=True, exist_ok=True)
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         sources = sorted({source for target in targets for source in sources_of(target)})
         faults = dict(zip(sources, pool.map(compile_source, sources), strict=True))
         yield from pool.map(lambda target: outcome_of(target, faults), targets)
+    caches.drop_old(OBJECTS.iterdir())
 
 
 def outcome_of(target: Path, faults: dict[Path, str]) -> Outcome:
@@ -52,7 +60,7 @@ def outcome_of(target: Path, faults: dict[Path, str]) -> Outcome:
             return Outcome.of(f"{name} builds", False, faults[source])
     program = BUILD / target.stem
     objects = [object_of(source) for source in sources]
-    status, output = run(["clang++", f"-fsanitize=fuzzer,{SANITIZERS}", "-o", program, *objects])
+    status, output = run([COMPILER, f"-fsanitize=fuzzer,{SANITIZERS}", "-o", program, *objects])
     if status != 0:
         return Outcome.of(f"{name} builds", False, output)
     return fuzz(name, program)
@@ -77,23 +85,30 @@ def fuzz(name: str, program: Path) -> Outcome:
 
 
 def compile_source(source: Path) -> str:
-    """Compiles if a source is newer than the object. Returns the compiler's output if it fails."""
+    """Compiles the source if no clone has. Returns the compiler's output if it fails."""
     product = object_of(source)
     if product.exists():
-        made = product.stat().st_mtime
-        if all(part.stat().st_mtime < made for part in [*headers_of(source), source, Path(__file__)]):
-            return ""
-    product.parent.mkdir(parents=True, exist_ok=True)
-    fuzzer = f"-fsanitize=fuzzer-no-link,{SANITIZERS}"
-    status, output = run([*COMPILE, fuzzer, "-c", source, "-o", product])
-    if status == 0:
+        product.touch()
         return ""
-    product.unlink(missing_ok=True)
-    return f"{source.relative_to(ROOT)}: clang++ ends with {status}\n{output}"
+    part = product.with_suffix(f".{os.getpid()}.part")
+    status, output = run([*COMPILE, "-c", source.relative_to(ROOT), "-o", part])
+    if status != 0:
+        return f"{source.relative_to(ROOT)}: clang++ ends with {status}\n{output}"
+    part.replace(product)
+    return ""
 
 
+@cache
 def object_of(source: Path) -> Path:
-    return BUILD / "objects" / source.relative_to(ROOT).with_suffix(".o")
+    """Named by all that the compiler reads, without the headers of other packages."""
+    read = sorted({source, *headers_of(source)})
+    texts = [part for path in read for part in (str(path.relative_to(ROOT)), path.read_bytes())]
+    return OBJECTS / f"{clean.key_of(version(), *COMPILE, *texts)}.o"
+
+
+@cache
+def version() -> str:
+    return run([COMPILER, "--version"])[1]
 
 
 @cache
