@@ -9,6 +9,9 @@ enum Kind {
 	TASK_LOAD,
 }
 
+## Limit of both ends of the scale, without the sign.
+const FARTHEST_ANSWER := 1000000
+
 @export var name := "questionnaire"
 @export var kind := Kind.LIKERT
 ## Names of the items in answers.csv, for example "smoothness".
@@ -29,7 +32,7 @@ enum Kind {
 
 ## Errors, and how to correct them. Empty: none.
 func problems() -> PackedStringArray:
-	var found := unknown_properties()
+	var found := file_problems()
 	var where := "Questionnaire '%s'" % name
 	if name.strip_edges().is_empty():
 		found.append("A questionnaire has no name: set 'name'.")
@@ -46,7 +49,16 @@ func problems() -> PackedStringArray:
 		if items.count(item) > 1:
 			found.append("%s: item '%s' comes twice: rename one of them." % [where, item])
 			break
-	if maximum <= minimum:
+	if kind < 0 or kind >= Kind.size():
+		found.append("%s: 'kind' is %d; it must be 0 to %d." % [where, kind, Kind.size() - 1])
+	if minimum < -FARTHEST_ANSWER or maximum > FARTHEST_ANSWER:
+		found.append(
+			(
+				"%s: the scale is %d..%d; its ends must be %d to %d."
+				% [where, minimum, maximum, -FARTHEST_ANSWER, FARTHEST_ANSWER]
+			)
+		)
+	elif maximum <= minimum:
 		found.append("%s: 'maximum' is %d; it must be above %d." % [where, maximum, minimum])
 	elif step < 1 or (maximum - minimum) % step != 0:
 		found.append(

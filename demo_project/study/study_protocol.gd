@@ -17,6 +17,8 @@ const Tasks := preload("res://scripts/tasks.gd")
 
 const POSITIONS: PackedStringArray = ["stable", "unstable"]
 const MOST_TRIALS := 9999
+const LONGEST_TRIAL_S := 600.0
+const LONGEST_REST_S := 3600.0
 const PAPER_QUESTIONNAIRE := "res://study/questionnaires/three_statements.tres"
 
 @export var study_name := "steadyhand"
@@ -39,11 +41,11 @@ const PAPER_QUESTIONNAIRE := "res://study/questionnaires/three_statements.tres"
 ## Whether the order of the gestures changes between participants too. Off: as listed.
 @export var vary_gesture_order := false
 ## A trial without the end of a gesture ends after this time, s.
-@export_range(1.0, 600.0, 0.5, "suffix:s") var trial_limit_s := 30.0
+@export_range(1.0, LONGEST_TRIAL_S, 0.5, "suffix:s") var trial_limit_s := 30.0
 @export_group("Rests")
 ## A rest comes after so many trials, practice trials not counted. 0: never.
 @export_range(0, 1000, 1, "or_greater") var rest_after_trials := 30
-@export_range(0.0, 3600.0, 1.0, "suffix:s") var rest_s := 60.0
+@export_range(0.0, LONGEST_REST_S, 1.0, "suffix:s") var rest_s := 60.0
 @export_group("")
 @export var questionnaires: Array[Questionnaire] = []
 ## Together with the participant's id it decides every random order.
@@ -71,7 +73,7 @@ func count_trials() -> int:
 
 ## Errors, and how to correct them. Empty: none.
 func problems() -> PackedStringArray:
-	var found := unknown_properties()
+	var found := file_problems()
 	if study_name.strip_edges().is_empty():
 		found.append("The study has no name: set 'study_name'.")
 	_check_names(found, "gestures", gestures, Tasks.SCENES.keys())
@@ -79,28 +81,37 @@ func problems() -> PackedStringArray:
 	_check_names(found, "conditions", conditions, Conditions.NAMES)
 	_check_lengths(found, "amplitudes_m", amplitudes_m)
 	_check_lengths(found, "widths_m", widths_m)
-	if trials_per_cell < 1:
-		found.append("'trials_per_cell' is %d; it must be 1 or more." % trials_per_cell)
-	elif block_size < 1 or trials_per_cell % block_size != 0:
+	_check_range(found, "trials_per_cell", trials_per_cell, 1, MOST_TRIALS)
+	_check_range(found, "practice_trials", practice_trials, 0, MOST_TRIALS)
+	var planned := 0
+	if maxi(trials_per_cell, practice_trials) <= MOST_TRIALS:
+		planned = count_trials() + practice_trials * gestures.size()
+	if planned > MOST_TRIALS:
+		found.append(
+			(
+				"The plan has %d trials; at most %d fit into a session: lower 'trials_per_cell'."
+				% [planned, MOST_TRIALS]
+			)
+		)
+	if block_size < 1 or trials_per_cell % block_size != 0:
 		found.append(
 			(
 				"'block_size' is %d; it must divide 'trials_per_cell' (%d) evenly."
 				% [block_size, trials_per_cell]
 			)
 		)
-	if practice_trials < 0:
-		found.append("'practice_trials' is %d; it must be 0 or more." % practice_trials)
-	if count_trials() + practice_trials * gestures.size() > MOST_TRIALS:
+	_check_range(found, "order", order, 0, Order.size() - 1)
+	if not (trial_limit_s > 0.0 and trial_limit_s <= LONGEST_TRIAL_S):
 		found.append(
 			(
-				"The plan has %d trials; at most %d fit into a session: lower 'trials_per_cell'."
-				% [count_trials() + practice_trials * gestures.size(), MOST_TRIALS]
+				"'trial_limit_s' is %s; it must be above 0 s and at most %d s."
+				% [trial_limit_s, LONGEST_TRIAL_S]
 			)
 		)
-	if not (trial_limit_s > 0.0):
-		found.append("'trial_limit_s' is %s; it must be above 0 s." % trial_limit_s)
-	if rest_after_trials < 0 or not (rest_s >= 0.0):
-		found.append("'rest_after_trials' and 'rest_s' must be 0 or more.")
+	if rest_after_trials < 0:
+		found.append("'rest_after_trials' is %d; it must be 0 or more." % rest_after_trials)
+	if not (rest_s >= 0.0 and rest_s <= LONGEST_REST_S):
+		found.append("'rest_s' is %s; it must be 0 to %d s." % [rest_s, LONGEST_REST_S])
 	_check_questionnaires(found)
 	return found
 
@@ -162,6 +173,13 @@ static func _check_names(
 			)
 		elif names.find(names[i]) < i:
 			found.append("'%s' has '%s' twice: remove one of them." % [property, names[i]])
+
+
+static func _check_range(
+	found: PackedStringArray, property: String, number: int, least: int, greatest: int
+) -> void:
+	if number < least or number > greatest:
+		found.append("'%s' is %d; it must be %d to %d." % [property, number, least, greatest])
 
 
 static func _check_lengths(

@@ -138,12 +138,62 @@ func test_problems_say_what_to_change() -> void:
 		"'positions' is empty: add one of stable",
 		"'block_size' is 3; it must divide 'trials_per_cell' (10)",
 		"'amplitudes_m' has nan",
-		"'rest_s' must be 0 or more",
+		"'rest_s' is -1.0; it must be 0 to 3600 s",
 		"'maximum' is 0; it must be above 0",
 		"1 items, but 0 texts",
 		"an empty slot",
 	]:
 		check(text in found, "a problem says: %s" % text)
+
+
+func test_numbers_that_would_hang_a_study_are_refused() -> void:
+	for one: Array in [
+		["order", 7],
+		["order", -1],
+		["trials_per_cell", 1 << 62],
+		["practice_trials", 1 << 62],
+		["rest_s", INF],
+		["rest_s", 1e18],
+		["rest_after_trials", -1],
+		["trial_limit_s", INF],
+	]:
+		var protocol := StudyProtocol.paper()
+		protocol.set(one[0], one[1])
+		var found := "\n".join(protocol.problems())
+		check("'%s' is %s; it must be" % one in found, "%s = %s: %s" % [one[0], one[1], found])
+	for one: Array in [["kind", 9], ["minimum", -(1 << 62)], ["maximum", 1 << 62]]:
+		var asked: Questionnaire = load(StudyProtocol.PAPER_QUESTIONNAIRE).duplicate()
+		asked.set(one[0], one[1])
+		check_equal(asked.problems().size(), 1, "%s = %s" % one)
+
+
+func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
+	for line: String in [
+		'gestures = "tap"',
+		"amplitudes_m = 0.1",
+		'order = "fixed"',
+		"seed = 1.5",
+		"study_name = 3",
+		'rest_s = "60"',
+	]:
+		var found := _problems_of_file("", line)
+		var property := line.get_slice(" = ", 0)
+		check_equal(found.size(), 1, "one problem of %s" % line)
+		check("'%s' is " % property in "".join(found), "%s: %s" % [line, found])
+	var item := '[sub_resource type="Resource" id="asked"]\nscript = ExtResource("asked")\n'
+	item += 'items = PackedStringArray("a")\ntexts = PackedStringArray("b")\nafter_trials = "5"\n'
+	var inner := 'questionnaires = Array[ExtResource("asked")]([SubResource("asked")])'
+	check(
+		"'after_trials' is " in "".join(_problems_of_file(item, inner)), "of a resource in the file"
+	)
+	for line: String in [
+		"rest_s = 60",
+		'gestures = ["tap"]',
+		"amplitudes_m = [0.1, 1]",
+		'study_name = &"a = b"',
+		"order = 2",
+	]:
+		check_equal(_problems_of_file("", line), PackedStringArray(), "accepted: %s" % line)
 
 
 func test_answers_about_several_conditions_give_a_warning() -> void:
@@ -187,6 +237,17 @@ func test_questionnaires_survive_json() -> void:
 
 
 ## Trials that are no practice, by these keys.
+func _problems_of_file(sub_resource: String, line: String) -> PackedStringArray:
+	var text := '[gd_resource type="Resource" format=3]\n'
+	text += '[ext_resource type="Script" path="res://study/study_protocol.gd" id="protocol"]\n'
+	text += '[ext_resource type="Script" path="res://study/questionnaire.gd" id="asked"]\n'
+	text += '%s[resource]\nscript = ExtResource("protocol")\n%s\n' % [sub_resource, line]
+	var path := "user://wrong_type.tres"
+	FileAccess.open(path, FileAccess.WRITE).store_string(text)
+	var protocol: StudyProtocol = ResourceLoader.load(path, "", ResourceLoader.CACHE_MODE_IGNORE)
+	return protocol.problems()
+
+
 func _count(trials: Array[Dictionary], keys: PackedStringArray) -> Dictionary:
 	var counts := {}
 	for trial in trials:
