@@ -8,6 +8,7 @@ from datetime import datetime, timedelta
 from functools import partial
 from pathlib import Path
 
+from study.folders import sessions_without_json
 from study.logs import set_apart
 from study_export.columns import ANSWERS, EVENTS, ORIGINS, TRIALS, Column, check, number, time_of
 from study_export.tables import Findings, read_table
@@ -108,6 +109,10 @@ def read_sessions(root: Path, found: Findings) -> list[Session]:
             continue
         read_rows(session, found)
         sessions[key] = session
+    for folder in sessions_without_json([root]):
+        found.faults.append(
+            f"{folder}: session.json is missing. The session is left out: copy the whole folder of the session"
+        )
     return [sessions[key] for key in sorted(sessions)]
 
 

@@ -109,12 +109,14 @@ def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
     (folder / "a/sub-ann/ses-01/trial_0002.reference.csv").unlink()
     answers = folder / "a/sub-ann/ses-02/answers.csv"
     answers.unlink()
+    (folder / "b/sub-ann/ses-02/session.json").unlink()
     status, output = export(folder, "--bids", folder / "bids")
     messages = [
         f"{about}: origin: 'robot' is none of person, mouse",
         f"{folder}/a/sub-sim1/ses-02/session.json: ",
         f"participant 'ann', session 1 is also in {folder}/a/sub-ann/ses-01",
         "trial_0002.reference.csv: not there",
+        f"{folder}/b/sub-ann/ses-02: session.json is missing. The session is left out",
         f"{answers}: this file is missing. Copy the whole folder of the session",
     ]
     missing = [text for text in messages if text not in output]
