@@ -96,9 +96,10 @@ void DegradedSource::set_preset(Preset p_preset) {
 	emit_changed();
 }
 
-void DegradedSource::set_checked(double &r_field, double p_value) {
+void DegradedSource::set_checked(const char *p_name, double &r_field, double p_value) {
 	ERR_FAIL_COND_MSG(!(p_value >= 0.0) || !std::isfinite(p_value),
-			refusal("DegradedSource", "its numbers must be finite, and 0 (off) or more", p_value));
+			refusal("DegradedSource", String(p_name) + String(" must be finite, and 0 (off) or more"),
+					p_value));
 	if (r_field != p_value) {
 		r_field = p_value;
 		preset_ = PRESET_CUSTOM;
@@ -147,8 +148,8 @@ void DegradedSource::_bind_methods() {
 			"get_seed");
 
 #define BIND_NUMBER(m_name, m_field, m_range)                                                                \
-	ClassDB::bind_method(                                                                                    \
-			D_METHOD("set_" m_name, m_name), &DegradedSource::set_number<&DegradeSettings::m_field>);        \
+	ClassDB::bind_method(D_METHOD("set_" m_name, m_name),                                                    \
+			&DegradedSource::set_number<&DegradeSettings::m_field, m_name>);                                 \
 	ClassDB::bind_method(D_METHOD("get_" m_name), &DegradedSource::get_number<&DegradeSettings::m_field>);   \
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, m_name, PROPERTY_HINT_RANGE, m_range), "set_" m_name,          \
 			"get_" m_name)

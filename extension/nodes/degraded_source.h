@@ -4,7 +4,17 @@
 
 #include "simulation/degraded_hand.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace godot {
+
+/// A string literal as an argument of a template.
+template <std::size_t SIZE> struct PropertyName {
+	char text[SIZE] = {};
+
+	consteval PropertyName(const char (&p_text)[SIZE]) { std::copy_n(p_text, SIZE, text); }
+};
 
 /// Degrades another source: adds dropouts, freezes, jumps, drift, latency, a lower rate, rounding, noise.
 class DegradedSource : public HandSource {
@@ -23,8 +33,8 @@ public:
 	bool get_silent_dropouts() const { return settings_.dropouts_are_silent; }
 
 	/// For the numeric properties.
-	template <double steadyhand::DegradeSettings::*FIELD> void set_number(double p_value) {
-		set_checked(settings_.*FIELD, p_value);
+	template <double steadyhand::DegradeSettings::*FIELD, PropertyName NAME> void set_number(double p_value) {
+		set_checked(NAME.text, settings_.*FIELD, p_value);
 	}
 	template <double steadyhand::DegradeSettings::*FIELD> double get_number() const {
 		return settings_.*FIELD;
@@ -46,7 +56,7 @@ private:
 	Preset preset_ = PRESET_CUSTOM;
 	steadyhand::DegradeSettings settings_;
 
-	void set_checked(double &r_field, double p_value);
+	void set_checked(const char *p_name, double &r_field, double p_value);
 	/// Whether this source reads p_source, possibly through other DegradedSources. A cycle would never end.
 	bool contains(const HandSource *p_source) const;
 };

@@ -435,7 +435,7 @@ func test_a_degraded_source_adds_its_faults() -> void:
 	degraded.preset = DegradedSource.PRESET_STABLE
 	degraded.latency = 0.1
 	check_equal(degraded.preset, DegradedSource.PRESET_CUSTOM, "a changed property makes it custom")
-	# expects one error: its numbers must be finite, and 0 (off) or more
+	# expects one error: DegradedSource: noise must be finite, and 0 (off) or more, is nan
 	degraded.noise = NAN
 	var late := DegradedSource.new()
 	late.source = ScriptSource.new()
