@@ -83,8 +83,8 @@ bool GestureHMM::prepare(double p_time_s) {
 					": the times of successive frames are more than 10 s apart, and no gesture is recognised "
 					"across such a gap. Give the source's times in seconds");
 		}
-	} else if (p_time_s > time_s_) {
-		long_gaps_ = 0;
+	} else if (p_time_s > time_s_ && long_gaps_ < LONG_GAPS_WARNED) {
+		long_gaps_ = 0; // the warning comes once
 	}
 	if (!outdated_ && is_task_freed()) {
 		update_expected();

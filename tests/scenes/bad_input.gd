@@ -82,6 +82,23 @@ func test_invalid_options_of_a_synthetic_set_are_refused() -> void:
 	check(not DirAccess.dir_exists_absolute(_path("no_set_made")), "nothing is written")
 
 
+func test_times_in_milliseconds_warn_once() -> void:
+	# expects one warning: the times of successive frames are more than 10 s apart
+	var tracker := _make_tracker()
+	tracker.source = ScriptSource.new()
+	var gesture_hmm := GestureHMM.new()
+	gesture_hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
+	tracker.add_child(gesture_hmm)
+	gesture_hmm.tracker = tracker
+	tracker.start()
+	var time := 0.0
+	for i in 40:
+		time += 9.0 if i % 8 == 7 else 11.0
+		tracker.push_frame(time, {HandTracker.JOINT_INDEX: Vector3(0.1, 1.0, -0.3)})
+	check_equal(gesture_hmm.gesture, &"", "no gesture")
+	tracker.free()
+
+
 func test_recording_to_a_bad_path() -> void:
 	# expects error: no_folder
 	# expects error: start_recording: the path must end with .csv
