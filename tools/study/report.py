@@ -17,6 +17,7 @@ from whole_file import whole
 
 INCOMPLETE = 1
 BAD_INPUT = 2
+LONGEST_NAME = 64  # three of them fit into a file name
 
 
 def run(given: list[Path], out: Path, without: list[str]) -> int:
@@ -32,8 +33,9 @@ def run(given: list[Path], out: Path, without: list[str]) -> int:
         return BAD_INPUT
     try:
         out.mkdir(parents=True, exist_ok=True)
-        names: dict[str, int] = {}
-        sections = [section_of(analysis, out, file_prefix(analysis, names), read) for analysis in analyses]
+        taken: dict[str, set[str]] = {analysis.origin: set() for analysis in analyses}
+        prefixes = [f"{file_name(one.study, taken[one.origin])}_{one.origin}" for one in analyses]
+        sections = [section_of(one, out, prefix, read) for one, prefix in zip(analyses, prefixes, strict=True)]
         with whole(out / "report.html") as part:
             part.write_text(page(sections, read.faults, read.notes), "utf-8")
     except OSError as fault:
@@ -50,15 +52,15 @@ def tell(read: Sessions) -> None:
         print(f"study: {line}", file=sys.stderr)
 
 
-def file_prefix(analysis: Analysis, names: dict[str, int]) -> str:
-    """STUDY_ORIGIN, in letters that every file system has."""
-    name = f"{safe(analysis.study)}_{analysis.origin}"
-    names[name] = names.get(name, 0) + 1
-    return name if names[name] == 1 else f"{name}_{names[name]}"
-
-
-def safe(text: str) -> str:
-    return re.sub(r"[^A-Za-z0-9-]+", "_", text).strip("_") or "unnamed"
+def file_name(text: str, taken: set[str]) -> str:
+    """Letters that every file system has, at most 64 and a number. A name is given once, also in other case."""
+    first = name = re.sub(r"[^A-Za-z0-9-]+", "_", text).strip("_")[:LONGEST_NAME] or "unnamed"
+    number = 1
+    while name.lower() in taken:
+        number += 1
+        name = f"{first}_{number}"
+    taken.add(name.lower())
+    return name
 
 
 def section_of(analysis: Analysis, out: Path, prefix: str, read: Sessions) -> Section:
@@ -77,15 +79,19 @@ def section_of(analysis: Analysis, out: Path, prefix: str, read: Sessions) -> Se
     for table in (*section.tables, *section.statistics):
         write_csv(out / f"{prefix}_{table.name}.csv", table, {"study": analysis.study, "origin": analysis.origin})
 
+    taken: set[str] = set()
+    names = {gesture: file_name(gesture, taken) for gesture in analysis.gestures}
     draw_curves(section, out / f"{prefix}_curves.png", read)
     for gesture in analysis.gestures:
-        path = emptied(out / f"{prefix}_{safe(gesture)}_boxes.png")
+        path = emptied(out / f"{prefix}_{names[gesture]}_boxes.png")
         if box_figures.figure_7(path, analysis, gesture, means, results):
             title = f"{analysis.label}: R² and T_diff, {spoken(gesture)} (as Fig. 7 of the paper). "
             section.pictures.append(Picture(path, title, BOXES_NOTE))
+    taken = {"boxes"}
     for questionnaire in sorted({answer.questionnaire for answer in analysis.answers}):
+        name = file_name(questionnaire, taken)
         for gesture in analysis.gestures:
-            path = emptied(out / f"{prefix}_{safe(gesture)}_{safe(questionnaire)}.png")
+            path = emptied(out / f"{prefix}_{names[gesture]}_{name}.png")
             if box_figures.figure_8(path, analysis, questionnaire, gesture, means, results):
                 title = f"{analysis.label}: questionnaire {questionnaire}, {spoken(gesture)} (as Fig. 8 of the paper). "
                 section.pictures.append(Picture(path, title, BOXES_NOTE))

@@ -27,6 +27,7 @@ def outcomes() -> Iterator[Outcome]:
         separation,
         left_out_trials,
         answers,
+        figure_names,
         throughput,
         few_values,
         doubles,
@@ -215,6 +216,18 @@ def answers(folder: Path) -> Iterator[Outcome]:
     status, output = report(folder / "study", folder / "out")
     good = status == 1 and f"{path}:{len(rows) + 2}: the same participant, session and trial as {path}:2" in output
     yield Outcome.of("command/study report: an answer twice is named", good, output)
+
+
+def figure_names(folder: Path) -> Iterator[Outcome]:
+    """Each questionnaire has a figure of its own, whatever its name is."""
+    write_study(folder / "study", 3, **SMALL)
+    names = ["a b", "A_b", "boxes", "é", "ü", "x" * 300]
+    for path in sorted(folder.rglob("answers.csv")):
+        rewrite(path, [row | {"questionnaire": name} for name in names for row in read(path)])
+    status, output = report(folder / "study", folder / "out")
+    figures = {path.read_bytes() for path in (folder / "out").glob("drags_synthetic_horizontal_drag_*.png")}
+    good = status == 0 and len(figures) == len(names) + 1
+    yield Outcome.of("command/study report: questionnaires of any name have a figure each", good, output)
 
 
 def throughput(folder: Path) -> Iterator[Outcome]:
