@@ -47,6 +47,8 @@ def read_session(path: Path) -> Session:
         raise ValueError(f"{path}:{fault.lineno}: this is not JSON ({fault.msg}): restore the file") from fault
     except UnicodeDecodeError as fault:
         raise ValueError(f"{path}: this is not UTF-8 text: restore the file") from fault
+    except RecursionError as fault:
+        raise ValueError(f"{path}: this JSON is nested too deeply: restore the file") from fault
     except OSError as fault:
         raise ValueError(f"{path}: {fault.strerror or fault}") from fault
     try:

@@ -117,7 +117,10 @@ def read_sessions(root: Path, found: Findings) -> list[Session]:
 
 
 def read_about(path: Path) -> dict:
-    about = json.loads(path.read_text(encoding="utf-8"))
+    try:
+        about = json.loads(path.read_text(encoding="utf-8"))
+    except RecursionError as fault:
+        raise ValueError("this JSON is nested too deeply") from fault
     if not isinstance(about, dict) or about.get("format") != FORMAT or about.get("version") != VERSION:
         raise ValueError(f"not of format '{FORMAT}', version {VERSION}")
     if not re.fullmatch("[A-Za-z0-9]{1,32}", str(about.get("participant", ""))):

@@ -105,7 +105,7 @@ def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
     shutil.copytree(folder / "a/sub-ann", folder / "b/sub-ann")
     about = folder / "a/sub-sim1/ses-01/session.json"
     about.write_text(about.read_text().replace('"synthetic"', '"robot"'))
-    (folder / "a/sub-sim1/ses-02/session.json").write_text("{")
+    (folder / "a/sub-sim1/ses-02/session.json").write_text("[" * 100_000)
     (folder / "a/sub-ann/ses-01/trial_0002.reference.csv").unlink()
     answers = folder / "a/sub-ann/ses-02/answers.csv"
     answers.unlink()
@@ -113,7 +113,7 @@ def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:
     status, output = export(folder, "--bids", folder / "bids")
     messages = [
         f"{about}: origin: 'robot' is none of person, mouse",
-        f"{folder}/a/sub-sim1/ses-02/session.json: ",
+        f"{folder}/a/sub-sim1/ses-02/session.json: this JSON is nested too deeply",
         f"participant 'ann', session 1 is also in {folder}/a/sub-ann/ses-01",
         "trial_0002.reference.csv: not there",
         f"{folder}/b/sub-ann/ses-02: session.json is missing. The session is left out",

@@ -102,6 +102,7 @@ def bad_session_files(folder: Path) -> Iterator[Outcome]:
     data = json.loads(path.read_text())
     for text, message in (
         ("{\n", ":2: this is not JSON"),
+        ("[" * 100_000, ": this JSON is nested too deeply"),
         (json.dumps(data | {"version": 2}), ': "version" must be 1, is 2'),
         (json.dumps(data | {"origin": "robot"}), ': "origin" must be one of person, mouse, synthetic, replay'),
         (json.dumps(data | {"participant": "a b"}), ': "participant" must be 1 to 32 letters and digits'),
