@@ -20,20 +20,12 @@ func file_problems() -> PackedStringArray:
 	var values := _file_values()
 	for property in values:
 		var wanted: Variant = get(property)
-		if property in self and not _fits(values[property], wanted):
-			(
-				found
-				. append(
-					(
-						"%s: '%s' is %s, of type %s; its type must be %s."
-						% [
-							resource_path,
-							property,
-							var_to_str(values[property]),
-							type_string(typeof(values[property])),
-							type_string(typeof(wanted)),
-						]
-					)
+		var problem := _type_problem(values[property], wanted)
+		if property in self and not problem.is_empty():
+			found.append(
+				(
+					"%s: '%s' is %s; %s."
+					% [resource_path, property, var_to_str(values[property]), problem]
 				)
 			)
 	return found
@@ -58,17 +50,20 @@ func _file_values() -> Dictionary[String, Variant]:
 	return values
 
 
-static func _fits(value: Variant, wanted: Variant) -> bool:
+## Empty: Godot sets the value as it is.
+static func _type_problem(value: Variant, wanted: Variant) -> String:
 	var type := typeof(value)
-	if type == typeof(wanted):
-		return type != TYPE_ARRAY or _fit_elements(value, wanted)
-	if type == TYPE_INT:
-		return wanted is float
-	if type == TYPE_ARRAY:
-		return typeof(wanted) >= TYPE_PACKED_BYTE_ARRAY
-	return type == TYPE_STRING and wanted is StringName
-
-
-static func _fit_elements(values: Array, wanted: Array) -> bool:
-	var type := wanted.get_typed_builtin()
-	return values.all(func(one: Variant) -> bool: return one == null or typeof(one) == type)
+	if value is Array and wanted is Array:
+		var element: int = wanted.get_typed_builtin()
+		for one: Variant in value:
+			if one != null and element != TYPE_NIL and typeof(one) != element:
+				return "its elements must be of type %s" % type_string(element)
+		return ""
+	if (
+		type == typeof(wanted)
+		or (type == TYPE_INT and wanted is float)
+		or (type == TYPE_ARRAY and typeof(wanted) >= TYPE_PACKED_BYTE_ARRAY)
+		or (type == TYPE_STRING_NAME and wanted is String)
+	):
+		return ""
+	return "its type must be %s, not %s" % [type_string(typeof(wanted)), type_string(type)]

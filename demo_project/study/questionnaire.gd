@@ -46,6 +46,9 @@ func problems() -> PackedStringArray:
 			)
 		)
 	for item in items:
+		if item.strip_edges().is_empty():
+			found.append("%s: item %d has no name: add one." % [where, items.find(item) + 1])
+			break
 		if items.count(item) > 1:
 			found.append("%s: item '%s' comes twice: rename one of them." % [where, item])
 			break

@@ -17,6 +17,7 @@ const Tasks := preload("res://scripts/tasks.gd")
 
 const POSITIONS: PackedStringArray = ["stable", "unstable"]
 const MOST_TRIALS := 9999
+const LONGEST_NAME := 64
 const LONGEST_TRIAL_S := 600.0
 const LONGEST_REST_S := 3600.0
 const PAPER_QUESTIONNAIRE := "res://study/questionnaires/three_statements.tres"
@@ -76,6 +77,13 @@ func problems() -> PackedStringArray:
 	var found := file_problems()
 	if study_name.strip_edges().is_empty():
 		found.append("The study has no name: set 'study_name'.")
+	if study_name.length() > LONGEST_NAME or study_name.begins_with("."):
+		found.append(
+			(
+				"'study_name' is '%s'; a folder has this name: at most %d characters, no dot first."
+				% [study_name, LONGEST_NAME]
+			)
+		)
 	_check_names(found, "gestures", gestures, Tasks.SCENES.keys())
 	_check_names(found, "positions", positions, POSITIONS)
 	_check_names(found, "conditions", conditions, Conditions.NAMES)

@@ -167,7 +167,19 @@ func test_numbers_that_would_hang_a_study_are_refused() -> void:
 		check_equal(asked.problems().size(), 1, "%s = %s" % one)
 
 
+func test_names_that_make_no_folder_or_column_are_refused() -> void:
+	for name: String in ["..", "x".repeat(65)]:
+		var protocol := StudyProtocol.paper()
+		protocol.study_name = name
+		check("'study_name' is '%s'" % name in "".join(protocol.problems()), name)
+	var asked := Questionnaire.new()
+	asked.items = ["a", " "]
+	asked.texts = ["b", "c"]
+	check("item 2 has no name" in "".join(asked.problems()), "an item without a name")
+
+
 func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
+	# expects one error: Unable to convert array index 0
 	for line: String in [
 		'gestures = "tap"',
 		"amplitudes_m = 0.1",
@@ -175,6 +187,7 @@ func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
 		"seed = 1.5",
 		"study_name = 3",
 		'rest_s = "60"',
+		"questionnaires = [3]",
 	]:
 		var found := _problems_of_file("", line)
 		var property := line.get_slice(" = ", 0)
