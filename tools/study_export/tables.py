@@ -47,6 +47,8 @@ def read_table(
         try:
             if fault or len(cells) != len(header):
                 raise ValueError(fault or f"{len(cells)} cells, the header has {len(header)}")
+            if is_last and is_cut:
+                raise ValueError("it has no line end, so its last cell may be too short")
             items.append(parse(dict(zip(header, cells, strict=True)), line))
         except ValueError as reason:
             if is_last and is_cut:

@@ -15,6 +15,7 @@ Export = Callable[..., tuple[int, str]]
 def faults(folder: Path, export: Export) -> Iterator[Outcome]:
     yield from doubled(folder / "doubled", export)
     yield from cut_off(folder / "cut", export)
+    yield from cut_in_the_last_cell(folder / "last_cell", export)
     yield from bad_cells(folder / "cells", export)
     yield from open_quote(folder / "quote", export)
     yield from no_frames(folder / "frames", export)
@@ -51,6 +52,19 @@ def cut_off(folder: Path, export: Export) -> Iterator[Outcome]:
         f"{NAME}: cut last rows are left out with a note", status == 0 and not missing, f"{missing}\n{output}"
     )
     yield Outcome.of(f"{NAME}: the other trials of cut tables are there", len(rows(folder / "out.csv")) == 45)
+
+
+def cut_in_the_last_cell(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder)
+    path = folder / "sub-ann/ses-01/answers.csv"
+    export(folder, "--tidy", folder / "whole.csv")
+    whole = rows(folder / "whole_answers.csv")
+    path.write_text(path.read_text()[:-2])
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    named = "answers.csv:5: the last row is cut off, and is left out (it has no line end" in output
+    kept = rows(folder / "out_answers.csv")
+    good = status == 0 and named and len(kept) == len(whole) - 1 and all(row in whole for row in kept)
+    yield Outcome.of(f"{NAME}: a row cut in its last cell is left out", good, output)
 
 
 def bad_cells(folder: Path, export: Export) -> Iterator[Outcome]:
