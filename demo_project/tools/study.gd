@@ -14,6 +14,7 @@ const SyntheticQuestionnairePanel := preload("res://study/synthetic_questionnair
 const SyntheticStudyHand := preload("res://study/synthetic_study_hand.gd")
 
 const MOST_PARTICIPANTS := 999
+const LONGEST_SEED := 18
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -40,8 +41,9 @@ func work(arguments: PackedStringArray) -> void:
 		fail("--protocol is '%s': this is no StudyProtocol" % protocol_path, EXIT_BAD_INPUT)
 		return
 	if not seed_text.is_empty():
-		if not seed_text.is_valid_int():
-			fail("--seed is '%s'; it must be a whole number" % seed_text, EXIT_BAD_INPUT)
+		if not seed_text.is_valid_int() or seed_text.length() > LONGEST_SEED:
+			var rule := "a whole number of at most %d digits" % LONGEST_SEED
+			fail("--seed is '%s'; it must be %s" % [seed_text, rule], EXIT_BAD_INPUT)
 			return
 		protocol.seed = seed_text.to_int()
 	for warning in protocol.warnings():

@@ -19,6 +19,7 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 		"--participants is '0'; it must be a whole number from 1 to 999": ["--participants", "0"],
 		"--participants is '2.5'; it must be a whole number": ["--participants", "2.5"],
 		"--seed is 'x'; it must be a whole number": ["--seed", "x"],
+		"--seed is '9999999999999999999'; it must be": ["--seed", "9999999999999999999"],
 		"'gestures' is empty: add one of": ["--protocol", empty_path],
 		"none.tres': there is no such file": ["--protocol", out.path_join("none.tres")],
 		"this is no StudyProtocol": ["--protocol", "res://study/panel_style.tres"],
