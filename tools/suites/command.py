@@ -31,6 +31,7 @@ def outcomes() -> Iterator[Outcome]:
     yield from study_page.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_command") as folder:
         yield from training(Path(folder))
+        yield from warned_once(Path(folder))
     yield from full_disk.outcomes()
     with tempfile.TemporaryDirectory(prefix="steadyhand_results") as folder:
         yield from results(Path(folder))
@@ -177,6 +178,19 @@ def training(folder: Path) -> Iterator[Outcome]:
     )
     good = status == 2 and output.splitlines()[-1] == message
     yield Outcome.of("command/train: an unknown gesture gives one line", good, f"{status}\n{output}")
+
+
+def warned_once(folder: Path) -> Iterator[Outcome]:
+    """A tool reads a track several times."""
+    write_drag(folder / "cut/one.reference.csv")
+    text = (folder / "cut/one.reference.csv").read_text()
+    (folder / "cut/one.measured.csv").write_text(text + "3.01,0.2,")
+    columns = "trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_z,axis_x,axis_y,axis_z,amplitude_m"
+    row = "one,horizontal_drag,stable,ann,1.0,2.0,0,0,0,1,0,0,0.2"
+    (folder / "cut/trials.csv").write_text(f"{columns}\n{row}\n")
+    status, output = run(["./steadyhand", "evaluate", "--trials", folder / "cut", "--out", folder / "cut_out"])
+    good = status == 0 and output.count("this last row is cut off") == 1
+    yield Outcome.of("command/evaluate: a warning comes once", good, f"{status}\n{output}")
 
 
 def cost(folder: Path) -> Iterator[Outcome]:
