@@ -48,7 +48,7 @@ static func read(path: String) -> Dictionary:
 	if json.parse(FileAccess.get_file_as_string(path)) != OK or not json.data is Dictionary:
 		return {}
 	var plan: Dictionary = json.data
-	if plan.get("format") != FORMAT or plan.get("version") != VERSION:
+	if plan.get("format") != FORMAT or plan.get("version") != VERSION or not _is_complete(plan):
 		return {}
 	for trial: Dictionary in plan["trials"]:
 		for key: String in ["trial", "block", "repetition"]:
@@ -56,6 +56,44 @@ static func read(path: String) -> Dictionary:
 	for entry: Dictionary in plan["questionnaires"]:
 		entry["after_trial"] = int(entry["after_trial"])
 	return plan
+
+
+## Whether a study can run the plan: a person may have edited it.
+static func _is_complete(plan: Dictionary) -> bool:
+	var protocol: Variant = plan.get("protocol")
+	var trials: Variant = plan.get("trials")
+	var asked: Variant = plan.get("questionnaires")
+	return (
+		plan.get("origin") is String
+		and protocol is Dictionary
+		and protocol.get("trial_limit_s") is float
+		and protocol.get("questionnaires") is Array
+		and protocol["questionnaires"].all(_is_dictionary)
+		and trials is Array
+		and trials.all(_is_trial)
+		and asked is Array
+		and asked.all(_is_dictionary)
+	)
+
+
+static func _is_dictionary(value: Variant) -> bool:
+	return value is Dictionary
+
+
+static func _is_trial(value: Variant) -> bool:
+	if not value is Dictionary:
+		return false
+	var trial: Dictionary = value
+	var rest_s: Variant = trial.get("rest_before_s")
+	return (
+		trial.has_all(["trial", "block", "repetition", "practice", "amplitude_m", "width_m"])
+		and trial.get("gesture") in StudyProtocol.Tasks.SCENES
+		and trial.get("position") in StudyProtocol.POSITIONS
+		and trial.get("condition") in StudyProtocol.Conditions.NAMES
+		and rest_s is float
+		and rest_s >= 0.0
+		and rest_s <= StudyProtocol.LONGEST_REST_S
+	)
 
 
 static func _machine() -> Dictionary:

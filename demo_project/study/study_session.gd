@@ -73,6 +73,10 @@ func start(
 	var person_folder := folder
 	number = _last_session(person_folder) + 1
 	folder = person_folder.path_join("ses-%02d" % number)
+	if DirAccess.dir_exists_absolute(folder) and _has_trials():
+		return _fail(
+			"%s has trials, but no session.json: restore it, or move the folder away" % folder
+		)
 	var made := DirAccess.make_dir_recursive_absolute(folder)
 	if made != OK:
 		return _fail("%s: the folder cannot be made: %s" % [folder, error_string(made)])
@@ -278,7 +282,7 @@ func _open() -> Error:
 	if plan.is_empty():
 		return _fail(
 			(
-				"%s: this is no session of version %d, or it is cut: restore it from a back-up"
+				"%s: this is no session of version %d, or it is cut or edited: restore it from a back-up"
 				% [path, SessionFile.VERSION]
 			)
 		)
@@ -328,7 +332,7 @@ func _open() -> Error:
 ## Whether the folder has files of a trial.
 func _has_trials() -> bool:
 	var files := Array(DirAccess.get_files_at(folder))
-	return files.any(func(file: String) -> bool: return file.begins_with("trial_"))
+	return files.any(func(file: String) -> bool: return file.begins_with("trial"))
 
 
 ## The highest number of a session with a session.json: a folder without it is empty.

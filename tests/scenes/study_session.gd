@@ -132,12 +132,40 @@ func test_a_session_of_another_running_program_is_refused() -> void:
 
 
 func test_a_cut_session_file_is_refused() -> void:
-	# expects one error: this is no session of version 1, or it is cut: restore it from a back-up
+	# expects one error: half/sub-ann/ses-01/session.json: this is no session of version 1
 	var session := _start("half", "ann")
 	var path := session.folder.path_join("session.json")
 	var text := _text(session, "session.json")
 	FileAccess.open(path, FileAccess.WRITE).store_string(text.left(text.length() / 2))
 	check(StudySession.new().resume(_root.path_join("half"), "ann") != OK, "refused")
+
+
+func test_a_plan_that_cannot_run_is_refused() -> void:
+	# expects error: plan/sub-ann/ses-01/session.json: this is no session of version 1
+	var session := _start("plan", "ann")
+	session.close()
+	var path := session.folder.path_join("session.json")
+	var text := _text(session, "session.json")
+	for change: Array in [
+		['"gesture": "', '"gesture": "un'],
+		['"rest_before_s": 0.0', '"rest_before_s": 1e30'],
+		['"practice": ', '"practise": '],
+		['"protocol": {', '"protocol": 1, "other": {'],
+	]:
+		FileAccess.open(path, FileAccess.WRITE).store_string(text.replace(change[0], change[1]))
+		var refused := StudySession.new().resume(_root.path_join("plan"), "ann")
+		check_equal(refused, ERR_INVALID_PARAMETER, "with %s" % change[1])
+
+
+func test_trials_without_a_session_file_are_refused() -> void:
+	# expects one error: has trials, but no session.json: restore it, or move the folder away
+	var session := _start("no_plan", "ann")
+	session.finish_trial(1, {})
+	session.close()
+	DirAccess.remove_absolute(session.folder.path_join("session.json"))
+	var next := StudySession.new()
+	var refused := next.start_or_resume(_root.path_join("no_plan"), "ann", _protocol(), "mouse")
+	check_equal(refused, ERR_INVALID_PARAMETER, "no plan is made for the trials of another plan")
 
 
 func test_a_session_that_lost_its_trials_table_is_refused() -> void:
