@@ -97,6 +97,18 @@ double end_s(const std::vector<MotionEstimate> &out) {
 
 } // namespace
 
+TEST_CASE("calls of at() change no bit of the motion") {
+	test::MonitoredEstimator watched(test::drag_model()), unwatched(test::drag_model());
+	for (const Reading &reading : faulty_readings()) {
+		for (int i = 0; i < 5; ++i) {
+			static_cast<void>(watched.at(reading.t_s + 0.01 * i));
+		}
+		watched.push(reading.t_s, reading.x);
+		unwatched.push(reading.t_s, reading.x);
+		CHECK(same_bits(watched.at(reading.t_s + 0.005), unwatched.at(reading.t_s + 0.005)));
+	}
+}
+
 TEST_CASE("stamps 1e5 s later give the same motion within 1e-6") {
 	const std::vector<Reading> all = faulty_readings();
 	const std::vector<MotionEstimate> now = replay(all, 3.5), later = replay(all, 3.5, 1e5);
