@@ -96,13 +96,19 @@ private:
 		all.bounds = bounds();
 		return all;
 	}
-	[[nodiscard]] Sample accuracy(const std::vector<SyntheticTrial> &trials, HandPosition position) const {
-		std::vector<const SyntheticTrial *> chosen;
+	[[nodiscard]] static std::vector<const SyntheticTrial *> gestures_of(
+			const std::vector<SyntheticTrial> &trials) {
+		std::vector<const SyntheticTrial *> found;
 		for (const SyntheticTrial &one : trials) {
-			if (one.trial.position == position && one.trial.gesture != NO_GESTURE) {
-				chosen.push_back(&one);
+			if (one.trial.gesture != NO_GESTURE) {
+				found.push_back(&one);
 			}
 		}
+		return found;
+	}
+	[[nodiscard]] Sample accuracy(const std::vector<SyntheticTrial> &trials, HandPosition position) const {
+		std::vector<const SyntheticTrial *> chosen = gestures_of(trials);
+		std::erase_if(chosen, [=](const SyntheticTrial *one) { return one->trial.position != position; });
 		return each(chosen.size(), [&](std::size_t i) {
 			const auto &model = model_of(chosen[i]->trial.gesture);
 			GestureRecogniser recogniser({ model }, task_of(*chosen[i]), MotionMode::PHASE,
@@ -113,12 +119,7 @@ private:
 	}
 	/// Real trials, with all models and without a task, in which the last gesture that ended is another one.
 	[[nodiscard]] Sample percent_missed() const {
-		std::vector<const SyntheticTrial *> chosen;
-		for (const SyntheticTrial &one : real_) {
-			if (one.trial.gesture != NO_GESTURE) {
-				chosen.push_back(&one);
-			}
-		}
+		const std::vector<const SyntheticTrial *> chosen = gestures_of(real_);
 		return each(chosen.size(), [&](std::size_t i) {
 			GestureRecogniser recogniser(models_, std::nullopt, MotionMode::PHASE,
 					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
