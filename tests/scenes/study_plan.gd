@@ -249,7 +249,7 @@ func test_questionnaires_survive_json() -> void:
 		check_equal(again.to_dictionary(), asked.to_dictionary(), "%s is the same again" % path)
 
 
-## Trials that are no practice, by these keys.
+## Problems of a protocol whose file has this line.
 func _problems_of_file(sub_resource: String, line: String) -> PackedStringArray:
 	var text := '[gd_resource type="Resource" format=3]\n'
 	text += '[ext_resource type="Script" path="res://study/study_protocol.gd" id="protocol"]\n'
@@ -261,6 +261,7 @@ func _problems_of_file(sub_resource: String, line: String) -> PackedStringArray:
 	return protocol.problems()
 
 
+## Trials that are no practice, by these keys.
 func _count(trials: Array[Dictionary], keys: PackedStringArray) -> Dictionary:
 	var counts := {}
 	for trial in trials:
