@@ -112,7 +112,7 @@ private:
 		return each(chosen.size(), [&](std::size_t i) {
 			const auto &model = model_of(chosen[i]->trial.gesture);
 			GestureRecogniser recogniser({ model }, task_of(*chosen[i]), MotionMode::PHASE,
-					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
+					DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
 			constexpr double OUTPUTS_PER_S = 250.0;
 			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
 		});
@@ -121,8 +121,8 @@ private:
 	[[nodiscard]] Sample percent_missed() const {
 		const std::vector<const SyntheticTrial *> chosen = gestures_of(real_);
 		return each(chosen.size(), [&](std::size_t i) {
-			GestureRecogniser recogniser(models_, std::nullopt, MotionMode::PHASE,
-					hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
+			GestureRecogniser recogniser(
+					models_, std::nullopt, MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
 			std::string last;
 			for (const HandFrame &frame : chosen[i]->measured.frames) {
 				recogniser.push(frame);

@@ -130,7 +130,7 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials,
 
 /// Time for a frame, with all models at the trial's task, or without a task.
 double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &models, bool has_task,
-		MotionMode mode, int outputs = 0, Quality quality = Quality::BALANCED) {
+		MotionMode mode, int outputs = 0, Quality quality = DEFAULT_QUALITY) {
 	return ns_a_frame(
 			trials,
 			[&](const Task &task) {

@@ -45,8 +45,7 @@ struct Counts {
 
 Counts follow(const Models &models, StartKind start, const std::vector<HandFrame> &frames,
 		const std::optional<Task> &task) {
-	GestureRecogniser recogniser(
-			models, task, MotionMode::PHASE, hypotheses_of(Quality::BALANCED), USUAL_SENSOR_LATENCY_S);
+	GestureRecogniser recogniser(models, task, MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
 	recogniser.set_start_condition({ .kind = start });
 	Counts counts;
 	if (frames.empty()) {

@@ -12,8 +12,8 @@ class MonitoredEstimator {
 public:
 	static constexpr double AMPLITUDE_M = 0.2;
 
-	explicit MonitoredEstimator(const GestureModel &model,
-			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0) :
+	explicit MonitoredEstimator(
+			const GestureModel &model, std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0) :
 			estimator_(model, AMPLITUDE_M, hypotheses, latency_s) {}
 
 	void push(double t_s, double x) {

@@ -22,4 +22,8 @@ inline constexpr std::size_t MOST_HYPOTHESES = 48;
 	return 24;
 }
 
+/// GestureHMM has the same default.
+inline constexpr Quality DEFAULT_QUALITY = Quality::BALANCED;
+inline constexpr std::size_t DEFAULT_HYPOTHESES = hypotheses_of(DEFAULT_QUALITY);
+
 } // namespace steadyhand

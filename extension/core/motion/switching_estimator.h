@@ -41,7 +41,7 @@ public:
 	/// tracker's; the estimate is this far ahead of the frames. gain_spread: standard deviation of the
 	/// endpoint, amplitudes.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m,
-			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0,
+			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0,
 			double gain_spread = parameters::GAIN_SPREAD);
 
 	/// Adds a frame. Stamps must not decrease. x: the motion element, amplitudes.

@@ -29,13 +29,12 @@ class GestureRecogniser {
 public:
 	/// hypotheses, latency_s: of SwitchingEstimator; decoding: of Synthesis.
 	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
-			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0,
+			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0,
 			const StateDecoding &decoding = {});
 	/// All models with the same task, or all without one.
 	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-			const std::optional<Task> &task, MotionMode mode,
-			std::size_t hypotheses = hypotheses_of(Quality::BALANCED), double latency_s = 0.0,
-			const StateDecoding &decoding = {});
+			const std::optional<Task> &task, MotionMode mode, std::size_t hypotheses = DEFAULT_HYPOTHESES,
+			double latency_s = 0.0, const StateDecoding &decoding = {});
 
 	/// Least confidence() at which a gesture without a task is shown, and may end: 0..1. A low one gives more
 	/// false alarms, a high one later starts.

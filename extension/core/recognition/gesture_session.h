@@ -24,7 +24,7 @@ namespace steadyhand {
 /// mode.
 struct Synthesis {
 	MotionMode mode = MotionMode::PHASE;
-	std::size_t hypotheses = hypotheses_of(Quality::BALANCED);
+	std::size_t hypotheses = DEFAULT_HYPOTHESES;
 	double latency_s = 0.0;
 	StateDecoding decoding = {};
 };
