@@ -34,7 +34,7 @@ struct GestureCandidate {
 struct ClassifierOptions {
 	/// Prior odds of an onset at an instant, for each gesture. A higher value gives fewer misses and more
 	/// false alarms.
-	double onset_prior = 3e-5;
+	double onset_prior = 1e-4;
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double jitter_m = 0.005; ///< of a tracked tip

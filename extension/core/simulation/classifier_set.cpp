@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
@@ -71,20 +72,28 @@ std::vector<ClassifierRecording> classifier_recordings(const std::vector<Synthet
 }
 
 Result<ClassifierModel> train_own_classifier() {
-	SyntheticSetOptions options;
-	options.population = Population::TRAIN;
-	options.subjects = 16;
-	options.repetitions = 8;
-	options.paces = { 1.0, 0.6, 0.4, 1.6 };
-	Result<std::vector<SyntheticTrial>> trials = make_turned_trials(options);
-	if (!trials) {
-		return Error{ trials.error() };
+	SyntheticSetOptions drags;
+	drags.population = Population::TRAIN;
+	drags.subjects = 16;
+	drags.repetitions = 8;
+	drags.gestures = { "horizontal_drag", "vertical_drag" };
+	drags.paces = { 1.0, 0.6, 0.4, 0.25 };
+	SyntheticSetOptions others = drags;
+	others.gestures = { "tap", "zoom", std::string(NO_GESTURE) };
+	others.paces = { 1.0, 0.6, 0.4, 1.6 };
+	std::vector<SyntheticTrial> trials;
+	for (const SyntheticSetOptions &options : { drags, others }) {
+		Result<std::vector<SyntheticTrial>> made = make_turned_trials(options);
+		if (!made) {
+			return Error{ made.error() };
+		}
+		std::ranges::move(made.value(), std::back_inserter(trials));
 	}
 	Random random(NOISE_SEED);
-	for (std::size_t i = 0; i < trials.value().size(); ++i) {
-		add_white_noise(trials.value()[i].measured, NOISES_M[i % NOISES_M.size()], random);
+	for (std::size_t i = 0; i < trials.size(); ++i) {
+		add_white_noise(trials[i].measured, NOISES_M[i % NOISES_M.size()], random);
 	}
-	return train_classifier(classifier_recordings(trials.value()));
+	return train_classifier(classifier_recordings(trials));
 }
 
 } // namespace steadyhand

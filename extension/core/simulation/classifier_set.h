@@ -15,8 +15,8 @@ namespace steadyhand {
 [[nodiscard]] std::vector<ClassifierRecording> classifier_recordings(
 		const std::vector<SyntheticTrial> &trials);
 
-/// Trains the classifier of the add-on, on synthetic people of all paces. The result is the same to the last
-/// bit on every run. Takes some 10 s.
+/// Trains the classifier of the add-on, on synthetic people of all paces: people drag in 0.3 to 1.3 s,
+/// and tap in 0.15 to 0.6 s. The result is the same to the last bit on every run. Takes some 10 s.
 [[nodiscard]] Result<ClassifierModel> train_own_classifier();
 
 } // namespace steadyhand
