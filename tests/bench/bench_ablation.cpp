@@ -16,7 +16,7 @@
 #include "matrix/scenarios.h"
 #include "metrics/summary.h"
 #include "models.h"
-#include "recognition/gesture_changes.h"
+#include "shown_changes.h"
 #include "trials.h"
 
 #include <algorithm>
@@ -123,11 +123,11 @@ private:
 		return each(chosen.size(), [&](std::size_t i) {
 			GestureRecogniser recogniser(
 					models_, std::nullopt, MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+			test::ShownChanges shown;
 			std::string last;
 			for (const HandFrame &frame : chosen[i]->measured.frames) {
 				recogniser.push(frame);
-				const ShownGesture now = shown_gesture(recogniser);
-				last = now.has_ended ? models_[static_cast<std::size_t>(now.gesture)]->gesture : last;
+				last = shown.next(recogniser).ended ? recogniser.session()->model().gesture : last;
 			}
 			return last == chosen[i]->trial.gesture ? 0.0 : 100.0;
 		});

@@ -11,6 +11,7 @@
 #include "models.h"
 #include "quality_settings.h"
 #include "recognition/gesture_recogniser.h"
+#include "shown_changes.h"
 #include "timing.h"
 #include "trained_models.h"
 #include "trials.h"
@@ -116,15 +117,12 @@ private:
 		GestureRecogniser recogniser(
 				models_of(setting), std::nullopt, setting.mode, setting.hypotheses, 0.0, setting.decoding);
 		std::vector<int> found;
-		bool had_ended = false;
+		test::ShownChanges shown;
 		for (const HandFrame &frame : trial.measured.frames) {
 			recogniser.push(frame);
-			const GestureSession *const session = recogniser.session();
-			const bool has_ended = session != nullptr && session->stage() == GestureSession::Stage::ENDED;
-			if (has_ended && !had_ended) {
+			if (shown.next(recogniser).ended) {
 				found.push_back(recogniser.gesture());
 			}
-			had_ended = has_ended;
 		}
 		return found;
 	}

@@ -5,7 +5,7 @@
 //
 // MODELS: folder of the models (default: models). FOLDER: has track CSV of hands that make no gesture.
 
-#include "recognition/gesture_changes.h"
+#include "shown_changes.h"
 #include "trials.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 	if (frames.empty()) {
 		return counts;
 	}
-	ShownGesture shown;
+	test::ShownChanges shown;
 	std::size_t next = 0;
 	const double first_s = frames.front().t_s, last_s = frames.back().t_s;
 	for (int look = 0; first_s + LOOK_S * look <= last_s; ++look) {
@@ -62,12 +62,11 @@ Counts follow(const Models &models, StartKind start, const std::vector<HandFrame
 		}
 		recogniser.advance(t_s);
 		counts.met_minutes += recogniser.start_condition().is_met() ? LOOK_S / 60.0 : 0.0;
-		const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
-		const GestureChanges changes = changes_between(before, shown);
+		const GestureChanges changes = shown.next(recogniser);
 		counts.begun += changes.started ? 1 : 0;
 		if (changes.ended) {
 			++counts.ended;
-			counts.gestures.push_back(shown.gesture);
+			counts.gestures.push_back(recogniser.gesture());
 		}
 	}
 	counts.minutes = (last_s - first_s) / 60.0;

@@ -14,11 +14,14 @@ public:
 		// expect() may have changed the index of the session.
 		const GestureSession *const before = std::exchange(session_, recogniser.session());
 		shown_.gesture = before == session_ ? now.gesture : shown_.gesture;
-		return changes_between(std::exchange(shown_, now), now);
+		before_ = std::exchange(shown_, now);
+		return changes_between(before_, now);
 	}
+	/// Index of the gesture before the last call; it is the gesture that was aborted, if one was.
+	[[nodiscard]] int before() const { return before_.gesture; }
 
 private:
-	ShownGesture shown_;
+	ShownGesture shown_, before_;
 	const GestureSession *session_ = nullptr;
 };
 

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "performance.h"
-#include "recognition/gesture_changes.h"
+#include "shown_changes.h"
 #include "tracking/frame.h"
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace steadyhand::bench {
@@ -27,7 +26,7 @@ inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gest
 	GestureRecogniser recogniser(gestures, mode, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
 	recogniser.set_min_confidence(min_confidence);
 	std::vector<GestureEvent> events;
-	ShownGesture shown;
+	test::ShownChanges shown;
 	std::size_t next = 0;
 	for (int ms = 0; ms < static_cast<int>(1000.0 * length_s); ++ms) {
 		const double t_s = ms / 1000.0;
@@ -35,16 +34,15 @@ inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gest
 			recogniser.push(frames[next++]);
 		}
 		recogniser.advance(t_s);
-		const ShownGesture before = std::exchange(shown, shown_gesture(recogniser));
-		const GestureChanges changes = changes_between(before, shown);
+		const GestureChanges changes = shown.next(recogniser);
 		if (changes.aborted) {
-			events.push_back({ EventKind::ABORTED, before.gesture, t_s });
+			events.push_back({ EventKind::ABORTED, shown.before(), t_s });
 		}
 		if (changes.started) {
-			events.push_back({ EventKind::STARTED, shown.gesture, t_s });
+			events.push_back({ EventKind::STARTED, recogniser.gesture(), t_s });
 		}
 		if (changes.ended) {
-			events.push_back({ EventKind::ENDED, shown.gesture, t_s });
+			events.push_back({ EventKind::ENDED, recogniser.gesture(), t_s });
 		}
 	}
 	return events;
