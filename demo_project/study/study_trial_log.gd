@@ -115,7 +115,9 @@ func _reference_curve(task: GestureTask, feature: String, truth: Dictionary) -> 
 		start_s = truth.get("start_s", _times[0]),
 		end_s = truth.get("end_s", _times[-1]),
 	}
-	return MotionMetrics.feature_curve(path, feature, asked, _times[0], RATE_HZ, _times.size())
+	return MotionMetrics.feature_curve(
+		RecordedTrack.load_file(path), feature, asked, _times[0], RATE_HZ, _times.size()
+	)
 
 
 func _compare(reference: PackedFloat64Array, amplitude_m: float, truth: Dictionary) -> void:

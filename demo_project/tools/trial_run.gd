@@ -71,16 +71,19 @@ func run(
 	var gesture: String = _trial["gesture"]
 	var own := _models_of(gesture, models)
 	var has_task := in_scene and not task_trial.is_empty()
-	if not _has_amplitude() or not _span(reference_path):
+	if not _has_amplitude():
 		return
-	if not own.is_empty() and not _measure_reference(reference_path, own[0].feature):
+	var reference := _load(reference_path)
+	if reference == null or not _span(reference):
 		return
-	var tracker := _make_tracker(measured_path)
-	if tracker == null:
+	if not own.is_empty() and not _measure_reference(reference, own[0].feature):
 		return
-	if not _overlaps(tracker, measured_path):
-		tracker.free()
+	var measured := _load(measured_path)
+	if measured == null or not _overlaps(measured):
 		return
+	var tracker := RecordedHand.make_of(measured)
+	_parent.add_child(tracker)
+	tracker.start()
 	var task := _make_task() if has_task else null
 	var hmm := GestureHMM.new()
 	hmm.mode = mode
@@ -88,7 +91,7 @@ func run(
 	hmm.min_confidence = min_confidence
 	hmm.models = _models_of(task_trial["gesture"], models) if has_task else models
 	hmm.name = (_trial["trial"] as String).validate_node_name()
-	var unseen := _unseen_feature(measured_path, hmm.models)
+	var unseen := _unseen_feature(measured, hmm.models)
 	# Avoids a warning at each trial that nothing is recognised.
 	hmm.tracker = null if hmm.models.is_empty() or not unseen.is_empty() else tracker
 	hmm.task = task
@@ -106,7 +109,7 @@ func run(
 		recognised = hmm.recognised
 	if not own.is_empty():
 		_compare()
-		note = MotionMetrics.recording_oddity(measured_path, reference_path, own[0].feature, _trial)
+		note = MotionMetrics.recording_oddity(measured, reference, own[0].feature, _trial)
 	elif not unseen.is_empty():
 		note = "its measured track has no motion of %s" % unseen
 	if not note.is_empty():
@@ -130,17 +133,13 @@ func _has_amplitude() -> bool:
 
 
 ## Missing parts of the reference would count as a hand at rest.
-func _span(reference_path: String) -> bool:
-	var reference := _make_tracker(reference_path)
-	if reference == null:
-		return false
+func _span(reference: RecordedTrack) -> bool:
 	var begin_ms := RATE_HZ * reference.get_start_time()
 	var end_ms := begin_ms + RATE_HZ * reference.get_duration()
-	reference.free()
 	if end_ms - begin_ms > RATE_HZ * LONGEST_RECORD_S:
 		error = (
 			"its reference lasts %.0f s; at most %.0f s can be judged: %s"
-			% [(end_ms - begin_ms) / RATE_HZ, LONGEST_RECORD_S, reference_path]
+			% [(end_ms - begin_ms) / RATE_HZ, LONGEST_RECORD_S, reference.get_path()]
 		)
 		return false
 	first_ms = ceili(begin_ms - ROUNDING_MS)
@@ -152,7 +151,7 @@ func _span(reference_path: String) -> bool:
 	if RATE_HZ * start_s < begin_ms - ROUNDING_MS or RATE_HZ * end_s > end_ms + ROUNDING_MS:
 		error = (
 			"start_s %.6f .. end_s %.6f is not within the reference, %.6f .. %.6f s: %s"
-			% [start_s, end_s, begin_ms / RATE_HZ, end_ms / RATE_HZ, reference_path]
+			% [start_s, end_s, begin_ms / RATE_HZ, end_ms / RATE_HZ, reference.get_path()]
 		)
 	elif end_s - start_s > LONGEST_GESTURE_S:
 		error = (
@@ -163,41 +162,41 @@ func _span(reference_path: String) -> bool:
 
 
 ## Frames on another clock would count as a hand that is never tracked.
-func _overlaps(tracker: HandTracker, measured_path: String) -> bool:
-	var begin_s := tracker.get_start_time()
-	var end_s := begin_s + tracker.get_duration()
+func _overlaps(measured: RecordedTrack) -> bool:
+	var begin_s := measured.get_start_time()
+	var end_s := begin_s + measured.get_duration()
 	var from_s := first_ms / RATE_HZ
 	var to_s := from_s + count / RATE_HZ
 	if begin_s <= to_s and end_s >= from_s:
 		return true
 	error = (
 		"its measured track, %.6f .. %.6f s, is not on the clock of its reference, %.6f .. %.6f s: %s"
-		% [begin_s, end_s, from_s, to_s, measured_path]
+		% [begin_s, end_s, from_s, to_s, measured.get_path()]
 	)
 	return false
 
 
-func _measure_reference(reference_path: String, feature: String) -> bool:
-	var reference := _feature_curve(reference_path, feature)
-	if _is_blank(reference):
-		error = "the reference holds no motion of %s: %s" % [feature, reference_path]
+func _measure_reference(reference: RecordedTrack, feature: String) -> bool:
+	var curve := _feature_curve(reference, feature)
+	if _is_blank(curve):
+		error = "the reference holds no motion of %s: %s" % [feature, reference.get_path()]
 		return false
-	curves[REFERENCE] = reference
+	curves[REFERENCE] = curve
 	return true
 
 
 func _feature_curve(
-	path: String, feature: String, trial: Dictionary = _trial
+	track: RecordedTrack, feature: String, trial: Dictionary = _trial
 ) -> PackedFloat64Array:
-	return MotionMetrics.feature_curve(path, feature, trial, first_ms / RATE_HZ, RATE_HZ, count)
+	return MotionMetrics.feature_curve(track, feature, trial, first_ms / RATE_HZ, RATE_HZ, count)
 
 
 ## The feature of the only expected gesture, if the track has no motion of it.
-func _unseen_feature(measured_path: String, waited_for: Array[GestureModel]) -> String:
+func _unseen_feature(measured: RecordedTrack, waited_for: Array[GestureModel]) -> String:
 	if waited_for.size() != 1 or task_trial.is_empty():
 		return ""
 	var feature := waited_for[0].feature
-	return feature if _is_blank(_feature_curve(measured_path, feature, task_trial)) else ""
+	return feature if _is_blank(_feature_curve(measured, feature, task_trial)) else ""
 
 
 ## A curve that is always 0 has no tracked hand: sensors are never that exact.
@@ -236,13 +235,10 @@ func _make_task() -> GestureTask:
 	return task
 
 
-## A started tracker on a recording. Null, with `error`: it cannot be read.
-func _make_tracker(path: String) -> HandTracker:
-	var tracker := RecordedHand.make(path)
-	_parent.add_child(tracker)
-	if tracker.start() == OK:
-		return tracker
-	error = "cannot read %s" % path
-	is_reported = true
-	tracker.free()
-	return null
+## Null, with `error`: it cannot be read.
+func _load(path: String) -> RecordedTrack:
+	var track := RecordedTrack.load_file(path)
+	if track == null:
+		error = "cannot read %s" % path
+		is_reported = true
+	return track

@@ -128,7 +128,7 @@ func _add_row(
 	var count := last - first + 1
 	var t0_s := first / CURVE_HZ
 	var reference := MotionMetrics.feature_curve(
-		reference_path, model.feature, trial, t0_s, CURVE_HZ, count
+		RecordedTrack.load_file(reference_path), model.feature, trial, t0_s, CURVE_HZ, count
 	)
 	var file := FileAccess.open(
 		_out.path_join("%s.reference.f64" % trial["trial"]), FileAccess.WRITE

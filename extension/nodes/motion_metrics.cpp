@@ -2,7 +2,6 @@
 
 #include "conversions.h"
 #include "node_label.h"
-#include "track_file.h"
 #include "trial_dictionary.h"
 
 #include "gesture/motion_element.h"
@@ -57,7 +56,7 @@ Dictionary MotionMetrics::summarise(const PackedFloat64Array &p_values) {
 	return dictionary;
 }
 
-PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, const String &p_feature,
+PackedFloat64Array MotionMetrics::feature_curve(const Ref<RecordedTrack> &p_track, const String &p_feature,
 		const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count) {
 	PackedFloat64Array curve;
 	ERR_FAIL_COND_V_MSG(!(p_rate_hz > 0.0) || !std::isfinite(p_rate_hz) || !std::isfinite(p_t0_s), curve,
@@ -69,16 +68,14 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 	ERR_FAIL_NULL_V_MSG(feature, curve,
 			String("MotionMetrics: no feature '") + p_feature + String("'; see GestureTrainer.feature"));
 	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
-	if (!task) {
+	if (!task || p_track.is_null()) {
 		return curve;
 	}
-	const steadyhand::Result<steadyhand::Track> track = read_track_file(p_track_path);
-	ERR_FAIL_COND_V_MSG(!track, curve, to_godot(track.error()));
 
 	std::vector<double> times_s, values;
 	steadyhand::MotionElement element(*feature);
 	const double start_s = p_trial.get("start_s", 0.0);
-	for (const steadyhand::HandFrame &frame : track.value().frames) {
+	for (const steadyhand::HandFrame &frame : p_track->core().frames) {
 		if (frame.t_s <= start_s) {
 			element.restart();
 		}
@@ -93,25 +90,21 @@ PackedFloat64Array MotionMetrics::feature_curve(const String &p_track_path, cons
 	return curve;
 }
 
-String MotionMetrics::recording_oddity(const String &p_measured_path, const String &p_reference_path,
-		const String &p_feature, const Dictionary &p_trial) {
+String MotionMetrics::recording_oddity(const Ref<RecordedTrack> &p_measured,
+		const Ref<RecordedTrack> &p_reference, const String &p_feature, const Dictionary &p_trial) {
 	const steadyhand::Feature *feature = steadyhand::find_feature(to_core(p_feature));
 	ERR_FAIL_NULL_V_MSG(feature, String(),
 			String("MotionMetrics: no feature '") + p_feature + String("'; see GestureTrainer.feature"));
 	const std::optional<steadyhand::Task> task = task_of_trial(p_trial);
-	if (!task) {
+	if (!task || p_measured.is_null() || p_reference.is_null()) {
 		return String();
 	}
 	steadyhand::TrainingRecording recording;
 	recording.task = *task;
 	recording.start_s = p_trial.get("start_s", 0.0);
 	recording.end_s = p_trial.get("end_s", 0.0);
-	for (const auto &[path, track] : { std::pair(p_measured_path, &recording.measured),
-				 std::pair(p_reference_path, &recording.reference) }) {
-		steadyhand::Result<steadyhand::Track> read = read_track_file(path);
-		ERR_FAIL_COND_V_MSG(!read, String(), to_godot(read.error()));
-		*track = std::move(read).value();
-	}
+	recording.measured = p_measured->core();
+	recording.reference = p_reference->core();
 	return to_godot(steadyhand::oddity(*feature, recording));
 }
 
@@ -164,10 +157,10 @@ void MotionMetrics::_bind_methods() {
 			&MotionMetrics::compare);
 	ClassDB::bind_static_method("MotionMetrics", D_METHOD("summarise", "values"), &MotionMetrics::summarise);
 	ClassDB::bind_static_method("MotionMetrics",
-			D_METHOD("feature_curve", "track_path", "feature", "trial", "t0_s", "rate_hz", "count"),
+			D_METHOD("feature_curve", "track", "feature", "trial", "t0_s", "rate_hz", "count"),
 			&MotionMetrics::feature_curve);
 	ClassDB::bind_static_method("MotionMetrics",
-			D_METHOD("recording_oddity", "measured_path", "reference_path", "feature", "trial"),
+			D_METHOD("recording_oddity", "measured", "reference", "feature", "trial"),
 			&MotionMetrics::recording_oddity);
 	ClassDB::bind_static_method(
 			"MotionMetrics", D_METHOD("confusion", "done", "recognised"), &MotionMetrics::confusion);

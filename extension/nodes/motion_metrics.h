@@ -1,5 +1,7 @@
 #pragma once
 
+#include "recorded_track.h"
+
 #include <godot_cpp/classes/ref_counted.hpp>
 #include <godot_cpp/variant/dictionary.hpp>
 #include <godot_cpp/variant/packed_float64_array.hpp>
@@ -18,12 +20,12 @@ public:
 	static Dictionary compare(const PackedFloat64Array &p_reference, const PackedFloat64Array &p_curve,
 			double p_rate_hz, double p_t0_s, double p_start_s, double p_end_s);
 	static Dictionary summarise(const PackedFloat64Array &p_values);
-	/// Empty, and one error in the log, if the track cannot be read.
-	static PackedFloat64Array feature_curve(const String &p_track_path, const String &p_feature,
+	/// Empty if the track is null.
+	static PackedFloat64Array feature_curve(const Ref<RecordedTrack> &p_track, const String &p_feature,
 			const Dictionary &p_trial, double p_t0_s, double p_rate_hz, int p_count);
-	/// Empty if nothing is odd. Empty, and one error in the log, if a track cannot be read.
-	static String recording_oddity(const String &p_measured_path, const String &p_reference_path,
-			const String &p_feature, const Dictionary &p_trial);
+	/// Empty if nothing is odd, or a track is null.
+	static String recording_oddity(const Ref<RecordedTrack> &p_measured,
+			const Ref<RecordedTrack> &p_reference, const String &p_feature, const Dictionary &p_trial);
 	static Dictionary confusion(const PackedStringArray &p_done, const PackedStringArray &p_recognised);
 	static double false_alarms_per_minute(int p_alarms, double p_observed_s);
 };

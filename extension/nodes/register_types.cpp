@@ -19,6 +19,7 @@
 #include "lsl_outlet.h"
 #include "motion_metrics.h"
 #include "recorded_source.h"
+#include "recorded_track.h"
 #include "script_source.h"
 #include "synthetic_source.h"
 #include "tracker_alignment.h"
@@ -77,6 +78,7 @@ void initialise(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
 		GDREGISTER_CLASS(GestureModel);
 		GDREGISTER_CLASS(TrialSet);
+		GDREGISTER_CLASS(RecordedTrack);
 		GDREGISTER_CLASS(GestureTrainer);
 		GDREGISTER_CLASS(MotionMetrics);
 		GDREGISTER_CLASS(TrackingSurvey);

@@ -29,4 +29,12 @@ steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path) {
 	return std::move(reading.track);
 }
 
+steadyhand::Result<steadyhand::Track> read_recording(const String &p_path) {
+	steadyhand::Result<steadyhand::Track> track = read_track_file(p_path);
+	if (track && track.value().frames.empty()) {
+		return steadyhand::Error{ to_core(p_path) + ": this track has no frames; record it again" };
+	}
+	return track;
+}
+
 } // namespace godot

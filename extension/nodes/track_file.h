@@ -10,4 +10,7 @@ namespace godot {
 /// closed. If the last row is cut off, it reads the rows before, with a warning.
 steadyhand::Result<steadyhand::Track> read_track_file(const String &p_path);
 
+/// As read_track_file(). A track without frames is an error too.
+steadyhand::Result<steadyhand::Track> read_recording(const String &p_path);
+
 } // namespace godot

@@ -121,7 +121,8 @@ func test_a_clock_jump_is_closed_up() -> void:
 
 
 func _curve_size(path: String, t0_s: float, count: int) -> int:
-	return MotionMetrics.feature_curve(path, "index_along_axis", TRIAL, t0_s, 1000.0, count).size()
+	var track := RecordedTrack.load_file(path)
+	return MotionMetrics.feature_curve(track, "index_along_axis", TRIAL, t0_s, 1000.0, count).size()
 
 
 func _check_keeps(object: Object, property: String, number: int) -> void:

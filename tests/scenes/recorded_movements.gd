@@ -62,7 +62,8 @@ func _is_found(trials: TrialSet, index: int) -> bool:
 func _true_way(trials: TrialSet, index: int, feature: String) -> float:
 	var trial := trials.get_trial(index)
 	var curves := TrackCurves.read(trials.get_reference_path(index))
+	var track := RecordedTrack.load_file(trials.get_reference_path(index))
 	var curve := MotionMetrics.feature_curve(
-		trials.get_reference_path(index), feature, trial, curves.start_s, RATE_HZ, curves.count()
+		track, feature, trial, curves.start_s, RATE_HZ, curves.count()
 	)
 	return Array(curve).max() * trial["amplitude_m"]

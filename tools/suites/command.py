@@ -181,16 +181,21 @@ def training(folder: Path) -> Iterator[Outcome]:
 
 
 def warned_once(folder: Path) -> Iterator[Outcome]:
-    """A tool reads a track several times."""
+    """Each track is read once."""
     write_drag(folder / "cut/one.reference.csv")
     text = (folder / "cut/one.reference.csv").read_text()
-    (folder / "cut/one.measured.csv").write_text(text + "3.01,0.2,")
+    for kind in ("reference", "measured"):
+        (folder / f"cut/one.{kind}.csv").write_text(text + "3.01,0.2,")
     columns = "trial,gesture,position,subject,start_s,end_s,start_x,start_y,start_z,axis_x,axis_y,axis_z,amplitude_m"
     row = "one,horizontal_drag,stable,ann,1.0,2.0,0,0,0,1,0,0,0.2"
     (folder / "cut/trials.csv").write_text(f"{columns}\n{row}\n")
-    status, output = run(["./steadyhand", "evaluate", "--trials", folder / "cut", "--out", folder / "cut_out"])
-    good = status == 0 and output.count("this last row is cut off") == 1
-    yield Outcome.of("command/evaluate: a warning comes once", good, f"{status}\n{output}")
+    for context in ("scene", "open"):
+        options = ["--trials", folder / "cut", "--out", folder / "cut_out", "--context", context]
+        status, output = run(["./steadyhand", "evaluate", *options])
+        warned = [line for line in output.splitlines() if "this last row is cut off" in line]
+        files = sorted(line.split(": ")[1].split(":")[0].split("/")[-1] for line in warned)
+        good = status == 0 and files == ["one.measured.csv", "one.reference.csv"]
+        yield Outcome.of(f"command/evaluate: each cut track is one warning ({context})", good, f"{status}\n{output}")
 
 
 def cost(folder: Path) -> Iterator[Outcome]:

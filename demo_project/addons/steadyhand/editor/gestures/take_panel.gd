@@ -133,8 +133,9 @@ func _show_selected() -> void:
 	var take := which[0]
 	var row := _takes.rows[take]
 	var curves := _takes.curves_of(take)
+	var has_hand := curves.count() > 0
 	var curve := MotionMetrics.feature_curve(
-		_takes.measured_path(take),
+		RecordedTrack.load_file(_takes.measured_path(take)) if has_hand else null,
 		_takes.feature_of(take),
 		row,
 		curves.start_s,

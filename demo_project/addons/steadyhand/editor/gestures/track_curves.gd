@@ -28,9 +28,12 @@ static func read(path: String) -> RefCounted:
 func _read(path: String) -> void:
 	if not _has_rows(path):
 		return
+	var track := RecordedTrack.load_file(path)
+	if track == null:
+		return
 	var tracker := HandTracker.new()
 	var source := RecordedSource.new()
-	source.track = path
+	source.recording = track
 	tracker.source = source
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
 	var held := {index = 0, tips = 0}
@@ -53,9 +56,9 @@ func _read(path: String) -> void:
 		tracker.stop()
 		var count := floori(duration_s * RATE_HZ) + 1
 		if held["index"] > HELD * frames:
-			_read_index(path, count)
+			_read_index(track, count)
 		if held["tips"] > HELD * frames:
-			radius = _curve(path, "tips_circumradius", Vector3.ZERO, count)
+			radius = _curve(track, "tips_circumradius", Vector3.ZERO, count)
 	tracker.free()
 
 
@@ -82,17 +85,17 @@ static func _has_rows(path: String) -> bool:
 	return lines[-1].get_slice(",", 0).is_valid_float()
 
 
-func _read_index(path: String, size: int) -> void:
+func _read_index(track: RecordedTrack, size: int) -> void:
 	var axes: Array[PackedFloat64Array] = []
 	for axis: Vector3 in [Vector3.RIGHT, Vector3.UP, Vector3.BACK]:
-		axes.append(_curve(path, "index_along_axis", axis, size))
+		axes.append(_curve(track, "index_along_axis", axis, size))
 	index.resize(axes[0].size())
 	for i in index.size():
 		index[i] = Vector3(axes[0][i], axes[1][i], axes[2][i])
 
 
 ## In metres, because the amplitude is 1.
-func _curve(path: String, feature: String, axis: Vector3, size: int) -> PackedFloat64Array:
+func _curve(track: RecordedTrack, feature: String, axis: Vector3, size: int) -> PackedFloat64Array:
 	var trial := _WHOLE_TRACK.duplicate()
 	trial.merge({start = Vector3.ZERO, axis = axis, amplitude_m = 1.0})
-	return MotionMetrics.feature_curve(path, feature, trial, start_s, RATE_HZ, size)
+	return MotionMetrics.feature_curve(track, feature, trial, start_s, RATE_HZ, size)
