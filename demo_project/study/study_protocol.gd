@@ -77,13 +77,10 @@ func problems() -> PackedStringArray:
 	var found := file_problems()
 	if study_name.strip_edges().is_empty():
 		found.append("The study has no name: set 'study_name'.")
-	if study_name.length() > LONGEST_NAME or study_name.begins_with("."):
-		found.append(
-			(
-				"'study_name' is '%s'; a folder has this name: at most %d characters, no dot first."
-				% [study_name, LONGEST_NAME]
-			)
-		)
+	elif not _names_own_folder():
+		var text := "'study_name' is '%s'; a folder has this name: use at most %d characters, "
+		text += 'no dot first, no space at the ends, and none of : / \\ ? * " | %% < >.'
+		found.append(text % [study_name, LONGEST_NAME])
 	_check_names(found, "gestures", gestures, Tasks.SCENES.keys())
 	_check_names(found, "positions", positions, POSITIONS)
 	_check_names(found, "conditions", conditions, Conditions.NAMES)
@@ -155,6 +152,15 @@ func to_dictionary() -> Dictionary:
 		questionnaires.map(func(asked: Questionnaire) -> Dictionary: return asked.to_dictionary()),
 		seed = seed,
 	}
+
+
+## Whether no other name makes the same folder.
+func _names_own_folder() -> bool:
+	return (
+		study_name.length() <= LONGEST_NAME
+		and not study_name.begins_with(".")
+		and study_name == study_name.validate_filename()
+	)
 
 
 func _check_questionnaires(found: PackedStringArray) -> void:

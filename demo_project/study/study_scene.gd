@@ -239,7 +239,7 @@ func _on_recentred() -> void:
 
 
 func _folder() -> String:
-	return study_folder.path_join(protocol.study_name.validate_filename())
+	return study_folder.path_join(protocol.study_name)
 
 
 func _show_what_comes() -> void:

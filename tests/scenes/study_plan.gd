@@ -168,10 +168,16 @@ func test_numbers_that_would_hang_a_study_are_refused() -> void:
 
 
 func test_names_that_make_no_folder_or_column_are_refused() -> void:
-	for name: String in ["..", "x".repeat(65)]:
+	for name: String in ["..", "x".repeat(65), "a:b", "a/b", " a"]:
 		var protocol := StudyProtocol.paper()
 		protocol.study_name = name
-		check("'study_name' is '%s'" % name in "".join(protocol.problems()), name)
+		var found := protocol.problems()
+		check_equal(found.size(), 1, "one problem of '%s'" % name)
+		check("'study_name' is '%s'; a folder has this name: use" % name in "".join(found), name)
+	for name: String in ["a_b", "Größe 研究 (2)", "x".repeat(64)]:
+		var protocol := StudyProtocol.paper()
+		protocol.study_name = name
+		check_equal(protocol.problems(), PackedStringArray(), "'%s' is accepted" % name)
 	var asked := Questionnaire.new()
 	asked.items = ["a", " "]
 	asked.texts = ["b", "c"]
