@@ -133,6 +133,7 @@ void HandTracker::begin_run() {
 	clock_set_ = false;
 	reported_refusals_ = 0;
 	reported_stream_faults_ = 0;
+	has_reported_confidence_ = false;
 	reported_frame_faults_ = 0;
 	refused_from_s_.reset();
 	stream_check_ = {};

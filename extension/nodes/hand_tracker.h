@@ -153,7 +153,8 @@ private:
 	uint8_t reported_frame_faults_ = 0; ///< bit i: FrameFault i was reported in this run
 	steadyhand::StreamStatistics statistics_;
 	steadyhand::StreamCheck stream_check_;
-	uint8_t reported_stream_faults_ = 0; ///< bit i: StreamFault i was reported in this run
+	uint8_t reported_stream_faults_ = 0;   ///< bit i: StreamFault i was reported in this run
+	bool has_reported_confidence_ = false; ///< in this run
 
 	/// A signal handler may free this node.
 	using Watch = ListenerList<FrameListener>::Watch;
@@ -175,6 +176,7 @@ private:
 	Error refuse_older(double p_time_s);
 	Error refuse_frame(Refusal p_refusal, const String &p_reason);
 	Error read_joints(const Dictionary &p_joints, steadyhand::DeviceFrame &r_frame);
+	double limit_confidence(double p_confidence);
 	void check_stream(const steadyhand::HandFrame &p_frame);
 	void warn_of_frame_faults(uint8_t p_faults);
 	void deliver(steadyhand::DeviceFrame p_frame);

@@ -57,7 +57,7 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		return error;
 	}
 	frame.hand.t_s = p_time_s;
-	frame.hand.confidence = std::isfinite(p_confidence) ? std::clamp(p_confidence, 0.0, 1.0) : 0.0;
+	frame.hand.confidence = limit_confidence(p_confidence);
 	if (!clock_set_) {
 		time_s_ = start_time_s_ = hand_seen_s_ = p_time_s;
 	}
@@ -74,6 +74,17 @@ Error HandTracker::push_frame(double p_time_s, const Dictionary &p_joints, doubl
 		report_time(p_time_s);
 	}
 	return OK;
+}
+
+/// Warns once per run of a confidence that is not within 0..1.
+double HandTracker::limit_confidence(double p_confidence) {
+	const double used = std::isfinite(p_confidence) ? std::clamp(p_confidence, 0.0, 1.0) : 0.0;
+	if (used != p_confidence && !has_reported_confidence_) {
+		has_reported_confidence_ = true;
+		WARN_PRINT(refusal(*this, "push_frame: confidence must be 0..1", p_confidence) + String("; ") +
+				String::num(used) + String(" is used (reported once per run)"));
+	}
+	return used;
 }
 
 /// Keys are joints of the whole skeleton. The HandFrame gets its seven joints from it.

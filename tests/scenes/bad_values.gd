@@ -102,6 +102,27 @@ func test_numbers_that_are_no_enumerators_are_refused() -> void:
 	gesture_hmm.free()
 
 
+func test_a_confidence_out_of_range_is_limited_with_a_warning_per_run() -> void:
+	# expects one warning: push_frame: confidence must be 0..1, is 100.0; 1.0 is used
+	# expects one warning: push_frame: confidence must be 0..1, is nan; 0.0 is used
+	var tracker := HandTracker.new()
+	tracker.source = ScriptSource.new()
+	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	root.add_child(tracker)
+	var received := PackedFloat64Array()
+	tracker.frame_received.connect(
+		func(frame: HandFrame) -> void: received.append(frame.confidence)
+	)
+	for run: PackedFloat64Array in [[0.7, 100.0, 100.0, NAN], [1.0, 0.0, NAN, -INF]]:
+		tracker.start()
+		for i in run.size():
+			var joints := {HandTracker.JOINT_INDEX: Vector3.ONE}
+			check_equal(tracker.push_frame(0.01 * i, joints, run[i]), OK, "%s is taken" % run[i])
+	var limited := PackedFloat64Array([0.7, 1.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0])
+	check_equal(received, limited, "the frames have")
+	tracker.free()
+
+
 func test_a_clock_jump_is_closed_up() -> void:
 	# expects one warning: jump.csv:4: t: the clock jumps by 200000 s
 	var text := "t,index_x,index_y,index_z\n0,0,0,0\n0.1,0,0,0\n200000.1,0,0,0\n200000.2,1,0,0\n"
