@@ -2,6 +2,8 @@ extends Resource
 ## A resource that finds misspelt properties and values of a wrong type in its file. Godot leaves
 ## them out, or converts them, without a message.
 
+const ResourceText := preload("resource_text.gd")
+
 var _unknown := PackedStringArray()
 
 
@@ -31,7 +33,7 @@ func file_problems() -> PackedStringArray:
 	return found
 
 
-## The values of this resource in its text file. Values of several lines and resources are left out.
+## The values of this resource in its text file. Resources are left out.
 func _file_values() -> Dictionary[String, Variant]:
 	var values: Dictionary[String, Variant] = {}
 	var path := resource_path.get_slice("::", 0)
@@ -39,14 +41,11 @@ func _file_values() -> Dictionary[String, Variant]:
 		return values
 	var id := resource_path.get_slice("::", 1) if "::" in resource_path else ""
 	var header := "[resource]" if id.is_empty() else 'id="%s"' % id
-	var is_here := false
-	for line in FileAccess.get_file_as_string(path).split("\n"):
-		if line.begins_with("["):
-			is_here = header in line
-		elif is_here and " = " in line and "Resource(" not in line and "Object(" not in line:
-			var value: Variant = str_to_var(line.get_slice(" = ", 1))
+	for property in ResourceText.properties(FileAccess.get_file_as_string(path)):
+		if header in property["section"] and ResourceText.is_plain(property):
+			var value: Variant = str_to_var(property["text"])
 			if value != null:
-				values[line.get_slice(" = ", 0)] = value
+				values[property["name"]] = value
 	return values
 
 

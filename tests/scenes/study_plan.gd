@@ -185,7 +185,7 @@ func test_names_that_make_no_folder_or_column_are_refused() -> void:
 
 
 func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
-	# expects one error: Unable to convert array index 0
+	# expects error: Unable to convert array index 0
 	for line: String in [
 		'gestures = "tap"',
 		"amplitudes_m = 0.1",
@@ -194,9 +194,13 @@ func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
 		"study_name = 3",
 		'rest_s = "60"',
 		"questionnaires = [3]",
+		"questionnaires = [\n3,\n]",
+		'gestures = "tap\nzoom"',
+		"amplitudes_m =\n0.1",
+		'seed = {\n"a;]": "b\\"}" ; a comment with ]\n}',
 	]:
 		var found := _problems_of_file("", line)
-		var property := line.get_slice(" = ", 0)
+		var property := line.get_slice("=", 0).strip_edges()
 		check_equal(found.size(), 1, "one problem of %s" % line)
 		check("'%s' is " % property in "".join(found), "%s: %s" % [line, found])
 	var item := '[sub_resource type="Resource" id="asked"]\nscript = ExtResource("asked")\n'
@@ -211,6 +215,10 @@ func test_values_of_a_wrong_type_in_a_file_are_refused() -> void:
 		"amplitudes_m = [0.1, 1]",
 		'study_name = &"a = b"',
 		"order = 2",
+		"rest_s=\n60",
+		'gestures = [\n"tap",\n"zoom"\n]\nseed = 3',
+		'study_name = "tap = [3"\nseed = 3',
+		"; rest_s = [\nseed = 3",
 	]:
 		check_equal(_problems_of_file("", line), PackedStringArray(), "accepted: %s" % line)
 
