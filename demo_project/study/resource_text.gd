@@ -31,6 +31,17 @@ static func is_plain(property: Dictionary) -> bool:
 	return "Resource(" not in property["text"] and "Object(" not in property["text"]
 
 
+## The first property whose value cannot be read, with its line. Empty: none is found.
+static func fault(text: String) -> String:
+	for property in properties(text):
+		if not property["is_complete"]:
+			return "line %d: the value of '%s' does not end" % [property["line"], property["name"]]
+		var is_null: bool = property["text"] == "null"
+		if is_plain(property) and not is_null and str_to_var(property["text"]) == null:
+			return "line %d: '%s' has no valid value" % [property["line"], property["name"]]
+	return ""
+
+
 ## The state of a value that may have several lines.
 class Value:
 	var _depth := 0

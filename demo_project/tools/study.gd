@@ -10,6 +10,7 @@ extends "tool.gd"
 ## Exit code: 0; 2 if nothing could be done or a file could not be written.
 
 const Progress := preload("progress.gd")
+const ResourceText := preload("res://study/resource_text.gd")
 const SyntheticQuestionnairePanel := preload("res://study/synthetic_questionnaire_panel.gd")
 const SyntheticStudyHand := preload("res://study/synthetic_study_hand.gd")
 
@@ -36,10 +37,12 @@ func work(arguments: PackedStringArray) -> void:
 	if not protocol_path.is_empty() and not FileAccess.file_exists(protocol_path):
 		fail("--protocol is '%s': there is no such file" % protocol_path, EXIT_BAD_INPUT)
 		return
-	var protocol := _load(protocol_path)
-	if protocol == null:
-		fail("--protocol is '%s': this is no StudyProtocol" % protocol_path, EXIT_BAD_INPUT)
+	var loaded := _load(protocol_path)
+	if not loaded is StudyProtocol:
+		var text := "--protocol is '%s': %s" % [protocol_path, _load_problem(loaded, protocol_path)]
+		fail(text, EXIT_BAD_INPUT)
 		return
+	var protocol := loaded as StudyProtocol
 	if not seed_text.is_empty():
 		if not seed_text.is_valid_int() or seed_text.length() > LONGEST_SEED:
 			var rule := "a whole number of at most %d digits" % LONGEST_SEED
@@ -55,10 +58,26 @@ func work(arguments: PackedStringArray) -> void:
 			return
 
 
-func _load(path: String) -> StudyProtocol:
+## Null if the engine cannot load it.
+func _load(path: String) -> Resource:
 	if path.is_empty():
 		return StudyProtocol.paper()
-	return ResourceLoader.load(path) as StudyProtocol
+	# The engine would print several errors, which do not name the option.
+	Engine.print_error_messages = false
+	var loaded := ResourceLoader.load(path)
+	Engine.print_error_messages = true
+	return loaded
+
+
+## Why this is no protocol.
+func _load_problem(loaded: Resource, path: String) -> String:
+	if loaded != null:
+		return "this is a %s, no StudyProtocol" % loaded.get_class()
+	var is_text := path.get_extension() == "tres"
+	var fault := ResourceText.fault(FileAccess.get_file_as_string(path)) if is_text else ""
+	if fault.is_empty():
+		return "it is no StudyProtocol, it is damaged, or it names a file that is missing"
+	return "%s. Correct it, or save the protocol again in the editor" % fault
 
 
 func _run_participant(

@@ -14,6 +14,8 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 	empty.gestures = []
 	var empty_path := _root.path_join("empty.tres")
 	check_equal(ResourceSaver.save(empty, empty_path), OK, "a protocol without gestures is saved")
+	var binary_path := _root.path_join("damaged.res")
+	FileAccess.open(binary_path, FileAccess.WRITE).store_buffer([0xff, 0xfe, 0xfd])
 	var mistakes: Dictionary[String, PackedStringArray] = {
 		"--out is missing": [],
 		"--participants is '0'; it must be a whole number from 1 to 999": ["--participants", "0"],
@@ -22,7 +24,12 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 		"--seed is '9999999999999999999'; it must be": ["--seed", "9999999999999999999"],
 		"'gestures' is empty: add one of": ["--protocol", empty_path],
 		"none.tres': there is no such file": ["--protocol", out.path_join("none.tres")],
-		"this is no StudyProtocol": ["--protocol", "res://study/panel_style.tres"],
+		"this is a StyleBoxFlat, no StudyProtocol": ["--protocol", "res://study/panel_style.tres"],
+		"line 5: the value of 'gestures' does not end":
+		["--protocol", _protocol_file("open", 'gestures = ["tap"\nseed = 3\n')],
+		"line 6: 'seed' has no valid value":
+		["--protocol", _protocol_file("bad", 'gestures = ["tap"]\nseed = three\n')],
+		"it is no StudyProtocol, it is damaged, or it names a file": ["--protocol", binary_path],
 	}
 	for message in mistakes:
 		var arguments := mistakes[message].duplicate()
@@ -31,6 +38,8 @@ func test_the_command_refuses_what_it_cannot_use() -> void:
 		var tool := ToolRun.new("study", arguments)
 		check_equal(tool.exit_code, 2, "exit code with %s" % [mistakes[message]])
 		check_equal(tool.missing([message]), "", "the message")
+		var errors := tool.output.count("ERROR: ") + tool.output.count("study: --")
+		check_equal(errors, 1, "no other error with '%s'" % message)
 	check(not DirAccess.dir_exists_absolute(out), "nothing is written")
 
 
@@ -56,3 +65,13 @@ func test_the_command_leaves_complete_sessions_alone() -> void:
 	var again := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
 	check_equal(again, table, "and changes nothing")
 	check(not DirAccess.dir_exists_absolute(out.path_join("sub-p02/ses-02")), "no new session")
+
+
+## A file with these lines as its resource; the first has number 5.
+func _protocol_file(name: String, lines: String) -> String:
+	var text := '[gd_resource type="Resource" format=3]\n'
+	text += '[ext_resource type="Script" path="res://study/study_protocol.gd" id="protocol"]\n'
+	text += '[resource]\nscript = ExtResource("protocol")\n' + lines
+	var path := _root.path_join("%s.tres" % name)
+	FileAccess.open(path, FileAccess.WRITE).store_string(text)
+	return path
