@@ -19,7 +19,7 @@ def write_curves(path: Path, stem: Path, task: str, start_s: float, found: Findi
         check(cells, MOTION)
         return cells
 
-    rows = read_table(path, NAMES, parse, found)
+    rows = read_table(path, NAMES, parse, found).rows
     if not rows:
         found.notes.append(f"{path}: no row: the trial gets no curves")
         return

@@ -90,7 +90,7 @@ def read_frames(track: Path, found: Findings) -> list[dict[str, str]]:
         latest = t
         return cells
 
-    return read_table(track, ["t"], parse, found)
+    return read_table(track, ["t"], parse, found).rows
 
 
 def write_sidecars(recordings: list[Recording], task: str, system: str, about: dict, found: Findings) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from study.folders import sessions_without_json
 from study.logs import set_apart
 from study_export.columns import ANSWERS, EVENTS, ORIGINS, TRIALS, Column, check, number, time_of
-from study_export.tables import Findings, read_table
+from study_export.tables import Findings, Table, read_table
 
 FORMAT = "steadyhand-session"
 VERSION = 1
@@ -139,18 +139,26 @@ def read_about(path: Path) -> dict:
 
 
 def read_rows(session: Session, found: Findings) -> None:
-    def rows(name: str, columns: list[Column]) -> list[Row]:
+    def read(name: str, columns: list[Column]) -> Table[Row]:
         path = session.folder / name
         if not path.exists():  # it is there from the start of a session, with its header line
             found.faults.append(f"{path}: this file is missing. Copy the whole folder of the session")
-            return []
+            return Table()
         return read_table(path, [column.name for column in columns], partial(parse, session, columns), found)
 
-    session.trials = once_each(session.folder / "trials.csv", rows("trials.csv", TRIALS), found)
-    session.answers = rows("answers.csv", ANSWERS)
-    session.events = rows("events.csv", EVENTS)
+    trials = read("trials.csv", TRIALS)
+    session.trials = once_each(session.folder / "trials.csv", trials.rows, found)
+    session.answers = read("answers.csv", ANSWERS).rows
+    session.events = read("events.csv", EVENTS).rows
     note_repeated_answers(session, found)
+    if trials.is_read:
+        note_trials_without_row(session, {row.get("trial", "") for row in trials.refused}, found)
+
+
+def note_trials_without_row(session: Session, refused: set[str], found: Findings) -> None:
+    """`refused`: trials whose rows were reported already."""
     done = {trial.count("trial") for trial in session.trials}
+    done |= {int(trial) for trial in refused if trial.isdecimal()}
     planned = {int(trial["trial"]) for trial in session.about["trials"]}
     if missing := planned - done:
         found.notes.append(f"{session.folder}: {len(missing)} of {len(planned)} planned trials have no row yet")
