@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # setup_python.sh LIST...: a virtual environment in the cache with the packages of tools/requirements/python-LIST.txt.
+# `plots` also installs fonts.
 set -euo pipefail
 tools=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # shellcheck source=tools/shell.sh
 source "$tools/shell.sh"
+
+[[ " $* " != *' plots '* ]] || "$tools/setup_debian.sh" fonts
 
 # A stamp is not valid if its folder is empty.
 [[ -x $CACHE/venv/bin/python && -x $CACHE/venv/bin/pip ]] || rm -f "$CACHE/stamps"/python-*

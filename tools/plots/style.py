@@ -6,6 +6,7 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")
+from matplotlib import font_manager
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 from whole_file import whole
@@ -16,8 +17,24 @@ __all__ = ["BLACK", "BLUE", "GREEN", "GREY", "ORANGE", "PURPLE", "SKY", "VERMILI
 BLACK, ORANGE, SKY, GREEN = "#000000", "#e69f00", "#56b4e9", "#009e73"
 BLUE, VERMILION, PURPLE, GREY = "#0072b2", "#d55e00", "#cc79a7", "#999999"
 
+# Fonts of tools/requirements/debian-fonts.txt for letters that matplotlib's own font does not have: Chinese, Japanese
+# and Korean first, then any letter.
+FALLBACKS = {"DroidSansFallbackFull.ttf": "Droid Sans Fallback", "unifont.otf": "Unifont"}
+# Matplotlib's list of fonts may be older than these fonts.
+installed = {Path(path).name: path for path in font_manager.findSystemFonts()}
+for name in FALLBACKS.keys() & installed.keys():
+    font_manager.fontManager.addfont(installed[name])
+families = [family for name, family in FALLBACKS.items() if name in installed]
+
 plt.rcParams.update(
-    {"font.size": 11, "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.alpha": 0.25}
+    {
+        "font.family": ["DejaVu Sans", *families],  # the first is matplotlib's own
+        "font.size": 11,
+        "axes.spines.top": False,
+        "axes.spines.right": False,
+        "axes.grid": True,
+        "grid.alpha": 0.25,
+    }
 )
 
 

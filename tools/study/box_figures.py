@@ -1,6 +1,7 @@
 """Box plots over participants' means, as the paper's Fig. 7 and Fig. 8, with stars of significance."""
 
 import textwrap
+import unicodedata
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from study.statistics_tables import stars
 from study.tables import spoken
 
 COLUMNS = 3  # of the panels of a questionnaire
+LETTERS = 42  # in a line above a panel
 STARS_NOTE = "** p < 0.001, * p < 0.05 (paired t-test, Bonferroni)"
 
 
@@ -54,7 +56,7 @@ def figure_8(
         shown = [one for one in own if one.measure == measures[item]]
         minimum, maximum, text = scales[item]
         draw_panel(panel, shown, post_hoc(results, "answer", measures[item], gesture), 1.0, (minimum, maximum))
-        panel.set_title(f"{spoken(item)}\n{textwrap.fill(text, 42)}", fontsize=10)
+        panel.set_title(f"{spoken(item)}\n{wrapped(text)}", fontsize=10)
     share_top([panel for panel in axes.flat if panel.get_visible()])
     for panel in axes[:, 0]:
         panel.set_ylabel("participant's mean answer")
@@ -103,6 +105,12 @@ def draw_panel(
     if scale and scale[1] - scale[0] <= 10:
         axes.set_yticks(np.arange(scale[0], scale[1] + 0.5))
     axes.grid(axis="x", visible=False)
+
+
+def wrapped(text: str) -> str:
+    """Chinese, Japanese and Korean letters are twice as wide as Latin ones."""
+    wide = sum(unicodedata.east_asian_width(letter) in "WF" for letter in text)
+    return textwrap.fill(text, max(LETTERS * len(text) // (len(text) + wide), 1) if text else LETTERS)
 
 
 def share_top(panels: list[Axes]) -> None:

@@ -13,6 +13,7 @@ from suites.outcome import Outcome
 from suites.process import run
 from suites.study_faults import bad_rows, bad_session_files, cut_rows, doubles
 from suites.study_folders import SMALL, read, report, rewrite
+from suites.study_letters import any_letters
 
 
 def outcomes() -> Iterator[Outcome]:
@@ -28,6 +29,7 @@ def outcomes() -> Iterator[Outcome]:
         left_out_trials,
         answers,
         figure_names,
+        any_letters,
         throughput,
         few_values,
         doubles,
