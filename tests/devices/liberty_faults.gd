@@ -6,7 +6,8 @@ const SourceDrag := preload("../scenes/support/source_drag.gd")
 
 ## Where the simulated sensor rests.
 const START := Vector3(0.0, 0.25, -0.3)
-const PATIENCE_S := 8.0
+## For an event. On a busy computer the engine runs slowly.
+const PATIENCE_S := 25.0
 ## What the message tells the user to do.
 const FIXES: Dictionary[String, String] = {
 	unplug = "Check the USB cable",
@@ -26,9 +27,10 @@ func test_one_message_that_says_what_to_do() -> void:
 	await drag.wait_until(self, PATIENCE_S, func() -> bool: return not drag.failures.is_empty())
 	check(drag.failures[0].contains(FIXES[case]), "%s: %s" % [case, drag.failures])
 	if case == "unplug":
-		var is_back := func() -> bool: return drag.losses == 1 and drag.tracker.is_hand_tracked()
-		await drag.wait_until(self, PATIENCE_S, is_back)
-		check_equal(drag.losses, 1, "the hand was lost")
+		var is_lost := func() -> bool: return not drag.tracker.is_hand_tracked()
+		await drag.wait_until(self, PATIENCE_S, is_lost)
+		check(is_lost.call(), "the hand is lost")
+		await drag.wait_until(self, PATIENCE_S, drag.tracker.is_hand_tracked)
 		check(drag.tracker.is_hand_tracked(), "and is there again")
 	check_equal(drag.failures.size(), 1, "one message")
 	drag.free_scene()

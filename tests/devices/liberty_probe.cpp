@@ -1,8 +1,11 @@
-// liberty_probe SECONDS [RATE_HZ]: runs a LibertyDevice and prints its events, one a line.
+// liberty_probe SECONDS [STREAM_S CONNECTION]: runs a LibertyDevice for SECONDS and prints its events, one a
+// line. With STREAM_S it ends earlier: after STREAM_S of records, on the tracker's clock, of connection
+// number CONNECTION (from 1).
 
 #include "liberty_device.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
@@ -35,23 +38,46 @@ void print(const LibertyEvent &event) {
 	}
 }
 
+/// Whether the wanted part of the stream has come.
+class StreamEnd {
+public:
+	StreamEnd(double stream_s, int connection) : stream_s_(stream_s), connection_(connection) {}
+
+	void add(const LibertyEvent &event) {
+		if (event.kind == LibertyEvent::Kind::CONNECTED) {
+			++connections_;
+		} else if (event.kind == LibertyEvent::Kind::RECORD && connections_ == connection_) {
+			first_s_ = has_record_ ? first_s_ : event.device_time_s;
+			has_record_ = true;
+			has_come_ = event.device_time_s - first_s_ >= stream_s_;
+		}
+	}
+	[[nodiscard]] bool has_come() const { return has_come_; }
+
+private:
+	double stream_s_, first_s_ = 0.0;
+	int connection_, connections_ = 0;
+	bool has_record_ = false, has_come_ = false;
+};
+
 } // namespace
 
 int main(int argc, char **argv) {
 	if (argc < 2) {
-		std::fputs("liberty_probe SECONDS [RATE_HZ]\n", stderr);
+		std::fputs("liberty_probe SECONDS [STREAM_S CONNECTION]\n", stderr);
 		return 2;
 	}
 	using Clock = std::chrono::steady_clock;
 	const auto end = Clock::now() + std::chrono::duration<double>(std::strtod(argv[1], nullptr));
-	LibertySettings settings;
-	settings.rate_hz = argc > 2 ? static_cast<int>(std::strtol(argv[2], nullptr, 10)) : settings.rate_hz;
+	StreamEnd wanted(argc > 3 ? std::strtod(argv[2], nullptr) : HUGE_VAL,
+			argc > 3 ? static_cast<int>(std::strtol(argv[3], nullptr, 10)) : 1);
 	LibertyDevice device;
 	LibertyEvent event;
-	device.start(settings);
-	while (Clock::now() < end) {
+	device.start(LibertySettings());
+	while (Clock::now() < end && !wanted.has_come()) {
 		while (device.next(event)) {
 			print(event);
+			wanted.add(event);
 		}
 		std::this_thread::sleep_for(std::chrono::milliseconds(8)); // a game's frame
 	}

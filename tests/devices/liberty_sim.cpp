@@ -10,13 +10,14 @@
 //   --refuse LETTER      refuse the commands that start with LETTER
 //   --streaming          stream from the start, as after a crash
 //   --stations N         N sensors (default 1)
-//   --unplug-after S     unplug the tracker S seconds after the start
-//   --replug-after S     plug it in again S seconds after the start
+//   --unplug-after S     unplug the tracker after S seconds of its first stream
+//   --replug-after S     plug it in again S seconds after PROGRAM has noticed that
 //   --no-device          nothing is plugged in
 //   --firmware-missing   the USB chip without its firmware
 //   --no-permission      the tracker may not be opened
 //   --busy               another program has claimed it
-//   --print-commands     print all commands of the computer at the end
+//   --print-commands     print all commands of the computer at the end, and how many frames it fetched too
+//   late
 
 #include "simulated_usb.h"
 

@@ -80,7 +80,9 @@ void SimulatedLiberty::obey(const std::string &command, double now_s) {
 		is_streaming_ = false;
 	} else if (command == "C") {
 		is_streaming_ = true;
-		count_ = static_cast<std::uint32_t>(std::ceil((now_s - epoch_s_) * rate_hz()));
+		count_ = first_count_ = static_cast<std::uint32_t>(std::ceil((now_s - epoch_s_) * rate_hz()));
+		is_started_ = true;
+		overloads_ = 0;
 	} else if (command == "F1") {
 		is_binary_ = true;
 	} else if (command == "U1") {
@@ -140,7 +142,7 @@ std::string SimulatedLiberty::frame() const {
 /// Makes the frames that are due.
 void SimulatedLiberty::measure(double now_s) {
 	while (is_streaming_ && epoch_s_ + count_ / rate_hz() <= now_s) {
-		if (epoch_s_ + count_ / rate_hz() > now_s - OVERLOAD_S) {
+		if (is_awaited_ || epoch_s_ + count_ / rate_hz() > now_s - OVERLOAD_S) {
 			std::string bytes = frame();
 			if (faults_.garbage && count_ % 10 == 0) {
 				std::string garbage(1 + random_() % 30, '\0');
@@ -153,6 +155,8 @@ void SimulatedLiberty::measure(double now_s) {
 			} else {
 				transfers_.push_back(bytes);
 			}
+		} else {
+			++overloads_;
 		}
 		++count_;
 	}
@@ -160,12 +164,15 @@ void SimulatedLiberty::measure(double now_s) {
 
 std::string SimulatedLiberty::read(double now_s) {
 	measure(now_s);
-	if (transfers_.empty()) {
+	is_awaited_ = transfers_.empty();
+	if (is_awaited_) {
 		return {};
 	}
 	std::string bytes = transfers_.front();
 	transfers_.pop_front();
-	constexpr std::array<std::size_t, 6> SIZES = { 7, 41, 48, 1, 100, 13 };
+	// They cut records at odd places. On average they are as long as a frame of three stations: a busy
+	// computer could not keep up with many more transfers than frames.
+	constexpr std::array<std::size_t, 6> SIZES = { 7, 241, 96, 1, 500, 13 };
 	const std::size_t size = SIZES[split_++ % SIZES.size()];
 	if (faults_.split && bytes.size() > size) {
 		transfers_.push_front(bytes.substr(size));

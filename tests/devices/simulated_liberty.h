@@ -32,6 +32,12 @@ public:
 
 	/// All commands without their carriage return, "," between them; control characters as "^U".
 	[[nodiscard]] const std::string &commands() const { return commands_; }
+	/// Time since the computer started the stream, on the tracker's clock, s; 0 before.
+	[[nodiscard]] double streamed_s() const {
+		return is_started_ ? (count_ - first_count_) / rate_hz() : 0.0;
+	}
+	/// Frames of this stream that the computer did not fetch in time.
+	[[nodiscard]] int overloads() const { return overloads_; }
 
 private:
 	void obey(const std::string &command, double now_s);
@@ -44,7 +50,11 @@ private:
 	bool is_binary_ = false, is_metric_ = false, is_streaming_ = false, has_output_list_ = false;
 	double set_rate_hz_ = 240.0;
 	double epoch_s_; ///< when the frame count was 0
-	std::uint32_t count_ = 0;
+	std::uint32_t count_ = 0, first_count_ = 0;
+	bool is_started_ = false; ///< the computer has started the stream
+	/// The computer waits for data: frames are not lost, also if this program itself runs late.
+	bool is_awaited_ = false;
+	int overloads_ = 0;
 	std::string command_;
 	std::string commands_;
 	std::deque<std::string> transfers_;

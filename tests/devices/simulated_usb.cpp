@@ -92,31 +92,32 @@ int SimulatedUsb::run(char **command) {
 	}
 	g_subprocess_wait_async(child, nullptr, &SimulatedUsb::on_end, this);
 	g_timeout_add(1, &SimulatedUsb::on_tick, this);
-	if (options_.unplug_s >= 0.0) {
-		g_timeout_add(static_cast<guint>(options_.unplug_s * 1e3), &SimulatedUsb::on_unplug, this);
-	}
-	if (options_.replug_s >= 0.0) {
-		g_timeout_add(static_cast<guint>(options_.replug_s * 1e3), &SimulatedUsb::on_replug, this);
-	}
 	g_main_loop_run(loop_);
 	if (options_.print_commands && liberty_ != nullptr) {
-		std::printf("commands %s\n", liberty_->commands().c_str());
+		std::printf("commands %s\noverloads %d\n", liberty_->commands().c_str(),
+				overloads_ + liberty_->overloads());
 	}
 	g_object_unref(bed_);
 	return status_;
 }
 
-gboolean SimulatedUsb::on_unplug(gpointer self_pointer) {
-	auto &self = *static_cast<SimulatedUsb *>(self_pointer);
-	self.is_unplugged_ = true;
-	for (Urb &urb : self.urbs_) {
+void SimulatedUsb::unplug() {
+	is_unplugged_ = was_unplugged_ = true;
+	overloads_ += liberty_->overloads();
+	for (Urb &urb : urbs_) {
 		if (!urb.is_done) {
 			finish(urb, -ESHUTDOWN, {}, 0);
 		}
 	}
-	umockdev_testbed_uevent(self.bed_, PLACE, "remove");
-	umockdev_testbed_remove_device(self.bed_, PLACE);
-	return G_SOURCE_REMOVE;
+	umockdev_testbed_uevent(bed_, PLACE, "remove");
+	umockdev_testbed_remove_device(bed_, PLACE);
+}
+
+void SimulatedUsb::replug_when_noticed() {
+	if (urbs_.empty() && options_.replug_s >= 0.0 && !is_replug_due_) {
+		is_replug_due_ = true;
+		g_timeout_add(static_cast<guint>(options_.replug_s * 1e3), &SimulatedUsb::on_replug, this);
+	}
 }
 
 gboolean SimulatedUsb::on_replug(gpointer self_pointer) {
@@ -131,6 +132,12 @@ gboolean SimulatedUsb::on_replug(gpointer self_pointer) {
 gboolean SimulatedUsb::on_tick(gpointer self_pointer) {
 	auto &self = *static_cast<SimulatedUsb *>(self_pointer);
 	self.answer();
+	if (self.is_unplugged_) {
+		self.replug_when_noticed();
+	} else if (self.options_.unplug_s >= 0.0 && !self.was_unplugged_ && self.liberty_ != nullptr &&
+			self.liberty_->streamed_s() >= self.options_.unplug_s) {
+		self.unplug();
+	}
 	for (UMockdevIoctlClient *const client : std::exchange(self.waiting_, {})) {
 		if (!self.reap(client)) {
 			umockdev_ioctl_client_complete(client, -1, self.is_unplugged_ ? ENODEV : EAGAIN);

@@ -9,10 +9,11 @@
 #include <memory>
 #include <string_view>
 
-/// What is plugged in, and how the system treats it. Times in s from the start.
+/// What is plugged in, and how the system treats it. unplug_s: of the first stream, on the tracker's clock.
+/// replug_s: after the program has fetched its last transfer.
 struct SimulatedUsbOptions {
 	SimulatedFaults faults;
-	double unplug_s = -1.0, replug_s = -1.0; ///< below 0: never
+	double unplug_s = -1.0, replug_s = -1.0; ///< s; below 0: never
 	bool no_device = false, firmware_missing = false, no_permission = false, busy = false,
 		 print_commands = false;
 };
@@ -35,12 +36,13 @@ private:
 	};
 
 	static gboolean on_ioctl(UMockdevIoctlBase *base, UMockdevIoctlClient *client, gpointer self);
-	static gboolean on_unplug(gpointer self);
 	static gboolean on_replug(gpointer self);
 	static gboolean on_tick(gpointer self);
 	static void on_end(GObject *child, GAsyncResult *result, gpointer self);
 
 	void plug();
+	void unplug();
+	void replug_when_noticed();
 	void serve(UMockdevIoctlClient *client);
 	void submit(UMockdevIoctlClient *client, UMockdevIoctlData *argument);
 	void discard(UMockdevIoctlClient *client, UMockdevIoctlData *argument);
@@ -53,7 +55,8 @@ private:
 	std::unique_ptr<SimulatedLiberty> liberty_;
 	std::list<Urb> urbs_; ///< the oldest first
 	std::list<UMockdevIoctlClient *> waiting_;
-	bool is_unplugged_ = false;
+	bool is_unplugged_ = false, was_unplugged_ = false, is_replug_due_ = false;
+	int overloads_ = 0; ///< of trackers that were unplugged
 	GMainLoop *loop_ = nullptr;
 	int status_ = 1;
 };
