@@ -169,7 +169,7 @@ private:
 	String warned_;
 	int task_changes_ = 0;                        ///< since the last end of a gesture
 	int long_gaps_ = 0;                           ///< gaps above LONGEST_GAP_S in a row
-	int frames_with_hand_ = 0;                    ///< since the recogniser was built
+	int frames_with_hand_ = 0;                    ///< since expected_ or start_ changed
 	uint8_t joints_seen_ = 0, joints_warned_ = 0; ///< joint_bits(): in any frame; warned of as missing
 	steadyhand::TaskWatch task_watch_;
 	std::vector<ObjectID> watched_tasks_; ///< tasks of task_watch_

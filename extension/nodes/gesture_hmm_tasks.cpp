@@ -125,10 +125,11 @@ std::vector<steadyhand::ExpectedGesture> GestureHMM::core_of(const std::vector<E
 
 void GestureHMM::build_recogniser() {
 	expected_changed_ = false;
-	expected_ = find_expected();
+	std::vector<Expected> expected = find_expected();
+	frames_with_hand_ = expected == expected_ ? frames_with_hand_ : 0;
+	expected_ = std::move(expected);
 	warn_of_settings();
 	restart_task_watch();
-	frames_with_hand_ = 0;
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
 			static_cast<steadyhand::MotionMode>(mode_),
 			steadyhand::hypotheses_of(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);

@@ -6,12 +6,19 @@
 namespace steadyhand {
 
 void TaskWatch::expect(const std::vector<Task> &tasks) {
+	last_s_.reset();
+	last_m_.reset();
+	if (std::ranges::equal(tasks, tasks_, {}, {}, &Watched::task)) {
+		for (Watched &one : tasks_) {
+			one.is_at_start = false; // the hand may begin elsewhere
+		}
+		return;
+	}
 	tasks_.clear();
 	for (const Task &task : tasks) {
 		tasks_.push_back({ task, std::numeric_limits<double>::infinity() });
 	}
-	first_s_.reset();
-	last_m_.reset();
+	watched_s_ = 0.0;
 	moved_m_ = 0.0;
 }
 
@@ -48,7 +55,8 @@ std::optional<TaskFault> TaskWatch::push(const HandFrame &frame) {
 	const double step_m = last_m_ ? (tip_m - *last_m_).norm() : 0.0;
 	moved_m_ += step_m < LONGEST_STEP_M ? step_m : 0.0;
 	last_m_ = tip_m;
-	first_s_ = first_s_.value_or(frame.t_s);
+	watched_s_ += frame.t_s - last_s_.value_or(frame.t_s);
+	last_s_ = frame.t_s;
 	for (std::size_t i = 0; i < tasks_.size(); ++i) {
 		Watched &one = tasks_[i];
 		one.nearest_m = std::min(one.nearest_m, (tip_m - one.task.start_m).norm());
@@ -58,7 +66,7 @@ std::optional<TaskFault> TaskWatch::push(const HandFrame &frame) {
 				one.direction_sum.normalized() };
 		}
 	}
-	if (frame.t_s - *first_s_ < WATCHED_S || moved_m_ < MOVED_M) {
+	if (watched_s_ < WATCHED_S || moved_m_ < MOVED_M) {
 		return std::nullopt;
 	}
 	const auto nearest = std::min_element(tasks_.begin(), tasks_.end(),

@@ -24,7 +24,8 @@ struct TaskFault {
 /// Monitors the index tip near tasks with a straight path, until the first gesture starts.
 class TaskWatch {
 public:
-	/// Starts over with these tasks.
+	/// Watches these tasks. Equal tasks keep what was seen of them: a short recording that is repeated
+	/// restarts the recogniser each time.
 	void expect(const std::vector<Task> &tasks);
 	void gesture_started() { is_over_ = true; }
 
@@ -54,7 +55,8 @@ private:
 
 	std::vector<Watched> tasks_;
 	bool is_over_ = false;
-	std::optional<double> first_s_;
+	double watched_s_ = 0.0;
+	std::optional<double> last_s_; ///< of the newest frame since expect()
 	std::optional<Eigen::Vector3d> last_m_;
 	double moved_m_ = 0.0;
 

@@ -71,3 +71,26 @@ TEST_CASE("a hand on the task's path, or after a gesture, is not reported") {
 	watch.expect({ task_at({ 1.0, 0.0, 0.0 }) });
 	CHECK(reports(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 60.0, last) == 0);
 }
+
+TEST_CASE("a short track that is repeated is judged as one long track") {
+	TaskWatch beside, far;
+	std::optional<TaskFault> last;
+	int of_beside = 0, of_far = 0;
+	for (int i = 0; i < 20; ++i) {
+		beside.expect({ task_at(Eigen::Vector3d::Zero()) });
+		of_beside += reports(beside, Eigen::Vector3d::Zero(), { 0.0, 0.2, 0.0 }, 3.0, last);
+		far.expect({ task_at({ 0.5, 0.0, 0.0 }) });
+		of_far += reports(far, Eigen::Vector3d::Zero(), { 0.0, 0.2, 0.0 }, 3.0, last);
+	}
+	CHECK(of_beside == 1);
+	CHECK(of_far == 1);
+}
+
+TEST_CASE("moved tasks are watched from the beginning") {
+	TaskWatch watch;
+	std::optional<TaskFault> last;
+	for (int i = 0; i < 20; ++i) {
+		watch.expect({ task_at({ 1.0 + i, 0.0, 0.0 }) });
+		CHECK(reports(watch, Eigen::Vector3d::Zero(), { 0.0, 0.3, 0.0 }, 3.0, last) == 0);
+	}
+}
