@@ -129,11 +129,13 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 		}
 		return;
 	}
+	const bool is_forgotten = !tracker_->is_inside_tree() && !has_frame_ && !tracker_->is_running();
 	const bool is_processing = tracker_->is_inside_tree() && tracker_->can_process();
 	const Ref<HandSource> source = tracker_->get_source();
 	// Other sources report missing frames themselves, or end.
 	const bool is_waited_for = source.is_null() || source->is_script() || has_frame_;
-	if (!is_processing || (source.is_valid() && !tracker_->is_running()) || !is_waited_for) {
+	const bool is_stopped = source.is_valid() && !tracker_->is_running();
+	if (!is_forgotten && (!is_processing || is_stopped || !is_waited_for)) {
 		return;
 	}
 	waited_s_ += std::min(p_passed_s, LONGEST_WAIT_S);
@@ -143,8 +145,12 @@ void GestureHMM::watch_tracker(double p_passed_s) {
 	set_process_internal(false);
 	has_warned_of_no_hand_ = true;
 	const String label = node_label(*tracker_);
-	const String fix = source.is_valid() ? source->no_frame_advice()
-										 : String("Set its \"source\", for example to an XRSource");
+	String fix = "Set its \"source\", for example to an XRSource";
+	if (is_forgotten) {
+		fix = "It is not in the scene. Add it by add_child()";
+	} else if (source.is_valid()) {
+		fix = source->no_frame_advice();
+	}
 	const String none = has_frame_ ? String("no hand for 20 s: all frames of ") + label + " are empty"
 								   : String("no frame for 5 s from ") + label;
 	WARN_PRINT(node_label(*this) + String(": ") + none + String(". ") + fix);

@@ -4,6 +4,7 @@ extends "support/scene_test.gd"
 
 const Rig := preload("support/rig.gd")
 
+const OVERLAY := preload("res://addons/steadyhand/debug_overlay.tscn")
 const PLACE := Vector3(0.0, 1.0, -0.3)
 
 var _folder := DirAccess.create_temp("steadyhand_mistakes")
@@ -22,6 +23,25 @@ func test_a_short_repeated_recording_far_from_the_task_is_warned_of() -> void:
 func test_a_short_repeated_recording_of_another_joint_is_warned_of() -> void:
 	# expects one warning: 'horizontal_drag' is not recognised. It needs index; no frame had index
 	await _play_repeated_drag(PLACE, Vector3.RIGHT, "ring")
+
+
+func test_a_tracker_that_is_not_in_the_scene_is_warned_of() -> void:
+	# expects one warning: It is not in the scene. Add it by add_child()
+	var tracker := HandTracker.new()
+	tracker.source = SyntheticSource.new()
+	var hmm := _drag_hmm()
+	hmm.tracker = tracker
+	root.add_child(hmm)
+	var overlay: Node = OVERLAY.instantiate()
+	root.add_child(overlay)
+	await create_timer(10.0).timeout
+	var shown: String = overlay.describe_gesture()
+	check_equal(shown, "The HandTracker is not in the scene: add it by add_child().", "overlay")
+	root.add_child(tracker)
+	await create_timer(0.5).timeout
+	check(tracker.is_hand_tracked(), "once added, the tracker runs")
+	for node: Node in [overlay, hmm, tracker]:
+		node.free()
 
 
 ## Plays a drag of 1.5 s at 90 Hz for 20 s. The task is at PLACE and leads to the right.

@@ -85,6 +85,8 @@ func _of_tracker(tracker: HandTracker) -> String:
 		return 'No source: set "source" of %s.' % tracker.name
 	if not failure.is_empty():
 		return failure
+	if not tracker.is_running() and not tracker.is_inside_tree():
+		return "The HandTracker is not in the scene: add it by add_child()."
 	if not tracker.is_running():
 		return "%s is stopped: call start()." % tracker.name
 	return ""
