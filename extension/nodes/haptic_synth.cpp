@@ -192,7 +192,7 @@ void HapticSynth::build_effects() {
 		const Ref<HapticEffect> effect = effects_[i];
 		if (effect.is_valid()) {
 			wanted.add(effect->to_core(tables));
-		} else {
+		} else if (!std::exchange(has_warned_of_null_, true)) {
 			WARN_PRINT(node_label(*this) + String(": \"effects\"[") + itos(i) +
 					String("] is null and plays nothing. Remove it, or set it to a HapticEffect"));
 		}
@@ -238,6 +238,7 @@ void HapticSynth::connect_effects(bool p_connect) {
 void HapticSynth::set_effects(const TypedArray<HapticEffect> &p_effects) {
 	connect_effects(false);
 	effects_ = p_effects.duplicate();
+	has_warned_of_null_ = false;
 	if (effects_.size() > static_cast<int64_t>(steadyhand::EffectSet::MOST)) {
 		WARN_PRINT(node_label(*this) + String(": only the first ") + itos(steadyhand::EffectSet::MOST) +
 				String(" of ") + itos(effects_.size()) +

@@ -114,7 +114,8 @@ private:
 
 	steadyhand::EffectSet core_effects_;
 	bool effects_are_set_ = false; ///< core_effects_ agree with the properties
-	StringName default_gesture_;   ///< gesture whose default effects are used if "effects" is empty
+	bool has_warned_of_null_ = false;
+	StringName default_gesture_; ///< gesture whose default effects are used if "effects" is empty
 	/// Shared with the links whose readers may use them.
 	std::shared_ptr<std::deque<TablesInUse>> tables_ = std::make_shared<std::deque<TablesInUse>>();
 	steadyhand::ArrivalDetector arrivals_;

@@ -44,6 +44,26 @@ func test_a_tracker_that_is_not_in_the_scene_is_warned_of() -> void:
 		node.free()
 
 
+func test_an_empty_effect_is_warned_of_once_in_several_gestures() -> void:
+	# expects one warning: "effects"[0] is null and plays nothing
+	var tracker := HandTracker.new()
+	tracker.source = load("res://addons/steadyhand/samples/repeated_drag.tres")
+	var hmm := _drag_hmm()
+	var ended := [0]
+	hmm.gesture_ended.connect(
+		func(_name: StringName, _s: float, _task: GestureTask, _share: float) -> void: ended[0] += 1
+	)
+	var synth := HapticSynth.new()
+	synth.bus = &"Master"
+	synth.effects = [null]
+	root.add_child(tracker)
+	tracker.add_child(hmm)
+	hmm.add_child(synth)
+	await create_timer(12.0).timeout
+	check(ended[0] >= 3, "%d gestures end" % ended[0])
+	tracker.free()
+
+
 ## Plays a drag of 1.5 s at 90 Hz for 20 s. The task is at PLACE and leads to the right.
 func _play_repeated_drag(start: Vector3, direction: Vector3, joint: String) -> void:
 	var source := RecordedSource.new()
