@@ -249,10 +249,10 @@ void GestureHMM::on_task_changed(uint64_t p_task) {
 	}
 	// Without a recogniser in use (in the editor, or before the first frame), nothing restarts.
 	if (!outdated_ && ++task_changes_ == TASK_CHANGES_WARNED) {
-		WARN_PRINT(node_label(*this) +
-				": a GestureTask keeps moving, and each move restarts its gesture. Do not make it a child of "
-				"the "
-				"object that the gesture moves");
+		const String label = task != nullptr ? node_label(*task) : String("a GestureTask");
+		WARN_PRINT(node_label(*this) + String(": ") + label +
+				" keeps moving, and each move restarts its gesture. Do not make it a child of the object "
+				"that the gesture moves");
 	}
 	on_expected_changed();
 }

@@ -269,12 +269,13 @@ func test_a_task_moved_before_the_first_frame_has_no_warning() -> void:
 
 func test_a_task_that_follows_the_hand_is_warned_of_and_never_ends() -> void:
 	var task := _task(&"horizontal_drag", Vector3.ZERO, Vector3.RIGHT, 0.2)
+	task.name = "Carried"
 	var hmm := _hmm([task])
 	var end := Vector3(0.2, 0.0, 0.0)
 	var carry := func(_time_s: float) -> void:
 		task.position.x = 0.5 * hmm.value
 		task.force_update_transform()  # as at the end of each frame of a game
-	# expects one warning: a GestureTask keeps moving
+	# expects one warning: GestureTask '/root/Carried' keeps moving
 	hmm.motion_updated.connect(carry)
 	check_equal(
 		_ends(_play(hmm, [Vector3.ZERO, end])), [] as Array[String], "a moving task never ends"
