@@ -102,13 +102,17 @@ func finish(settings: Dictionary) -> void:
 			settings = settings,
 			confusion = MotionMetrics.confusion(_done, _recognised),
 			false_alarms = false_alarms,
-			false_alarms_per_minute =
-			MotionMetrics.false_alarms_per_minute(false_alarms.size(), none_s),
-			begun_per_minute = MotionMetrics.false_alarms_per_minute(_none_begun, none_s),
-			under_way_share = _none_under_way_s / none_s if none_s > 0.0 else 0.0,
 			none_minutes = none_s / 60.0,
+			false_alarms_per_minute = null,
+			begun_per_minute = null,
+			under_way_share = null,
 			groups = groups,
 		}
+		if none_s > 0.0:
+			var rate := MotionMetrics.false_alarms_per_minute
+			content["false_alarms_per_minute"] = rate.call(false_alarms.size(), none_s)
+			content["begun_per_minute"] = rate.call(_none_begun, none_s)
+			content["under_way_share"] = _none_under_way_s / none_s
 		summary.store_line(JSON.stringify(content, "\t", false, true))
 		_check(summary)
 	_results.close()

@@ -36,6 +36,8 @@ func test_files_of_an_evaluation() -> void:
 	var summary: Dictionary = JSON.parse_string("\n".join(_lines("out/summary.json")))
 	check_equal(summary["groups"].size(), 2, "the summary has stable and unstable")
 	check_equal(summary["settings"]["mode"], "paper", "and the settings")
+	for rate: String in ["false_alarms_per_minute", "begun_per_minute", "under_way_share"]:
+		check_equal(summary[rate], null, "%s is unknown without trials of none" % rate)
 	_check_summary(summary["groups"], rows)
 
 
