@@ -155,6 +155,7 @@ func test_wrong_recordings_are_reported() -> void:
 	var far := "its reference reaches "
 	var messages: Dictionary[String, String] = {
 		backwards = far,
+		elsewhere = "its reference comes no nearer to its start than ",
 		millimetres = far,
 		millimetres_seen = "its measured track reaches ",
 		short = "its measured track ends at ",
@@ -167,6 +168,9 @@ func test_wrong_recordings_are_reported() -> void:
 		match wrong:
 			"backwards":
 				_replace_cells(table, 1, {9: "-1"})
+			"elsewhere":
+				var start_x: float = trials.get_trial(0)["start"].x - 0.4
+				_replace_cells(table, 1, {6: "%.6f" % start_x})
 			"millimetres":
 				_replace_cells(table, 1, {12: "200"})
 			"millimetres_seen":

@@ -17,7 +17,7 @@ namespace {
 constexpr double LEAST_REACH = 0.1, MOST_REACH = 5.0;
 /// Limit of |value| of a measured track.
 constexpr double FARTHEST_MEASURED = 50.0;
-/// Limits of |value| at start_s, and of the travel from start_s to end_s.
+/// Limits of |value| at the start, and of the travel from start_s to end_s.
 constexpr double BESIDE_START = 0.5, LEAST_TRAVEL = 0.5, MOST_TRAVEL = 2.0;
 /// A gesture may exceed its reference by this many frame intervals.
 constexpr double CUT_OFF = 1.5;
@@ -152,6 +152,12 @@ std::string oddity(const Feature &feature, const TrainingRecording &recording) {
 	const RecordedCurve reference = recorded_motion(feature, recording, recording.reference);
 	if (std::string fault = reference_oddity(feature, recording, reference); !fault.empty()) {
 		return fault;
+	}
+	const double nearest = range_of(reference, recording.task.amplitude_m, -INFINITY, recording.end_s).lowest;
+	if (nearest > BESIDE_START) {
+		return text("its reference comes no nearer to its start than %.2f amplitudes: check start, axis, "
+					"amplitude",
+				nearest);
 	}
 	if (std::string fault = measured_oddity(feature, recording); !fault.empty()) {
 		return fault;

@@ -65,6 +65,8 @@ TEST_CASE("the oddity of a recording names its cause") {
 				[](TrainingRecording &r) { scale(r.reference, 1000.0); } },
 		{ "its reference reaches 0.001 amplitudes, not 1: check metres, start, axis, amplitude",
 				[](TrainingRecording &r) { r.task.amplitude_m *= 1000.0; } },
+		{ "its reference comes no nearer to its start than 2.00 amplitudes: check start, axis, amplitude",
+				[](TrainingRecording &r) { r.task.start_m.x() -= 0.4; } },
 		{ "its reference has no values of index_along_axis",
 				[](TrainingRecording &r) {
 					for (HandFrame &frame : r.reference.frames) {
