@@ -12,6 +12,12 @@ const MODES: Dictionary[String, GestureHMM.Mode] = {
 }
 const CONTEXTS: Array[String] = ["scene", "open"]
 
+const TRAINED_ON := (
+	"the model of '%s' was trained on these trials. On other recordings the figures are worse."
+	+ " Evaluate it on recordings of other people"
+)
+const ONE_TRACK := "%s with equal measured and reference tracks, which hide the tracker's errors"
+
 ## Trials that could not be evaluated; they are in no file of the report.
 var broken := 0
 ## Names of these trials, if they have a row in the set.
@@ -25,6 +31,8 @@ var groups: Array[Dictionary] = []
 
 var _report: EvaluationReport = null
 var _is_empty := false
+## What limits the meaning of all figures, for the terminal.
+var _notes := PackedStringArray()
 ## Gestures without a model that were reported.
 var _without_model: Array[String] = []
 
@@ -49,6 +57,7 @@ func run(
 		if broken == 0:
 			printerr("no row in %s" % trial_set.get_path().path_join("trials.csv"))
 		return
+	_notes = _limits(trial_set, models)
 	var report := EvaluationReport.new(out_folder)
 	var progress := Progress.new(_trials(trial_set.get_count()))
 	for index in trial_set.get_count():
@@ -119,12 +128,39 @@ func get_text() -> String:
 				MotionMetrics.false_alarms_per_minute(alarms, _report.none_s)
 			]
 		)
+	for note in _notes:
+		text += "note: %s\n" % note
 	return text + _report.get_result()
 
 
 ## Name of the trial whose measured curve has the median zero-lag R2. Empty: no such trials.
 func typical_trial(gesture: String, position: String) -> String:
 	return "" if _report == null else _report.typical_trial(gesture, position)
+
+
+## Recordings that a model has learned from, and trials without a reference of their own.
+static func _limits(trial_set: TrialSet, models: Array[GestureModel]) -> PackedStringArray:
+	var notes := PackedStringArray()
+	var number_of: Dictionary[String, int] = {}
+	var with_one_track := 0
+	for index in trial_set.get_count():
+		var gesture: String = trial_set.get_trial(index)["gesture"]
+		number_of[gesture] = number_of.get(gesture, 0) + 1
+		var measured := trial_set.get_measured_path(index)
+		var reference := trial_set.get_reference_path(index)
+		var exist := FileAccess.file_exists(measured) and FileAccess.file_exists(reference)
+		if gesture != TrialRun.NO_GESTURE and exist:
+			var are_equal := FileAccess.get_md5(measured) == FileAccess.get_md5(reference)
+			with_one_track += 1 if are_equal else 0
+	for model in models:
+		var learned := model.get_provenance()
+		var total: int = learned["recordings"] + learned["dropped"].size()
+		var is_same: bool = learned["trial_set"] == trial_set.get_path().get_file()
+		if is_same and total == number_of.get(String(model.gesture), 0):
+			notes.append(TRAINED_ON % model.gesture)
+	if with_one_track > 0:
+		notes.append(ONE_TRACK % _trials(with_one_track))
+	return notes
 
 
 ## Reported once for all trials of the gesture.
