@@ -80,7 +80,12 @@ def refusals(folder: Path) -> Iterator[Outcome]:
     no_folder = f"cannot make the folder {folder}/{{}}: {folder}/file is a file"
     for given, message in (
         ([*evaluate, folder], f"no trials.csv in {folder}"),
+        ([*evaluate, folder / "set/trials.csv"], f"--trials is a file, {folder}/set/trials.csv: name its folder"),
         ([*evaluate, folder / "set", "--models", folder / "none"], f"no folder {folder}/none"),
+        (
+            [*evaluate, folder / "set", "--models", folder / "file"],
+            f"--models is a file, {folder}/file: name its folder",
+        ),
         (
             ["evaluate", "--trials", folder / "set", "--out", folder / "set"],
             "--out is the folder of the trials: name another folder",
