@@ -5,7 +5,7 @@ extends "tool.gd"
 ##
 ## Simulated participants p01, p02 ... make a whole study through the real nodes, faster than real
 ## time; see docs/study_files.md for what is in DIR. With --resume, unfinished sessions go on and
-## complete ones are left as they are; without it each participant gets a new session.
+## complete ones are left as they are. Without it no participant may have a session in DIR.
 ##
 ## Exit code: 0; 2 if nothing could be done or a file could not be written.
 
@@ -16,6 +16,10 @@ const SyntheticStudyHand := preload("res://study/synthetic_study_hand.gd")
 
 const MOST_PARTICIPANTS := 999
 const LONGEST_SEED := 18
+const REPEATED := (
+	"%s exists. A second session would have the same data as the first."
+	+ " Add --resume, or name another folder"
+)
 
 
 func work(arguments: PackedStringArray) -> void:
@@ -49,6 +53,10 @@ func work(arguments: PackedStringArray) -> void:
 			fail("--seed is '%s'; it must be %s" % [seed_text, rule], EXIT_BAD_INPUT)
 			return
 		protocol.seed = seed_text.to_int()
+	var repeated := "" if resumes else _existing(out_folder, count)
+	if not repeated.is_empty():
+		fail(REPEATED % repeated, EXIT_BAD_INPUT)
+		return
 	for warning in protocol.warnings():
 		printerr("study: %s" % warning)
 	exit_code = 0
@@ -56,6 +64,19 @@ func work(arguments: PackedStringArray) -> void:
 		if not _run_participant(index, protocol, out_folder, resumes):
 			exit_code = EXIT_BAD_INPUT
 			return
+
+
+## Folder of the first participant who has one. Empty: none.
+func _existing(out_folder: String, count: int) -> String:
+	for index in count:
+		var folder := out_folder.path_join("sub-" + _id(index))
+		if DirAccess.dir_exists_absolute(folder):
+			return folder
+	return ""
+
+
+func _id(index: int) -> String:
+	return "p%02d" % (index + 1)
 
 
 ## Null if the engine cannot load it.
@@ -83,7 +104,7 @@ func _load_problem(loaded: Resource, path: String) -> String:
 func _run_participant(
 	index: int, protocol: StudyProtocol, out_folder: String, resumes: bool
 ) -> bool:
-	var id := "p%02d" % (index + 1)
+	var id := _id(index)
 	var session := StudySession.new()
 	var hand := SyntheticStudyHand.new()
 	hand.subject = index
