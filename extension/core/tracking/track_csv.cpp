@@ -89,12 +89,23 @@ public:
 		if (reading_.warnings.empty()) {
 			check_units();
 		}
+		check_joints();
 		return std::move(reading_);
 	}
 
 private:
 	[[nodiscard]] Error error(std::string_view column, std::string_view what) const {
 		return error_at(source_, lines_.line_number(), column, what);
+	}
+
+	/// Frames without a joint are a lost hand. If no column is named after a joint, names are the cause.
+	void check_joints() {
+		if (!reading_.error && reading_.track.joints == 0 && !reading_.track.unknown_columns.empty()) {
+			const std::string_view fix =
+					"no column is named after a joint, so no hand is seen. Name those of "
+					"the index fingertip index_x, index_y, index_z";
+			reading_.warnings.push_back(error_at(source_, header_line_, fix).message);
+		}
 	}
 
 	/// Warns of the first fault only: others often have the same cause.
@@ -124,7 +135,7 @@ private:
 				return read_header(line);
 			}
 		}
-		return error_at(source_, std::max<std::size_t>(lines_.line_number(), 1), "t", "no header line");
+		return error_at(source_, std::max<std::size_t>(lines_.line_number(), 1), "no header line");
 	}
 
 	std::optional<Error> read_header(std::string_view line) {
@@ -147,7 +158,7 @@ private:
 			header_.columns.push_back(column);
 		}
 		if (std::find(cells_.begin(), cells_.end(), "t") == cells_.end()) {
-			return error("t", "the header has no such column");
+			return error("t", "the header has no such column. Name the column of the times (s) so");
 		}
 		for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
 			for (std::size_t axis = 0; axes_seen[joint] != 0 && axis < AXES.size(); ++axis) {

@@ -27,7 +27,7 @@ struct TrackReading {
 	Track track;
 	std::optional<Error> error;
 	bool is_cut_off = false;           ///< the invalid line is the last one and has no line break
-	std::vector<std::string> warnings; ///< of close_clock_jumps(), or of wrong units
+	std::vector<std::string> warnings; ///< of close_clock_jumps(), or of wrong units or names
 };
 
 /// Reads a recording that may be cut off, and keeps all frames before the cut. source_name: for messages.

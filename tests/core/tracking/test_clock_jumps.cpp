@@ -15,11 +15,11 @@ using namespace steadyhand;
 
 namespace {
 
-/// Rows of time and a note, under one line of metadata: the first row is line 3.
+/// Rows of time, a note and a resting fingertip, under one line of metadata: the first row is line 3.
 std::string track_of(const std::vector<std::string> &times) {
-	std::string text = "# a: b\nt,note\n";
+	std::string text = "# a: b\nt,note,index_x,index_y,index_z\n";
 	for (std::size_t i = 0; i < times.size(); ++i) {
-		text += times[i] + ',' + std::to_string(i) + '\n';
+		text += times[i] + ',' + std::to_string(i) + ",0,1,0\n";
 	}
 	return text;
 }

@@ -257,9 +257,10 @@ TEST_SUITE("track CSV") {
 
 	TEST_CASE("bad input gives one error with file, line and column") {
 		const std::string header = "t,index_x,index_y,index_z,confidence\n";
-		CHECK(error_of("") == "a.csv:1: t: no header line");
-		CHECK(error_of("# only: metadata\n") == "a.csv:1: t: no header line");
-		CHECK(error_of("time,index_x,index_y,index_z\n") == "a.csv:1: t: the header has no such column");
+		CHECK(error_of("") == "a.csv:1: no header line");
+		CHECK(error_of("# only: metadata\n") == "a.csv:1: no header line");
+		CHECK(error_of("time,index_x,index_y,index_z\n") ==
+				"a.csv:1: t: the header has no such column. Name the column of the times (s) so");
 		CHECK(error_of("0.01,0.1,0.2,0.3\n0.02,0.1,0.2,0.3\n") ==
 				"a.csv:1: no header line: the first line holds values, '0.01'");
 		CHECK(error_of("# a: b\nt,t\n") == "a.csv:2: t: the column comes twice");
@@ -378,4 +379,14 @@ TEST_SUITE("track CSV") {
 					std::string::npos);
 		}
 	}
+}
+
+TEST_CASE("a track whose columns name no joint is warned of") {
+	const auto warnings_of = [](std::string_view text) { return read_track_csv(text, "a.csv").warnings; };
+	CHECK(warnings_of("t,index_tip_x,index_tip_y,index_tip_z\n1,2,3,4\n") ==
+			std::vector<std::string>{
+					"a.csv:1: no column is named after a joint, so no hand is seen. Name those of "
+					"the index fingertip index_x, index_y, index_z" });
+	CHECK(warnings_of("t,ring_x,ring_y,ring_z,note\n1,2,3,4,5\n").empty());
+	CHECK(warnings_of("t\n1\n").empty());
 }
