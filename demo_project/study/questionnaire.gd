@@ -12,19 +12,23 @@ enum Kind {
 ## Limit of both ends of the scale, without the sign.
 const FARTHEST_ANSWER := 1000000
 
+## Name in answers.csv and in the report.
 @export var name := "questionnaire"
+## What a high answer means.
 @export var kind := Kind.LIKERT
 ## Names of the items in answers.csv, for example "smoothness".
 @export var items: PackedStringArray = []
 ## Texts for the participant, one for each item.
 @export_multiline var texts: PackedStringArray = []
-## The scale of every item. Answers are whole numbers.
+## Least answer to every item. Answers are whole numbers.
 @export var minimum := 0
+## Greatest answer to every item.
 @export var maximum := 4
 ## Distance between two neighbouring answers.
 @export var step := 1
-## Names of the scale's ends. Empty: the panel shows numbers only.
+## Name of the scale's lower end. Empty: the panel shows numbers only.
 @export var minimum_label := ""
+## Name of the scale's upper end.
 @export var maximum_label := ""
 ## Shown after so many trials of the plan, without practice trials. 0: once, after the last one.
 @export var after_trials := 5

@@ -22,22 +22,28 @@ const LONGEST_TRIAL_S := 600.0
 const LONGEST_REST_S := 3600.0
 const PAPER_QUESTIONNAIRE := "res://study/questionnaires/three_statements.tres"
 
+## Name of the study's folder, and of the study in its files.
 @export var study_name := "steadyhand"
 @export_group("Cells")
+## Some of "horizontal_drag", "vertical_drag", "tap" and "zoom". No others.
 @export var gestures: PackedStringArray = ["horizontal_drag", "vertical_drag", "tap", "zoom"]
+## "stable", "unstable" or both.
 @export var positions: PackedStringArray = ["stable", "unstable"]
-## Motions that drive vibration and scene.
+## Motions that drive vibration and scene: some of "measured", "average", "one_euro", "kalman" and
+## "synthesised".
 @export var conditions: PackedStringArray = ["measured", "average", "synthesised"]
 ## Lengths of the gesture, m. Empty: the length that the task's scene or the simulated person has.
 @export var amplitudes_m: PackedFloat64Array = []
 ## Widths of the target, m. Empty: the width that the task's scene has.
 @export var widths_m: PackedFloat64Array = []
 @export_group("Trials")
+## A cell is a gesture, position, condition, amplitude and width.
 @export_range(1, 100, 1, "or_greater") var trials_per_cell := 10
 ## Trials of one cell that follow each other.
 @export_range(1, 100, 1, "or_greater") var block_size := 5
 ## Before the first block of each gesture. No analysis counts them.
 @export_range(0, 100, 1, "or_greater") var practice_trials := 3
+## How the order of the cells is drawn for each participant.
 @export var order := Order.RANDOM
 ## Whether the order of the gestures changes between participants too. Off: as listed.
 @export var vary_gesture_order := false
@@ -46,8 +52,10 @@ const PAPER_QUESTIONNAIRE := "res://study/questionnaires/three_statements.tres"
 @export_group("Rests")
 ## A rest comes after so many trials, practice trials not counted. 0: never.
 @export_range(0, 1000, 1, "or_greater") var rest_after_trials := 30
+## Length of a rest, s.
 @export_range(0.0, LONGEST_REST_S, 1.0, "suffix:s") var rest_s := 60.0
 @export_group("")
+## What the participant answers, and when: see Questionnaire.
 @export var questionnaires: Array[Questionnaire] = []
 ## Together with the participant's id it decides every random order.
 @export var seed := 0

@@ -29,6 +29,14 @@ func test_default_protocol_is_the_papers() -> void:
 			check(false, "a questionnaire interrupts a block after trial %s" % trial)
 
 
+func test_each_property_of_a_protocol_has_a_tooltip() -> void:
+	for file: String in ["study_protocol", "questionnaire"]:
+		var lines := FileAccess.get_file_as_string("res://study/%s.gd" % file).split("\n")
+		for i in lines.size():
+			if lines[i].begins_with("@export") and lines[i].contains(" var "):
+				check(lines[i - 1].begins_with("## "), "%s: %s" % [file, lines[i]])
+
+
 func test_equal_seed_and_participant_give_an_equal_plan() -> void:
 	var protocol := StudyProtocol.paper()
 	var first := StudyPlan.make(protocol, "p01")
