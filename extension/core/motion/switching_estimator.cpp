@@ -45,7 +45,7 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 	for (double &weight : duration_weights_) {
 		weight /= total;
 	}
-	for (Belief *belief : { &now_, &before_last_ }) {
+	for (Belief *belief : { &now_, &after_[0], &after_[1] }) {
 		belief->gestures.reserve(hypotheses + 2 * TRACKERS.size() * DURATIONS);
 	}
 }
@@ -94,7 +94,7 @@ void SwitchingEstimator::restart(double t_s, double shift) {
 			shown.add(gesture.weight, { p.x, 0.0, p.variance, 0.0, 0.0 });
 		}
 		begin(now_.time_s, shown.state().x + shift, shown.state().v);
-		before_last_ = now_;
+		after_[0] = after_[1] = now_;
 	});
 }
 
@@ -117,7 +117,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 				since_s > 0.0 && since_s < parameters::SAME_MOVEMENT_S ? (x - reset_x_) / since_s : 0.0);
 		now_.measured_s = now_.changed_s = t_s;
 		now_.changed_x = x;
-		before_last_ = now_;
+		after_[0] = after_[1] = now_;
 		cached_s_ = NAN;
 		return;
 	}
@@ -129,9 +129,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 	}
 	change(t_s, [&] {
 		if (measurement.replaces_last) {
-			now_ = before_last_;
-		} else if (measurement.is_usable()) {
-			before_last_ = now_;
+			now_ = after_[1]; // the frames were not lost but late: the wait for them is no fault
 		}
 		predict(t_s);
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
@@ -161,6 +159,10 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		update_tracker_modes(-parameters::FAULTS_PER_S * std::min(since_s, parameters::BIRTH_PERIOD_S));
 		now_.measured_s = t_s;
 		prune();
+		if (!measurement.replaces_last) {
+			std::swap(after_[0], after_[1]);
+		}
+		after_[0] = now_;
 	});
 }
 
@@ -240,6 +242,9 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 	free(now_.free.weight * (1.0 - free_to_hold), now_.free.hand, now_.free.lagging);
 	free(now_.hold.weight * hold_to_free, leaving, now_.hold.lagging);
 	for (GestureFilter &gesture : now_.gestures) {
+		if (is_unseen(gesture)) {
+			continue; // no measurement shows that it has begun, so it cannot have ended
+		}
 		const GestureFilter::Prediction &p = gesture.cached_prediction(curve_, now_.time_s);
 		const double rate = 1.0 / gesture.duration_s();
 		const HandState shown{ p.x, p.velocity, p.variance, 0.0, 0.25 * rate * rate };
@@ -405,7 +410,7 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 	double total = now_.hold.weight + now_.free.weight, unseen = 0.0;
 	for (const GestureFilter &gesture : now_.gestures) {
 		total += gesture.weight;
-		if (gesture.onset_s() > now_.measured_s - parameters::UNSEEN_S) {
+		if (is_unseen(gesture)) {
 			unseen += gesture.weight;
 			continue;
 		}

@@ -102,7 +102,8 @@ private:
 	};
 	Belief now_;
 	bool is_last_used_ = true; ///< the newest usable measurement is far enough in time from the one before
-	Belief before_last_;       ///< before the newest usable measurement
+	/// After the newest usable measurement and the one before it. A burst counts as one measurement.
+	std::array<Belief, 2> after_;
 	double reset_s_ = NEVER_S, reset_x_ = 0.0; ///< last frame of reset_at()
 	OutputBlend blend_;
 	double acceleration_step_ = 0.0; ///< step of the acceleration at the last change
@@ -113,6 +114,10 @@ private:
 
 	[[nodiscard]] MotionEstimate mean(double t_s) const;
 	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
+	/// Began too late to have evidence.
+	[[nodiscard]] bool is_unseen(const GestureFilter &gesture) const {
+		return gesture.onset_s() > now_.measured_s - parameters::UNSEEN_S;
+	}
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);
 	void step(double t_s);

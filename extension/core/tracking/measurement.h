@@ -22,7 +22,7 @@ struct Measurement {
 	double outlier_probability = 0.0;
 	MeasurementStatus status = MeasurementStatus::TRACKED;
 	/// Arrived in one burst with the last usable reading, whose stamp is therefore too late. The receiver
-	/// must undo the last one and use this one.
+	/// must undo the last one and the wait for it, and use this one.
 	bool replaces_last = false;
 	double gap_s = 0.0; ///< length of the dropout, freeze or jump that ended with this reading; 0: none
 	/// Sum of the tracker's jumps that it has not undone: the offset of its positions. It is 0 again after a

@@ -18,8 +18,11 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	Measurement measurement{ .t_s = t_s, .position_m = position_m };
 	const double frame_gap_s = t_s - frame_s_;
 	const bool is_first = !has_frame_ || frame_gap_s < 0.0;
+	is_in_burst_ = !is_first && is_in_burst(t_s);
+	is_burst_used_ = is_burst_used_ && is_in_burst_;
 	if (is_first) {
 		has_frame_ = true;
+		delayed_frames_ = 0;
 		new_s_ = kept_s_ = t_s;
 		position_m_ = position_m;
 		restart(t_s, position_m);
@@ -32,7 +35,7 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	frame_s_ = t_s;
 	measurement.noise_m = noise_m();
 	measurement.displacement_m = displacement_m_;
-	replace_in_burst(measurement, is_first);
+	replace_in_burst(measurement);
 	return measurement;
 }
 
@@ -55,14 +58,18 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 	is_frozen_ = false;
 }
 
+/// Equal stamps, or a frame that was missing in the gap before and arrives long before the next one is due.
+bool TrackerMonitor::is_in_burst(double t_s) const {
+	return t_s - kept_s_ < BURST_S || (delayed_frames_ > 0 && t_s - new_s_ < 0.5 * period_s_);
+}
+
 /// Delayed frames of a burst have the stamp of their arrival, but only the last one is that new. Each frame
 /// of a burst therefore replaces the one before.
-void TrackerMonitor::replace_in_burst(Measurement &r_measurement, bool is_first) {
-	if (!r_measurement.is_usable()) {
-		return;
+void TrackerMonitor::replace_in_burst(Measurement &r_measurement) {
+	if (r_measurement.is_usable()) {
+		r_measurement.replaces_last = is_burst_used_;
+		is_burst_used_ = true;
 	}
-	r_measurement.replaces_last = !is_first && r_measurement.t_s - used_s_ < BURST_S;
-	used_s_ = r_measurement.replaces_last ? used_s_ : r_measurement.t_s;
 }
 
 void TrackerMonitor::repeat(Measurement &r_measurement) {
@@ -121,7 +128,10 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	} else {
 		judge(r_measurement, dt_s);
 	}
-	if (t_s - kept_s_ >= BURST_S) {
+	if (is_in_burst_) {
+		--delayed_frames_;
+	} else {
+		delayed_frames_ = std::lround(frame_gap_s / period_s_) - 1;
 		time(t_s);
 		if (r_measurement.status != MeasurementStatus::OUTLIER) {
 			noise_.push(t_s, r_measurement.position_m);
@@ -155,7 +165,7 @@ Eigen::Vector3d TrackerMonitor::reading_noise_m() const {
 void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	const HandTrack before = hand_;
 	const Eigen::Vector3d noise_m = reading_noise_m();
-	hand_.predict(r_measurement.t_s, dt_s < BURST_S ? period_s_ : 0.0);
+	hand_.predict(r_measurement.t_s, is_in_burst_ ? period_s_ : 0.0);
 	const Eigen::Vector3d off_m = hand_.residual_m(r_measurement.position_m, period_s_);
 	const double prior = -std::expm1(-FAULTS_PER_S * std::max(dt_s, BURST_S));
 	const double log_odds = std::log(prior / (1.0 - prior)) + hand_.log_likelihood(off_m, noise_m, JUMP_M) -
@@ -197,7 +207,7 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	const double t_s = r_measurement.t_s;
 	const double dt_s = t_s - r_jump.track.t_s();
 	const Eigen::Vector3d noise_m = reading_noise_m();
-	const double stamp_error_s = dt_s < BURST_S ? period_s_ : 0.0;
+	const double stamp_error_s = is_in_burst_ ? period_s_ : 0.0;
 	const Eigen::Vector3d continued_m = r_jump.track.position_m() + dt_s * r_jump.velocity_m_s;
 	const bool is_second = r_jump.readings == 1;
 	hand_.predict(t_s, stamp_error_s);

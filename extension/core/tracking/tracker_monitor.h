@@ -53,8 +53,10 @@ private:
 	double frame_s_ = 0.0; ///< stamp of the newest frame
 	double new_s_ = 0.0;   ///< stamp of the newest reading that is no repetition
 	Eigen::Vector3d position_m_ = Eigen::Vector3d::Zero();
-	double kept_s_ = 0.0; ///< stamp of the first reading of the newest burst, or of the newest reading
-	double used_s_ = 0.0; ///< the same, of usable readings
+	double kept_s_ = 0.0;        ///< stamp of the first reading of the newest burst, or of the newest reading
+	bool is_in_burst_ = false;   ///< the newest frame is a later one of a burst
+	bool is_burst_used_ = false; ///< an earlier frame of the newest burst was usable
+	long delayed_frames_ = 0;    ///< frames missing before the newest burst that have not arrived in it
 	Ring<double, 8> intervals_s_;
 	double period_s_ = parameters::tracker::UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
@@ -71,7 +73,8 @@ private:
 	[[nodiscard]] double overdue_s() const;
 	[[nodiscard]] Eigen::Vector3d reading_noise_m() const;
 	void restart(double t_s, const Eigen::Vector3d &position_m);
-	void replace_in_burst(Measurement &r_measurement, bool is_first);
+	[[nodiscard]] bool is_in_burst(double t_s) const;
+	void replace_in_burst(Measurement &r_measurement);
 	void repeat(Measurement &r_measurement);
 	void read(Measurement &r_measurement, double frame_gap_s);
 	void time(double t_s);
