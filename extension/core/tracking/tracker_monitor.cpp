@@ -23,6 +23,7 @@ Measurement TrackerMonitor::push(double t_s, const Eigen::Vector3d &position_m) 
 	if (is_first) {
 		has_frame_ = true;
 		delayed_frames_ = 0;
+		gap_ended_s_ = -INFINITY;
 		new_s_ = kept_s_ = t_s;
 		position_m_ = position_m;
 		restart(t_s, position_m);
@@ -111,6 +112,7 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	const double t_s = r_measurement.t_s;
 	const double dt_s = t_s - new_s_;
 	const bool is_dropout = frame_gap_s > overdue_s();
+	gap_ended_s_ = frame_gap_s > 1.5 * period_s_ ? t_s : gap_ended_s_;
 	if (is_dropout) {
 		++faults_.dropouts;
 	} else if (dt_s > 1.5 * period_s_ && frame_gap_s == dt_s) {
@@ -189,6 +191,14 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 		accepted_.reset();
 		return;
 	}
+	// The first frames after a gap may be old. Then the tracker catches up with a hand that went on.
+	if (r_measurement.t_s - gap_ended_s_ < MOST_BEHIND_S &&
+			leads_to(r_measurement.position_m - before.position_m(), dt_s + MOST_BEHIND_S)) {
+		r_measurement.status = MeasurementStatus::REAPPEARED;
+		r_measurement.outlier_probability = 0.0;
+		hand_ = HandTrack(r_measurement.t_s, r_measurement.position_m, fastest_m_s_, noise_m);
+		return;
+	}
 	++faults_.jumps;
 	r_measurement.status = MeasurementStatus::OUTLIER;
 	r_measurement.jump_m = off_m.norm();
@@ -255,13 +265,16 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
 }
 
+/// Whether the fastest recent motion of the hand leads there, way_m from its last position, in most_s.
+bool TrackerMonitor::leads_to(const Eigen::Vector3d &way_m, double most_s) const {
+	return way_m.dot(fastest_m_s_) > 0.0 &&
+			off_path_m(way_m, fastest_m_s_, most_s).norm() < STOOD * way_m.norm();
+}
+
 /// Whether the tracker catches up: it showed the hand at rest, and now shows it where its last motion leads.
 /// Trackers that lose a hand do this.
 bool TrackerMonitor::catches_up(const Eigen::Vector3d &way_m, double t_s) const {
-	if (hand_.velocity_m_s().norm() >= STOOD * fastest_m_s_.norm() || way_m.dot(fastest_m_s_) <= 0.0) {
-		return false;
-	}
-	return off_path_m(way_m, fastest_m_s_, t_s - fastest_s_).norm() < STOOD * way_m.norm();
+	return hand_.velocity_m_s().norm() < STOOD * fastest_m_s_.norm() && leads_to(way_m, t_s - fastest_s_);
 }
 
 /// Whether the tracker has undone the jump. The hand is then where the tracked motion since the jump leads

@@ -56,7 +56,8 @@ private:
 	double kept_s_ = 0.0;        ///< stamp of the first reading of the newest burst, or of the newest reading
 	bool is_in_burst_ = false;   ///< the newest frame is a later one of a burst
 	bool is_burst_used_ = false; ///< an earlier frame of the newest burst was usable
-	long delayed_frames_ = 0;    ///< frames missing before the newest burst that have not arrived in it
+	double gap_ended_s_ = -INFINITY; ///< time of the last frame after a missing one
+	long delayed_frames_ = 0;        ///< frames missing before the newest burst that have not arrived in it
 	Ring<double, 8> intervals_s_;
 	double period_s_ = parameters::tracker::UNKNOWN_PERIOD_S;
 	ReadingNoise noise_;
@@ -81,6 +82,7 @@ private:
 	void judge(Measurement &r_measurement, double dt_s);
 	void judge_jumped(Measurement &r_measurement, Jump &r_jump);
 	void accept_jump(const Jump &jump);
+	[[nodiscard]] bool leads_to(const Eigen::Vector3d &way_m, double most_s) const;
 	[[nodiscard]] bool catches_up(const Eigen::Vector3d &way_m, double t_s) const;
 	[[nodiscard]] bool has_returned(const Jump &jump, const Eigen::Vector3d &position_m, double t_s) const;
 };

@@ -90,6 +90,29 @@ TEST_CASE("late frames in a burst are no jumps and no freezes, and each replaces
 	}
 }
 
+TEST_CASE("after a gap and old frames, the frames of a tracker that catches up are used") {
+	constexpr double CAMERA_HZ = 73.0, GAP_S = 0.048, AGE_S = 0.047;
+	for (const double share : { 0.35, 0.45, 0.5 }) { // of the movement
+		for (const int old_frames : { 1, 2 }) {
+			INFO("gap at ", share, ", old frames ", old_frames);
+			const TestPath path = along(X, { { 1.0, 0.65, 0.3 } });
+			const double gap_from_s = 1.0 + 0.65 * share;
+			Tremor tremor(4e-4, 3);
+			TrackerMonitor monitor;
+			int old = 0, rejected = 0;
+			for (int i = 0; i < static_cast<int>(LENGTH_S * CAMERA_HZ); ++i) {
+				const double t_s = i / CAMERA_HZ;
+				if (t_s <= gap_from_s || t_s >= gap_from_s + GAP_S) {
+					const bool is_old = t_s > gap_from_s && old++ < old_frames;
+					const Measurement seen = monitor.push(t_s, path(t_s - (is_old ? AGE_S : 0.0)) + tremor());
+					rejected += seen.status == MeasurementStatus::OUTLIER ? 1 : 0;
+				}
+			}
+			CHECK(rejected == 0);
+		}
+	}
+}
+
 TEST_CASE("a hand at rest that is lost stays at rest") {
 	for (const double lost_s : { 0.2, 0.5, 0.9 }) {
 		CAPTURE(lost_s);
