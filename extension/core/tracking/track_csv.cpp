@@ -100,7 +100,8 @@ private:
 
 	/// Frames without a joint are a lost hand. If no column is named after a joint, names are the cause.
 	void check_joints() {
-		if (!reading_.error && reading_.track.joints == 0 && !reading_.track.unknown_columns.empty()) {
+		const bool is_header_read = !reading_.error || !reading_.track.frames.empty();
+		if (is_header_read && reading_.track.joints == 0 && !reading_.track.unknown_columns.empty()) {
 			const std::string_view fix =
 					"no column is named after a joint, so no hand is seen. Name those of "
 					"the index fingertip index_x, index_y, index_z";

@@ -383,10 +383,13 @@ TEST_SUITE("track CSV") {
 
 TEST_CASE("a track whose columns name no joint is warned of") {
 	const auto warnings_of = [](std::string_view text) { return read_track_csv(text, "a.csv").warnings; };
-	CHECK(warnings_of("t,index_tip_x,index_tip_y,index_tip_z\n1,2,3,4\n") ==
-			std::vector<std::string>{
-					"a.csv:1: no column is named after a joint, so no hand is seen. Name those of "
-					"the index fingertip index_x, index_y, index_z" });
+	// The second one has an error in its second row, and the frame before it.
+	for (const std::string_view text : { "t,index_tip_x,note\n1,2,3\n", "t,note\n1,a\n0.5,b\n" }) {
+		CHECK(warnings_of(text) ==
+				std::vector<std::string>{
+						"a.csv:1: no column is named after a joint, so no hand is seen. Name those of "
+						"the index fingertip index_x, index_y, index_z" });
+	}
 	CHECK(warnings_of("t,ring_x,ring_y,ring_z,note\n1,2,3,4,5\n").empty());
 	CHECK(warnings_of("t\n1\n").empty());
 }
