@@ -61,7 +61,7 @@ void TrackerMonitor::restart(double t_s, const Eigen::Vector3d &position_m) {
 
 /// Equal stamps, or a frame that was missing in the gap before and arrives long before the next one is due.
 bool TrackerMonitor::is_in_burst(double t_s) const {
-	return t_s - kept_s_ < BURST_S || (delayed_frames_ > 0 && t_s - new_s_ < 0.5 * period_s_);
+	return t_s - kept_s_ < BURST_S || (delayed_frames_ > 0 && t_s - new_s_ < 0.5 * period_before_gap_s_);
 }
 
 /// Delayed frames of a burst have the stamp of their arrival, but only the last one is that new. Each frame
@@ -133,7 +133,8 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	if (is_in_burst_) {
 		--delayed_frames_;
 	} else {
-		delayed_frames_ = std::lround(frame_gap_s / period_s_) - 1;
+		delayed_frames_ = is_period_known() ? std::lround(frame_gap_s / period_s_) - 1 : 0;
+		period_before_gap_s_ = period_s_;
 		time(t_s);
 		if (r_measurement.status != MeasurementStatus::OUTLIER) {
 			noise_.push(t_s, r_measurement.position_m);

@@ -90,6 +90,17 @@ TEST_CASE("late frames in a burst are no jumps and no freezes, and each replaces
 	}
 }
 
+TEST_CASE("after a dropout between the first two frames, no frame replaces another") {
+	TrackerMonitor monitor;
+	Tremor tremor(2e-4, 3);
+	const TestPath path = along(X, { DRAG });
+	for (int i = 0; i < static_cast<int>(LENGTH_S * RATE_HZ); ++i) {
+		if (const double t_s = i / RATE_HZ; i == 0 || t_s > 0.5) {
+			CHECK(!monitor.push(t_s, path(t_s) + tremor()).replaces_last);
+		}
+	}
+}
+
 TEST_CASE("after a gap and old frames, the frames of a tracker that catches up are used") {
 	constexpr double CAMERA_HZ = 73.0, GAP_S = 0.048, AGE_S = 0.047;
 	for (const double share : { 0.35, 0.45, 0.5 }) { // of the movement
