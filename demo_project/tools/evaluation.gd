@@ -150,8 +150,7 @@ static func _limits(trial_set: TrialSet, models: Array[GestureModel]) -> PackedS
 		var reference := trial_set.get_reference_path(index)
 		var exist := FileAccess.file_exists(measured) and FileAccess.file_exists(reference)
 		if gesture != TrialRun.NO_GESTURE and exist:
-			var are_equal := FileAccess.get_md5(measured) == FileAccess.get_md5(reference)
-			with_one_track += 1 if are_equal else 0
+			with_one_track += int(_are_equal(measured, reference))
 	for model in models:
 		var learned := model.get_provenance()
 		var total: int = learned["recordings"] + learned["dropped"].size()
@@ -161,6 +160,16 @@ static func _limits(trial_set: TrialSet, models: Array[GestureModel]) -> PackedS
 	if with_one_track > 0:
 		notes.append(ONE_TRACK % _trials(with_one_track))
 	return notes
+
+
+## Files of different lengths are not read.
+static func _are_equal(one: String, other: String) -> bool:
+	return _length(one) == _length(other) and FileAccess.get_md5(one) == FileAccess.get_md5(other)
+
+
+static func _length(path: String) -> int:
+	var file := FileAccess.open(path, FileAccess.READ)
+	return -1 if file == null else file.get_length()
 
 
 ## Reported once for all trials of the gesture.

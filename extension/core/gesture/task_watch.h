@@ -24,8 +24,8 @@ struct TaskFault {
 /// Monitors the index tip near tasks with a straight path, until the first gesture starts.
 class TaskWatch {
 public:
-	/// Watches these tasks. Equal tasks keep what was seen of them: a short recording that is repeated
-	/// restarts the recogniser each time.
+	/// Watches these tasks. If they are the same as before, the watch goes on: a recording that is played
+	/// again and again must not end it.
 	void expect(const std::vector<Task> &tasks);
 	void gesture_started() { is_over_ = true; }
 

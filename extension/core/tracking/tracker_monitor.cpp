@@ -112,10 +112,11 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	const double t_s = r_measurement.t_s;
 	const double dt_s = t_s - new_s_;
 	const bool is_dropout = frame_gap_s > overdue_s();
-	gap_ended_s_ = frame_gap_s > 1.5 * period_s_ ? t_s : gap_ended_s_;
+	const bool is_gap = frame_gap_s > 1.5 * period_s_;
+	gap_ended_s_ = is_gap ? t_s : gap_ended_s_;
 	if (is_dropout) {
 		++faults_.dropouts;
-	} else if (dt_s > 1.5 * period_s_ && frame_gap_s == dt_s) {
+	} else if (is_gap && frame_gap_s == dt_s) {
 		faults_.skipped_frames += static_cast<std::uint64_t>(std::lround(dt_s / period_s_)) - 1;
 	}
 	if (is_dropout || is_frozen_) {
