@@ -159,14 +159,13 @@ private:
 			header_.columns.push_back(column);
 		}
 		if (std::find(cells_.begin(), cells_.end(), "t") == cells_.end()) {
-			return error("t", "the header has no such column. Name the column of the times (s) so");
+			return error("t", "the header has no such column. Rename the column of times in seconds to 't'");
 		}
 		for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
 			for (std::size_t axis = 0; axes_seen[joint] != 0 && axis < AXES.size(); ++axis) {
 				if (((axes_seen[joint] >> axis) & 1U) == 0) {
 					return error(coordinate_name(joint, axis),
-							"the header has no such column, but others of " +
-									std::string(JOINT_NAMES[joint]));
+							"the header has no such column. Add it, because a joint needs x, y and z");
 				}
 			}
 			if (axes_seen[joint] != 0) {

@@ -260,7 +260,7 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of("") == "a.csv:1: no header line");
 		CHECK(error_of("# only: metadata\n") == "a.csv:1: no header line");
 		CHECK(error_of("time,index_x,index_y,index_z\n") ==
-				"a.csv:1: t: the header has no such column. Name the column of the times (s) so");
+				"a.csv:1: t: the header has no such column. Rename the column of times in seconds to 't'");
 		CHECK(error_of("0.01,0.1,0.2,0.3\n0.02,0.1,0.2,0.3\n") ==
 				"a.csv:1: no header line: the first line holds values, '0.01'");
 		CHECK(error_of("# a: b\nt,t\n") == "a.csv:2: t: the column comes twice");
@@ -271,9 +271,9 @@ TEST_SUITE("track CSV") {
 		CHECK(error_of("t,a;b\n1,2;3\n") == "no error");
 		CHECK(error_of("t,note,note\n") == "a.csv:1: note: the column comes twice");
 		CHECK(error_of("t,index_x\n") ==
-				"a.csv:1: index_y: the header has no such column, but others of index");
+				"a.csv:1: index_y: the header has no such column. Add it, because a joint needs x, y and z");
 		CHECK(error_of("t,palm_x,palm_y,index_z\n") ==
-				"a.csv:1: index_x: the header has no such column, but others of index");
+				"a.csv:1: index_x: the header has no such column. Add it, because a joint needs x, y and z");
 		CHECK(error_of(header + "1,2,3\n") == "a.csv:2: index_z: the row ends after 3 cells of 5");
 		CHECK(error_of(header + "1\n") == "a.csv:2: index_x: the row ends after 1 cell of 5");
 		CHECK(error_of(header + "1,2,3,4,1,6\n") == "a.csv:2: 6 cells under a header of 5");
