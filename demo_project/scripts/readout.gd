@@ -43,7 +43,7 @@ func show_live(motion: GestureHMM, is_blind: bool) -> void:
 ## Without an active gesture there is no state and no progress.
 static func _status_of(motion: GestureHMM) -> String:
 	if motion.gesture.is_empty():
-		return "at rest"
+		return "no gesture"
 	return "%s   state %d   %.0f %%" % [motion.gesture, motion.state, 100.0 * motion.progress]
 
 

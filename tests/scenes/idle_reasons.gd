@@ -62,6 +62,26 @@ func test_each_reason_in_turn() -> void:
 	_hmm.start_condition = GestureHMM.START_NONE
 
 
+func test_a_movement_in_another_direction_than_the_task() -> void:
+	_push(_task.position, 90)
+	_check_reason("Ready: waits for a movement.")
+	for share: float in [0.1, 0.2, 0.3, 0.4]:
+		_push(_task.position + share * _task.amplitude * Vector3.UP, 10)
+		_overlay.describe_gesture()
+	_push(_task.position + 0.4 * _task.amplitude * Vector3.UP, 90)
+	var moved := "The hand moved away from the start of Key at 90° to its direction"
+	_check_reason(moved + ": go back to the start.")
+	_push(_task.position, 90)
+	_check_reason("Ready: waits for a movement.")
+
+
+func test_a_hand_on_its_way_to_the_start() -> void:
+	_push(_task.position + 2.0 * Vector3.UP, 90)
+	check(_overlay.describe_gesture().begins_with("The hand is 200 cm"), "it is far away")
+	_push(_task.position + 0.4 * _task.amplitude * Vector3.UP, 90)
+	_check_reason("Ready: waits for a movement.")
+
+
 func test_a_frozen_tracker() -> void:
 	_hmm.tasks = []
 	for i in 200:

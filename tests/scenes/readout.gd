@@ -14,7 +14,7 @@ func test_the_readout_shows_the_active_gesture() -> void:
 	scene.play(trials.get_trial(0), trials.get_measured_path(0))
 	scene.tracker.advance(0.1)
 	await _shown()
-	check_equal(_status(player), "at rest", "before the gesture")
+	check_equal(_status(player), "no gesture", "before the gesture")
 	while scene.gesture_hmm.progress < 0.5 and not scene.tracker.is_finished():
 		scene.tracker.advance(Rig.STEP_S)
 	await _shown()
@@ -22,7 +22,7 @@ func test_the_readout_shows_the_active_gesture() -> void:
 	check(under_way.search(_status(player)) != null, "half-way: %s" % _status(player))
 	scene.gesture_hmm.reset()
 	await _shown()
-	check_equal(_status(player), "at rest", "and afterwards")
+	check_equal(_status(player), "no gesture", "and afterwards")
 	scene.free()
 
 

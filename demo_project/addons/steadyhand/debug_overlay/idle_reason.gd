@@ -5,6 +5,10 @@ const SILENT_S := 0.5
 const FROZEN_S := 0.4
 ## A gesture begins at most this far from the start, as a share of the amplitude: see GestureTask.
 const START_REACH := 0.6
+## A hand is at the start within this distance, as a share of the amplitude.
+const AT_START := 0.25
+## Cosine of 60 degrees: a movement at a larger angle to a task's direction is another one.
+const SAME_DIRECTION := 0.5
 ## See GestureHMM.START_DWELL.
 const DWELL_M := 0.02
 
@@ -29,6 +33,8 @@ var _place := Vector3.INF
 var _unchanged_since_s := 0.0
 var _dwell_place := Vector3.INF
 var _dwell_since_s := 0.0
+## The task at whose start the hand was last. Null if it has been far from it since.
+var _left_task: GestureTask = null
 
 
 func follow(tracker: HandTracker) -> void:
@@ -154,8 +160,11 @@ func _of_tasks(hmm: GestureHMM) -> String:
 		if distance_m - START_REACH * task.amplitude < nearest_m:
 			nearest = task
 			nearest_m = distance_m - START_REACH * task.amplitude
-	if nearest == null or nearest_m <= 0.0:
+	if nearest == null:
 		return ""
+	if nearest_m <= 0.0:
+		return _of_direction(hmm, nearest)
+	_left_task = null
 	return (
 		"The hand is %.0f cm from the start of %s: it has to come within %.0f cm."
 		% [
@@ -163,6 +172,28 @@ func _of_tasks(hmm: GestureHMM) -> String:
 			nearest.name,
 			100.0 * START_REACH * nearest.amplitude
 		]
+	)
+
+
+## A hand that comes from elsewhere may be on its way to the start.
+func _of_direction(hmm: GestureHMM, task: GestureTask) -> String:
+	var moved := _place - task.get_start()
+	if moved.length() < AT_START * task.amplitude:
+		_left_task = task
+		return ""
+	var angle := moved.angle_to(task.get_axis())
+	if _left_task != task or cos(angle) >= SAME_DIRECTION or not _is_straight(hmm, task):
+		return ""
+	return (
+		"The hand moved away from the start of %s at %.0f° to its direction: go back to the start."
+		% [task.name, rad_to_deg(angle)]
+	)
+
+
+func _is_straight(hmm: GestureHMM, task: GestureTask) -> bool:
+	return _active(hmm).any(
+		func(model: GestureModel) -> bool:
+			return model.feature == "index_along_axis" and task.gesture in [&"", model.gesture]
 	)
 
 
