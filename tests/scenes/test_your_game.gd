@@ -76,6 +76,24 @@ func test_a_fraction_of_a_gesture_does_not_end() -> void:
 	_free_nodes()
 
 
+func test_a_second_gesture_replaces_the_first() -> void:
+	var hand := _make_nodes()
+	var other := GestureTask.new()
+	other.position = Vector3(0.3, 1.3, -0.4)
+	other.amplitude = WAY
+	_hmm.add_child(other)
+	hand.make_gesture(_hmm.task)
+	await hand.rest(1.0)
+	hand.make_gesture(other)
+	await hand.rest(2.5)
+	check(hand.is_busy, "busy after the time of the first gesture")
+	check_near(hand.get_place().y, 1.3, 1e-6, "the hand is at the second task")
+	await hand.rest(1.5)
+	check(not hand.is_busy, "not busy after the second gesture")
+	check_near(hand.get_place().x, other.get_start().x + WAY, 1e-6, "the hand is at its end")
+	_free_nodes()
+
+
 func test_faults_are_seen_by_the_tracker() -> void:
 	var hand := _make_nodes()
 	await hand.reach(_hmm.task)

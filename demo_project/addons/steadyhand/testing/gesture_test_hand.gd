@@ -47,6 +47,8 @@ var _jumped_until_s := -INF
 var _jump := Vector3.ZERO
 var _last_joints := {}
 var _random := RandomNumberGenerator.new()
+## Of make_gesture(). The last one is in effect.
+var _calls := 0
 
 
 func _init() -> void:
@@ -91,6 +93,7 @@ func reach(task: GestureTask) -> void:
 
 ## Goes to the start of `task`, rests, makes its gesture in `duration_s` (0: default) and rests
 ## again. `fraction`: of the task's amplitude, 0 to 1, where the hand stops. Farther: move_to().
+## If another gesture is running, the hand leaves it and makes this one.
 func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void:
 	if task == null:
 		push_error("GestureTestHand: make_gesture() needs a GestureTask, is null.")
@@ -102,19 +105,26 @@ func make_gesture(task: GestureTask, duration_s := 0.0, fraction := 1.0) -> void
 	if duration_s == 0.0:
 		duration_s = DURATIONS_S.get(task.gesture, DURATION_S)
 	var way := fraction * task.amplitude
+	if is_busy and pinches:
+		_thumb_gap.go(HandPose.OPEN_M, _time_s, FINGERS_S)
 	is_busy = true
+	_calls += 1
+	var call_number := _calls
 	await reach(task)
-	if pinches:
+	if pinches and _calls == call_number:
 		await pinch()
-	if _tracker != null:  # otherwise the scene has ended, and the task with it
+	# If the tracker has stopped, the scene has ended, and the task with it.
+	if _tracker != null and _calls == call_number:
 		if task.start_radius > 0.0:
 			await spread(task.start_radius + way, duration_s)
 		else:
 			await move_to(task.get_start() + way * task.get_axis(), duration_s)
-	await rest(REST_S)
-	if pinches:
+	if _calls == call_number:
+		await rest(REST_S)
+	if pinches and _calls == call_number:
 		await release()
-	is_busy = false
+	if _calls == call_number:
+		is_busy = false
 
 
 ## Moves to `place`, m, in `duration_s`.
