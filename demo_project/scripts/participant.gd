@@ -25,6 +25,15 @@ func _init(given: String = chosen, folder: String = "user://participants") -> vo
 	if name.is_empty():
 		return
 	_path = folder.path_join("%s.json" % name.validate_filename())
+	var other := _in_other_case()
+	if not other.is_empty():
+		error = (
+			"Participant '%s': there is '%s' already. Choose another name: case is not enough."
+			% [name, other]
+		)
+		push_error("%s Positions are neither read nor kept." % error)
+		_path = ""
+		return
 	if not FileAccess.file_exists(_path):
 		return
 	var json := JSON.new()
@@ -65,6 +74,15 @@ func keep(gesture: String, proposal: Dictionary) -> Error:
 			task[position][figure] = proposal[position][figure]
 	_tasks[gesture] = task
 	return OK if _path.is_empty() else _write()
+
+
+## The participant whose name differs only in upper and lower case. Empty: none.
+func _in_other_case() -> String:
+	var folder := _path.get_base_dir()
+	if not DirAccess.dir_exists_absolute(folder):
+		return ""
+	var files := DirAccess.get_files_at(folder)
+	return Stored.same_in_other_case(_path.get_file(), files).trim_suffix(".json")
 
 
 ## Writes a new file, which then replaces the old one. An unreadable old file is renamed and kept.

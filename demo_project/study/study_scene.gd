@@ -73,6 +73,14 @@ func _ready() -> void:
 
 ## Resumes the participant's unfinished session, or starts a new one.
 func run_session(participant_id: String) -> Error:
+	var other_study := StudySession.folder_in_other_case(_folder())
+	if not other_study.is_empty():
+		_message.text = (
+			"Study '%s': there is '%s' already. Choose another 'study_name': case is not enough."
+			% [protocol.study_name, other_study]
+		)
+		push_error(_message.text)
+		return ERR_INVALID_PARAMETER
 	var hand := _make_hand()
 	session = StudySession.new()
 	var opened := session.start_or_resume(

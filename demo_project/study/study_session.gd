@@ -9,6 +9,7 @@ signal event_added(event: String, value: String, trial: int)
 
 const Columns := preload("study_columns.gd")
 const SessionFile := preload("session_file.gd")
+const Stored := preload("res://scripts/stored.gd")
 const StudyTable := preload("study_table.gd")
 const WholeFile := preload("whole_file.gd")
 
@@ -55,6 +56,14 @@ static func id_problem(id: String) -> String:
 		"Participant '%s': an id must be 1 to %d letters (a-z, A-Z) and digits, such as p01."
 		% [id, ID_LENGTH]
 	)
+
+
+## Name of a folder beside `path` that differs only in upper and lower case. Empty: none.
+static func folder_in_other_case(path: String) -> String:
+	var parent := path.get_base_dir()
+	if not DirAccess.dir_exists_absolute(parent):
+		return ""
+	return Stored.same_in_other_case(path.get_file(), DirAccess.get_directories_at(parent))
 
 
 ## Starts a new session in any case. `settings`: of the nodes, for session.json.
@@ -218,16 +227,14 @@ func _enter(study_folder: String, participant_id: String) -> Error:
 		return _fail(error)
 	participant = participant_id
 	folder = study_folder.path_join("sub-%s" % participant_id)
-	# Some file systems take "Ann" and "ann" for one name.
-	if DirAccess.dir_exists_absolute(study_folder):
-		for other in DirAccess.get_directories_at(study_folder):
-			if other.nocasecmp_to(folder.get_file()) == 0 and other != folder.get_file():
-				return _fail(
-					(
-						"Participant '%s': there is '%s' already. Choose another id: case is not enough."
-						% [participant_id, other.trim_prefix("sub-")]
-					)
-				)
+	var other := folder_in_other_case(folder)
+	if not other.is_empty():
+		return _fail(
+			(
+				"Participant '%s': there is '%s' already. Choose another id: case is not enough."
+				% [participant_id, other.trim_prefix("sub-")]
+			)
+		)
 	return OK
 
 

@@ -103,6 +103,17 @@ func test_a_bad_file_is_reported_once_and_kept() -> void:
 		check_equal(read.get_position("zoom", "unstable"), Vector3(0.25, 0, -0.5), "what was kept")
 
 
+func test_a_name_in_other_case_is_refused() -> void:
+	# expects one error: Participant 'Ann': there is 'ann' already. Choose another name
+	var folder := _folder.get_current_dir().path_join("case")
+	Participant.new("ann", folder).keep("tap", _proposal())
+	var second := Participant.new("Ann", folder)
+	check(not second.has_positions("tap"), "it has no positions of the first")
+	check_equal(second.keep("zoom", _proposal()), OK, "its own are kept as long as the scene")
+	check_equal(DirAccess.get_files_at(folder), PackedStringArray(["ann.json"]), "one file")
+	check(not Participant.new("ann", folder).has_positions("zoom"), "the first is as before")
+
+
 func _proposal() -> Dictionary:
 	var places := {"stable": Vector3(0, 0, -0.25), "unstable": Vector3(0.25, 0, -0.5)}
 	var proposal := {error = "", contrast = 5.0, distinct = true}

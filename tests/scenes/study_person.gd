@@ -9,6 +9,8 @@ const StudySupport := preload("support/study_support.gd")
 const StudyView := preload("res://study/study_view.gd")
 const TrialRows := preload("support/trial_rows.gd")
 
+const STUDY_SCENE := "res://study/study_scene.tscn"
+
 var _folder := DirAccess.create_temp("steadyhand_study_person")
 var _root := _folder.get_current_dir()
 
@@ -114,7 +116,7 @@ func test_a_trial_without_a_gesture_ends_at_its_limit() -> void:
 
 func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	# expects one error: Participant 'a b': an id must be
-	var scene := (load("res://study/study_scene.tscn") as PackedScene).instantiate() as StudyScene
+	var scene := (load(STUDY_SCENE) as PackedScene).instantiate() as StudyScene
 	scene.study_folder = _root.path_join("scene")
 	root.add_child(scene)
 	check(scene.run_session("a b") != OK, "a bad id is refused")
@@ -132,6 +134,19 @@ func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	scene.free()
 	var again := StudySession.new()
 	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
+
+
+func test_a_study_name_in_other_case_is_refused() -> void:
+	# expects one error: Study 'Pilot': there is 'pilot' already. Choose another 'study_name'
+	var scene := (load(STUDY_SCENE) as PackedScene).instantiate() as StudyScene
+	scene.study_folder = _root.path_join("names")
+	scene.protocol = StudySupport.protocol()
+	scene.protocol.study_name = "Pilot"
+	DirAccess.make_dir_recursive_absolute(scene.study_folder.path_join("pilot"))
+	root.add_child(scene)
+	check(scene.run_session("p01") != OK, "Pilot beside pilot")
+	check_equal(DirAccess.get_directories_at(scene.study_folder).size(), 1, "nothing is written")
+	scene.free()
 
 
 func test_a_pause_drops_the_current_trial() -> void:

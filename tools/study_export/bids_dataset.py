@@ -8,7 +8,14 @@ from study.logs import NO_STUDY
 from study_export.bids_curves import write_curves
 from study_export.bids_events import sidecars, write_events, write_session_tables
 from study_export.bids_files import MISSING, described, header, write_json, write_tsv
-from study_export.bids_names import reference_label, session_folder, session_prefix, task_labels, tracker_label
+from study_export.bids_names import (
+    check_participants,
+    reference_label,
+    session_folder,
+    session_prefix,
+    task_labels,
+    tracker_label,
+)
 from study_export.bids_readme import README
 from study_export.bids_tracks import Recording, write_recording, write_sidecars
 from study_export.columns import ORIGIN, TEXT, TIME, TRIALS, Column
@@ -48,6 +55,7 @@ def write_dataset(sessions: list[Session], out: Path, found: Findings) -> None:
         raise ValueError(f"{out}: this is a file. Name a new folder")
     if out.exists() and any(out.iterdir()):
         raise ValueError(f"{out}: it is not empty. Name a new folder, or delete this one")
+    check_participants(sessions)
     tasks = task_labels(sessions)
     part = out.with_name(out.name + ".part")
     shutil.rmtree(part, ignore_errors=True)

@@ -18,18 +18,30 @@ def label(name: str) -> str:
 
 
 def task_labels(sessions: list[Session]) -> dict[str, str]:
-    """Label of each gesture. ValueError: two gestures would share one, or a gesture has none."""
+    """Label of each gesture. ValueError: two gestures would share one, also in other case, or a gesture has none."""
     labels: dict[str, str] = {}
-    owners = {OUTSIDE: "events outside of trials", QUESTIONNAIRES: "answers"}
+    owners = {OUTSIDE.lower(): "events outside of trials", QUESTIONNAIRES.lower(): "answers"}
     for gesture in sorted({trial["gesture"] for session in sessions for trial in session.trials}):
         task = label(gesture)
         if not task:
             raise ValueError(f"gesture '{gesture}' has no letter or digit of ASCII. BIDS needs one: rename the gesture")
-        if task in owners:
-            raise ValueError(f"BIDS label '{task}' stands for {owners[task]} and for gesture '{gesture}': rename one")
-        owners[task] = f"gesture '{gesture}'"
+        if owner := owners.get(task.lower()):
+            raise ValueError(f"BIDS label '{task}' stands for {owner} and for gesture '{gesture}': rename one")
+        owners[task.lower()] = f"gesture '{gesture}'"
         labels[gesture] = task
     return labels
+
+
+def check_participants(sessions: list[Session]) -> None:
+    """ValueError: Windows and macOS would take the folders of two participants for one."""
+    names: dict[str, str] = {}
+    for session in sessions:
+        first = names.setdefault(session.participant.lower(), session.participant)
+        if first != session.participant:
+            raise ValueError(
+                f"participants '{first}' and '{session.participant}' differ only in upper and lower case:"
+                " Windows and macOS take their BIDS folders for one. Rename one in its session.json and tables"
+            )
 
 
 def tracker_label(session: Session) -> str:

@@ -178,11 +178,23 @@ def refused(folder: Path, export: Export) -> Iterator[Outcome]:
     status, output = export(folder / "taken", "--tidy", folder / "none.csv")
     good = status == 2 and "no finished trial" in output and not (folder / "none.csv").exists()
     yield Outcome.of(f"{NAME}: a folder without sessions is an error", good, output)
+    yield from similar_participants(folder / "similar", export)
     for path in (folder / "study").rglob("trials.csv"):
         path.write_text(path.read_text().replace(",horizontal_drag,", ",t_ap,").replace(",tap,", ",tAp,"))
     status, output = export(folder / "study", "--bids", folder / "bids")
     good = status == 2 and "BIDS label 'tAp'" in output and not list(folder.glob("bids*"))
     yield Outcome.of(f"{NAME}: two gestures with one BIDS label are an error", good, output)
+
+
+def similar_participants(folder: Path, export: Export) -> Iterator[Outcome]:
+    write_study(folder / "study")
+    for path in (folder / "study/sub-sim1").rglob("*"):
+        if path.name in ("session.json", "trials.csv", "answers.csv"):
+            path.write_text(path.read_text().replace("sim1", "Ann"))
+    status, output = export(folder / "study", "--bids", folder / "bids")
+    good = status == 2 and "participants 'Ann' and 'ann' differ only in upper and lower case" in output
+    good = good and not (folder / "bids").exists()
+    yield Outcome.of(f"{NAME}: two participants that differ only in case have no BIDS dataset", good, output)
 
 
 def contents(folder: Path) -> dict[str, bytes]:
