@@ -4,7 +4,7 @@ extends RefCounted
 
 const NAMES: Array[String] = ["measured", "average", "one_euro", "kalman", "synthesised"]
 const TITLES: Array[String] = [
-	"measured", "41-point moving average", "One Euro filter", "Kalman filter", "synthesised"
+	"measured", "moving average", "One Euro filter", "Kalman filter", "synthesised"
 ]
 const MOTIONS: Array[GestureHMM.Motion] = [
 	GestureHMM.MOTION_MEASURED,

@@ -277,7 +277,7 @@ void GestureHMM::_bind_methods() {
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "quality", PROPERTY_HINT_ENUM, "Fast,Balanced,Accurate"),
 			"set_quality", "get_quality");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "motion", PROPERTY_HINT_ENUM,
-						 "Synthesised,Measured,Average,One Euro,Kalman"),
+						 "Synthesised,Measured,Moving Average,One Euro,Kalman"),
 			"set_motion", "get_motion");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "sensor_latency", PROPERTY_HINT_RANGE, "0,0.2,0.001,suffix:s"),
 			"set_sensor_latency", "get_sensor_latency");

@@ -4,16 +4,14 @@ import re
 import statistics
 from collections.abc import Iterable
 
+from conditions import TITLES
 from haptics.live import Live
 from haptics.trials import ENDS_WITH_A_CUE, Felt
 from page_tables import table
 
 CONDITIONS = {
     "reference": "the reference itself",
-    "measured": "measured",
-    "average": "41-point moving average",
-    "one_euro": "One Euro filter",
-    "kalman": "Kalman filter",
+    **{name: TITLES[name] for name in ("measured", "average", "one_euro", "kalman")},
     "paper": "synthesised, `paper`",
     "synthesised": "synthesised, `phase`",
 }

@@ -4,16 +4,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from conditions import TITLES
 from matplotlib.axes import Axes
 from plots.curves import STYLES
 from plots.style import plt, save
 
 POSITIONS = ["stable", "unstable"]
 SHORT = {
-    "measured": "measured",
-    "average": "average",
-    "one_euro": "One Euro",
-    "kalman": "Kalman",
+    **{name: "\n".join(TITLES[name].rsplit(" ", 1)) for name in ("measured", "average", "one_euro", "kalman")},
     "paper": "synth.,\npaper",
     "phase": "synth.,\nphase",
 }

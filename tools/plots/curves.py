@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from conditions import TITLES
 from gesture_end import END_LEVEL
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
@@ -38,14 +39,14 @@ class Mark:
 
 # In the order in which they are drawn, the last on top.
 STYLES = {
-    "one_euro": Style("One Euro filter", GREEN, 1.1),
-    "average": Style("41-point moving average", ORANGE, 2.0),
-    "measured": Style("measured", VERMILION, 1.4),
-    "kalman": Style("Kalman filter", PURPLE, 1.4, (0, (2, 2))),
+    "one_euro": Style(TITLES["one_euro"], GREEN, 1.1),
+    "average": Style(TITLES["average"], ORANGE, 2.0),
+    "measured": Style(TITLES["measured"], VERMILION, 1.4),
+    "kalman": Style(TITLES["kalman"], PURPLE, 1.4, (0, (2, 2))),
     "reference": Style("reference", BLACK, 2.6, (0, (4, 1.5))),
     "paper": Style("synthesised, paper", SKY, 2.0),
     "phase": Style("synthesised, phase", BLUE, 2.6),
-    "synthesised": Style("synthesised", BLUE, 2.6),
+    "synthesised": Style(TITLES["synthesised"], BLUE, 2.6),
 }
 LEGEND_ORDER = ["reference", "measured", "phase", "synthesised", "paper", "average", "one_euro", "kalman"]
 

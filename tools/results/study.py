@@ -4,22 +4,20 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from conditions import TITLES
 from plots.curves import read_curves
 from results.evaluation import Evaluation
 
 MODES = ["paper", "phase"]
 CONTEXTS = ["scene", "open"]
 
+OTHERS = ["measured", "average", "one_euro", "kalman"]
 # Conditions in the order of every table and picture. Each mode is the synthesised motion of its own run.
 CONDITIONS = {
-    "measured": "measured",
-    "average": "41-point average",
-    "one_euro": "One Euro",
-    "kalman": "Kalman",
+    **{name: TITLES[name] for name in OTHERS},
     "paper": "synthesised, `paper`",
     "phase": "synthesised, `phase`",
 }
-OTHERS = ["measured", "average", "one_euro", "kalman"]
 
 
 def source_of(condition: str) -> tuple[str, str]:

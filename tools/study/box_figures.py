@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
+from conditions import TITLES
 from matplotlib.axes import Axes
 from plots.curves import STYLES
 from plots.style import plt, save
@@ -99,8 +100,9 @@ def draw_panel(
             draw_bracket(axes, places[a], places[b], y, step, text)
         middle = group * (len(motions) + 0.8) + (len(motions) - 1) / 2
         label = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points", "ha": "center", "va": "top"}
-        axes.annotate(position or "no position", (middle, 0.0), (0, -24), **label)
-    axes.set_xticks(list(places.values()), [MOTIONS[motion] for _ in positions for motion in motions], fontsize=9.5)
+        axes.annotate(position or "no position", (middle, 0.0), (0, -56), **label)
+    titles = [TITLES[motion] for _ in positions for motion in motions]
+    axes.set_xticks(list(places.values()), titles, fontsize=9.5, rotation=30, ha="right", rotation_mode="anchor")
     axes.set_ylim(low - 0.5 * step, top + 0.5 * step)
     if scale and scale[1] - scale[0] <= 10:
         axes.set_yticks(np.arange(scale[0], scale[1] + 0.5))

@@ -8,7 +8,7 @@ from study.analysis import Analysis
 from study.measures import Mean, throughput_cells
 from study.rows import POSITIONS
 from study.session_rows import CURVES, StudyTrial
-from study.tables import Column, Table, decimals, percent, spoken
+from study.tables import Column, Table, decimals, percent, spoken, with_titles
 from study.throughput import groups
 
 TASK = [Column("gesture", "Gesture", spoken), Column("position", "Position")]
@@ -59,7 +59,7 @@ def curves_table(analysis: Analysis, means: list[Mean]) -> Table:
             rows.append(row)
     columns = [
         *TASK,
-        Column("curve", "Motion"),
+        Column("curve", "Motion", with_titles),
         Column("people", "People"),
         Column("trials", "Trials"),
         Column("not_recognised", "Left out: not recognised"),
@@ -114,7 +114,7 @@ def recognition_table(analysis: Analysis) -> Table:
 
 def throughput_tables(analysis: Analysis) -> list[Table]:
     of_participants = throughput_cells(analysis.trials)
-    condition = Column("condition", "Driven by", spoken)
+    condition = Column("condition", "Driven by", with_titles)
     figures = [
         Column("without_end", "Without an end"),
         Column("movement_time_s", "MT, s", decimals(3)),
@@ -164,7 +164,7 @@ def answers_table(analysis: Analysis, means: list[Mean]) -> Table:
     columns = [
         Column("item", "Item"),
         *TASK,
-        Column("condition", "Driven by", spoken),
+        Column("condition", "Driven by", with_titles),
         Column("people", "People"),
         Column("skipped", "Skipped answers"),
         Column("mean", "Mean", decimals(2)),
@@ -182,7 +182,7 @@ def means_table(means: list[Mean]) -> Table:
         Column("gesture", "Gesture", spoken),
         Column("participant", "Participant"),
         Column("position", "Position"),
-        Column("motion", "Motion or condition", spoken),
+        Column("motion", "Motion or condition", with_titles),
         Column("n", "Values"),
         Column("value", "Mean", decimals(4)),
     ]

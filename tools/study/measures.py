@@ -13,14 +13,8 @@ from study.throughput import Cell, cells
 # Measure of a curve: its column in trials.csv without the curve's name.
 CURVE_MEASURES = {"r2": "R² at the best lag", "r2_zero": "R² at zero lag", "t_diff": "T_diff (s)"}
 THROUGHPUT = "throughput"
-# As the paper orders and names them in Fig. 7 and 8, then the others.
-MOTIONS = {
-    "measured": "Meas",
-    "synthesised": "Syn",
-    "average": "Filt",
-    "one_euro": "One Euro",
-    "kalman": "Kalman",
-}
+# In the paper's order of Fig. 7 and 8, then the others.
+MOTIONS = ["measured", "synthesised", "average", "one_euro", "kalman"]
 assert set(MOTIONS) == set(CONDITIONS)
 
 
@@ -104,4 +98,4 @@ def means_of(kind: str, values: dict[tuple, list[float]]) -> list[Mean]:
 
 def order_of(entry: tuple) -> tuple:
     measure, gesture, participant, position, motion = entry[0]
-    return (measure, gesture, POSITIONS.index(position), list(MOTIONS).index(motion), participant)
+    return (measure, gesture, POSITIONS.index(position), MOTIONS.index(motion), participant)

@@ -4,6 +4,7 @@ import re
 import sys
 from pathlib import Path
 
+from conditions import TITLES
 from study import box_figures, descriptive
 from study.analysis import Analysis, split
 from study.curve_figure import NoCurves, figure_6
@@ -122,7 +123,9 @@ BOXES_NOTE = (
 
 def short_table(sections: list[Section]) -> str:
     headings = ["study", "made by", "gesture", "position", "people", "trials", "right"]
-    headings += ["R2 meas", "filt", "syn", "Tdiff meas, ms", "filt", "syn"]
+    curves = ("measured", "average", "synthesised")
+    for figure in ("R2", "Tdiff, ms:"):
+        headings += [f"{figure} {TITLES[curves[0]]}", *(TITLES[curve] for curve in curves[1:])]
     rows = []
     for section in sections:
         named = {table.name: table.rows for table in section.tables}
@@ -135,7 +138,7 @@ def short_table(sections: list[Section]) -> str:
             cells = [section.analysis.study, section.analysis.label, spoken(row["gesture"]), row["position"] or "-"]
             cells += [str(row["people"]), str(row["trials"]), f"{100 * row['rate_mean']:.0f} %"]
             for figure, form, factor in (("r2_mean", ".3f", 1.0), ("t_diff_mean", ".0f", 1000.0)):
-                values = [own[curve][figure] for curve in ("measured", "average", "synthesised")]
+                values = [own[curve][figure] for curve in curves]
                 cells += ["-" if value is None else format(factor * value, form) for value in values]
             rows.append(cells)
     return aligned(headings, rows, left=4)

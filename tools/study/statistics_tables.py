@@ -2,7 +2,7 @@
 
 from study.inference import Results
 from study.measures import CURVE_MEASURES
-from study.tables import Column, Table, decimals, probability, spoken
+from study.tables import Column, Table, decimals, probability, spoken, with_titles
 
 OF = [Column("measure", "Measure"), Column("gesture", "Gesture", spoken)]
 PEOPLE = Column("people", "People")
@@ -55,8 +55,8 @@ def anova_table(of: list[Results]) -> Table:
 def post_hoc_table(of: list[Results]) -> Table:
     columns = [
         *OF,
-        Column("a", "A", spoken),
-        Column("b", "B", spoken),
+        Column("a", "A", with_titles),
+        Column("b", "B", with_titles),
         PEOPLE,
         Column("difference", "A - B", decimals(4)),
         Column("t", "t", decimals(2)),
@@ -74,7 +74,7 @@ def normality_table(of: list[Results]) -> Table:
     columns = [
         *OF,
         Column("position", "Position"),
-        Column("motion", "Motion or condition", spoken),
+        Column("motion", "Motion or condition", with_titles),
         Column("n", "People"),
         Column("mean", "Mean", decimals(4)),
         Column("sd", "SD", decimals(4)),

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from conditions import TITLES
 from whole_file import whole
 
 Value = str | int | float | None
@@ -42,6 +43,11 @@ def percent(value: float) -> str:
 
 def spoken(name: str) -> str:
     return str(name).replace("_", " ")
+
+
+def with_titles(name: str) -> str:
+    """A condition, or a cell of the design such as `stable average`, for people."""
+    return " ".join(TITLES.get(word, word) for word in str(name).split(" "))
 
 
 def shown(column: Column, row: dict[str, Value]) -> str:

@@ -54,6 +54,9 @@ def whole_report(folder: Path) -> Iterator[Outcome]:
     line = next((line for line in output.splitlines() if " unstable " in line), "")
     wanted = ["made-up data (synthetic)", "horizontal drag", " 9 ", " 108 ", "100 %"]
     yield Outcome.of("command/study report: a short table is printed", all(text in line for text in wanted), output)
+    page = (folder / "out/report.html").read_text()
+    good = "moving average" in output and "moving average" in page and not re.search(r"\bfilt\b", output + page, re.I)
+    yield Outcome.of("command/study report: one name for the moving average", good, output)
     rows = read(folder / "out/drags_synthetic_curves.csv")
     means = {(row["position"], row["curve"]): float(row["r2_mean"]) for row in rows}
     good = all(abs(means[key] - value) < 0.02 for key, value in R2.items())
