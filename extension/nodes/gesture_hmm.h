@@ -4,6 +4,7 @@
 #include "gesture_model.h"
 #include "listener_list.h"
 #include "motion_listener.h"
+#include "read_only_copy.h"
 
 #include "gesture/task.h"
 #include "gesture/task_watch.h"
@@ -52,15 +53,15 @@ public:
 	void set_tracker(HandTracker *p_tracker);
 	HandTracker *get_tracker() const { return tracker_; }
 	void set_tasks(const TypedArray<GestureTask> &p_tasks);
-	/// A copy. Changes take effect when it is set again.
+	/// A read-only copy.
 	TypedArray<GestureTask> get_tasks() const;
 	/// Sets one task, or none.
 	void set_task(GestureTask *p_task);
 	/// The first task, or null.
 	GestureTask *get_task() const { return tasks_.is_empty() ? nullptr : task_at(0); }
 	void set_models(const TypedArray<GestureModel> &p_models);
-	/// A copy, as get_tasks().
-	TypedArray<GestureModel> get_models() const { return models_.duplicate(); }
+	/// A read-only copy.
+	TypedArray<GestureModel> get_models() const { return read_only_copy(models_); }
 	void set_mode(Mode p_mode);
 	Mode get_mode() const { return mode_; }
 	void set_quality(Quality p_quality);

@@ -202,6 +202,7 @@ TypedArray<GestureTask> GestureHMM::get_tasks() const {
 			tasks[i] = Variant(); // Node.duplicate() and PackedScene.pack() would use pointers to freed nodes
 		}
 	}
+	tasks.make_read_only();
 	return tasks;
 }
 

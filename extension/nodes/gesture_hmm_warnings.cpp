@@ -67,7 +67,7 @@ void GestureHMM::warn_of_settings() {
 	String warning;
 	if (models_.is_empty()) {
 		warning = "no gesture is recognised, because \"models\" is empty. Set it to an array of *.gesture "
-				  "files of res://addons/steadyhand/models. append() changes only a copy of the array";
+				  "files of res://addons/steadyhand/models";
 	}
 	for (int64_t i = 0; i < models_.size(); ++i) {
 		const Ref<GestureModel> model = models_[i];

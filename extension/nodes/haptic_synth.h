@@ -6,6 +6,7 @@
 #include "haptic_stream.h"
 #include "haptic_wav.h"
 #include "motion_listener.h"
+#include "read_only_copy.h"
 
 #include "haptics/arrival_detector.h"
 
@@ -36,8 +37,8 @@ public:
 	void set_gesture_hmm(GestureHMM *p_gesture_hmm);
 	GestureHMM *get_gesture_hmm() const { return gesture_hmm_; }
 	void set_effects(const TypedArray<HapticEffect> &p_effects);
-	/// A copy. Changes take effect when it is set again.
-	TypedArray<HapticEffect> get_effects() const { return effects_.duplicate(); }
+	/// A read-only copy.
+	TypedArray<HapticEffect> get_effects() const { return read_only_copy(effects_); }
 	void set_gain(double p_gain);
 	double get_gain() const { return gain_; }
 	void set_arrival_level(double p_level);

@@ -109,13 +109,21 @@ func test_a_reset_in_a_handler_sends_no_old_signals() -> void:
 	rig.free_nodes()
 
 
-func test_the_arrays_are_copies() -> void:
+func test_the_arrays_are_read_only_copies() -> void:
+	# expects error: Array is in read-only state
 	var rig := _make_rig()
 	var hmm := rig.gesture_hmm
-	hmm.models.append(null)
-	hmm.tasks.clear()
-	check_equal(hmm.models.size(), 1, "a change of the returned array does not change the models")
+	for array: Array in [hmm.models, hmm.tasks]:
+		check(array.is_read_only(), "append() is an error of the engine")
+		array.append(null)
+	check_equal(hmm.models.size(), 1, "and does not change the models")
 	check_equal(hmm.tasks.size(), 1, "nor the tasks")
+	var task := GestureTask.new()
+	hmm.tasks += [task]
+	check_equal(hmm.tasks, [rig.task, task] as Array[GestureTask], "a task is added")
+	hmm.tasks = hmm.tasks.filter(func(one: GestureTask) -> bool: return one != task)
+	check_equal(hmm.tasks, [rig.task] as Array[GestureTask], "and removed")
+	task.free()
 	var models: Array[GestureModel] = [hmm.models[0], hmm.models[0]]
 	hmm.models = models
 	models.clear()
@@ -125,8 +133,8 @@ func test_the_arrays_are_copies() -> void:
 	var effects: Array[HapticEffect] = [SpringEffect.new()]
 	synth.effects = effects
 	effects.append(null)
-	synth.effects.clear()
-	check_equal(synth.effects.size(), 1, "the same holds for the effects")
+	check(synth.effects.is_read_only(), "the effects are read-only, too")
+	check_equal(synth.effects.size(), 1, "a change of the assigned array does not change them")
 	synth.free()
 
 
