@@ -3,6 +3,7 @@
 #include "tracking/clock_jumps.h"
 #include "tracking/csv_text.h"
 #include "tracking/stream_check.h"
+#include "tracking/track_columns.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +13,6 @@
 namespace steadyhand {
 
 namespace {
-
-constexpr std::string_view AXES = "xyz";
 
 enum class ColumnKind : std::uint8_t { TIME, COORDINATE, CONFIDENCE, UNKNOWN };
 
@@ -28,14 +27,6 @@ struct Header {
 	std::vector<std::string> names;
 	std::vector<Column> columns;
 };
-
-std::uint8_t joint_bit(std::size_t joint) {
-	return static_cast<std::uint8_t>(1U << joint);
-}
-
-std::string coordinate_name(std::size_t joint, std::size_t axis) {
-	return std::string(JOINT_NAMES[joint]) + '_' + AXES[axis];
-}
 
 Column column_of(std::string_view name) {
 	if (name == "t") {
@@ -247,48 +238,6 @@ private:
 	double previous_t_s_ = -std::numeric_limits<double>::infinity();
 };
 
-void append_cells(std::string &r_out, const HandFrame &frame, const TrackColumns &columns) {
-	append_number(r_out, frame.t_s);
-	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
-		if ((columns.joints & joint_bit(joint)) == 0) {
-			continue;
-		}
-		const Eigen::Vector3d &position_m = frame.positions_m[joint];
-		if ((frame.tracked & joint_bit(joint)) == 0 || !position_m.allFinite()) {
-			r_out += ",,,";
-			continue;
-		}
-		for (const double coordinate : position_m) {
-			r_out += ',';
-			append_number(r_out, coordinate);
-		}
-	}
-	if (columns.confidence) {
-		r_out += ',';
-		append_number(r_out, std::isfinite(frame.confidence) ? std::clamp(frame.confidence, 0.0, 1.0) : 0.0);
-	}
-}
-
-void append_metadata(std::string &r_out, const std::vector<std::pair<std::string, std::string>> &metadata) {
-	for (const auto &[key, value] : metadata) {
-		r_out += "# ";
-		append_plain_text(r_out, key);
-		r_out += key.empty() ? "" : ": ";
-		append_plain_text(r_out, value);
-		r_out += '\n';
-	}
-}
-
-void append_column_names(std::string &r_out, const TrackColumns &columns) {
-	r_out += 't';
-	for (std::size_t joint = 0; joint < JOINT_COUNT; ++joint) {
-		for (std::size_t axis = 0; (columns.joints & joint_bit(joint)) != 0 && axis < AXES.size(); ++axis) {
-			r_out += ',' + coordinate_name(joint, axis);
-		}
-	}
-	r_out += columns.confidence ? ",confidence" : "";
-}
-
 } // namespace
 
 TrackReading read_track_csv(std::string_view text, std::string_view source_name) {
@@ -301,41 +250,6 @@ Result<Track> parse_track_csv(std::string_view text, std::string_view source_nam
 		return *std::move(reading.error);
 	}
 	return std::move(reading.track);
-}
-
-std::string format_track_csv(const Track &track) {
-	const TrackColumns columns{ track.joints, track.has_confidence };
-	std::string out;
-	append_metadata(out, track.metadata);
-	append_column_names(out, columns);
-	for (const UnknownColumn &column : track.unknown_columns) {
-		out += ',';
-		append_cell(out, column.name);
-	}
-	out += '\n';
-	for (std::size_t i = 0; i < track.frames.size(); ++i) {
-		append_cells(out, track.frames[i], columns);
-		for (const UnknownColumn &column : track.unknown_columns) {
-			out += ',';
-			append_cell(out, i < column.cells.size() ? column.cells[i] : "");
-		}
-		out += '\n';
-	}
-	return out;
-}
-
-std::string track_csv_header(
-		const TrackColumns &columns, const std::vector<std::pair<std::string, std::string>> &metadata) {
-	std::string out;
-	append_metadata(out, metadata);
-	append_column_names(out, columns);
-	out += '\n';
-	return out;
-}
-
-void append_track_csv_row(std::string &r_out, const HandFrame &frame, const TrackColumns &columns) {
-	append_cells(r_out, frame, columns);
-	r_out += '\n';
 }
 
 } // namespace steadyhand
