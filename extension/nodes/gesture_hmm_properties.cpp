@@ -176,50 +176,6 @@ void GestureHMM::set_pinch_distance(double p_distance_m) {
 	}
 }
 
-PackedStringArray GestureHMM::_get_configuration_warnings() const {
-	PackedStringArray warnings;
-	if (tracker_ == nullptr && parent_as<HandTracker>(*this) == nullptr) {
-		warnings.push_back(
-				"Set \"tracker\" to the HandTracker whose hand makes the gestures, or make this node "
-				"its child.");
-	}
-	bool has_empty = false;
-	for (int64_t i = 0; i < models_.size(); ++i) {
-		const Ref<GestureModel> model = models_[i];
-		has_empty = has_empty || model.is_null() || model->core() == nullptr;
-	}
-	if (models_.is_empty()) {
-		warnings.push_back("Add a GestureModel to \"models\": a *.gesture file of "
-						   "res://addons/steadyhand/models, or one "
-						   "of your own from a GestureTrainer.");
-	}
-	for (int64_t i = 0; i < tasks_.size() && !models_.is_empty(); ++i) {
-		const GestureTask *const task = task_at(i);
-		if (task == nullptr) {
-			warnings.push_back("Remove the empty entry of \"tasks\", or choose a GestureTask for it.");
-		} else if (task->get_gesture() != StringName() && !has_model_of(task->get_gesture())) {
-			warnings.push_back(String("Add the model of '") + String(task->get_gesture()) +
-					String("' to \"models\", or set \"gesture\" of ") + node_label(*task) +
-					String(" to a gesture that has a model."));
-		} else if (const String fault = place_fault(*task); fault != String()) {
-			warnings.push_back(fault);
-		}
-	}
-	if (const String fault = taskless_fault(); fault != String()) {
-		warnings.push_back(fault);
-	}
-	if (const String fault = start_fault(); fault != String()) {
-		warnings.push_back(fault);
-	}
-	if (const String fault = paper_fault(); fault != String()) {
-		warnings.push_back(fault);
-	}
-	if (has_empty) {
-		warnings.push_back("Remove the empty entry from \"models\", or load a *.gesture file into it.");
-	}
-	return warnings;
-}
-
 void GestureHMM::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_tracker", "tracker"), &GestureHMM::set_tracker);
 	ClassDB::bind_method(D_METHOD("get_tracker"), &GestureHMM::get_tracker);
