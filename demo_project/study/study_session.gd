@@ -9,13 +9,12 @@ signal event_added(event: String, value: String, trial: int)
 
 const Columns := preload("study_columns.gd")
 const SessionFile := preload("session_file.gd")
+const SessionLock := preload("session_lock.gd")
 const Stored := preload("res://scripts/stored.gd")
 const StudyTable := preload("study_table.gd")
 const WholeFile := preload("whole_file.gd")
 
 const SESSION_FILE := "session.json"
-## Holds the id of the process that writes to the session.
-const LOCK_FILE := "session.lock"
 const ID_LENGTH := 32
 const LETTERS_AND_DIGITS := "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
@@ -41,8 +40,7 @@ var _events_table: StudyTable = null
 ## Texts of whole files that are not on the disk yet, by path.
 var _pending_files: Dictionary[String, String] = {}
 var _is_in_trouble := false
-## Empty while the session is not open.
-var _lock_path := ""
+var _lock := SessionLock.new()
 
 
 ## Why `id` cannot be a participant's id. Empty when it can.
@@ -91,7 +89,7 @@ func start(
 		return _fail("%s: the folder cannot be made: %s" % [folder, error_string(made)])
 	var plan := SessionFile.make(wanted, participant_id, number, given_origin, settings)
 	if SessionFile.write(folder.path_join(SESSION_FILE), plan) != OK:
-		return _fail(_cannot_write(folder.path_join(SESSION_FILE)))
+		return _fail(WholeFile.failure_of(folder.path_join(SESSION_FILE)))
 	return _open()
 
 
@@ -240,46 +238,7 @@ func _enter(study_folder: String, participant_id: String) -> Error:
 
 ## Lets another program open the session. Also done when the object is freed.
 func close() -> void:
-	if not _lock_path.is_empty():
-		DirAccess.remove_absolute(_lock_path)
-		_lock_path = ""
-
-
-func _notification(what: int) -> void:
-	if what == NOTIFICATION_PREDELETE and not _lock_path.is_empty():
-		DirAccess.remove_absolute(_lock_path)
-
-
-## A lock of an ended process is stale.
-func _take_lock() -> Error:
-	var path := folder.path_join(LOCK_FILE)
-	if FileAccess.file_exists(path):
-		var holder := FileAccess.get_file_as_string(path).strip_edges().to_int()
-		if holder > 0 and holder != OS.get_process_id() and _is_running(holder):
-			return _fail(
-				(
-					(
-						"%s: process %d writes to this session. Close that program,"
-						+ " or remove %s if it is another one."
-					)
-					% [folder, holder, LOCK_FILE]
-				)
-			)
-	if WholeFile.write(path, "%d\n" % OS.get_process_id()) != OK:
-		return _fail(_cannot_write(path))
-	_lock_path = path
-	return OK
-
-
-## OS.is_process_running() knows children of this process only.
-static func _is_running(process_id: int) -> bool:
-	if DirAccess.dir_exists_absolute("/proc/self"):
-		return DirAccess.dir_exists_absolute("/proc/%d" % process_id)
-	if OS.get_name() == "Windows":
-		var listed := []
-		OS.execute("tasklist", ["/NH", "/FI", "PID eq %d" % process_id], listed)
-		return str(process_id) in str(listed)
-	return OS.execute("ps", ["-p", str(process_id)]) == 0
+	_lock.release()
 
 
 ## Reads the plan and what is finished of it, and takes cut rows off.
@@ -293,8 +252,8 @@ func _open() -> Error:
 				% [path, SessionFile.VERSION]
 			)
 		)
-	if _take_lock() != OK:
-		return ERR_INVALID_PARAMETER
+	if _lock.take(folder) != OK:
+		return _fail(_lock.error)
 	origin = plan["origin"]
 	protocol = plan["protocol"]
 	trials.assign(plan["trials"])
@@ -316,7 +275,7 @@ func _open() -> Error:
 	_events_table = StudyTable.new(folder.path_join("events.csv"), Columns.EVENTS)
 	for table: StudyTable in [_trials_table, _answers_table, _events_table]:
 		if table.open() != OK:
-			return _fail(_cannot_write(table.path))
+			return _fail(WholeFile.failure_of(table.path))
 		if not table.has_header():
 			return _fail(
 				(
@@ -367,16 +326,12 @@ func _fail(message: String) -> Error:
 	return ERR_INVALID_PARAMETER
 
 
-static func _cannot_write(path: String) -> String:
-	return "%s: cannot be written. Is the disk full, or has another program opened the file?" % path
-
-
 ## Reported once until the disk can be written again.
 func _report_trouble(path: String) -> Error:
 	if not _is_in_trouble:
 		_is_in_trouble = true
 		var message := (
-			_cannot_write(path)
+			WholeFile.failure_of(path)
 			+ " Nothing is lost yet: free some space and go on. Do not close the program before."
 		)
 		push_error(message)

@@ -17,3 +17,8 @@ static func write(path: String, text: String) -> Error:
 		return OK
 	DirAccess.remove_absolute(part)
 	return ERR_FILE_CANT_WRITE
+
+
+## Why `path` could not be written, and what to look at.
+static func failure_of(path: String) -> String:
+	return "%s: cannot be written. Is the disk full, or has another program opened the file?" % path
