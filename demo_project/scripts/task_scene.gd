@@ -15,17 +15,12 @@ const Practice := preload("practice.gd")
 const Readout := preload("readout.gd")
 const Stage := preload("stage.gd")
 const StudyOrder := preload("study_order.gd")
+const SyntheticTrials := preload("synthetic_trials.gd")
 const Tasks := preload("tasks.gd")
 const TrialCourse := preload("trial_course.gd")
 const TrialList := preload("trial_list.gd")
 const TrialLog := preload("trial_log.gd")
 const TrialTask := preload("trial_task.gd")
-
-## Trials of a synthetic person, at the stable and the unstable position in turns.
-const TRIALS_PER_SUBJECT := 6
-const POSITIONS: Array[SyntheticSource.Position] = [
-	SyntheticSource.POSITION_STABLE, SyntheticSource.POSITION_UNSTABLE
-]
 
 ## A trial set to play; empty: synthetic people make the trials.
 @export_dir var trial_folder := ""
@@ -39,10 +34,8 @@ var course: TrialCourse = null
 ## Folder of this session.
 var session_folder := ""
 
-var _synthetic := SyntheticSource.new()
+var _synthetic: SyntheticTrials = null
 var _trials: TrialList = null
-## The axis of the scene, along which synthetic people make the gesture.
-var _axis := Vector3.ZERO
 var _log: TrialLog = null
 var _trial_name := ""
 var _position_name := ""
@@ -81,7 +74,7 @@ func _ready() -> void:
 	course = TrialCourse.new(_stage.strokes_add_up)
 	_stage.place(task, "")
 	_readout.show_instruction(Tasks.INSTRUCTIONS.get(String(task.gesture), ""))
-	_axis = task.get_axis()
+	_synthetic = SyntheticTrials.new(task)
 	if autoplay:
 		play_next()
 
@@ -199,24 +192,11 @@ func condition_name() -> String:
 
 func _play_synthetic() -> void:
 	_stop()
-	_synthetic.gesture = task.gesture
-	_synthetic.seed += 1
-	_synthetic.subject = _synthetic.seed / TRIALS_PER_SUBJECT
-	_synthetic.position = POSITIONS[_synthetic.seed % POSITIONS.size()]
-	_synthetic.placement = SyntheticSource.PLACEMENT_SENSOR
-	var trial := _synthetic.get_trial()
-	TrialTask.apply(trial, task)
-	if task.start_radius <= 0.0 and not task.get_axis().is_equal_approx(_axis):
-		var middle := task.get_start() + 0.5 * task.amplitude * task.get_axis()
-		task.direction = task.global_basis.inverse() * _axis
-		TrialTask.place_middle(task, middle)
-		_synthetic.place_at(task)
-		trial = _synthetic.get_trial()
-	tracker.source = _synthetic
-	if tracker.start() != OK:
-		return
-	var trial_name := "synthetic_%03d" % _synthetic.seed
-	_begin_trial(trial_name, trial["position"], trial["subject"], "synthetic")
+	_synthetic.advance(task)
+	tracker.source = _synthetic.source
+	if tracker.start() == OK:
+		var trial := _synthetic.trial
+		_begin_trial(trial["trial"], trial["position"], trial["subject"], "synthetic")
 
 
 ## `origin`: who makes the trial, as in session.json.
