@@ -71,6 +71,15 @@ func test_a_movement_in_another_direction_than_the_task() -> void:
 	_push(_task.position + 0.4 * _task.amplitude * Vector3.UP, 90)
 	var moved := "The hand moved away from the start of Key at 90° to its direction"
 	_check_reason(moved + ": go back to the start.")
+	var upward := GestureTask.new()
+	upward.gesture = &"horizontal_drag"
+	upward.position = _task.position
+	upward.direction = Vector3.UP
+	root.add_child(upward)
+	_hmm.tasks += [upward]
+	_check_reason("Ready: waits for a movement.")
+	_hmm.tasks = [_task]
+	upward.free()
 	_push(_task.position, 90)
 	_check_reason("Ready: waits for a movement.")
 

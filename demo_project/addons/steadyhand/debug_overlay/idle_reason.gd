@@ -181,12 +181,15 @@ func _of_direction(hmm: GestureHMM, task: GestureTask) -> String:
 	if moved.length() < AT_START * task.amplitude:
 		_left_task = task
 		return ""
-	var angle := moved.angle_to(task.get_axis())
-	if _left_task != task or cos(angle) >= SAME_DIRECTION or not _is_straight(hmm, task):
+	if _left_task != task or not _is_straight(hmm, task):
 		return ""
+	for other in hmm.tasks:  # several tasks may start at one place
+		if other != null and cos(moved.angle_to(other.get_axis())) >= SAME_DIRECTION:
+			if other.get_start().distance_to(task.get_start()) < AT_START * other.amplitude:
+				return ""
 	return (
 		"The hand moved away from the start of %s at %.0f° to its direction: go back to the start."
-		% [task.name, rad_to_deg(angle)]
+		% [task.name, rad_to_deg(moved.angle_to(task.get_axis()))]
 	)
 
 
