@@ -153,6 +153,15 @@ func test_an_xr_hand_pulls_the_drawer_and_taps_the_way_back() -> void:
 	xr_hand.remove()
 
 
+func test_a_copied_script_of_a_sample_loads() -> void:
+	var folder := DirAccess.create_temp("steadyhand_samples")
+	for sample: String in ["drawer", "key_panel", "pinch_drag", "slider", "zoom_map"]:
+		var copy := folder.get_current_dir().path_join(sample + ".gd")
+		DirAccess.copy_absolute((FOLDER % sample).replace(".tscn", ".gd"), copy)
+		var script := load(copy) as GDScript
+		check(script != null and script.can_instantiate(), "%s loads in another folder" % sample)
+
+
 func test_the_add_on_uses_nothing_outside_its_folder() -> void:
 	var outside := RegEx.create_from_string('res://(?!addons/steadyhand/)[^"]*')
 	var folders: Array[String] = ["res://addons/steadyhand"]

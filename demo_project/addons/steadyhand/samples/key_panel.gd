@@ -4,7 +4,7 @@ extends Node3D
 
 signal key_pressed(key: String)
 
-const Key := preload("key.tscn")
+const Key := preload("res://addons/steadyhand/samples/key.tscn")
 const KEYS := "123456789*0#"
 const PITCH_M := 0.06
 ## A tap starts 4 cm above a key, and ends where the key is pressed down.
