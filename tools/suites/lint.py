@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from conditions import TITLES
 from gesture_end import END_LEVEL
 from suites import clang_tidy, clean
 from suites.check import check
@@ -22,6 +23,7 @@ def outcomes() -> Iterator[Outcome]:
     shell = [ROOT / "steadyhand", ROOT / ".ci/run", *files(".sh")]
     yield one_version()
     yield one_end()
+    yield same_conditions()
     yield tests_of_page("docs/numerics.md")
     yield check("layer order", [sys.executable, "tools/layers.py", "extension/core"])
     yield check("clang-format", ["clang-format", "--dry-run", "-Werror", *cpp, *headers])
@@ -50,6 +52,17 @@ def one_version() -> Outcome:
     found = re.search(r'^version="([^"]+)"', (ROOT / "demo_project/addons/steadyhand/plugin.cfg").read_text(), re.M)
     good = wanted is not None and found is not None and wanted[1] == found[1]
     return Outcome.of("lint/plugin.cfg has the version of version.h", good, f"{wanted} {found}")
+
+
+def same_conditions() -> Outcome:
+    """The demo has a copy of the names."""
+    text = (ROOT / "demo_project/scripts/conditions.gd").read_text()
+    names, titles = (
+        re.findall(r'"([^"]+)"', found[1]) if (found := re.search(rf"const {name}.*?= \[(.*?)\]", text, re.S)) else []
+        for name in ("NAMES", "TITLES")
+    )
+    good = dict(zip(names, titles, strict=False)) == TITLES
+    return Outcome.of("lint/conditions.gd has the names of conditions.py", good, f"{names} {titles}")
 
 
 def one_end() -> Outcome:
