@@ -1,5 +1,6 @@
 """Common style of all pictures."""
 
+import logging
 import sys
 from pathlib import Path
 
@@ -20,6 +21,8 @@ BLUE, VERMILION, PURPLE, GREY = "#0072b2", "#d55e00", "#cc79a7", "#999999"
 # Fonts of tools/requirements/debian-fonts.txt for letters that matplotlib's own font does not have: Chinese, Japanese
 # and Korean first, then any letter.
 FALLBACKS = {"DroidSansFallbackFull.ttf": "Droid Sans Fallback", "unifont.otf": "Unifont"}
+# The fallbacks have no bold. Matplotlib then takes the plain font, and warns of it at each bold text.
+logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)
 # Matplotlib's list of fonts may be older than these fonts.
 installed = {Path(path).name: path for path in font_manager.findSystemFonts()}
 for name in FALLBACKS.keys() & installed.keys():
