@@ -1,5 +1,6 @@
 #include "gesture/classifier_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace steadyhand {
@@ -8,6 +9,12 @@ namespace {
 constexpr double MOST_STAY = 0.95; ///< a state of the filler lasts at most 0.2 s on average
 
 } // namespace
+
+std::size_t ClassifierModel::paces(const DirectedHmm &gesture) const {
+	return static_cast<std::size_t>(std::ranges::count_if(gestures, [&](const DirectedHmm &one) {
+		return one.gesture == gesture.gesture && one.axis == gesture.axis;
+	}));
+}
 
 FillerModel filler_of(const ClassifierModel &model, double evidence) {
 	Eigen::Index states = model.other.states();

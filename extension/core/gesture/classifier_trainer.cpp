@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -15,10 +17,10 @@ namespace {
 
 /// Sequences of a gesture begin at these times before its onset.
 constexpr int LATEST_REST = 5, EARLIEST_REST = 20, REST_STEP = 5; // symbols
-/// Time from the end to the last state. By then a hand that strikes has reversed, and a hand that continues
+/// Time from the end to the END_STATES. By then a hand that strikes has reversed, and a hand that continues
 /// has moved away. AFTER: length of the sequences from there.
 constexpr double SETTLED_S = 0.12;
-constexpr int AFTER = 15; // symbols
+constexpr int AFTER = 40; // symbols
 /// Other motion: interval of the assumed onsets, and length of the sequences from there.
 constexpr int OTHER_STEP = 20, OTHER_LENGTH = 150; // symbols
 /// Most points that the codebook is trained with.
@@ -28,11 +30,16 @@ constexpr PseudoCounts PSEUDO;
 /// Initial probability of each later state. Not 0, because ScaledRecursion would renormalise at each symbol.
 constexpr double LATE = 1e-9;
 
+struct MarkedMovement {
+	double duration_s = 0.0;
+	double log_reach = 0.0;
+	std::vector<MotionSequence> sequences;
+};
+
 struct Direction {
 	DirectedHmm model;
 	Eigen::Vector3d axes = Eigen::Vector3d::Zero();
-	std::vector<double> log_reaches;
-	std::vector<MotionSequence> sequences;
+	std::vector<MarkedMovement> movements;
 };
 
 Direction &direction_of(
@@ -56,9 +63,22 @@ void add(std::vector<MotionSequence> &r_sequences, std::optional<MotionSequence>
 	}
 }
 
+/// ln of the greatest distance, or growth of the radius, between two instants.
+double log_reach_of(const MotionInstants &instants, int onset, int end, bool is_radius) {
+	MotionObserver observer(*instants.last_motion(onset));
+	for (int i = onset + 1; i <= end; ++i) {
+		if (const std::optional<HandMotion> motion = instants.last_motion(i)) {
+			observer.observe(*motion);
+		}
+	}
+	const double reach_m = is_radius ? observer.growth_m() : observer.farthest_m().norm();
+	return std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M));
+}
+
 void add_other(std::vector<MotionSequence> &r_sequences, const MotionInstants &instants) {
 	for (int begin = 0; begin < instants.size(); begin += OTHER_STEP) {
-		add(r_sequences, instants.sequence({ begin, begin + 1, begin + 2, begin + OTHER_LENGTH }, 3));
+		add(r_sequences,
+				instants.sequence({ begin, begin + 1, begin + 2, begin + OTHER_LENGTH }, END_STATES + 2));
 	}
 }
 
@@ -94,6 +114,33 @@ std::vector<MotionObservation> points_of(std::span<const MotionSequence> sequenc
 		some.push_back(all[i]);
 	}
 	return some;
+}
+
+std::vector<MotionSequence> sequences_of(const Direction &direction) {
+	std::vector<MotionSequence> sequences;
+	for (const MarkedMovement &movement : direction.movements) {
+		sequences.insert(sequences.end(), movement.sequences.begin(), movement.sequences.end());
+	}
+	return sequences;
+}
+
+/// Divides each direction into groups of equal size by duration, without empty ones.
+std::vector<Direction> divided_by_pace(std::vector<Direction> directions, std::size_t paces) {
+	std::vector<Direction> divided;
+	for (Direction &direction : directions) {
+		std::vector<MarkedMovement> &movements = direction.movements;
+		std::ranges::stable_sort(movements, {}, &MarkedMovement::duration_s);
+		for (std::size_t k = 0; k < paces; ++k) {
+			const std::size_t first = k * movements.size() / paces, end = (k + 1) * movements.size() / paces;
+			if (first < end) {
+				const auto begin = std::make_move_iterator(movements.begin());
+				divided.push_back({ direction.model, direction.axes,
+						{ begin + static_cast<std::ptrdiff_t>(first),
+								begin + static_cast<std::ptrdiff_t>(end) } });
+			}
+		}
+	}
+	return divided;
 }
 
 /// Left-right without skips, by counting in the marked states.
@@ -175,28 +222,29 @@ Result<ClassifierModel> train_classifier(
 		Direction &direction = direction_of(directions, recording, feature->is_radius);
 		direction.axes += feature->is_radius ? Eigen::Vector3d::Zero() : recording.recording.task.axis;
 		const int onset = instants.index(span.onset_s), end = instants.index(span.end_s + SETTLED_S);
-		const auto at_onset = instants.last_motion(onset), at_end = instants.last_motion(end);
-		if (at_onset && at_end) {
-			const double reach_m = feature->is_radius ? at_end->radius_m - at_onset->radius_m
-													  : (at_end->tip_m - at_onset->tip_m).norm();
-			direction.log_reaches.push_back(std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M)));
+		if (!instants.last_motion(onset)) {
+			continue;
 		}
+		MarkedMovement movement{ span.end_s - span.onset_s,
+			log_reach_of(instants, onset, end, feature->is_radius), {} };
 		for (int early = LATEST_REST; early <= EARLIEST_REST; early += REST_STEP) {
-			add(direction.sequences,
+			add(movement.sequences,
 					instants.sequence({ onset - early, onset, end, end + AFTER }, options.states));
 		}
+		if (!movement.sequences.empty()) {
+			direction.movements.push_back(std::move(movement));
+		}
 	}
-	std::erase_if(directions, [](const Direction &direction) {
-		return direction.sequences.empty() || direction.log_reaches.empty();
-	});
+	std::erase_if(directions, [](const Direction &direction) { return direction.movements.empty(); });
 	if (directions.empty()) {
 		return Error{ "there is no usable recording of a gesture" };
 	}
+	directions = divided_by_pace(std::move(directions), options.paces);
 
 	std::vector<MotionObservation> points = points_of(other, MOST_POINTS / 2);
 	for (const Direction &direction : directions) {
 		const std::vector<MotionObservation> own =
-				points_of(direction.sequences, MOST_POINTS / 2 / directions.size());
+				points_of(sequences_of(direction), MOST_POINTS / 2 / directions.size());
 		points.insert(points.end(), own.begin(), own.end());
 	}
 	ClassifierModel model;
@@ -214,15 +262,17 @@ Result<ClassifierModel> train_classifier(
 	model.other = other_hmm(other, common, model.codebook, options);
 
 	for (Direction &direction : directions) {
-		DiscreteHmm hmm = left_right(direction.sequences, symbols_of(direction.sequences, model.codebook),
-				options.states, options.symbols);
+		const std::vector<MotionSequence> sequences = sequences_of(direction);
+		DiscreteHmm hmm =
+				left_right(sequences, symbols_of(sequences, model.codebook), options.states, options.symbols);
 		hmm.log_b = ((1.0 - options.odd_symbols) * hmm.log_b.array().exp() +
 				options.odd_symbols * common.array().replicate(options.states, 1))
 							.log();
 		direction.model.axis = direction.axes.normalized();
 		direction.model.hmm = std::move(hmm);
-		std::sort(direction.log_reaches.begin(), direction.log_reaches.end());
-		const auto &logs = direction.log_reaches;
+		std::vector<double> logs;
+		std::ranges::transform(direction.movements, std::back_inserter(logs), &MarkedMovement::log_reach);
+		std::ranges::sort(logs);
 		const double median = logs[logs.size() / 2];
 		const double quartiles = logs[logs.size() * 3 / 4] - logs[logs.size() / 4];
 		direction.model.reach_m = std::exp(median);

@@ -27,8 +27,16 @@ template <class Value> void HandMotionWindow::Samples<Value>::push(double t_s, c
 	newest = value;
 }
 
+std::optional<Measurement> HandMotionWindow::measure(const HandFrame &frame) {
+	if (!frame.has(Joint::INDEX) || !frame.position(Joint::INDEX).allFinite()) {
+		return std::nullopt;
+	}
+	const Measurement measurement = monitor_.push(frame.t_s, frame.position(Joint::INDEX));
+	return measurement.is_usable() ? std::optional(measurement) : std::nullopt;
+}
+
 bool HandMotionWindow::push(const HandFrame &frame) {
-	if (!frame.has(Joint::INDEX)) {
+	if (!measure(frame)) {
 		return false;
 	}
 	tip_.push(frame.t_s, frame.position(Joint::INDEX));
@@ -60,6 +68,10 @@ MotionObservation MotionObserver::observe(const HandMotion &motion) {
 	const double growth_m = is_seen ? motion.radius_m - onset_.radius_m : 0.0;
 	const double rate_m_s = is_seen ? motion.radius_rate_m_s : 0.0;
 	peak_m_s_ = std::max(peak_m_s_, speed_m_s);
+	growth_m_ = std::max(growth_m_, growth_m);
+	if (distance_m > farthest_m_.norm()) {
+		farthest_m_ = displacement_m;
+	}
 	const double usual_m_s = peak_m_s_ + STILL_M_S;
 	MotionObservation point;
 	point << std::asinh(distance_m / DISTANCE_UNIT_M), away_m_s / usual_m_s, across_m_s / usual_m_s,

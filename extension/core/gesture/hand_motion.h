@@ -3,8 +3,11 @@
 #include "gesture/vector_quantiser.h"
 #include "signal/slope_window.h"
 #include "tracking/frame.h"
+#include "tracking/tracker_monitor.h"
 
 #include <Eigen/Core>
+
+#include <optional>
 
 namespace steadyhand {
 
@@ -17,13 +20,14 @@ struct HandMotion {
 	bool has_radius = false;
 };
 
-/// HandMotion from frames at irregular intervals. Velocities are least-squares slopes over WINDOW_S.
+/// HandMotion from frames at irregular intervals. Velocities are least-squares slopes over WINDOW_S. Over a
+/// gap in the usable frames they are the mean over the gap.
 class HandMotionWindow {
 public:
 	static constexpr double WINDOW_S = 0.06; ///< equal to ObservationWindow's
 
 	void reset() { *this = HandMotionWindow(); }
-	/// Ignores the frame and returns false if the index tip is not tracked.
+	/// Ignores the frame and returns false if TrackerMonitor finds no usable index tip in it.
 	bool push(const HandFrame &frame);
 
 	[[nodiscard]] HandMotion motion() const;
@@ -39,9 +43,12 @@ private:
 
 		void push(double t_s, const Value &value);
 	};
+	TrackerMonitor monitor_;
 	Samples<Eigen::Vector3d> tip_{ {}, Eigen::Vector3d::Zero() };
 	Samples<double> radius_{ {}, 0.0 };
 	bool has_radius_ = false;
+
+	[[nodiscard]] std::optional<Measurement> measure(const HandFrame &frame);
 };
 
 /// A HandMotion relative to the one at a possible onset: distance of the tip, its speed away from the onset
@@ -56,12 +63,18 @@ public:
 	explicit MotionObserver(const HandMotion &onset) : onset_(onset) {}
 
 	[[nodiscard]] const HandMotion &onset() const { return onset_; }
-	/// Must be called for each instant in order: it remembers the peak speed.
+	/// Must be called for each instant in order: it remembers the greatest speed, distance and growth.
 	MotionObservation observe(const HandMotion &motion);
+	/// From the onset to the index tip where it was farthest away. A hand that strikes comes back.
+	[[nodiscard]] const Eigen::Vector3d &farthest_m() const { return farthest_m_; }
+	/// Greatest growth of the radius, >= 0.
+	[[nodiscard]] double growth_m() const { return growth_m_; }
 
 private:
 	HandMotion onset_;
 	double peak_m_s_ = 0.0;
+	Eigen::Vector3d farthest_m_ = Eigen::Vector3d::Zero();
+	double growth_m_ = 0.0;
 };
 
 } // namespace steadyhand

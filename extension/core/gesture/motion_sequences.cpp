@@ -1,5 +1,6 @@
 #include "gesture/motion_sequences.h"
 
+#include "gesture/classifier_model.h"
 #include "gesture/symbol_clock.h"
 
 #include <algorithm>
@@ -52,12 +53,14 @@ std::optional<MotionSequence> MotionInstants::sequence(const MotionMarks &marks,
 	}
 	MotionSequence sequence;
 	MotionObserver observer(*first);
-	const int moves = std::max(marks.end - marks.onset, 1);
+	const int moves = std::max(marks.end - marks.onset, 1), stays = std::max(marks.last - marks.end, 1);
+	const int moving_states = states - 1 - END_STATES;
 	for (int i = begin; i <= last; ++i) {
 		const std::optional<HandMotion> &motion = motions_[static_cast<std::size_t>(i)];
 		sequence.points.push_back(motion ? std::optional(observer.observe(*motion)) : std::nullopt);
-		const int moving = std::min(1 + (i - marks.onset) * (states - 2) / moves, states - 2);
-		sequence.states.push_back(i < marks.onset ? 0 : i > marks.end ? states - 1 : moving);
+		const int moving = std::min(1 + (i - marks.onset) * moving_states / moves, moving_states);
+		const int after = std::min(1 + (i - marks.end) * END_STATES / stays, END_STATES);
+		sequence.states.push_back(i < marks.onset ? 0 : i > marks.end ? moving_states + after : moving);
 	}
 	return sequence;
 }

@@ -19,7 +19,7 @@ struct MotionSequence {
 struct MotionMarks {
 	int begin = 0; ///< begin of the sequence
 	int onset = 0; ///< instants before it are in the first state
-	int end = 0;   ///< instants after it are in the last state; the other states divide the time between
+	int end = 0;   ///< instants after it are in the END_STATES; the other states divide the time between
 	int last = 0;  ///< end of the sequence
 };
 

@@ -81,7 +81,13 @@ void GestureClassifier::expect(std::vector<std::string> gestures) {
 		hypotheses_.push_back(known != before.end() ? std::move(*known) : hypothesis_of(index, model));
 		hypotheses_.back().gesture = index;
 	}
-	evaluate(window_.motion());
+	for (Hypothesis &hypothesis : hypotheses_) {
+		const auto alike = std::ranges::count_if(hypotheses_, [&](const Hypothesis &other) {
+			return other.model->is_radius == hypothesis.model->is_radius;
+		});
+		hypothesis.elsewhere = options_.elsewhere / static_cast<double>(alike);
+	}
+	evaluate();
 }
 
 /// A new hypothesis takes part in later onsets only.
@@ -90,7 +96,8 @@ GestureClassifier::Hypothesis GestureClassifier::hypothesis_of(
 	LinearHmm linear = tempered(model.hmm, options_.evidence);
 	const std::vector<double> emissions(static_cast<std::size_t>(linear.states()) * ONSETS, 1.0);
 	ScaledRecursion<ONSETS> forward(linear.a, linear.b);
-	return { gesture, &model, std::move(linear.pi), std::move(linear.b), std::move(forward), emissions };
+	return { gesture, &model, 1.0 / static_cast<double>(model_->paces(model)), 0.0, std::move(linear.pi),
+		std::move(linear.b), std::move(forward), emissions };
 }
 
 void GestureClassifier::reset() {
@@ -108,7 +115,7 @@ void GestureClassifier::forget_before(double t_s) {
 	for (Onset &onset : onsets_) {
 		onset.is_used = onset.is_used && onset.t_s >= t_s;
 	}
-	evaluate(window_.motion());
+	evaluate();
 }
 
 void GestureClassifier::push(const HandFrame &frame) {
@@ -144,7 +151,7 @@ void GestureClassifier::step(double t_s) {
 		until_onset_ = ONSET_STEP;
 		start_onset(least_likely_onset(), motion);
 	}
-	evaluate(motion);
+	evaluate();
 }
 
 void GestureClassifier::step_onsets(const HandMotion &motion) {
@@ -174,7 +181,8 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 bool GestureClassifier::is_at_rest() const {
 	const HandMotion &now = recent_.newest();
 	for (std::size_t i = 0; i < recent_.size(); ++i) {
-		if ((recent_[i].tip_m - now.tip_m).norm() > options_.rest_m) {
+		const bool has_opened = std::abs(recent_[i].radius_m - now.radius_m) > options_.rest_radius_m;
+		if (has_opened || (recent_[i].tip_m - now.tip_m).norm() > options_.rest_m) {
 			return false;
 		}
 	}
@@ -218,18 +226,19 @@ void GestureClassifier::start_onset(std::size_t lane, const HandMotion &motion) 
 	}
 }
 
-void GestureClassifier::evaluate(const HandMotion &motion) {
+void GestureClassifier::evaluate() {
 	std::ranges::fill(candidates_, GestureCandidate());
 	std::ranges::fill(greatest_, -1.0);
+	elsewhere_ = 0.0;
 	for (std::size_t lane = 0; lane < ONSETS; ++lane) {
 		onsets_[lane].weight = 0.0;
-		for (const Hypothesis &hypothesis : hypotheses_) {
+		for (Hypothesis &hypothesis : hypotheses_) {
 			if (onsets_[lane].is_used) {
-				weigh(hypothesis, lane, motion);
+				weigh(hypothesis, lane);
 			}
 		}
 	}
-	double all = 1.0; // the filler
+	double all = 1.0 + elsewhere_; // 1: the filler
 	for (const GestureCandidate &candidate : candidates_) {
 		all += candidate.posterior;
 	}
@@ -239,36 +248,45 @@ void GestureClassifier::evaluate(const HandMotion &motion) {
 }
 
 /// Adds the weight of a gesture and an onset, relative to the filler, to the candidate's posterior, which is
-/// not normalised yet.
-void GestureClassifier::weigh(const Hypothesis &hypothesis, std::size_t lane, const HandMotion &motion) {
-	const DirectedHmm &model = *hypothesis.model;
+/// not normalised yet. The same movement anywhere is no gesture.
+void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
+	const DirectedHmm &model = *r_hypothesis.model;
 	Onset &onset = onsets_[lane];
-	const ScaledNumber all = hypothesis.forward.total(static_cast<int>(lane));
+	const ScaledNumber all = r_hypothesis.forward.total(static_cast<int>(lane));
 	if (all.mantissa == 0.0) {
 		return; // the gesture was not expected at this onset
 	}
 	const ScaledNumber &filler = filler_filter_.likelihood(static_cast<int>(lane));
-	const std::size_t last = static_cast<std::size_t>(hypothesis.pi.size() - 1) * ONSETS + lane;
-	const ScaledNumber in_last(hypothesis.forward.mantissas()[last], hypothesis.forward.exponents()[last]);
-
-	const HandMotion &start = onset.observer.onset();
-	const Eigen::Vector3d displacement_m = motion.tip_m - start.tip_m;
-	const double last_probability = quotient(in_last, all);
+	const auto probability = [&](std::size_t state) {
+		const std::size_t i = state * ONSETS + lane;
+		return quotient({ r_hypothesis.forward.mantissas()[i], r_hypothesis.forward.exponents()[i] }, all);
+	};
+	if (onset.age == 0 || probability(0) > 0.5) {
+		r_hypothesis.rested_s[lane] = time_s_;
+	}
+	const auto states = static_cast<std::size_t>(r_hypothesis.pi.size());
+	double end_probability = 0.0;
+	for (std::size_t j = states - END_STATES; j < states; ++j) {
+		end_probability += probability(j);
+	}
+	const Eigen::Vector3d &displacement_m = onset.observer.farthest_m();
 	const double ended =
-			last_probability * reach_ratio(model, displacement_m.norm(), motion.radius_m - start.radius_m);
-	const double ended_or_not = 1.0 - last_probability + ended;
-	double weight = options_.onset_prior * quotient(all, filler) * ended_or_not;
+			end_probability * reach_ratio(model, displacement_m.norm(), onset.observer.growth_m());
+	const double ended_or_not = 1.0 - end_probability + ended;
+	const double of_movement = options_.onset_prior * quotient(all, filler);
+	elsewhere_ += r_hypothesis.elsewhere * of_movement;
+	double weight = r_hypothesis.share * of_movement * ended_or_not;
 	if (!model.is_radius) {
 		weight *= direction_ratio(displacement_m, model.axis, options_);
 	}
 	onset.weight = std::max(onset.weight, weight);
-	GestureCandidate &candidate = candidates_[hypothesis.gesture];
+	GestureCandidate &candidate = candidates_[r_hypothesis.gesture];
 	candidate.posterior += weight;
-	if (weight > greatest_[hypothesis.gesture]) {
-		greatest_[hypothesis.gesture] = weight;
-		candidate.onset_s = onset.t_s;
-		candidate.start_m = start.tip_m;
-		candidate.start_radius_m = start.radius_m;
+	if (weight > greatest_[r_hypothesis.gesture]) {
+		greatest_[r_hypothesis.gesture] = weight;
+		candidate.onset_s = r_hypothesis.rested_s[lane];
+		candidate.start_m = onset.observer.onset().tip_m;
+		candidate.start_radius_m = onset.observer.onset().radius_m;
 		candidate.axis =
 				displacement_m.norm() > 0.0 ? Eigen::Vector3d(displacement_m.normalized()) : displacement_m;
 		candidate.log_likelihood_ratio = all.log() - filler.log();

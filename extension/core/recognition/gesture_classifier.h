@@ -22,7 +22,7 @@ namespace steadyhand {
 struct GestureCandidate {
 	double posterior = 0.0; ///< among all gestures and the filler, over all onsets
 	/// The other members are for the likeliest onset.
-	double onset_s = 0.0;
+	double onset_s = 0.0;                              ///< last instant at which the hand probably rested
 	Eigen::Vector3d start_m = Eigen::Vector3d::Zero(); ///< index tip at the onset
 	double start_radius_m = 0.0;                       ///< radius of the three fingertips at the onset
 	/// Unit vector from start_m to the index tip; zero if they are equal.
@@ -34,15 +34,18 @@ struct GestureCandidate {
 struct ClassifierOptions {
 	/// Prior odds of an onset at an instant, for each gesture. A higher value gives fewer misses and more
 	/// false alarms.
-	double onset_prior = 1e-4;
+	double onset_prior = 3e-3;
+	/// Prior odds of the same movement in any other direction and of any length, to each gesture.
+	double elsewhere = 0.3;
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double jitter_m = 0.005; ///< of a tracked tip
-	/// A hand that has moved less than this within REST_SYMBOLS is at rest. Gestures begin only at rest.
-	double rest_m = 0.015;
-	/// Exponent of the likelihood of a symbol. Velocities are slopes over HandMotionWindow::WINDOW_S, so that
-	/// symbols that share frames are not independent.
-	double evidence = SymbolClock::PERIOD_S / HandMotionWindow::WINDOW_S;
+	/// A hand whose index tip and radius have moved less than this within REST_SYMBOLS is at rest. Gestures
+	/// begin only at rest.
+	double rest_m = 0.025, rest_radius_m = 0.005;
+	/// Exponent of the likelihood of a symbol. Symbols are independent after twice
+	/// HandMotionWindow::WINDOW_S: velocities are slopes over this time, and the tracker's errors last.
+	double evidence = 0.5 * SymbolClock::PERIOD_S / HandMotionWindow::WINDOW_S;
 };
 
 /// Finds the present gesture in a stream of frames, its onset, and whether it has ended. It compares the
@@ -73,7 +76,7 @@ public:
 private:
 	/// Number of onsets in parallel, and symbols between two of them.
 	static constexpr int ONSETS = 16, ONSET_STEP = 5;
-	static constexpr std::size_t REST_SYMBOLS = 15;
+	static constexpr std::size_t REST_SYMBOLS = 40;
 	/// After a longer gap everything is reset.
 	static constexpr double LONGEST_GESTURE_GAP_S = 10.0;
 
@@ -87,10 +90,14 @@ private:
 	struct Hypothesis {
 		std::size_t gesture;
 		const DirectedHmm *model;
+		double share;     ///< prior probability of its pace and direction, of one gesture in one direction
+		double elsewhere; ///< the same, of a movement in any direction
 		Eigen::VectorXd pi;
 		Eigen::MatrixXd b; ///< as in LinearHmm
 		ScaledRecursion<ONSETS> forward;
 		std::vector<double> emissions; ///< N x ONSETS, for ScaledRecursion::step()
+		std::array<double, ONSETS>
+				rested_s{}; ///< last instant at which the first state was likelier than all others
 	};
 
 	std::shared_ptr<const ClassifierModel> model_;
@@ -102,6 +109,7 @@ private:
 	std::array<Onset, ONSETS> onsets_{};
 	std::array<Eigen::Index, ONSETS> columns_{}; ///< newest symbol of each onset
 	std::vector<GestureCandidate> candidates_;
+	double elsewhere_ = 0.0;       ///< weight of movements that are no gesture, relative to the filler
 	std::vector<double> greatest_; ///< weight of the likeliest onset of each candidate
 	SymbolClock clock_;
 	HandMotionWindow window_;
@@ -117,8 +125,8 @@ private:
 	void start_onset(std::size_t lane, const HandMotion &motion);
 	[[nodiscard]] bool is_at_rest() const;
 	[[nodiscard]] std::size_t least_likely_onset() const;
-	void evaluate(const HandMotion &motion);
-	void weigh(const Hypothesis &hypothesis, std::size_t lane, const HandMotion &motion);
+	void evaluate();
+	void weigh(Hypothesis &r_hypothesis, std::size_t lane);
 };
 
 } // namespace steadyhand

@@ -13,10 +13,10 @@ using namespace steadyhand::test;
 
 namespace {
 
-constexpr double EVIDENCE = 0.5, ONSET_PRIOR = 0.01;
+constexpr double EVIDENCE = 0.5, ONSET_PRIOR = 0.01, ELSEWHERE = 0.4;
 constexpr int ONSET_STEP = 5; // symbols; equal to GestureClassifier's
 
-/// Two gestures of three states and two states of other motion, over the codebook of the add-on.
+/// Two gestures of four states and two states of other motion, over the codebook of the add-on.
 std::shared_ptr<const ClassifierModel> small_model() {
 	std::mt19937_64 random(5);
 	ClassifierModel model;
@@ -28,7 +28,7 @@ std::shared_ptr<const ClassifierModel> small_model() {
 		gesture.axis = name == "horizontal_drag" ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
 		gesture.reach_m = 0.2;
 		gesture.reach_deviation = 0.3;
-		gesture.hmm = random_hmm(random, 3, symbols);
+		gesture.hmm = random_hmm(random, 4, symbols);
 		model.gestures.push_back(gesture);
 	}
 	model.other = random_hmm(random, 2, symbols);
@@ -45,16 +45,17 @@ DiscreteHmm filler_hmm(const ClassifierModel &model) {
 		filler.b.leftCols(filler.b.cols() - 1).array().log() };
 }
 
-/// log P(symbols), and P(last state | symbols). Enumerates all paths of short sequences; otherwise uses the
-/// recursion in logarithms.
+/// log P(symbols), and P(one of the END_STATES | symbols). Enumerates all paths of short sequences; otherwise
+/// uses the recursion in logarithms.
 struct Likelihood {
-	double log_all = 0.0, last_share = 0.0;
+	double log_all = 0.0, end_share = 0.0;
 };
 
 Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
 	if (symbols.size() <= 7) {
 		const AllPaths all = enumerate(hmm, symbols);
-		return { std::log(all.ending_in.sum()), all.ending_in(hmm.states() - 1) / all.ending_in.sum() };
+		return { std::log(all.ending_in.sum()),
+			all.ending_in.tail<END_STATES>().sum() / all.ending_in.sum() };
 	}
 	LongVector alpha = hmm.log_pi.cast<long double>() + hmm.log_b.col(symbols[0]).cast<long double>();
 	for (std::size_t t = 1; t < symbols.size(); ++t) {
@@ -65,7 +66,8 @@ Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) 
 		alpha = next;
 	}
 	const long double all = log_sum_exp(alpha);
-	return { static_cast<double>(all), static_cast<double>(std::exp(alpha(hmm.states() - 1) - all)) };
+	return { static_cast<double>(all),
+		static_cast<double>((alpha.tail<END_STATES>().array() - all).exp().sum()) };
 }
 
 /// Motion of the hand at each frame.
@@ -90,20 +92,23 @@ double direction_ratio(const Eigen::Vector3d &displacement_m, const Eigen::Vecto
 	return at_axis * std::exp(-std::pow(off / width, 6.0));
 }
 
-/// Posterior by the sum over all segmentations: filler up to an onset, then a gesture up to the newest
-/// instant.
+/// Posterior by the sum over all segmentations: filler up to an onset, then a gesture, or its movement in any
+/// direction, up to the newest instant.
 double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
 		std::size_t newest) {
 	const DiscreteHmm filler = filler_hmm(model);
 	std::array<double, 2> weights{};
+	double elsewhere = 0.0;
 	for (std::size_t onset = 0; onset <= newest; onset += ONSET_STEP) {
 		MotionObserver observer(motions[onset]);
 		SymbolSequence symbols;
+		Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero(); // to the farthest place
 		for (std::size_t i = onset; i <= newest; ++i) {
 			symbols.push_back(model.codebook.symbol(observer.observe(motions[i])));
+			const Eigen::Vector3d now_m = motions[i].tip_m - motions[onset].tip_m;
+			displacement_m = now_m.norm() > displacement_m.norm() ? now_m : displacement_m;
 		}
 		const double log_filler = likelihood_of(filler, symbols).log_all;
-		const Eigen::Vector3d displacement_m = motions[newest].tip_m - motions[onset].tip_m;
 		for (std::size_t g = 0; g < weights.size(); ++g) {
 			const DirectedHmm &own = model.gestures[g];
 			DiscreteHmm hmm = own.hmm;
@@ -113,11 +118,13 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 					std::log(std::max(displacement_m.norm(), 1e-6) / own.reach_m) / own.reach_deviation;
 			const double reach = 4.605 * std::exp(-0.5 * off * off) /
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
-			weights[g] += ONSET_PRIOR * std::exp(likelihood.log_all - log_filler) *
-					(1.0 + likelihood.last_share * (reach - 1.0)) * direction_ratio(displacement_m, own.axis);
+			const double movement = ONSET_PRIOR * std::exp(likelihood.log_all - log_filler);
+			weights[g] += movement * (1.0 + likelihood.end_share * (reach - 1.0)) *
+					direction_ratio(displacement_m, own.axis);
+			elsewhere += ELSEWHERE / 2.0 * movement;
 		}
 	}
-	return weights[gesture] / (1.0 + weights[0] + weights[1]);
+	return weights[gesture] / (1.0 + elsewhere + weights[0] + weights[1]);
 }
 
 TEST_CASE("posteriors equal the sum over all onsets and state paths") {
@@ -125,6 +132,7 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 	ClassifierOptions options;
 	options.evidence = EVIDENCE;
 	options.onset_prior = ONSET_PRIOR;
+	options.elsewhere = ELSEWHERE;
 	options.rest_m = 1e9; // any instant may be an onset
 	GestureClassifier classifier(model, { "horizontal_drag", "vertical_drag" }, options);
 	// So short that no onset is dropped. Each frame is between two instants, so the clock uses each once.
@@ -132,6 +140,11 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 		.start_s = 0.05, .duration_s = 0.5, .length_s = 0.7, .rate_hz = 100.0, .clock_s = 0.995
 	};
 	std::vector<HandFrame> frames = frames_of(reach);
+	Random random(3);
+	for (HandFrame &frame : frames) { // no reading is a repetition, which has no observation
+		frame.set(Joint::INDEX,
+				frame.position(Joint::INDEX) + Eigen::Vector3d(random.normal(0.0, 1e-5), 0.0, 0.0));
+	}
 	const std::vector<HandMotion> motions = motions_of(frames);
 	for (std::size_t i = 0; i < frames.size(); ++i) {
 		classifier.push(frames[i]);
