@@ -38,10 +38,8 @@ double normal_density(double off, double deviation) {
 	return std::exp(-0.5 * x * x) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// Likelihood ratio, gesture to other motion, of an end at this distance, or growth of the radius, from the
-/// onset.
-double reach_ratio(const DirectedHmm &model, double distance_m, double growth_m) {
-	const double reach_m = model.is_radius ? growth_m : distance_m;
+/// Likelihood ratio, gesture to other motion, of an end at this reach.
+double reach_ratio(const DirectedHmm &model, double reach_m) {
 	const double off = std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M) / model.reach_m);
 	return OTHER_REACHES * normal_density(off, model.reach_deviation);
 }
@@ -261,7 +259,8 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
 		const std::size_t i = state * ONSETS + lane;
 		return quotient({ r_hypothesis.forward.mantissas()[i], r_hypothesis.forward.exponents()[i] }, all);
 	};
-	if (onset.age == 0 || probability(0) > 0.5) {
+	const double rest = probability(0);
+	if (onset.age == 0 || rest > 0.5) {
 		r_hypothesis.rested_s[lane] = time_s_;
 	}
 	const auto states = static_cast<std::size_t>(r_hypothesis.pi.size());
@@ -270,12 +269,12 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
 		end_probability += probability(j);
 	}
 	const Eigen::Vector3d &displacement_m = onset.observer.farthest_m();
-	const double ended =
-			end_probability * reach_ratio(model, displacement_m.norm(), onset.observer.growth_m());
-	const double ended_or_not = 1.0 - end_probability + ended;
+	const double reach_m = model.is_radius ? onset.observer.growth_m() : displacement_m.norm();
+	const double ended = end_probability * reach_ratio(model, reach_m);
+	const double begun = 1.0 - rest - end_probability + ended;
 	const double of_movement = options_.onset_prior * quotient(all, filler);
-	elsewhere_ += r_hypothesis.elsewhere * of_movement;
-	double weight = r_hypothesis.share * of_movement * ended_or_not;
+	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;
+	double weight = r_hypothesis.share * of_movement * begun;
 	if (!model.is_radius) {
 		weight *= direction_ratio(displacement_m, model.axis, options_);
 	}
@@ -289,8 +288,9 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
 		candidate.start_radius_m = onset.observer.onset().radius_m;
 		candidate.axis =
 				displacement_m.norm() > 0.0 ? Eigen::Vector3d(displacement_m.normalized()) : displacement_m;
+		candidate.reach = reach_m / model.reach_m;
 		candidate.log_likelihood_ratio = all.log() - filler.log();
-		candidate.end_probability = ended_or_not > 0.0 ? ended / ended_or_not : 0.0;
+		candidate.end_probability = begun > 0.0 ? ended / begun : 0.0;
 	}
 }
 

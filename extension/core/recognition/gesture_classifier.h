@@ -27,6 +27,8 @@ struct GestureCandidate {
 	double start_radius_m = 0.0;                       ///< radius of the three fingertips at the onset
 	/// Unit vector from start_m to the index tip; zero if they are equal.
 	Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+	double reach =
+			0.0; ///< greatest distance from the start, or growth of the radius, in DirectedHmm::reach_m
 	double log_likelihood_ratio = NEVER; ///< gesture to filler, nats
 	double end_probability = 0.0;        ///< P(the gesture has ended | the hand makes it)
 };

@@ -37,10 +37,14 @@ GestureSpotter::Event GestureSpotter::push(const HandFrame &frame) {
 }
 
 GestureSpotter::Event GestureSpotter::find_start() {
+	// Gestures with one path share the probability until one of them is likelier.
 	const auto candidates = classifier_.candidates();
-	const auto found = std::ranges::find_if(
-			candidates, [](const GestureCandidate &candidate) { return candidate.posterior > BEGINS; });
-	if (found == candidates.end()) {
+	double any = 0.0;
+	for (const GestureCandidate &candidate : candidates) {
+		any += candidate.posterior;
+	}
+	const auto found = std::ranges::max_element(candidates, {}, &GestureCandidate::posterior);
+	if (found == candidates.end() || !(any > BEGINS) || found->reach < SHORTEST) {
 		return Event::NONE;
 	}
 	if (is_return(*found)) {

@@ -45,16 +45,16 @@ DiscreteHmm filler_hmm(const ClassifierModel &model) {
 		filler.b.leftCols(filler.b.cols() - 1).array().log() };
 }
 
-/// log P(symbols), and P(one of the END_STATES | symbols). Enumerates all paths of short sequences; otherwise
-/// uses the recursion in logarithms.
+/// log P(symbols), and the probabilities of the first state and of the END_STATES, given the symbols.
+/// Enumerates all paths of short sequences; otherwise uses the recursion in logarithms.
 struct Likelihood {
-	double log_all = 0.0, end_share = 0.0;
+	double log_all = 0.0, rest_share = 0.0, end_share = 0.0;
 };
 
 Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) {
 	if (symbols.size() <= 7) {
 		const AllPaths all = enumerate(hmm, symbols);
-		return { std::log(all.ending_in.sum()),
+		return { std::log(all.ending_in.sum()), all.ending_in(0) / all.ending_in.sum(),
 			all.ending_in.tail<END_STATES>().sum() / all.ending_in.sum() };
 	}
 	LongVector alpha = hmm.log_pi.cast<long double>() + hmm.log_b.col(symbols[0]).cast<long double>();
@@ -66,7 +66,7 @@ Likelihood likelihood_of(const DiscreteHmm &hmm, const SymbolSequence &symbols) 
 		alpha = next;
 	}
 	const long double all = log_sum_exp(alpha);
-	return { static_cast<double>(all),
+	return { static_cast<double>(all), static_cast<double>(std::exp(alpha(0) - all)),
 		static_cast<double>((alpha.tail<END_STATES>().array() - all).exp().sum()) };
 }
 
@@ -119,9 +119,9 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 			const double reach = 4.605 * std::exp(-0.5 * off * off) /
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
 			const double movement = ONSET_PRIOR * std::exp(likelihood.log_all - log_filler);
-			weights[g] += movement * (1.0 + likelihood.end_share * (reach - 1.0)) *
+			weights[g] += movement * (1.0 - likelihood.rest_share + likelihood.end_share * (reach - 1.0)) *
 					direction_ratio(displacement_m, own.axis);
-			elsewhere += ELSEWHERE / 2.0 * movement;
+			elsewhere += (ELSEWHERE / 2.0 + likelihood.rest_share) * movement;
 		}
 	}
 	return weights[gesture] / (1.0 + elsewhere + weights[0] + weights[1]);
