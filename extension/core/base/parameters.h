@@ -222,7 +222,7 @@ STEADYHAND_PARAMETER BEFORE_ONSET_S = 0.15, MEAN_S = 0.05;
 // By HMM.
 
 /// Posterior of a start and an end.
-STEADYHAND_PARAMETER BEGINS = 0.7, CERTAIN = 0.95;
+STEADYHAND_PARAMETER BEGINS = 0.7, CERTAIN = 0.98;
 
 // Several gestures.
 

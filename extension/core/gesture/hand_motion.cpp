@@ -2,6 +2,8 @@
 
 #include "gesture/feature.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 namespace steadyhand {
@@ -54,6 +56,11 @@ HandMotion HandMotionWindow::motion() const {
 		has_radius_ };
 }
 
+double MotionObserver::bow() const {
+	const double square_m2 = farthest_m_.squaredNorm();
+	return square_m2 > 0.0 ? farthest_m_.cross(centre_m_).norm() / square_m2 : 0.0;
+}
+
 MotionObservation MotionObserver::observe(const HandMotion &motion) {
 	const Eigen::Vector3d displacement_m = motion.tip_m - onset_.tip_m;
 	const Eigen::Vector3d &velocity_m_s = motion.velocity_m_s;
@@ -69,8 +76,13 @@ MotionObservation MotionObserver::observe(const HandMotion &motion) {
 	const double rate_m_s = is_seen ? motion.radius_rate_m_s : 0.0;
 	peak_m_s_ = std::max(peak_m_s_, speed_m_s);
 	growth_m_ = std::max(growth_m_, growth_m);
+	const double step_m = (displacement_m - newest_m_).norm();
+	path_m_ += step_m;
+	path_sum_m2_ += 0.5 * step_m * (displacement_m + newest_m_);
+	newest_m_ = displacement_m;
 	if (distance_m > farthest_m_.norm()) {
 		farthest_m_ = displacement_m;
+		centre_m_ = path_sum_m2_ / path_m_;
 	}
 	const double usual_m_s = peak_m_s_ + STILL_M_S;
 	MotionObservation point;

@@ -67,13 +67,19 @@ public:
 	MotionObservation observe(const HandMotion &motion);
 	/// From the onset to the index tip where it was farthest away. A hand that strikes comes back.
 	[[nodiscard]] const Eigen::Vector3d &farthest_m() const { return farthest_m_; }
+	/// Distance of the path's centre from the straight line to farthest_m(), in lengths of this line.
+	[[nodiscard]] double bow() const;
 	/// Greatest growth of the radius, >= 0.
 	[[nodiscard]] double growth_m() const { return growth_m_; }
 
 private:
 	HandMotion onset_;
 	double peak_m_s_ = 0.0;
+	Eigen::Vector3d newest_m_ = Eigen::Vector3d::Zero();
+	Eigen::Vector3d path_sum_m2_ = Eigen::Vector3d::Zero(); ///< integral of the position over the path
+	double path_m_ = 0.0;
 	Eigen::Vector3d farthest_m_ = Eigen::Vector3d::Zero();
+	Eigen::Vector3d centre_m_ = Eigen::Vector3d::Zero(); ///< of the path to farthest_m_
 	double growth_m_ = 0.0;
 };
 

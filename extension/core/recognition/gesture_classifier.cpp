@@ -55,6 +55,12 @@ double direction_ratio(const Eigen::Vector3d &displacement_m, const Eigen::Vecto
 			: 1.0;
 }
 
+/// Likelihood ratio, gesture to other motion, of the bow. The path's jitter bends short displacements.
+double bow_ratio(const MotionObserver &observer, const ClassifierOptions &options) {
+	const double width = std::hypot(options.bow_width, options.jitter_m / observer.farthest_m().norm());
+	return std::isfinite(width) ? std::exp(log_bow_ratio(observer.bow(), width)) : 1.0;
+}
+
 } // namespace
 
 GestureClassifier::GestureClassifier(std::shared_ptr<const ClassifierModel> model,
@@ -83,7 +89,9 @@ void GestureClassifier::expect(std::vector<std::string> gestures) {
 		const auto alike = std::ranges::count_if(hypotheses_, [&](const Hypothesis &other) {
 			return other.model->is_radius == hypothesis.model->is_radius;
 		});
-		hypothesis.elsewhere = options_.elsewhere / static_cast<double>(alike);
+		hypothesis.elsewhere =
+				(hypothesis.model->is_radius ? options_.elsewhere_radius : options_.elsewhere) /
+				static_cast<double>(alike);
 	}
 	evaluate();
 }
@@ -276,7 +284,7 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
 	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;
 	double weight = r_hypothesis.share * of_movement * begun;
 	if (!model.is_radius) {
-		weight *= direction_ratio(displacement_m, model.axis, options_);
+		weight *= direction_ratio(displacement_m, model.axis, options_) * bow_ratio(onset.observer, options_);
 	}
 	onset.weight = std::max(onset.weight, weight);
 	GestureCandidate &candidate = candidates_[r_hypothesis.gesture];

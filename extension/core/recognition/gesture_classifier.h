@@ -37,10 +37,12 @@ struct ClassifierOptions {
 	/// Prior odds of an onset at an instant, for each gesture. A higher value gives fewer misses and more
 	/// false alarms.
 	double onset_prior = 3e-3;
-	/// Prior odds of the same movement in any other direction and of any length, to each gesture.
-	double elsewhere = 0.3;
+	/// Prior odds of the same movement in any direction, with any bow and of any length, to each gesture; of
+	/// the growth of the radius to any length.
+	double elsewhere = 0.3, elsewhere_radius = 0.1;
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
+	double bow_width = 0.12; ///< for log_bow_ratio()
 	double jitter_m = 0.005; ///< of a tracked tip
 	/// A hand whose index tip and radius have moved less than this within REST_SYMBOLS is at rest. Gestures
 	/// begin only at rest.

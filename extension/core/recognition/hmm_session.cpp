@@ -114,9 +114,14 @@ void HmmSession::abort(double t_s) {
 	}
 }
 
+/// A lost hand gives no more evidence, so that the present one decides.
 void HmmSession::on_dropout(double t_s, const StrokeFinder &strokes) {
 	if (t_s >= strokes.last_measurement_s() + DROPOUTS_S.back()) {
 		abort(t_s);
+	} else if (is_spotted() && spotter_->candidate().end_probability > 0.5) {
+		update_direction();
+		spotter_->drop();
+		may_end_ = true;
 	}
 }
 

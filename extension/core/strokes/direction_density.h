@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/parameters.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,15 @@ namespace steadyhand {
 	constexpr double GAMMA_THIRD = 2.6789385347077476; // gamma(1/3)
 	const double cube = off * off * off / (width * width * width);
 	return std::max(std::log(12.0 / (width * width * GAMMA_THIRD)), 0.0) - cube * cube;
+}
+
+/// Log of the density of bows, exp(-(bow / width)^4), relative to a uniform one up to LARGEST_BOW. bow:
+/// distance of the path from its chord, in lengths of the chord. At least that of a uniform density at 0.
+[[nodiscard]] inline double log_bow_ratio(double bow, double width) {
+	constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; // gamma(5/4)
+	const double square = bow * bow / (width * width);
+	return std::max(std::log(parameters::strokes::LARGEST_BOW / (width * GAMMA_FIVE_QUARTERS)), 0.0) -
+			square * square;
 }
 
 } // namespace steadyhand

@@ -13,7 +13,6 @@ namespace {
 
 using namespace parameters::strokes;
 
-constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; ///< gamma(5/4)
 constexpr double IMPOSSIBLE = -1e3;
 constexpr double LEAST_SHARE = 0.01; ///< of a duration: a stroke without length has no pace
 
@@ -34,18 +33,11 @@ double task_direction_evidence(double off) {
 			0.5 * off * off / (TASK_DIRECTION * TASK_DIRECTION);
 }
 
-/// Log ratio of the gesture's density of bows, exp(-(bow / BOW)^4), to a uniform one. bow: mean distance of
-/// the path from its chord, in lengths of the chord.
-double bow_evidence(double bow) {
-	const double square = bow * bow / (BOW * BOW);
-	return std::log(LARGEST_BOW / (BOW * GAMMA_FIVE_QUARTERS)) - square * square;
-}
-
 /// length_m: of the stroke's chord, > 0.
 double straightness(const Stroke &stroke, double length_m) {
 	const FeaturePlace chord = stroke.to - stroke.from;
 	const FeaturePlace off = stroke.middle - 0.5 * (stroke.from + stroke.to);
-	return bow_evidence((off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m);
+	return log_bow_ratio((off - chord * (off.dot(chord) / (length_m * length_m))).norm() / length_m, BOW);
 }
 
 /// Log ratio of the gesture's density of detours, which is exponential, to that of the null model.
@@ -183,7 +175,7 @@ double task_evidence(
 
 double max_task_evidence(
 		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m) {
-	return task_direction_evidence(0.0) + bow_evidence(0.0) +
+	return task_direction_evidence(0.0) + log_bow_ratio(0.0, BOW) +
 			start_evidence(stroke, start_error(stroke, start, direction, amplitude_m), amplitude_m);
 }
 

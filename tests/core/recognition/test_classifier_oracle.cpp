@@ -92,6 +92,29 @@ double direction_ratio(const Eigen::Vector3d &displacement_m, const Eigen::Vecto
 	return at_axis * std::exp(-std::pow(off / width, 6.0));
 }
 
+/// Distance of the centre of a polygon from its chord, in lengths of the chord.
+double bow_of(const std::vector<Eigen::Vector3d> &path_m) {
+	Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+	double length_m = 0.0;
+	for (std::size_t i = 1; i < path_m.size(); ++i) {
+		const double piece_m = (path_m[i] - path_m[i - 1]).norm();
+		centre += piece_m * 0.5 * (path_m[i] + path_m[i - 1]);
+		length_m += piece_m;
+	}
+	centre /= length_m;
+	const Eigen::Vector3d along = path_m.back().normalized();
+	return (centre - centre.dot(along) * along).norm() / path_m.back().norm();
+}
+
+/// Ratio of a density of bows, exp(-(bow / width)^4), to a uniform one up to 0.5.
+double bow_ratio(double bow, double length_m) {
+	if (length_m == 0.0) {
+		return 1.0;
+	}
+	const double width = std::hypot(0.12, 0.005 / length_m);
+	return std::max(0.5 / (width * std::tgamma(1.25)), 1.0) * std::exp(-std::pow(bow / width, 4.0));
+}
+
 /// Posterior by the sum over all segmentations: filler up to an onset, then a gesture, or its movement in any
 /// direction, up to the newest instant.
 double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
@@ -103,10 +126,16 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 		MotionObserver observer(motions[onset]);
 		SymbolSequence symbols;
 		Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero(); // to the farthest place
+		std::vector<Eigen::Vector3d> path_m{ displacement_m };
+		double bow = 0.0;
 		for (std::size_t i = onset; i <= newest; ++i) {
 			symbols.push_back(model.codebook.symbol(observer.observe(motions[i])));
 			const Eigen::Vector3d now_m = motions[i].tip_m - motions[onset].tip_m;
-			displacement_m = now_m.norm() > displacement_m.norm() ? now_m : displacement_m;
+			path_m.push_back(now_m);
+			if (now_m.norm() > displacement_m.norm()) {
+				displacement_m = now_m;
+				bow = bow_of(path_m);
+			}
 		}
 		const double log_filler = likelihood_of(filler, symbols).log_all;
 		for (std::size_t g = 0; g < weights.size(); ++g) {
@@ -120,7 +149,7 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
 			const double movement = ONSET_PRIOR * std::exp(likelihood.log_all - log_filler);
 			weights[g] += movement * (1.0 - likelihood.rest_share + likelihood.end_share * (reach - 1.0)) *
-					direction_ratio(displacement_m, own.axis);
+					direction_ratio(displacement_m, own.axis) * bow_ratio(bow, displacement_m.norm());
 			elsewhere += (ELSEWHERE / 2.0 + likelihood.rest_share) * movement;
 		}
 	}
@@ -143,7 +172,8 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 	Random random(3);
 	for (HandFrame &frame : frames) { // no reading is a repetition, which has no observation
 		frame.set(Joint::INDEX,
-				frame.position(Joint::INDEX) + Eigen::Vector3d(random.normal(0.0, 1e-5), 0.0, 0.0));
+				frame.position(Joint::INDEX) +
+						Eigen::Vector3d(random.normal(0.0, 1e-5), random.normal(0.0, 1e-5), 0.0));
 	}
 	const std::vector<HandMotion> motions = motions_of(frames);
 	for (std::size_t i = 0; i < frames.size(); ++i) {
