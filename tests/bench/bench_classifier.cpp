@@ -179,8 +179,10 @@ False alarms: gestures that end a minute, of hands that make none.
 )";
 
 const char *const NOTES = R"(
-- Strokes find more gestures, begin earlier and give fewer false alarms of most hands. They decide in `phase` mode.
-- A tap down is a fast stroke down that comes back. Slow ones are drags to the strokes, by their pace.
+- HMMs find as many gestures of recorded hands, and more taps down. Strokes give fewer false alarms, and follow hands before
+  bad trackers from earlier on. They decide in `phase` mode.
+- A tap down is a fast stroke down that comes back. Slow ones are drags to the strokes, by their pace. HMMs wait for the
+  return.
 - A digit 1 is a straight stroke down from rest to rest. Only a start condition tells it from a gesture.
 )";
 

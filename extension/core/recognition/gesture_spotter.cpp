@@ -25,6 +25,13 @@ void GestureSpotter::expect(std::vector<std::string> gestures) {
 	}
 }
 
+const GestureCandidate *GestureSpotter::candidate_of(std::string_view gesture) const {
+	const auto found = std::ranges::find(classifier_.gestures(), gesture);
+	return found == classifier_.gestures().end()
+			? nullptr
+			: &classifier_.candidates()[static_cast<std::size_t>(found - classifier_.gestures().begin())];
+}
+
 void GestureSpotter::drop() {
 	is_active_ = false;
 	classifier_.forget_before(classifier_.time_s());

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,8 @@ public:
 	[[nodiscard]] bool is_active() const { return is_active_; }
 	/// Gesture of the last event; empty before the first.
 	[[nodiscard]] const std::string &gesture() const { return gesture_; }
+	/// Present candidate of a gesture; nullptr if it is not expected.
+	[[nodiscard]] const GestureCandidate *candidate_of(std::string_view gesture) const;
 	/// Last candidate of this gesture while it was active.
 	[[nodiscard]] const GestureCandidate &candidate() const { return candidate_; }
 

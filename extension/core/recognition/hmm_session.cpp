@@ -43,19 +43,37 @@ std::optional<double> HmmSession::measure(
 		begin_at_onset(frame.t_s, strokes);
 	} else if (stage() == Stage::ACTIVE) {
 		look_for_end(frame.t_s);
-	} else if (stage() == Stage::ENDED) {
-		const bool has_returned = along(last_place()) < HALF_BACK * task().amplitude_m;
-		if (has_started || has_returned || frame.t_s - stage_began_s() > PAUSE_S) {
-			enter_idle(frame.t_s);
-		}
 	}
 	if (!has_place) {
 		return std::nullopt;
 	}
 	if (stage() == Stage::IDLE) {
-		start_ = last_place();
+		aim_at(spotter_->candidate_of(model().gesture), strokes.displacement_m());
+	}
+	if (stage() != Stage::IDLE && measurement().is_usable() &&
+			along(last_place()) > farthest_m_ + START_VALUE * task().amplitude_m) {
+		farthest_m_ = along(last_place());
+		moved_s_ = frame.t_s;
+	}
+	const bool has_returned = along(last_place()) < HALF_BACK * farthest_m_;
+	if (stage() == Stage::ENDED && (has_started || has_returned || frame.t_s - moved_s_ > PAUSE_S)) {
+		enter_idle(frame.t_s);
 	}
 	return along(last_place());
+}
+
+/// Measures from the candidate's onset on, in the hand's direction; without an onset from here on.
+void HmmSession::aim_at(const GestureCandidate *candidate, const FeaturePlace &displacement_m) {
+	if (candidate == nullptr || candidate->log_likelihood_ratio == NEVER) {
+		start_ = last_place();
+		return;
+	}
+	start_ = feature().is_radius ? vector_of(Eigen::Vector3d::Zero(), candidate->start_radius_m)
+								 : vector_of(candidate->start_m, 0.0);
+	start_ -= displacement_m;
+	if (!feature().is_radius && !candidate->axis.isZero(0.0)) {
+		direction_ = vector_of(candidate->axis, 0.0);
+	}
 }
 
 void HmmSession::update_direction() {
@@ -69,10 +87,10 @@ void HmmSession::update_direction() {
 void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
 	const GestureCandidate &found = spotter_->candidate();
-	start_ = feature().is_radius ? vector_of(Eigen::Vector3d::Zero(), found.start_radius_m)
-								 : vector_of(found.start_m, 0.0);
-	start_ -= strokes.displacement_m();
+	aim_at(&found, strokes.displacement_m());
 	update_direction();
+	farthest_m_ = 0.0;
+	moved_s_ = t_s;
 	reset_frames();
 	begin(found.onset_s, 0.0);
 	double symbol_s = found.onset_s + SymbolClock::PERIOD_S;

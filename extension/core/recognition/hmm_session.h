@@ -25,13 +25,16 @@ public:
 private:
 	GestureSpotter *spotter_;
 	FeaturePlace start_ = FeaturePlace::Zero();
-	FeaturePlace direction_; ///< unit vector
+	FeaturePlace direction_;     ///< unit vector
+	double farthest_m_ = 0.0;    ///< of the motion element since the onset
+	double moved_s_ = -INFINITY; ///< last time at which farthest_m_ grew
 	bool may_end_ = false;
 
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void begin_at_onset(double t_s, const StrokeFinder &strokes);
 	void look_for_end(double t_s);
+	void aim_at(const GestureCandidate *candidate, const FeaturePlace &displacement_m);
 	void update_direction();
 	[[nodiscard]] bool is_spotted() const {
 		return spotter_->is_active() && spotter_->gesture() == model().gesture;

@@ -63,6 +63,36 @@ TEST_CASE("a spotted drag starts during the movement and ends within 0.2 s") {
 	CHECK(events.last_confidence > 0.9);
 	const Events lost = watch(paper(four_models()), SIDEWAYS, 4.0, { DRAG.onset_s + 0.7 });
 	CHECK(lost.names == EventNames{ "started horizontal_drag", "aborted horizontal_drag" });
+	const Events lost_at_end =
+			watch(paper(four_models()), SIDEWAYS, 4.0, { DRAG.onset_s + DRAG.duration_s + 0.05 });
+	CHECK(lost_at_end.names == times(1, "horizontal_drag"));
+}
+
+TEST_CASE("the measured motion of a spotted drag counts from its onset") {
+	GestureRecogniser recogniser = paper(four_models());
+	const double start_m = SIDEWAYS(0.0).x();
+	watch(
+			recogniser,
+			[&](double t_s) {
+				const Eigen::Vector3d now_m = SIDEWAYS(t_s);
+				if (t_s > 0.3 && t_s < DRAG.onset_s + DRAG.duration_s) {
+					const double before_m = SIDEWAYS(t_s - 1.0 / 110.0).x() - start_m; // the last frame
+					CHECK(std::abs(recogniser.motion(MotionSource::MEASURED).value_m - before_m) < 0.005);
+				}
+				return now_m;
+			},
+			DRAG.onset_s + DRAG.duration_s);
+}
+
+TEST_CASE("an ended drag stays at its end while the hand creeps on") {
+	GestureRecogniser recogniser = paper(four_models());
+	const double end_s = DRAG.onset_s + DRAG.duration_s;
+	const TestPath creeps = [&](double t_s) {
+		return Eigen::Vector3d(SIDEWAYS(t_s) + 0.02 * std::clamp(t_s - end_s, 0.0, 3.0) * X);
+	};
+	const Events events = watch(recogniser, creeps, end_s + 2.5);
+	CHECK(events.names == times(1, "horizontal_drag"));
+	CHECK(recogniser.motion(MotionSource::SYNTHESISED).progress > 0.95);
 }
 
 TEST_CASE("only expected gestures are spotted; others are recognised by strokes") {
