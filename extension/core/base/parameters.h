@@ -41,8 +41,6 @@ STEADYHAND_PARAMETER ONSETS_PER_S = 4.0;
 STEADYHAND_PARAMETER START_SPREAD = 0.07;
 /// Share of the minimum-jerk curve (Flash & Hogan 1985) in a movement; the rest is the model's curve.
 STEADYHAND_PARAMETER SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
-/// Standard deviation of the relative error of the endpoint, with a task and without.
-STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, NO_TASK_GAIN_SPREAD = 0.12;
 /// Deviation of a hand from the curve: critically damped noise, standard deviation and rate.
 STEADYHAND_PARAMETER DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// HOLD: standard deviation of the velocity, 1/s, and its rate. Tremor, sway, and the tracker's slow error.
@@ -55,9 +53,8 @@ STEADYHAND_PARAMETER FREE_TO_HOLD_PER_S = 2.0, HOLD_TO_FREE_PER_S = 0.3;
 
 // motion/: the tracker.
 
-/// LAGGING: prior probability, rate of the reversion to it, and least probability during a gesture, because
-/// trackers begin to lag at any time.
-STEADYHAND_PARAMETER LAGGING_SHARE = 0.35, LAGGING_SWITCH_PER_S = 0.2, LAGGING_AT_LEAST = 0.03;
+/// LAGGING: prior probability.
+STEADYHAND_PARAMETER LAGGING_SHARE = 0.35;
 /// Lag at the end of a long movement: mean and standard deviation. It builds up over LAG_SETTLING_S.
 STEADYHAND_PARAMETER LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
 /// Further latency of a LAGGING tracker after a fault.
@@ -87,8 +84,6 @@ STEADYHAND_PARAMETER BIRTH_PERIOD_S = 0.05, WIDEST_DURATION = 1.7;
 STEADYHAND_PARAMETER LEAST_WEIGHT = 1e-3;
 /// A hand does not turn within this time.
 STEADYHAND_PARAMETER SAME_MOVEMENT_S = 0.1;
-/// A gesture that began later than this before the last measurement is not put out: it has no evidence yet.
-STEADYHAND_PARAMETER UNSEEN_S = 0.02;
 /// A gesture is not put out before this phase, at 3 % of the amplitude.
 STEADYHAND_PARAMETER VISIBLE_PHASE = 0.15;
 
@@ -148,8 +143,6 @@ STEADYHAND_PARAMETER TURNED = 0.03, TURNED_WITHIN = 0.5, COMES_BACK = 0.12, COME
 STEADYHAND_PARAMETER SLOWER_STRIKE = 0.53;
 /// Ranges of the null model: log of 0.05 to 2 amplitudes, and of 0.1 to 5 s.
 STEADYHAND_PARAMETER LOG_LENGTHS = 3.7, LOG_DURATIONS = 3.9;
-/// Nats against a gesture of several strokes.
-STEADYHAND_PARAMETER SEVERAL_STROKES = 0.5;
 /// A stroke below this fraction of its peak speed slows down. Then its length is at most FURTHER times that
 /// of a minimum-jerk movement, except for a small fraction of strokes.
 STEADYHAND_PARAMETER SLOWING_SHARE = 0.85, FURTHER = 2.0, GOES_ON_SHARE = 0.003;

@@ -64,8 +64,9 @@ void add(std::vector<MotionSequence> &r_sequences, std::optional<MotionSequence>
 }
 
 /// ln of the greatest distance, or growth of the radius, between two instants.
-double log_reach_of(const MotionInstants &instants, int onset, int end, bool is_radius) {
-	MotionObserver observer(*instants.last_motion(onset));
+double log_reach_of(
+		const HandMotion &at_onset, const MotionInstants &instants, int onset, int end, bool is_radius) {
+	MotionObserver observer(at_onset);
 	for (int i = onset + 1; i <= end; ++i) {
 		if (const std::optional<HandMotion> motion = instants.last_motion(i)) {
 			observer.observe(*motion);
@@ -222,11 +223,12 @@ Result<ClassifierModel> train_classifier(
 		Direction &direction = direction_of(directions, recording, feature->is_radius);
 		direction.axes += feature->is_radius ? Eigen::Vector3d::Zero() : recording.recording.task.axis;
 		const int onset = instants.index(span.onset_s), end = instants.index(span.end_s + SETTLED_S);
-		if (!instants.last_motion(onset)) {
+		const std::optional<HandMotion> at_onset = instants.last_motion(onset);
+		if (!at_onset) {
 			continue;
 		}
 		MarkedMovement movement{ span.end_s - span.onset_s,
-			log_reach_of(instants, onset, end, feature->is_radius), {} };
+			log_reach_of(*at_onset, instants, onset, end, feature->is_radius), {} };
 		for (int early = LATEST_REST; early <= EARLIEST_REST; early += REST_STEP) {
 			add(movement.sequences,
 					instants.sequence({ onset - early, onset, end, end + AFTER }, options.states));

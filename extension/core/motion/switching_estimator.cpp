@@ -27,11 +27,11 @@ double switch_probability(double per_s, double dt_s) {
 
 } // namespace
 
-SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m, std::size_t hypotheses,
-		double latency_s, double gain_spread) :
+SwitchingEstimator::SwitchingEstimator(
+		const GestureModel &model, double amplitude_m, std::size_t hypotheses, double latency_s) :
 		curve_(model),
-		amplitude_m_(amplitude_m), hypotheses_(hypotheses), latency_s_(latency_s),
-		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
+		amplitude_m_(amplitude_m), hypotheses_(hypotheses),
+		latency_s_(latency_s), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
 		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
 	const double step = 2.0 * parameters::WIDEST_DURATION / static_cast<double>(DURATIONS - 1);
 	log_duration_deviation_ = 0.55 * step * parameters::LOG_DURATION_SPREAD; // so that neighbours overlap
@@ -253,12 +253,9 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 		free(gesture.weight * to_free, shown, lagging);
 		gesture.weight *= 1.0 - to_hold - to_free;
 	}
-	const double reversion = switch_probability(parameters::LAGGING_SWITCH_PER_S, dt_s);
 	const auto set_mode = [&](CurvelessMode &r_mode, const HandMixture &mixture, double lagging) {
 		if (mixture.weight() > 0.0) {
-			lagging /= mixture.weight();
-			r_mode = { mixture.weight(), lagging + reversion * (parameters::LAGGING_SHARE - lagging),
-				mixture.state() };
+			r_mode = { mixture.weight(), lagging / mixture.weight(), mixture.state() };
 		}
 	};
 	set_mode(now_.hold, held, held_lagging);
@@ -323,8 +320,7 @@ void SwitchingEstimator::spawn_gestures(double t_s) {
 			const double weight = begun_weight * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
-						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
-								gain_spread_ },
+						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_ },
 						now_.hold.hand);
 			}
 		}
@@ -351,8 +347,7 @@ void SwitchingEstimator::spawn_unseen_gestures(const ElementReading &reading, do
 			add(tracker,
 					now_.hold.weight * start_likelihood(tracker) * parameters::ONSETS_PER_S *
 							mode_probability(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
-					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
-							gain_spread_ },
+					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_ },
 					{ 0.0, 0.0, deviation * deviation, 0.0, velocity * velocity });
 		}
 	}
@@ -370,20 +365,17 @@ void SwitchingEstimator::correct(const ElementReading &reading, std::size_t coun
 }
 
 void SwitchingEstimator::normalise() {
-	double total = now_.hold.weight + now_.free.weight, sound = 0.0, lagging = 0.0;
+	double total = now_.hold.weight + now_.free.weight;
 	for (const GestureFilter &gesture : now_.gestures) {
-		(gesture.tracker() == TrackerMode::SOUND ? sound : lagging) += gesture.weight;
+		total += gesture.weight;
 	}
-	total += sound + lagging;
 	if (!(total > 0.0)) {
 		now_.hold.weight = total = 1.0;
 	}
-	const double least = parameters::LAGGING_AT_LEAST * (sound + lagging);
-	const double raised = lagging > 0.0 && lagging < least ? least / lagging : 1.0;
 	now_.hold.weight /= total;
 	now_.free.weight /= total;
 	for (GestureFilter &gesture : now_.gestures) {
-		gesture.weight *= (gesture.tracker() == TrackerMode::LAGGING ? raised : 1.0) / total;
+		gesture.weight /= total;
 	}
 }
 

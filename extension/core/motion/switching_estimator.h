@@ -38,11 +38,9 @@ struct MotionEstimate {
 class SwitchingEstimator {
 public:
 	/// amplitude_m: of the task. hypotheses: most GESTURE hypotheses, 2..MOST_HYPOTHESES. latency_s: the
-	/// tracker's; the estimate is this far ahead of the frames. gain_spread: standard deviation of the
-	/// endpoint, amplitudes.
+	/// tracker's; the estimate is this far ahead of the frames.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m,
-			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0,
-			double gain_spread = parameters::GAIN_SPREAD);
+			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0);
 
 	/// Adds a frame. Stamps must not decrease. x: the motion element, amplitudes.
 	void push(const Measurement &measurement, double x);
@@ -82,7 +80,6 @@ private:
 	double amplitude_m_;
 	std::size_t hypotheses_;
 	double latency_s_;
-	double gain_spread_;
 	HandProcess hold_process_, free_process_;
 	static constexpr std::size_t DURATIONS = 5; ///< of new hypotheses
 	std::array<double, DURATIONS> log_durations_{}, duration_weights_{};
@@ -114,9 +111,9 @@ private:
 
 	[[nodiscard]] MotionEstimate mean(double t_s) const;
 	[[nodiscard]] bool has_hand() const { return now_.time_s > NEVER_S; }
-	/// Began too late to have evidence.
+	/// Began after the last measurement.
 	[[nodiscard]] bool is_unseen(const GestureFilter &gesture) const {
-		return gesture.onset_s() > now_.measured_s - parameters::UNSEEN_S;
+		return gesture.onset_s() > now_.measured_s;
 	}
 	void begin(double t_s, double x, double v);
 	void predict(double t_s);

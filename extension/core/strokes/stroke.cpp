@@ -25,7 +25,6 @@ Stroke joined(const Stroke &first, const Stroke &second) {
 	}
 	both.peak_m_s = std::max(first.peak_m_s, second.peak_m_s);
 	both.path_m = first.path_m + (second.from - first.to).norm() + second.path_m;
-	both.is_joined = true;
 	return both;
 }
 

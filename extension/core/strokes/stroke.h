@@ -22,7 +22,6 @@ struct Stroke {
 	double motion_before_m = 0.0;
 	/// Time before the onset in which the hand was tracked, at most parameters::strokes::REST_S.
 	double tracked_before_s = 0.0;
-	bool is_joined = false; ///< consists of several strokes, between which the hand hesitated
 	/// False if the hand came into view while it moved, at `from`.
 	bool is_from_rest = true;
 

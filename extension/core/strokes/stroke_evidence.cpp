@@ -128,7 +128,7 @@ StrokeEvidence stroke_evidence(
 	const double now = direction_evidence(off);
 	StrokeEvidence evidence;
 	evidence.path = now + straightness(stroke, length_m);
-	evidence.detour = detour_evidence(stroke, length_m) - (stroke.is_joined ? SEVERAL_STROKES : 0.0);
+	evidence.detour = detour_evidence(stroke, length_m);
 	evidence.rest = rest_evidence(stroke, amplitude_m);
 	evidence.size = size_evidence(std::log(length_m / amplitude_m), std::log(time_s / usual.duration_s));
 	evidence.max_remaining = direction_evidence(least_direction_error(off, length_m, amplitude_m)) - now +

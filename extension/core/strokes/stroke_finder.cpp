@@ -158,7 +158,6 @@ void StrokeFinder::list_strokes(const Sample &now) {
 		const Earlier &earlier = earlier_[i - 1];
 		Stroke &stroke = strokes_[stroke_count_++];
 		stroke = between(earlier.onset, now, std::max(earlier.peak_m_s, peak_m_s_));
-		stroke.is_joined = goes_on || i < earlier_count_;
 		stroke.moved_s = goes_on ? now.t_s : earlier_end_s_;
 	}
 }

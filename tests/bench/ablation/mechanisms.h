@@ -29,19 +29,16 @@ constexpr double NEVER = 1e9, NONE = 1e-9;
 inline std::vector<Mechanism> mechanisms() {
 	using namespace ablation;
 	return {
-		{ "tracker mode LAGGING", { { &LAGGING_SHARE, 0.0 }, { &LAGGING_AT_LEAST, 0.0 } } },
+		{ "tracker mode LAGGING", { { &LAGGING_SHARE, 0.0 } } },
 		{ "faults are evidence of a lag",
 				{ { &LOG_FAULTS, 0.0 }, { &LOG_JUMPS, 0.0 }, { &LOG_FAULTS_PER_S, 0.0 },
 						{ &FAULTS_PER_S, 0.0 } } },
 		{ "a jump is evidence of a lag", { { &LOG_JUMPS, NONE } } },
 		{ "a longer fault is more evidence", { { &LOG_FAULTS_PER_S, 0.0 } } },
 		{ "time without faults is evidence of none", { { &FAULTS_PER_S, 0.0 } } },
-		{ "evidence of a lag is forgotten", { { &LAGGING_SWITCH_PER_S, 0.0 } } },
-		{ "least probability of a lag", { { &LAGGING_AT_LEAST, 0.0 } } },
 		{ "further latency after a fault", { { &FAULTY_LATENCY_S, 0.0 } } },
 		{ "lag builds up", { { &LAG_SETTLING_S, 0.0 } } },
 		{ "share of the minimum-jerk curve", { { &SHAPE_MEAN, 0.0 }, { &SHAPE_SPREAD, NONE } } },
-		{ "unknown endpoint", { { &GAIN_SPREAD, NONE } } },
 		{ "change of pace", { { &PACE_WALK, 0.0 } } },
 		{ "hand deviates from the curve", { { &DEVIATION, 1e-3 } } },
 		{ "errors of close frames are alike", { { &ALIKE_S, 0.0 } } },
@@ -49,7 +46,6 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "hand mode FREE", { { &GESTURE_TO_FREE_PER_S, 0.0 }, { &HOLD_TO_FREE_PER_S, 0.0 } } },
 		{ "hold within a gesture", { { &GESTURE_TO_HOLD_PER_S, 0.0 } } },
 		{ "births only near the start", { { &START_SPREAD, NEVER } } },
-		{ "unseen onsets are not put out", { { &UNSEEN_S, 0.0 } } },
 		{ "early phases are not put out", { { &VISIBLE_PHASE, 0.0 } } },
 
 		{ "TrackerMonitor: jumps and freezes", { { &t::FAULTS_PER_S, 1e-300 } } },
@@ -74,8 +70,6 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "strokes: duration", { { &s::ANY_PACE_SHARE, 1.0 - NONE } }, true },
 		{ "strokes: any pace", { { &s::ANY_PACE_SHARE, NONE } }, true },
 		{ "strokes: slowing down", { { &s::SLOWING_SHARE, 0.0 } }, true },
-		{ "strokes: several are one gesture", { { &s::SEVERAL_STROKES, NEVER } }, true },
-		{ "strokes: several are less likely", { { &s::SEVERAL_STROKES, 0.0 } }, true },
 		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } }, true },
 		{ "strokes: hopeless ones abort", { { &r::REJECT_LOG_ODDS, -NEVER } }, true },
 		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } }, true },

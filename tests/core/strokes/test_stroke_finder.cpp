@@ -112,7 +112,6 @@ TEST_CASE("two joined strokes have the path length and middle of both") {
 	CHECK(both.now_s == second.now_s);
 	CHECK(both.from == first.from);
 	CHECK(both.to == second.to);
-	CHECK(both.is_joined);
 }
 
 TEST_CASE("a stroke measures the motion before its onset") {
