@@ -32,8 +32,12 @@ func test_each_gesture_of_a_synthetic_hand_starts_and_ends_without_a_task() -> v
 		var hmm := _hmm(source, ["horizontal_drag", "vertical_drag", "tap", "zoom"])
 		var seen := _events(hmm)
 		_play(hmm)
+		# A stroke down may begin as a drag, until the hand comes back.
+		var last: Array[String] = seen.slice(seen.rfind("started %s" % gestures[i]))
 		var expected: Array[String] = ["started %s" % gestures[i], "ended %s" % gestures[i]]
-		check_equal(seen.slice(0, 2), expected, "%s, way %d" % [gestures[i], i])
+		check_equal(last, expected, "%s, way %d" % [gestures[i], i])
+		var ended := seen.filter(func(event: String) -> bool: return event.begins_with("ended"))
+		check_equal(ended.size(), 1, "%s, way %d: one end" % [gestures[i], i])
 		_free(hmm)
 
 

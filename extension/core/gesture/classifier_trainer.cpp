@@ -278,7 +278,8 @@ Result<ClassifierModel> train_classifier(
 		const double median = logs[logs.size() / 2];
 		const double quartiles = logs[logs.size() * 3 / 4] - logs[logs.size() / 4];
 		direction.model.reach_m = std::exp(median);
-		direction.model.reach_deviation = std::max(quartiles / 1.349, options.reach_deviation);
+		direction.model.reach_deviation = std::max(quartiles / 1.349,
+				direction.model.is_radius ? options.reach_deviation_radius : options.reach_deviation);
 		model.gestures.push_back(std::move(direction.model));
 	}
 	return model;

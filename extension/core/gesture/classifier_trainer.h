@@ -26,8 +26,9 @@ struct ClassifierTrainingOptions {
 	/// Fraction of each state's emissions that has the distribution of all motion. It limits the cost of a
 	/// tracker's jump.
 	double odd_symbols = 0.02;
-	/// Least DirectedHmm::reach_deviation, because other people reach further or less far.
-	double reach_deviation = 0.12;
+	/// Least DirectedHmm::reach_deviation, because other people reach further or less far, and open other
+	/// hands.
+	double reach_deviation = 0.12, reach_deviation_radius = 0.3;
 };
 
 /// Trains the HMMs of all gestures over one codebook, for each recorded direction of a gesture (directions

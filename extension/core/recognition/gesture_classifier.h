@@ -39,7 +39,7 @@ struct ClassifierOptions {
 	double onset_prior = 3e-3;
 	/// Prior odds of the same movement in any direction, with any bow and of any length, to each gesture; of
 	/// the growth of the radius to any length.
-	double elsewhere = 0.3, elsewhere_radius = 0.1;
+	double elsewhere = 0.3, elsewhere_radius = 0.06;
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double bow_width = 0.12; ///< for log_bow_ratio()
