@@ -41,6 +41,8 @@ STEADYHAND_PARAMETER ONSETS_PER_S = 4.0;
 STEADYHAND_PARAMETER START_SPREAD = 0.07;
 /// Share of the minimum-jerk curve (Flash & Hogan 1985) in a movement; the rest is the model's curve.
 STEADYHAND_PARAMETER SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
+/// Standard deviation of the relative error of the endpoint, with a task and without.
+STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, NO_TASK_GAIN_SPREAD = 0.12;
 /// Deviation of a hand from the curve: critically damped noise, standard deviation and rate.
 STEADYHAND_PARAMETER DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
 /// HOLD: standard deviation of the velocity, 1/s, and its rate. Tremor, sway, and the tracker's slow error.

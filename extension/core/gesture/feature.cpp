@@ -108,6 +108,8 @@ double circumference(const Task &task) {
 
 /// Weight of the hand's translation: an opening hand may move by several times the radius' growth.
 constexpr double TRANSLATION_WEIGHT = 0.2;
+/// The growth of the radius depends on the size of the hand, and on how far it was closed.
+constexpr double RADIUS_GAIN_FACTOR = 4.5;
 
 constexpr std::array FEATURES{
 	Feature{ "index_along_axis", INDEX_TIP, index_along_axis, index_place, along_axis },
@@ -117,6 +119,7 @@ constexpr std::array FEATURES{
 			.place = tips_place,
 			.direction = along_size,
 			.is_radius = true,
+			.no_task_gain_factor = RADIUS_GAIN_FACTOR,
 			.coordinate_weights = { TRANSLATION_WEIGHT, TRANSLATION_WEIGHT, 1.0, 1.0 } },
 	Feature{ "index_along_circle", INDEX_TIP, index_along_circle, nullptr, nullptr, circumference,
 			index_off_circle },

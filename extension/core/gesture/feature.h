@@ -34,6 +34,8 @@ struct Feature {
 	/// path is straight.
 	double (*path_distance_m)(const HandFrame &frame, const Task &task) = nullptr;
 	bool is_radius = false; ///< Task::start_m.x is a radius, not a position
+	/// Factor of the standard deviation of the endpoint without a task.
+	double no_task_gain_factor = 1.0;
 	/// Weights of the coordinates of FeaturePlace in strokes.
 	std::array<double, 4> coordinate_weights{ 1.0, 1.0, 1.0, 1.0 };
 };

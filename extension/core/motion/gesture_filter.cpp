@@ -35,6 +35,7 @@ GestureFilter::GestureFilter(TrackerMode tracker, const Onset &onset, const Hand
 	};
 	set(ONSET, onset.t_s, onset.deviation_s);
 	set(LOG_DURATION, onset.log_duration, onset.log_duration_deviation);
+	set(GAIN, 0.0, onset.gain_deviation);
 	set(SHAPE, parameters::SHAPE_MEAN, parameters::SHAPE_SPREAD);
 	duration_s_ = std::exp(onset.log_duration);
 	if (tracker == TrackerMode::LAGGING) {
@@ -84,16 +85,18 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	const double shown_phase = phase - mean_(LAG) * lag_slope;
 	const CurvePoint own = is_lagging ? curve.at(shown_phase) : hand;
 	const Polynomial::Point jerk = minimum_jerk(shown_phase);
-	const double slope = own.slope + mean_(SHAPE) * (jerk.first - own.slope);
+	const double amplitude = 1.0 + mean_(GAIN), f = own.value + mean_(SHAPE) * (jerk.value - own.value);
+	const double slope = amplitude * (own.slope + mean_(SHAPE) * (jerk.first - own.slope));
 	Prediction p;
-	p.x = own.value + mean_(SHAPE) * (jerk.value - own.value) + mean_(DEVIATION);
+	p.x = amplitude * f + mean_(DEVIATION);
 	p.velocity = rate * own.slope;
 	// d x / d phase. The lag depends on the phase too.
 	const double by_phase = slope * (1.0 - mean_(LAG) * lag_rate * progress_slope);
 	p.slope(ONSET) = -by_phase * rate;
 	p.slope(LOG_DURATION) = -by_phase * phase +
 			slope * mean_(LAG) * lag_slope * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
-	p.slope(SHAPE) = jerk.value - own.value;
+	p.slope(GAIN) = f;
+	p.slope(SHAPE) = amplitude * (jerk.value - own.value);
 	p.slope(LAG) = -slope * lag_slope;
 	p.slope(DEVIATION) = 1.0;
 	p.covariance.noalias() = covariance_.leftCols<DEVIATION_VELOCITY>() * p.slope.head<DEVIATION_VELOCITY>();
@@ -132,10 +135,11 @@ GestureFilter::Hand GestureFilter::hand(
 	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;
 	const CurvePoint own = curve.at(phase);
 	const Polynomial::Point jerk = minimum_jerk(phase);
-	const double shape = mean_(SHAPE);
-	Hand hand{ own.value + shape * (jerk.value - own.value),
-		rate * (own.slope + shape * (jerk.first - own.slope)),
-		rate * rate * (own.curvature + shape * (jerk.second - own.curvature)), std::clamp(phase, 0.0, 1.0) };
+	const double shape = mean_(SHAPE), amplitude = 1.0 + mean_(GAIN);
+	Hand hand{ amplitude * (own.value + shape * (jerk.value - own.value)),
+		amplitude * rate * (own.slope + shape * (jerk.first - own.slope)),
+		amplitude * rate * rate * (own.curvature + shape * (jerk.second - own.curvature)),
+		std::clamp(phase, 0.0, 1.0) };
 	if (tracker_ == TrackerMode::SOUND) {
 		const CriticallyDamped d = critically_damped(
 				mean_(DEVIATION), mean_(DEVIATION_VELOCITY), deviation_rate_per_s(tracker_), since_s, fading);

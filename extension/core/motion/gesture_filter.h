@@ -24,25 +24,36 @@ struct DampedTransition {
 	DampedTransition(double deviation, double rate_per_s, double dt_s);
 };
 
-/// One hypothesis of an active gesture: an extended Kalman filter. Its state is onset, log duration, shape,
-/// the tracker's lag, and a slow deviation d with its velocity. With a SOUND tracker d is the hand's
+/// One hypothesis of an active gesture: an extended Kalman filter. Its state is onset, log duration, gain,
+/// shape, the tracker's lag, and a slow deviation d with its velocity. With a SOUND tracker d is the hand's
 /// deviation from the curve; with a LAGGING tracker it is the tracker's error.
 ///
-///     hand(t)    = f(p) + d(t)                        p = (t - onset) / duration
-///     tracker(t) = f(p - lag s f(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
+///     hand(t)    = (1 + gain) f(p) + d(t)                        p = (t - onset) / duration
+///     tracker(t) = (1 + gain) f(p - lag s f(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
 ///
 /// e: the model's reference curve. m: minimum jerk. s: fraction of the lag that builds up in the duration.
 /// Positions are in amplitudes.
 /// Bar-Shalom, Li, Kirubarajan 2001, section 10.3.
 class GestureFilter {
 public:
-	enum Index : std::uint8_t { ONSET, LOG_DURATION, SHAPE, LAG, DEVIATION, DEVIATION_VELOCITY, SIZE };
+	/// SIZE is one more than the number of states, so that a column fills whole SIMD registers.
+	enum Index : std::uint8_t {
+		ONSET,
+		LOG_DURATION,
+		GAIN,
+		SHAPE,
+		LAG,
+		DEVIATION,
+		DEVIATION_VELOCITY,
+		SIZE = 8
+	};
 	using Vector = Eigen::Matrix<double, SIZE, 1>;
 	using Matrix = Eigen::Matrix<double, SIZE, SIZE>;
 
 	struct Onset {
 		double t_s, deviation_s;
 		double log_duration, log_duration_deviation;
+		double gain_deviation;
 	};
 	struct Prediction {
 		double x = 0.0;

@@ -27,11 +27,11 @@ double switch_probability(double per_s, double dt_s) {
 
 } // namespace
 
-SwitchingEstimator::SwitchingEstimator(
-		const GestureModel &model, double amplitude_m, std::size_t hypotheses, double latency_s) :
+SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitude_m, std::size_t hypotheses,
+		double latency_s, double gain_spread) :
 		curve_(model),
-		amplitude_m_(amplitude_m), hypotheses_(hypotheses),
-		latency_s_(latency_s), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
+		amplitude_m_(amplitude_m), hypotheses_(hypotheses), latency_s_(latency_s),
+		gain_spread_(gain_spread), hold_process_{ parameters::HOLD_SPEED, parameters::HOLD_RATE_PER_S },
 		free_process_{ parameters::FREE_SPEED_M_S / amplitude_m, parameters::FREE_RATE_PER_S } {
 	const double step = 2.0 * parameters::WIDEST_DURATION / static_cast<double>(DURATIONS - 1);
 	log_duration_deviation_ = 0.55 * step * parameters::LOG_DURATION_SPREAD; // so that neighbours overlap
@@ -320,7 +320,8 @@ void SwitchingEstimator::spawn_gestures(double t_s) {
 			const double weight = begun_weight * duration_weights_[k];
 			if (weight > parameters::LEAST_WEIGHT * now_.hold.weight) {
 				add(tracker, weight,
-						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_ },
+						{ t_s, 0.5 * parameters::BIRTH_PERIOD_S, log_durations_[k], log_duration_deviation_,
+								gain_spread_ },
 						now_.hold.hand);
 			}
 		}
@@ -347,7 +348,8 @@ void SwitchingEstimator::spawn_unseen_gestures(const ElementReading &reading, do
 			add(tracker,
 					now_.hold.weight * start_likelihood(tracker) * parameters::ONSETS_PER_S *
 							mode_probability(tracker, now_.hold.lagging) * duration_weights_[k] / speed,
-					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_ },
+					{ reading.t_s - elapsed_s, error / speed, log_durations_[k], log_duration_deviation_,
+							gain_spread_ },
 					{ 0.0, 0.0, deviation * deviation, 0.0, velocity * velocity });
 		}
 	}

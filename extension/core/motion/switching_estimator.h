@@ -38,9 +38,11 @@ struct MotionEstimate {
 class SwitchingEstimator {
 public:
 	/// amplitude_m: of the task. hypotheses: most GESTURE hypotheses, 2..MOST_HYPOTHESES. latency_s: the
-	/// tracker's; the estimate is this far ahead of the frames.
+	/// tracker's; the estimate is this far ahead of the frames. gain_spread: standard deviation of the
+	/// endpoint, amplitudes.
 	SwitchingEstimator(const GestureModel &model, double amplitude_m,
-			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0);
+			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0,
+			double gain_spread = parameters::GAIN_SPREAD);
 
 	/// Adds a frame. Stamps must not decrease. x: the motion element, amplitudes.
 	void push(const Measurement &measurement, double x);
@@ -80,6 +82,7 @@ private:
 	double amplitude_m_;
 	std::size_t hypotheses_;
 	double latency_s_;
+	double gain_spread_;
 	HandProcess hold_process_, free_process_;
 	static constexpr std::size_t DURATIONS = 5; ///< of new hypotheses
 	std::array<double, DURATIONS> log_durations_{}, duration_weights_{};

@@ -19,7 +19,10 @@ GestureSession::GestureSession(
 		model_(&model),
 		feature_(find_feature(model.feature)), task_(task), mode_(synthesis.mode),
 		follows_rest_(follows_rest), log_odds_(LOG_PRIOR_NO_TASK), decoder_(model.hmm, synthesis.decoding),
-		paper_(model), phase_(model, task.amplitude_m, synthesis.hypotheses, synthesis.latency_s) {}
+		paper_(model),
+		phase_(model, task.amplitude_m, synthesis.hypotheses, synthesis.latency_s,
+				follows_rest ? parameters::GAIN_SPREAD
+							 : feature_->no_task_gain_factor * parameters::NO_TASK_GAIN_SPREAD) {}
 
 bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
 		const StrokeFinder &strokes, const Measurement &measurement) {

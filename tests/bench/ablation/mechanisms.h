@@ -39,6 +39,7 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "further latency after a fault", { { &FAULTY_LATENCY_S, 0.0 } } },
 		{ "lag builds up", { { &LAG_SETTLING_S, 0.0 } } },
 		{ "share of the minimum-jerk curve", { { &SHAPE_MEAN, 0.0 }, { &SHAPE_SPREAD, NONE } } },
+		{ "unknown endpoint", { { &GAIN_SPREAD, NONE } } },
 		{ "change of pace", { { &PACE_WALK, 0.0 } } },
 		{ "hand deviates from the curve", { { &DEVIATION, 1e-3 } } },
 		{ "errors of close frames are alike", { { &ALIKE_S, 0.0 } } },

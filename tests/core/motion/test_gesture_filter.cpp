@@ -38,7 +38,8 @@ GestureFilter gesture(TrackerMode tracker) {
 			{ .t_s = ONSET_S,
 					.deviation_s = 0.02,
 					.log_duration = std::log(DURATION_S),
-					.log_duration_deviation = 0.2 },
+					.log_duration_deviation = 0.2,
+					.gain_deviation = 0.05 },
 			from);
 	filter.weight = 0.3;
 	double then_s = ONSET_S;
@@ -244,7 +245,8 @@ TEST_CASE("a LAGGING tracker is behind a moving hand, not a resting one") {
 			{ .t_s = ONSET_S,
 					.deviation_s = 0.02,
 					.log_duration = std::log(DURATION_S),
-					.log_duration_deviation = 0.2 },
+					.log_duration_deviation = 0.2,
+					.gain_deviation = 0.05 },
 			{});
 	const auto ahead = [&](double phase) {
 		const double t_s = ONSET_S + phase * DURATION_S;
