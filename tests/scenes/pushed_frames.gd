@@ -111,12 +111,7 @@ func test_a_task_without_a_hand_is_warned_of_once() -> void:
 		var task := GestureTask.new()
 		task.gesture = &"horizontal_drag"
 		task.position = PLACE + distance_m * Vector3.LEFT
-		var hmm := GestureHMM.new()
-		hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
-		hmm.tracker = tracker
-		hmm.task = task
-		for node: Node in [task, hmm]:
-			root.add_child(node)
+		var hmm := _hmm(tracker, task)
 		for frame in 2400:
 			var way := 0.2 * PushedHand.share(absf(fposmod(frame / 150.0, 2.0) - 1.0))
 			var tip := PLACE + Vector3(way if is_far else 0.0, 0.0 if is_far else way, 0.0)
@@ -129,12 +124,7 @@ func test_signals_carry_the_task() -> void:
 	var tracker := _tracker()
 	var task := GestureTask.new()
 	task.position = PLACE
-	var hmm := GestureHMM.new()
-	hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
-	hmm.tracker = tracker
-	hmm.task = task
-	for node: Node in [task, hmm]:
-		root.add_child(node)
+	var hmm := _hmm(tracker, task)
 	var tasks: Array[GestureTask] = []
 	hmm.gesture_started.connect(
 		func(_gesture: StringName, at: GestureTask) -> void: tasks.append(at)
@@ -159,3 +149,13 @@ func _tracker() -> HandTracker:
 	root.add_child(tracker)
 	tracker.start()
 	return tracker
+
+
+func _hmm(tracker: HandTracker, task: GestureTask) -> GestureHMM:
+	var hmm := GestureHMM.new()
+	hmm.models = [load(Rig.MODEL % "horizontal_drag") as GestureModel]
+	hmm.tracker = tracker
+	hmm.task = task
+	for node: Node in [task, hmm]:
+		root.add_child(node)
+	return hmm

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <optional>
 
 namespace steadyhand {
 namespace {
@@ -29,16 +30,14 @@ template <class Value> void HandMotionWindow::Samples<Value>::push(double t_s, c
 	newest = value;
 }
 
-std::optional<Measurement> HandMotionWindow::measure(const HandFrame &frame) {
-	if (!frame.has(Joint::INDEX) || !frame.position(Joint::INDEX).allFinite()) {
-		return std::nullopt;
-	}
-	const Measurement measurement = monitor_.push(frame.t_s, frame.position(Joint::INDEX));
-	return measurement.is_usable() ? std::optional(measurement) : std::nullopt;
+/// Must be called once for each frame.
+bool HandMotionWindow::is_usable(const HandFrame &frame) {
+	return frame.has(Joint::INDEX) && frame.position(Joint::INDEX).allFinite() &&
+			monitor_.push(frame.t_s, frame.position(Joint::INDEX)).is_usable();
 }
 
 bool HandMotionWindow::push(const HandFrame &frame) {
-	if (!measure(frame)) {
+	if (!is_usable(frame)) {
 		return false;
 	}
 	tip_.push(frame.t_s, frame.position(Joint::INDEX));

@@ -7,8 +7,6 @@
 
 #include <Eigen/Core>
 
-#include <optional>
-
 namespace steadyhand {
 
 /// Motion of a hand at one instant, from which the HMMs of a ClassifierModel get their observations.
@@ -48,7 +46,7 @@ private:
 	Samples<double> radius_{ {}, 0.0 };
 	bool has_radius_ = false;
 
-	[[nodiscard]] std::optional<Measurement> measure(const HandFrame &frame);
+	[[nodiscard]] bool is_usable(const HandFrame &frame);
 };
 
 /// A HandMotion relative to the one at a possible onset: distance of the tip, its speed away from the onset

@@ -2,7 +2,7 @@
 
 #include "gesture/task.h"
 #include "hmm/linear_hmm.h"
-#include "strokes/direction_density.h"
+#include "strokes/path_densities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,9 +238,10 @@ void GestureClassifier::evaluate() {
 	elsewhere_ = 0.0;
 	for (std::size_t lane = 0; lane < ONSETS; ++lane) {
 		onsets_[lane].weight = 0.0;
+		const double bow = onsets_[lane].is_used ? bow_ratio(onsets_[lane].observer, options_) : 1.0;
 		for (Hypothesis &hypothesis : hypotheses_) {
 			if (onsets_[lane].is_used) {
-				weigh(hypothesis, lane);
+				weigh(hypothesis, lane, bow);
 			}
 		}
 	}
@@ -254,8 +255,8 @@ void GestureClassifier::evaluate() {
 }
 
 /// Adds the weight of a gesture and an onset, relative to the filler, to the candidate's posterior, which is
-/// not normalised yet. The same movement anywhere is no gesture.
-void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
+/// not normalised yet. The same movement anywhere is no gesture. bow: bow_ratio() of the onset.
+void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double bow) {
 	const DirectedHmm &model = *r_hypothesis.model;
 	Onset &onset = onsets_[lane];
 	const ScaledNumber all = r_hypothesis.forward.total(static_cast<int>(lane));
@@ -284,7 +285,7 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane) {
 	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;
 	double weight = r_hypothesis.share * of_movement * begun;
 	if (!model.is_radius) {
-		weight *= direction_ratio(displacement_m, model.axis, options_) * bow_ratio(onset.observer, options_);
+		weight *= direction_ratio(displacement_m, model.axis, options_) * bow;
 	}
 	onset.weight = std::max(onset.weight, weight);
 	GestureCandidate &candidate = candidates_[r_hypothesis.gesture];

@@ -94,14 +94,14 @@ private:
 	struct Hypothesis {
 		std::size_t gesture;
 		const DirectedHmm *model;
-		double share;     ///< prior probability of its pace and direction, of one gesture in one direction
-		double elsewhere; ///< the same, of a movement in any direction
+		double share;     ///< prior probability of its pace
+		double elsewhere; ///< prior odds of its movement anywhere, to a gesture
 		Eigen::VectorXd pi;
 		Eigen::MatrixXd b; ///< as in LinearHmm
 		ScaledRecursion<ONSETS> forward;
 		std::vector<double> emissions; ///< N x ONSETS, for ScaledRecursion::step()
-		std::array<double, ONSETS>
-				rested_s{}; ///< last instant at which the first state was likelier than all others
+		/// Last instants at which the first state was likelier than all others.
+		std::array<double, ONSETS> rested_s{};
 	};
 
 	std::shared_ptr<const ClassifierModel> model_;
@@ -130,7 +130,7 @@ private:
 	[[nodiscard]] bool is_at_rest() const;
 	[[nodiscard]] std::size_t least_likely_onset() const;
 	void evaluate();
-	void weigh(Hypothesis &r_hypothesis, std::size_t lane);
+	void weigh(Hypothesis &r_hypothesis, std::size_t lane, double bow);
 };
 
 } // namespace steadyhand

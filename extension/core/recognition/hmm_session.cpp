@@ -88,7 +88,7 @@ void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
 	const Motion before = motion(t_s);
 	const GestureCandidate &found = spotter_->candidate();
 	aim_at(&found, strokes.displacement_m());
-	update_direction();
+	set_log_odds(log_odds_of(found.posterior));
 	farthest_m_ = 0.0;
 	moved_s_ = t_s;
 	reset_frames();

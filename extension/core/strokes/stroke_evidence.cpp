@@ -2,7 +2,7 @@
 
 #include "base/parameters.h"
 #include "signal/minimum_jerk.h"
-#include "strokes/direction_density.h"
+#include "strokes/path_densities.h"
 
 #include <algorithm>
 #include <cmath>

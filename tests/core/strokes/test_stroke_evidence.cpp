@@ -1,7 +1,7 @@
 // Log likelihood ratios of strokes.
 
 #include "near.h"
-#include "strokes/direction_density.h"
+#include "strokes/path_densities.h"
 #include "strokes/stroke_evidence.h"
 
 #include <Eigen/Geometry>
