@@ -1,6 +1,6 @@
 #include "gesture/motion_sequences.h"
 
-#include "gesture/classifier_model.h"
+#include "gesture/directed_hmm.h"
 #include "gesture/symbol_clock.h"
 
 #include <algorithm>
