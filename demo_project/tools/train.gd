@@ -81,7 +81,8 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	print("making synthetic trials in %s" % trials_folder)
 	var trial_set := OwnModels.write_trials(trials_folder)
 	for gesture in OwnModels.GESTURES:
-		if not _train(trial_set, gesture, models_folder.path_join(gesture + ".gesture")):
+		var out_file := models_folder.path_join(gesture + ".gesture")
+		if not _train(trial_set, gesture, out_file, "", true):
 			return false
 	var classifier_file := models_folder.path_join(OwnModels.CLASSIFIER)
 	print("training %s, which the next build puts into the add-on" % OwnModels.CLASSIFIER)
@@ -90,7 +91,9 @@ func _train_own_models(models_folder: String, work_folder: String) -> bool:
 	return GestureTrainer.write_own_classifier(classifier_file) == OK
 
 
-func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: String = "") -> bool:
+func _train(
+	trial_set: TrialSet, gesture: String, out_file: String, feature: String = "", is_own := false
+) -> bool:
 	if trial_set == null or not _can_write(out_file):
 		return false
 	if trial_set.get_left_out_count() > 0:
@@ -100,6 +103,7 @@ func _train(trial_set: TrialSet, gesture: String, out_file: String, feature: Str
 	var trainer := GestureTrainer.new()
 	trainer.feature = feature
 	trainer.r2_threshold = _r2_threshold
+	trainer.without_task = not is_own
 	trainer.progressed.connect(progress.show)
 	var model := trainer.train(trial_set, gesture)
 	if model == null:

@@ -8,7 +8,6 @@
 #include "node_label.h"
 #include "parent_as.h"
 
-#include "gesture/classifier_file.h"
 #include "gesture/feature.h"
 #include "gesture/gesture_model.h"
 #include "recognition/hmm_session.h"
@@ -203,11 +202,11 @@ String GestureHMM::paper_fault() const {
 		return String();
 	}
 	for (const Expected &one : find_expected()) {
-		if (!one.place && !steadyhand::HmmSession::can_follow(*one.model, *steadyhand::own_classifier())) {
-			return String("Add a GestureTask of '") + String(one.gesture) +
-					String("' to \"tasks\", or set \"mode\" to MODE_PHASE: the HMMs of MODE_PAPER do not "
-						   "include it, "
-						   "so without a task it is recognised by its strokes.");
+		if (!one.place && !steadyhand::HmmSession::can_follow(one.model)) {
+			return String("Train the model of '") + String(one.gesture) +
+					String("' again with GestureTrainer, or add a GestureTask of it to \"tasks\": it has no "
+						   "HMMs, "
+						   "so it cannot be recognised without a task.");
 		}
 	}
 	return String();

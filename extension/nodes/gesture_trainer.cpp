@@ -97,6 +97,7 @@ Ref<GestureModel> GestureTrainer::train_on(const Ref<TrialSet> &p_trial_set, con
 	options.states = states_;
 	options.symbols = symbols_;
 	options.r2_threshold = r2_threshold_;
+	options.without_task = without_task_;
 	options.progress = [this](double p_done) {
 		emit_signal("progressed", READING + (1.0 - READING) * p_done);
 		return !cancelled_;
@@ -210,6 +211,8 @@ void GestureTrainer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_symbols"), &GestureTrainer::get_symbols);
 	ClassDB::bind_method(D_METHOD("set_r2_threshold", "threshold"), &GestureTrainer::set_r2_threshold);
 	ClassDB::bind_method(D_METHOD("get_r2_threshold"), &GestureTrainer::get_r2_threshold);
+	ClassDB::bind_method(D_METHOD("set_without_task", "enabled"), &GestureTrainer::set_without_task);
+	ClassDB::bind_method(D_METHOD("is_without_task"), &GestureTrainer::is_without_task);
 	ClassDB::bind_method(D_METHOD("train", "trial_set", "gesture"), &GestureTrainer::train);
 	ClassDB::bind_method(D_METHOD("cancel"), &GestureTrainer::cancel);
 	ClassDB::bind_method(D_METHOD("is_cancelled"), &GestureTrainer::is_cancelled);
@@ -229,6 +232,7 @@ void GestureTrainer::_bind_methods() {
 			"set_symbols", "get_symbols");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "r2_threshold", PROPERTY_HINT_RANGE, "0,1,0.01"),
 			"set_r2_threshold", "get_r2_threshold");
+	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "without_task"), "set_without_task", "is_without_task");
 	constexpr uint32_t READ_ONLY = PROPERTY_USAGE_NONE;
 	ADD_PROPERTY(PropertyInfo(Variant::STRING, "error_message", PROPERTY_HINT_NONE, "", READ_ONLY), "",
 			"get_error_message");

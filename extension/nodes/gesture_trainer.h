@@ -22,6 +22,7 @@ class GestureTrainer : public RefCounted {
 	int states_ = 4;
 	int symbols_ = 16;
 	double r2_threshold_ = 0.9;
+	bool without_task_ = true;
 	std::atomic<bool> is_training_ = false;
 	std::atomic<bool> cancelled_ = false;
 	std::vector<steadyhand::NormalisedRecording> recordings_; ///< from the last training
@@ -44,6 +45,8 @@ public:
 	int get_symbols() const { return symbols_; }
 	void set_r2_threshold(double p_threshold);
 	double get_r2_threshold() const { return r2_threshold_; }
+	void set_without_task(bool p_enabled) { without_task_ = p_enabled; }
+	bool is_without_task() const { return without_task_; }
 
 	/// Null if it is cancelled. Null, and one error in the log, if it fails.
 	Ref<GestureModel> train(const Ref<TrialSet> &p_trial_set, const StringName &p_gesture);

@@ -44,6 +44,7 @@ inline Models train_models(
 		TrainingOptions training;
 		training.states = states;
 		training.symbols = symbols;
+		training.without_task = false; // as the shipped models
 		Result<GestureModel> trained = train(model->gesture, model->feature, recordings, training);
 		if (!trained) {
 			std::fprintf(stderr, "%s\n", trained.error().c_str());

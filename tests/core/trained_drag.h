@@ -20,6 +20,7 @@ inline std::shared_ptr<const GestureModel> zoom_model(double closed_m, double gr
 	GestureModel zoom = drag_model();
 	zoom.gesture = "zoom";
 	zoom.feature = "tips_circumradius";
+	zoom.recorded_hmms.clear();
 	zoom.typical_task = { { closed_m, 0.0, 0.0 }, Eigen::Vector3d::UnitX(), growth_m };
 	return std::make_shared<const GestureModel>(std::move(zoom));
 }

@@ -48,7 +48,7 @@ func test_a_gesture_that_the_hmms_do_not_include_is_recognised_by_its_strokes() 
 	var path := folder.get_current_dir().path_join("push.gesture")
 	var text := FileAccess.get_file_as_string(Rig.MODEL % "horizontal_drag")
 	FileAccess.open(path, FileAccess.WRITE).store_string(text.replace("horizontal_drag", "push"))
-	# expects one warning: Add a GestureTask of 'push' to "tasks", or set "mode" to MODE_PHASE
+	# expects one warning: Train the model of 'push' again with GestureTrainer
 	hmm.models = [load(path) as GestureModel]
 	var seen := _events(hmm)
 	_play(hmm)

@@ -33,6 +33,7 @@ func test_own_models_are_reproduced() -> void:
 	var trials := OwnModels.write_trials(_path("train"))
 	for gesture in OwnModels.GESTURES:
 		var trainer := GestureTrainer.new()
+		trainer.without_task = false
 		var model := trainer.train(trials, gesture)
 		var path := Repository.absolute(Repository.MODELS).path_join(gesture + ".gesture")
 		for recording in trainer.get_recordings():

@@ -2,9 +2,8 @@
 
 #include "gesture/gesture_model.h"
 #include "gesture/json_fields.h"
-#include "gesture/task.h"
+#include "gesture/reach_fields.h"
 #include "tracking/csv_text.h"
-#include "tracking/frame.h"
 
 #include <cmath>
 #include <utility>
@@ -19,15 +18,15 @@ namespace {
 
 constexpr const char *CLASSIFIER_FORMAT = "steadyhand-classifier";
 constexpr int CLASSIFIER_VERSION = 1;
-constexpr double LENGTH_TOLERANCE = 1e-6; // of an axis
-constexpr double LEAST_LOG_DEVIATION = 1e-3, MOST_LOG_DEVIATION = 10.0;
 constexpr int SIZE = MotionCodebook::Point::RowsAtCompileTime;
 
 Json gesture_to_json(const DirectedHmm &gesture) {
-	return { { "gesture", gesture.gesture }, { "axis", row_to_json(gesture.axis) },
-		{ "is_radius", gesture.is_radius }, { "reach_m", gesture.reach_m },
-		{ "reach_deviation", gesture.reach_deviation }, { "log_pi", row_to_json(gesture.hmm.log_pi) },
-		{ "log_a", matrix_to_json(gesture.hmm.log_a) }, { "log_b", matrix_to_json(gesture.hmm.log_b) } };
+	Json json = { { "gesture", gesture.gesture } };
+	json.update(reach_to_json(gesture));
+	json["log_pi"] = row_to_json(gesture.hmm.log_pi);
+	json["log_a"] = matrix_to_json(gesture.hmm.log_a);
+	json["log_b"] = matrix_to_json(gesture.hmm.log_b);
+	return json;
 }
 
 DirectedHmm gesture_from_json(const Json &json, int symbols) {
@@ -37,21 +36,18 @@ DirectedHmm gesture_from_json(const Json &json, int symbols) {
 		throw Fault(json["gesture"],
 				"gesture: " + steadyhand::quoted(gesture.gesture) + " " + std::string(fault));
 	}
-	gesture.axis = point(json, "axis");
-	gesture.is_radius = flag(json, "is_radius");
-	const double length = gesture.is_radius ? 0.0 : 1.0;
-	if (!(std::abs(gesture.axis.norm() - length) < LENGTH_TOLERANCE)) {
-		throw Fault(json["axis"],
-				gesture.is_radius ? "axis: must be 0 for a radius" : "axis: its length is not 1");
-	}
-	gesture.reach_m = within(json, "reach_m", SMALLEST_AMPLITUDE_M, FARTHEST_M);
-	gesture.reach_deviation = within(json, "reach_deviation", LEAST_LOG_DEVIATION, MOST_LOG_DEVIATION);
+	static_cast<GestureReach &>(gesture) = reach_from_json(json);
 	Result<DiscreteHmm> checked = validated({ vector(array(json, "log_pi"), "log_pi", true),
 			matrix(json, "log_a", true), matrix(json, "log_b", true) });
 	if (!checked) {
 		throw Fault(json, "gesture: " + checked.error());
 	}
 	gesture.hmm = std::move(checked).value();
+	if (gesture.hmm.states() < END_STATES + 2) {
+		throw Fault(json["log_pi"],
+				"log_pi: fewer than " + std::to_string(END_STATES + 2) +
+						" states, so the gesture never ends");
+	}
 	if (gesture.hmm.symbols() != symbols) {
 		throw Fault(json["log_b"], "log_b: must have one column for each codeword");
 	}

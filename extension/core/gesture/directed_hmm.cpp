@@ -31,8 +31,7 @@ DirectedHmm directed_hmm(std::string gesture, const DirectedCounts &counts,
 	hmm.log_b = ((1.0 - odd_symbols) * hmm.log_b.array().exp() +
 			odd_symbols * all_motion.array().replicate(states, 1))
 						.log();
-	return { std::move(gesture), counts.axis, counts.is_radius, counts.reach_m, counts.reach_deviation,
-		std::move(hmm) };
+	return { static_cast<const GestureReach &>(counts), std::move(gesture), std::move(hmm) };
 }
 
 } // namespace steadyhand

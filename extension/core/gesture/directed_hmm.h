@@ -12,22 +12,22 @@ namespace steadyhand {
 /// back.
 inline constexpr int END_STATES = 2;
 
-/// HMM of one gesture in one direction at one pace. The first state is the rest before the onset.
-struct DirectedHmm {
-	std::string gesture;
+/// Direction and length of a gesture.
+struct GestureReach {
 	Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< unit vector; zero if is_radius
 	bool is_radius = false;                         ///< reach_m is a growth of the radius
 	double reach_m = 0.0;                           ///< greatest distance from the onset, median
 	double reach_deviation = 0.0; ///< standard deviation of the natural logarithm of the reach
+};
+
+/// HMM of one gesture in one direction at one pace. The first state is the rest before the onset.
+struct DirectedHmm : GestureReach {
+	std::string gesture;
 	DiscreteHmm hmm;
 };
 
-/// Counts in recordings from which a DirectedHmm is made. The recordings mark the states.
-struct DirectedCounts {
-	Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< these four as in DirectedHmm
-	bool is_radius = false;
-	double reach_m = 0.0;
-	double reach_deviation = 0.0;
+/// Counts of a DirectedHmm in recordings that mark its states.
+struct DirectedCounts : GestureReach {
 	Eigen::MatrixXd transitions; ///< N x 2: how often each state stayed, and led to the next one
 	Eigen::MatrixXd symbols;     ///< N x M: how often each state had each symbol
 };

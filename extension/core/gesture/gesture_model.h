@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gesture/directed_hmm.h"
 #include "gesture/task.h"
 #include "gesture/vector_quantiser.h"
 #include "hmm/discrete_hmm.h"
@@ -59,6 +60,10 @@ struct GestureModel {
 	VectorQuantiser quantiser;
 	DiscreteHmm hmm;
 	std::vector<PrimitiveMotionElement> elements; ///< one for each state, in order
+	/// Counts over the codebook of own_classifier(), for each recorded direction, and the HMMs from them.
+	/// They recognise the gesture without a task, in place of those of own_classifier(). May be empty.
+	std::vector<DirectedCounts> recorded_counts;
+	std::vector<DirectedHmm> recorded_hmms;
 	Provenance provenance;
 };
 

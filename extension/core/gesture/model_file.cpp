@@ -2,6 +2,7 @@
 
 #include "gesture/feature.h"
 #include "gesture/json_fields.h"
+#include "gesture/recorded_hmms.h"
 #include "gesture/reference_curve.h"
 #include "gesture/task.h"
 #include "tracking/csv_text.h"
@@ -184,6 +185,10 @@ GestureModel model_from_json(const Json &json) {
 	if (reached != 1.0) {
 		throw Fault(elements.back()["phase_end"], "elements: the last phase_end must be 1");
 	}
+	if (json.contains("recorded_hmms")) {
+		model.recorded_counts = counts_from_json(json["recorded_hmms"], *find_feature(model.feature));
+		model.recorded_hmms = recorded_hmms(model.gesture, model.recorded_counts);
+	}
 	model.provenance = provenance_from_json(member(json, "provenance"));
 	return model;
 }
@@ -219,14 +224,14 @@ std::string format_model(const GestureModel &model) {
 						{ "log_b", matrix_to_json(model.hmm.log_b) } } },
 		{ "reference_mean", row_to_json(model.reference_mean) },
 		{ "reference_deviation", row_to_json(model.reference_deviation) },
-		{ "provenance",
-				{ { "trial_set", model.provenance.trial_set },
-						{ "trained_with", model.provenance.trained_with },
-						{ "recordings", model.provenance.recordings },
-						{ "r2_threshold", model.provenance.r2_threshold },
-						{ "dropped", model.provenance.dropped },
-						{ "objective", model.provenance.objective } } },
 	};
+	if (!model.recorded_counts.empty()) {
+		json["recorded_hmms"] = counts_to_json(model.recorded_counts);
+	}
+	json["provenance"] = { { "trial_set", model.provenance.trial_set },
+		{ "trained_with", model.provenance.trained_with }, { "recordings", model.provenance.recordings },
+		{ "r2_threshold", model.provenance.r2_threshold }, { "dropped", model.provenance.dropped },
+		{ "objective", model.provenance.objective } };
 	return json.dump(1, '\t', false, Json::error_handler_t::replace) + "\n";
 }
 

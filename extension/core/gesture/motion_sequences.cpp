@@ -53,7 +53,7 @@ std::optional<MotionSequence> MotionInstants::sequence(const MotionMarks &marks,
 	}
 	MotionSequence sequence;
 	MotionObserver observer(*first);
-	const int moves = std::max(marks.end - marks.onset, 1), stays = std::max(marks.last - marks.end, 1);
+	const int moves = std::max(marks.end - marks.onset, 1), stays = std::max(last - marks.end, 1);
 	const int moving_states = states - 1 - END_STATES;
 	for (int i = begin; i <= last; ++i) {
 		const std::optional<HandMotion> &motion = motions_[static_cast<std::size_t>(i)];

@@ -3,6 +3,7 @@
 #include "gesture/feature.h"
 #include "gesture/motion_elements.h"
 #include "gesture/observation.h"
+#include "gesture/recorded_hmms.h"
 #include "gesture/recorded_movements.h"
 #include "gesture/recording_oddity.h"
 #include "gesture/reference_curve.h"
@@ -214,6 +215,14 @@ std::string lowered(std::size_t degree, const TrainingOptions &options) {
 			" used. Use fewer states, or more recordings that are alike";
 }
 
+/// Warning that the gesture has no HMMs; empty if it has some, or needs none.
+std::string missing_hmms(const Feature &feature, const TrainingOptions &options, const GestureModel &model) {
+	const bool is_missing = options.without_task && feature.place != nullptr && model.recorded_hmms.empty();
+	return is_missing ? "it is not recognised without a task: the measured tracks must show the hand at rest "
+						"before the gesture, and for 0.5 s after it"
+					  : "";
+}
+
 } // namespace
 
 std::string training_error(const std::string &feature, const TrainingOptions &options) {
@@ -269,8 +278,13 @@ Result<GestureModel> train(const std::string &gesture, const std::string &featur
 		return stopped;
 	}
 	const std::size_t degree = cut_into_elements(sequences, durations_s, options.polynomial_degree, model);
+	if (options.without_task) {
+		model.recorded_counts = recorded_counts(*feature, kept);
+		model.recorded_hmms = recorded_hmms(gesture, model.recorded_counts);
+	}
 	if (r_warning != nullptr) {
-		*r_warning = degree < options.polynomial_degree ? lowered(degree, options) : "";
+		*r_warning = degree < options.polynomial_degree ? lowered(degree, options)
+														: missing_hmms(*feature, options, model);
 	}
 	if (!progress.go_on(1.0)) {
 		return stopped;

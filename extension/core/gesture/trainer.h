@@ -39,6 +39,8 @@ struct TrainingOptions {
 	int symbols = 16;
 	double r2_threshold = 0.9; ///< T_h; the paper found it by trial and error for each gesture
 	std::size_t polynomial_degree = 5;
+	/// Also counts GestureModel::recorded_hmms. Not for a gesture that own_classifier() includes.
+	bool without_task = true;
 	BaumWelchOptions baum_welch;
 	/// Called during training, done: 0..1. If it returns false, training stops.
 	std::function<bool(double done)> progress;

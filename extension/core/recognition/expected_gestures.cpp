@@ -28,8 +28,7 @@ std::vector<ExpectedGesture> at_one_place(
 }
 
 bool is_spotted(const ExpectedGesture &gesture, MotionMode mode) {
-	return mode == MotionMode::PAPER && !gesture.task &&
-			HmmSession::can_follow(*gesture.model, *own_classifier());
+	return mode == MotionMode::PAPER && !gesture.task && HmmSession::can_follow(gesture.model);
 }
 
 std::unique_ptr<GestureSession> session_for(
@@ -108,18 +107,19 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 }
 
 void GestureRecogniser::expect_spotted() {
-	std::vector<std::string> names;
+	std::vector<GestureHmms> spotted;
 	for (const ExpectedGesture &gesture : gestures_) {
-		if (is_spotted(gesture, synthesis_.mode) && !std::ranges::count(names, gesture.model->gesture)) {
-			names.push_back(gesture.model->gesture);
+		const bool is_first = !std::ranges::count(spotted, gesture.model->gesture, &GestureHmms::gesture);
+		if (is_first && is_spotted(gesture, synthesis_.mode)) {
+			spotted.push_back(HmmSession::hmms_of(gesture.model));
 		}
 	}
-	if (names.empty()) {
+	if (spotted.empty()) {
 		spotter_.reset();
 	} else if (spotter_) {
-		spotter_->expect(std::move(names));
+		spotter_->expect(std::move(spotted));
 	} else {
-		spotter_ = std::make_unique<GestureSpotter>(GestureClassifier(own_classifier(), std::move(names)));
+		spotter_ = std::make_unique<GestureSpotter>(GestureClassifier(own_classifier(), std::move(spotted)));
 	}
 }
 

@@ -64,26 +64,27 @@ double bow_ratio(const MotionObserver &observer, const ClassifierOptions &option
 } // namespace
 
 GestureClassifier::GestureClassifier(std::shared_ptr<const ClassifierModel> model,
-		std::vector<std::string> gestures, const ClassifierOptions &options) :
+		std::vector<GestureHmms> gestures, const ClassifierOptions &options) :
 		model_(std::move(model)),
 		options_(options), filler_(filler_of(*model_, options.evidence)), filler_filter_(filler_) {
 	expect(std::move(gestures));
 }
 
-void GestureClassifier::expect(std::vector<std::string> gestures) {
-	gestures_ = std::move(gestures);
+void GestureClassifier::expect(std::vector<GestureHmms> gestures) {
+	// The old HMMs must outlive the old hypotheses.
+	const std::vector<GestureHmms> gestures_before = std::exchange(gestures_, std::move(gestures));
 	candidates_.resize(gestures_.size());
 	greatest_.resize(gestures_.size());
 	std::vector<Hypothesis> before = std::exchange(hypotheses_, {});
-	for (const DirectedHmm &model : model_->gestures) {
-		const auto gesture = std::ranges::find(gestures_, model.gesture);
-		if (gesture == gestures_.end()) {
-			continue;
+	for (std::size_t i = 0; i < gestures_.size(); ++i) {
+		for (const DirectedHmm &model : *gestures_[i].hmms) {
+			if (model.gesture != gestures_[i].gesture) {
+				continue;
+			}
+			const auto known = std::ranges::find(before, &model, &Hypothesis::model);
+			hypotheses_.push_back(known != before.end() ? std::move(*known) : hypothesis_of(i, model));
+			hypotheses_.back().gesture = i;
 		}
-		const auto index = static_cast<std::size_t>(gesture - gestures_.begin());
-		const auto known = std::ranges::find(before, &model, &Hypothesis::model);
-		hypotheses_.push_back(known != before.end() ? std::move(*known) : hypothesis_of(index, model));
-		hypotheses_.back().gesture = index;
 	}
 	for (Hypothesis &hypothesis : hypotheses_) {
 		const auto alike = std::ranges::count_if(hypotheses_, [&](const Hypothesis &other) {
@@ -102,7 +103,8 @@ GestureClassifier::Hypothesis GestureClassifier::hypothesis_of(
 	LinearHmm linear = tempered(model.hmm, options_.evidence);
 	const std::vector<double> emissions(static_cast<std::size_t>(linear.states()) * ONSETS, 1.0);
 	ScaledRecursion<ONSETS> forward(linear.a, linear.b);
-	return { gesture, &model, 1.0 / static_cast<double>(model_->paces(model)), 0.0, std::move(linear.pi),
+	const std::size_t alike = paces(*gestures_[gesture].hmms, model);
+	return { gesture, &model, 1.0 / static_cast<double>(alike), 0.0, std::move(linear.pi),
 		std::move(linear.b), std::move(forward), emissions };
 }
 

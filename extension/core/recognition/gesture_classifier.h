@@ -58,13 +58,14 @@ struct ClassifierOptions {
 /// Causal. Only the constructor and expect() allocate. The cost of a frame is constant.
 class GestureClassifier {
 public:
-	/// gestures: different names. The posterior of a gesture that the model does not have is 0.
-	GestureClassifier(std::shared_ptr<const ClassifierModel> model, std::vector<std::string> gestures,
+	/// model: of the codebook and the filler. gestures: different names, with HMMs over this codebook. The
+	/// posterior of a gesture without HMMs is 0.
+	GestureClassifier(std::shared_ptr<const ClassifierModel> model, std::vector<GestureHmms> gestures,
 			const ClassifierOptions &options = {});
 
-	/// Replaces the gestures. Those that were expected before keep their state. Allocates.
-	void expect(std::vector<std::string> gestures);
-	[[nodiscard]] const std::vector<std::string> &gestures() const { return gestures_; }
+	/// Replaces the gestures. The same HMMs as before keep their state. Allocates.
+	void expect(std::vector<GestureHmms> gestures);
+	[[nodiscard]] const std::vector<GestureHmms> &gestures() const { return gestures_; }
 
 	/// A frame that is not later than the last one is ignored.
 	void push(const HandFrame &frame);
@@ -93,9 +94,9 @@ private:
 	};
 	struct Hypothesis {
 		std::size_t gesture;
-		const DirectedHmm *model;
-		double share;     ///< prior probability of its pace
-		double elsewhere; ///< prior odds of its movement anywhere, to a gesture
+		const DirectedHmm *model; ///< of GestureHmms::hmms
+		double share;             ///< prior probability of its pace
+		double elsewhere;         ///< prior odds of its movement anywhere, to a gesture
 		Eigen::VectorXd pi;
 		Eigen::MatrixXd b; ///< as in LinearHmm
 		ScaledRecursion<ONSETS> forward;
@@ -108,7 +109,7 @@ private:
 	ClassifierOptions options_;
 	FillerModel filler_;
 	FillerFilter<ONSETS> filler_filter_;
-	std::vector<std::string> gestures_;
+	std::vector<GestureHmms> gestures_;
 	std::vector<Hypothesis> hypotheses_;
 	std::array<Onset, ONSETS> onsets_{};
 	std::array<Eigen::Index, ONSETS> columns_{}; ///< newest symbol of each onset

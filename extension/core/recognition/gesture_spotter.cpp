@@ -12,11 +12,11 @@ using namespace parameters::sessions;
 
 } // namespace
 
-void GestureSpotter::expect(std::vector<std::string> gestures) {
-	for (std::string &gesture : gestures) {
-		gesture_.reserve(gesture.size()); // push() does not allocate
+void GestureSpotter::expect(std::vector<GestureHmms> gestures) {
+	for (const GestureHmms &one : gestures) {
+		gesture_.reserve(one.gesture.size()); // push() does not allocate
 	}
-	const auto still = std::ranges::find(gestures, gesture_);
+	const auto still = std::ranges::find(gestures, gesture_, &GestureHmms::gesture);
 	index_ = static_cast<std::size_t>(still - gestures.begin());
 	const bool is_gone = still == gestures.end();
 	classifier_.expect(std::move(gestures));
@@ -26,7 +26,7 @@ void GestureSpotter::expect(std::vector<std::string> gestures) {
 }
 
 const GestureCandidate *GestureSpotter::candidate_of(std::string_view gesture) const {
-	const auto found = std::ranges::find(classifier_.gestures(), gesture);
+	const auto found = std::ranges::find(classifier_.gestures(), gesture, &GestureHmms::gesture);
 	return found == classifier_.gestures().end()
 			? nullptr
 			: &classifier_.candidates()[static_cast<std::size_t>(found - classifier_.gestures().begin())];
@@ -59,7 +59,7 @@ GestureSpotter::Event GestureSpotter::find_start() {
 		return Event::NONE;
 	}
 	index_ = static_cast<std::size_t>(found - candidates.begin());
-	gesture_ = classifier_.gestures()[index_];
+	gesture_ = classifier_.gestures()[index_].gesture;
 	candidate_ = *found;
 	is_active_ = true;
 	return Event::STARTED;

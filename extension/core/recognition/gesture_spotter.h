@@ -21,7 +21,7 @@ public:
 
 	/// Replaces the gestures. The active gesture goes on if it is one of them; otherwise it is dropped. Only
 	/// this allocates.
-	void expect(std::vector<std::string> gestures);
+	void expect(std::vector<GestureHmms> gestures);
 	Event push(const HandFrame &frame);
 	/// Ends the active gesture without an event. Its onsets are deleted.
 	void drop();

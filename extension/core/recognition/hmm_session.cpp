@@ -1,6 +1,7 @@
 #include "recognition/hmm_session.h"
 
 #include "base/parameters.h"
+#include "gesture/classifier_file.h"
 
 #include <algorithm>
 
@@ -28,10 +29,19 @@ HmmSession::HmmSession(const GestureModel &model, const Synthesis &synthesis, Ge
 		GestureSession(model, model.typical_task, synthesis, false), spotter_(&r_spotter),
 		direction_(feature().direction(task())) {}
 
-bool HmmSession::can_follow(const GestureModel &model, const ClassifierModel &hmms) {
-	return std::ranges::any_of(hmms.gestures, [&](const DirectedHmm &one) {
-		return one.gesture == model.gesture &&
-				model.feature == (one.is_radius ? "tips_circumradius" : "index_along_axis");
+GestureHmms HmmSession::hmms_of(const std::shared_ptr<const GestureModel> &model) {
+	GestureHmms own{ model->gesture, { model, &model->recorded_hmms } };
+	if (own.hmms->empty()) {
+		const std::shared_ptr<const ClassifierModel> classifier = own_classifier();
+		own.hmms = { classifier, &classifier->gestures };
+	}
+	return own;
+}
+
+bool HmmSession::can_follow(const std::shared_ptr<const GestureModel> &model) {
+	return std::ranges::any_of(*hmms_of(model).hmms, [&](const DirectedHmm &one) {
+		return one.gesture == model->gesture &&
+				model->feature == (one.is_radius ? "tips_circumradius" : "index_along_axis");
 	});
 }
 

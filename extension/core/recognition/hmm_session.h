@@ -13,8 +13,10 @@ public:
 	/// r_spotter must outlive the session, and must get each frame before the session.
 	HmmSession(const GestureModel &model, const Synthesis &synthesis, GestureSpotter &r_spotter);
 
-	/// True if the HMMs include the model's gesture, with the same feature.
-	[[nodiscard]] static bool can_follow(const GestureModel &model, const ClassifierModel &hmms);
+	/// The model's own HMMs; if it has none, those of own_classifier().
+	[[nodiscard]] static GestureHmms hmms_of(const std::shared_ptr<const GestureModel> &model);
+	/// True if hmms_of() includes the model's gesture, with the same feature.
+	[[nodiscard]] static bool can_follow(const std::shared_ptr<const GestureModel> &model);
 
 	[[nodiscard]] bool may_end() const override { return may_end_; }
 	void end_gesture(double t_s) override;

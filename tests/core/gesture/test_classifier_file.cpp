@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 #include <string>
 
@@ -47,6 +49,16 @@ TEST_CASE("a damaged classifier file gives one error with line and reason") {
 	CHECK(error_of(with("\"reach_deviation\":0.12", "\"reach_deviation\":0")).find("reach_deviation") !=
 			std::string::npos);
 	CHECK(error_of(with("\"log_pi\"", "\"log_p\"")).find("log_pi") != std::string::npos);
+}
+
+TEST_CASE("a classifier file with a gesture that never ends is refused") {
+	ClassifierModel model = *own_classifier();
+	const double never = -std::numeric_limits<double>::infinity();
+	DiscreteHmm &hmm = model.gestures.front().hmm;
+	hmm = { Eigen::Vector3d(0.0, never, never), Eigen::MatrixXd::Constant(3, 3, -std::log(3.0)),
+		Eigen::MatrixXd(hmm.log_b.topRows(3)) };
+	CHECK(error_of(format_classifier(model))
+					.ends_with(": log_pi: fewer than 4 states, so the gesture never ends"));
 }
 
 } // namespace

@@ -12,8 +12,18 @@ namespace steadyhand::test {
 
 inline const std::vector<std::string> FOUR_GESTURES{ "horizontal_drag", "vertical_drag", "tap", "zoom" };
 
+/// These gestures of a model.
+inline std::vector<GestureHmms> hmms_of(
+		const std::shared_ptr<const ClassifierModel> &model, const std::vector<std::string> &gestures) {
+	std::vector<GestureHmms> hmms;
+	for (const std::string &gesture : gestures) {
+		hmms.push_back({ gesture, { model, &model->gestures } });
+	}
+	return hmms;
+}
+
 inline GestureClassifier four_gestures() {
-	return { own_classifier(), FOUR_GESTURES };
+	return { own_classifier(), hmms_of(own_classifier(), FOUR_GESTURES) };
 }
 
 /// An index tip that rests, makes a minimum-jerk movement, and rests.

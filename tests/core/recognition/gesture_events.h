@@ -31,8 +31,14 @@ inline std::shared_ptr<const GestureModel> model(
 	GestureModel trained = drag_model();
 	trained.gesture = gesture;
 	trained.typical_task.axis = axis;
+	DirectedHmm hmm = trained.recorded_hmms.front();
+	hmm.gesture = gesture;
+	hmm.axis = axis;
+	trained.recorded_hmms = { hmm };
 	if (both_ways) {
 		trained.other_axes = { -axis };
+		trained.recorded_hmms.push_back(hmm);
+		trained.recorded_hmms.back().axis = -axis;
 	}
 	return std::make_shared<const GestureModel>(std::move(trained));
 }

@@ -163,7 +163,7 @@ TEST_CASE("posteriors equal the sum over all onsets and state paths") {
 	options.onset_prior = ONSET_PRIOR;
 	options.elsewhere = ELSEWHERE;
 	options.rest_m = 1e9; // any instant may be an onset
-	GestureClassifier classifier(model, { "horizontal_drag", "vertical_drag" }, options);
+	GestureClassifier classifier(model, hmms_of(model, { "horizontal_drag", "vertical_drag" }), options);
 	// So short that no onset is dropped. Each frame is between two instants, so the clock uses each once.
 	const Reach reach{
 		.start_s = 0.05, .duration_s = 0.5, .length_s = 0.7, .rate_hz = 100.0, .clock_s = 0.995
