@@ -15,10 +15,10 @@ using namespace parameters::sessions;
 } // namespace
 
 TaskSession::TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
-		GestureSession(model, task, synthesis, true), element_(feature()), strokes_(feature(), task) {}
+		GestureSession(model, task, synthesis, true), element_(feature()), evidence_(feature(), task) {}
 
 std::optional<double> TaskSession::measure(
-		const HandFrame &frame, bool /*has_place*/, const StrokeFinder &strokes) {
+		const HandFrame &frame, bool has_place, const StrokeFinder & /*strokes*/) {
 	if (stage() == Stage::IDLE) {
 		element_.restart();
 	}
@@ -32,21 +32,22 @@ std::optional<double> TaskSession::measure(
 	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
 	hand_.push(frame.t_s, path_distance_m_ < tolerance * task().amplitude_m);
 	update_nearness(frame.t_s);
-	strokes_.update(strokes);
+	if (has_place) {
+		evidence_.push(measurement(), last_place(), stage() == Stage::IDLE);
+	}
 	const double x = *x_m / task().amplitude_m;
 	if (stage() == Stage::IDLE && std::abs(x) < RETURNED) {
 		drift_.push(frame.t_s, x);
 	}
 	if (stage() != Stage::IDLE) {
-		strokes_.add(strokes);
-		judge(strokes);
+		judge();
 	}
 	return x_m;
 }
 
-/// In `paper` mode the strokes have no influence.
-void TaskSession::judge(const StrokeFinder &strokes) {
-	set_log_odds(mode() == MotionMode::PAPER ? LOG_PRIOR_TASK : strokes_.judge(strokes));
+/// In `paper` mode the evidence has no influence.
+void TaskSession::judge() {
+	set_log_odds(mode() == MotionMode::PAPER ? LOG_PRIOR_TASK : evidence_.log_odds());
 }
 
 /// Pauses the estimator while the hand is far away. It has the greatest cost, and a scene may have many
@@ -86,8 +87,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
 			} else if (!is_rejected_ && (is_straight() || hand_.off_path_s() <= 0.0) && has_started(t_s)) {
-				strokes_.begin();
-				judge(strokes);
+				judge();
 				at_end_since_s_ = likely_s_ = t_s;
 				max_value_ = 0.0;
 				moved_s_ = t_s;
@@ -122,7 +122,7 @@ bool TaskSession::has_started(double t_s) const {
 	if (mode() == MotionMode::PAPER) {
 		return value() > START_VALUE && observation().y() > START_SPEED;
 	}
-	if (!strokes_.has_onset()) {
+	if (!evidence_.has_onset()) {
 		return false;
 	}
 	const MotionEstimate now = estimate(t_s);
@@ -131,7 +131,7 @@ bool TaskSession::has_started(double t_s) const {
 		return false;
 	}
 	const double onset = std::clamp(START_DRIFTS * drift_.deviation(t_s), START_VALUE, RETURNED);
-	return now.value > (now.gesture > START_PROBABILITY && strokes_.is_along_axis() ? onset : HALFWAY);
+	return now.value > (now.gesture > START_PROBABILITY && evidence_.is_along_axis() ? onset : HALFWAY);
 }
 
 /// The estimator is at the gesture's end, and the hand at the start: it took another movement for the
@@ -190,13 +190,12 @@ bool TaskSession::has_stopped(double t_s) const {
 	const double value = estimate(t_s).value;
 	const bool has_turned = max_value_ > completion_ && value < max_value_ - TURNED_BACK;
 	const bool has_stopped = value > completion_ && t_s - moved_s_ > STOP_S;
-	return strokes_.best_log_odds() > STOP_LOG_ODDS && (has_turned || has_stopped);
+	return log_odds() > STOP_LOG_ODDS && (has_turned || has_stopped);
 }
 
 void TaskSession::try_end(double t_s) {
-	const bool is_paper = mode() == MotionMode::PAPER;
-	const bool is_gesture = is_paper || strokes_.best_log_odds() >= 0.0;
-	if (is_gesture && (is_paper || hand_.off_path_s() <= 0.0)) {
+	const bool is_gesture = log_odds() >= 0.0;
+	if (is_gesture && (mode() == MotionMode::PAPER || hand_.off_path_s() <= 0.0)) {
 		enter_ended(t_s);
 	} else if (!is_gesture && t_s - at_end_since_s_ > DETECTION_S) {
 		is_rejected_ = true;
@@ -208,7 +207,7 @@ void TaskSession::go_idle(double t_s) {
 	const bool had_left = stage() == Stage::ENDED || max_value_ > UNDER_WAY;
 	enter_idle(t_s);
 	if (had_left) {
-		strokes_.ignore_before(beyond_s_ - DETECTION_S);
+		evidence_.ignore_before(beyond_s_ - DETECTION_S);
 	}
 	if (!is_rejected_ && has_returned(t_s)) {
 		const double amplitude_m = task().amplitude_m;

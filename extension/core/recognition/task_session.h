@@ -4,14 +4,14 @@
 #include "recognition/gesture_session.h"
 #include "recognition/hand_presence.h"
 #include "recognition/rest_drift.h"
-#include "strokes/task_strokes.h"
+#include "recognition/task_evidence.h"
 
 #include <cmath>
 
 namespace steadyhand {
 
-/// A gesture with a task. The estimator decides when it starts and ends, and the strokes decide whether it
-/// was the gesture. In `paper` mode it starts by value and velocity.
+/// A gesture with a task. The estimator decides when it starts and ends, and the evidence decides whether
+/// it was the gesture. In `paper` mode it starts by value and velocity.
 class TaskSession final : public GestureSession {
 public:
 	TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis);
@@ -19,18 +19,18 @@ public:
 	void set_completion(double share) override { completion_ = share; }
 	void follow_hand(double t_s) override { followed_s_ = t_s; }
 	void locate(const FeaturePlace &place_m) override {
-		start_distance_m_ = strokes_.start_distance_m(place_m);
-		path_distance_m_ = strokes_.path_distance_m(place_m);
+		start_distance_m_ = evidence_.start_distance_m(place_m);
+		path_distance_m_ = evidence_.path_distance_m(place_m);
 	}
 	[[nodiscard]] double start_distance_m() const override;
-	void ignore_before(double t_s) override { strokes_.ignore_before(t_s); }
+	void ignore_before(double t_s) override { evidence_.ignore_before(t_s); }
 	void abort(double t_s) override;
 	[[nodiscard]] bool is_near_end() const override;
 
 private:
 	MotionElement element_;
 	double completion_ = END_LEVEL;
-	TaskStrokes strokes_;
+	TaskEvidence evidence_;
 	RestDrift drift_; ///< of the motion element at rest
 	HandPresence hand_;
 	double start_distance_m_ = INFINITY; ///< for a straight task
@@ -46,7 +46,7 @@ private:
 	std::optional<double> measure(
 			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
 	void update_stage(double t_s, const StrokeFinder &strokes) override;
-	void judge(const StrokeFinder &strokes);
+	void judge();
 	void update_nearness(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().path_distance_m == nullptr; }
 	/// Distance from the positions where the gesture may start: the start, or any point of a circle.

@@ -29,7 +29,4 @@ struct Stroke {
 	[[nodiscard]] Stroke as_measured() const;
 };
 
-/// Two strokes as one, with all that task_evidence() needs. The distance between them is added to path_m.
-[[nodiscard]] Stroke joined(const Stroke &first, const Stroke &second);
-
 } // namespace steadyhand

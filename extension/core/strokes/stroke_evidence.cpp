@@ -27,12 +27,6 @@ double direction_evidence(double off) {
 	return log_direction_ratio(off, DIRECTION);
 }
 
-/// The same with a task: a normal density.
-double task_direction_evidence(double off) {
-	return std::log(2.0 / (TASK_DIRECTION * TASK_DIRECTION)) -
-			0.5 * off * off / (TASK_DIRECTION * TASK_DIRECTION);
-}
-
 /// length_m: of the stroke's chord, > 0.
 double straightness(const Stroke &stroke, double length_m) {
 	const FeaturePlace chord = stroke.to - stroke.from;
@@ -71,43 +65,6 @@ double path_fraction_at_speed(double speed_share) {
 double least_direction_error(double off, double length_m, double amplitude_m) {
 	const double to_go = std::max(1.0 - length_m / amplitude_m, 0.0);
 	return std::max(off - LATER_TURN * to_go * to_go, 0.0);
-}
-
-/// Vector, m, from the nearest position where the gesture may begin to the start of the stroke. A gesture
-/// begins at the task's start. If the hand came into view while it moved, the gesture may have begun in the
-/// first part of the path; beyond it the result is infinite. The tracker may be displaced at the onset or
-/// now: the shorter one of both vectors counts.
-FeaturePlace start_error(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m) {
-	const auto off = [&](const FeaturePlace &from) -> FeaturePlace {
-		const double along_m = (from - start).dot(direction);
-		const double unseen_m = stroke.is_from_rest ? 0.0 : std::max(along_m, 0.0);
-		if (unseen_m > UNSEEN_PART * amplitude_m) {
-			return FeaturePlace::Constant(INFINITY);
-		}
-		// A radius has no position.
-		return direction(3) != 0.0 ? FeaturePlace((along_m - unseen_m) * direction)
-								   : FeaturePlace(from - start - unseen_m * direction);
-	};
-	const FeaturePlace now = off(stroke.from + stroke.measured_to - stroke.to),
-					   then = off(stroke.measured_from);
-	return now.squaredNorm() < then.squaredNorm() ? now : then;
-}
-
-double start_evidence(const Stroke &stroke, const FeaturePlace &start_error_m, double amplitude_m) {
-	// Normal about the task's start, or about a path of length UNSEEN_PART. The null model's starts are
-	// uniform in a ball.
-	const double variance = START * START, across = 2.0 * std::numbers::pi * variance;
-	const double along = stroke.is_from_rest ? std::sqrt(across) : UNSEEN_PART;
-	const double ball = 4.0 / 3.0 * std::numbers::pi * OTHER_STARTS * OTHER_STARTS * OTHER_STARTS;
-	return std::log(ball / (across * along)) - (stroke.is_from_rest ? 0.0 : REST_UNSEEN) -
-			0.5 * start_error_m.squaredNorm() / (variance * amplitude_m * amplitude_m);
-}
-
-/// Unit vector from the stroke's start to the task's end. Hands aim at the end also from beside the start.
-FeaturePlace aim(const FeaturePlace &start_error_m, const FeaturePlace &direction, double amplitude_m) {
-	const FeaturePlace across_m = start_error_m - start_error_m.dot(direction) * direction;
-	return (amplitude_m * direction - across_m).normalized();
 }
 
 bool has_direction(double length_m) {
@@ -159,24 +116,6 @@ double slowing_evidence(const Stroke &stroke, double speed_m_s, double amplitude
 	const double longest_m = FURTHER * (stroke.to - stroke.from).norm() / path_fraction_at_speed(share);
 	const double z = std::min(std::log(longest_m / amplitude_m), 0.0) / LOG_SHORTER;
 	return std::log((1.0 - GOES_ON_SHARE) * std::exp(-0.5 * z * z) + GOES_ON_SHARE);
-}
-
-double task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m) {
-	const FeaturePlace chord = stroke.to - stroke.from,
-					   off_m = start_error(stroke, start, direction, amplitude_m);
-	const double length_m = chord.norm();
-	if (!has_direction(length_m) || !off_m.allFinite()) {
-		return IMPOSSIBLE;
-	}
-	return task_direction_evidence((chord / length_m - aim(off_m, direction, amplitude_m)).norm()) +
-			straightness(stroke, length_m) + start_evidence(stroke, off_m, amplitude_m);
-}
-
-double max_task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m) {
-	return task_direction_evidence(0.0) + log_bow_ratio(0.0, BOW) +
-			start_evidence(stroke, start_error(stroke, start, direction, amplitude_m), amplitude_m);
 }
 
 } // namespace steadyhand

@@ -38,13 +38,4 @@ struct StrokeEvidence {
 /// speed_m_s: present speed of the hand.
 [[nodiscard]] double slowing_evidence(const Stroke &stroke, double speed_m_s, double amplitude_m);
 
-/// Log likelihood ratio of a stroke with a task, nats: of direction to the task's end, straightness and
-/// start. Length, duration and rest have no influence. start: of the task.
-[[nodiscard]] double task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m);
-
-/// Upper bound, nats, of task_evidence() for a stroke with this start.
-[[nodiscard]] double max_task_evidence(
-		const Stroke &stroke, const FeaturePlace &start, const FeaturePlace &direction, double amplitude_m);
-
 } // namespace steadyhand

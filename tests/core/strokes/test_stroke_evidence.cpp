@@ -81,56 +81,6 @@ TEST_CASE("the evidence of a stroke is the ratio of its densities") {
 	CHECK(integral(unrest, 10.0) == test::near(1.0).epsilon(1e-3));
 }
 
-TEST_CASE("with a task the evidence adds direction, bow and start") {
-	const FeaturePlace start(0.3, -0.2, 0.1, 0.0);
-	constexpr double AMPLITUDE_M = 0.2;
-	const auto evidence_at = [&](const Stroke &stroke) {
-		return task_evidence(stroke, start, FeaturePlace::UnitX(), AMPLITUDE_M);
-	};
-	const auto stroke = [&](const Eigen::Vector3d &off_m, double angle, double bow) {
-		Stroke moved = straight(AMPLITUDE_M);
-		moved.from = start;
-		moved.from.head<3>() += off_m;
-		moved.measured_from = moved.from;
-		// Hands aim at the end, also from beside the start.
-		const Eigen::Vector3d aim = Eigen::Vector3d(AMPLITUDE_M, -off_m.y(), -off_m.z()).normalized();
-		const Eigen::AngleAxisd turn(angle, aim.unitOrthogonal());
-		moved.to = moved.from;
-		moved.to.head<3>() += AMPLITUDE_M * (turn * aim);
-		moved.middle = 0.5 * (moved.from + moved.to) + bow * AMPLITUDE_M * FeaturePlace::UnitZ();
-		return moved;
-	};
-	const double best = evidence_at(stroke({ 0.0, 0.0, 0.0 }, 0.0, 0.0));
-	const auto share = [&](const Stroke &of) { return std::exp(evidence_at(of) - best); };
-	// Each density has its own integral. The null model's densities are uniform.
-	const double directions = integral(
-			[&](double angle) {
-				return share(stroke({ 0.0, 0.0, 0.0 }, angle, 0.0)) * 0.5 * std::sin(angle);
-			},
-			std::numbers::pi);
-	const double bows = integral(
-			[&](double bow) {
-				return share(stroke({ 0.0, 0.0, 0.0 }, 0.0, bow)) / 0.5;
-			},
-			0.5);
-	const double ball_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(1.5 * AMPLITUDE_M, 3.0);
-	const Eigen::Vector3d direction = Eigen::Vector3d(1.0, -2.0, 0.5).normalized();
-	const double starts = integral(
-			[&](double off_m) {
-				return share(stroke(off_m * direction, 0.0, 0.0)) * 4.0 * std::numbers::pi * off_m * off_m /
-						ball_m3;
-			},
-			1.5 * AMPLITUDE_M);
-	CHECK(best == test::near(-std::log(directions * bows * starts)).epsilon(1e-3));
-
-	// A shift of the middle along the chord is no bow.
-	Stroke late = stroke({ 0.01, 0.0, 0.0 }, 0.1, 0.02);
-	const double path = evidence(late).path, of_task = evidence_at(late);
-	late.middle += 0.3 * (late.to - late.from);
-	CHECK(evidence(late).path == test::near(path).epsilon(1e-12));
-	CHECK(evidence_at(late) == test::near(of_task).epsilon(1e-12));
-}
-
 TEST_CASE("evidence grows with the tracked rest before a stroke") {
 	const auto rest = [](double tracked_before_s) {
 		Stroke stroke = straight(0.2);

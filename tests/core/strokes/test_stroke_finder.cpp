@@ -90,30 +90,6 @@ TEST_CASE("a stroke's middle is its mean position over the path") {
 	}
 }
 
-TEST_CASE("two joined strokes have the path length and middle of both") {
-	Stroke first, second;
-	first.path_m = 0.2;
-	first.to = FeaturePlace(0.2, 0.0, 0.0, 0.0);
-	first.middle = 0.5 * first.to;
-	second.path_m = 0.1;
-	second.to = 0.5 * first.to;
-	second.middle = 0.5 * second.to;
-	second.onset_s = 1.3;
-	second.now_s = 1.8;
-	second.peak_m_s = 0.7;
-	for (FeaturePlace *const place : { &second.from, &second.to, &second.middle }) {
-		*place += FeaturePlace(0.2, 0.03, 0.0, 0.0);
-	}
-	const Stroke both = joined(first, second);
-	CHECK((both.middle - (first.middle + 0.5 * second.middle) / 1.5).norm() < 1e-12);
-	CHECK(both.path_m == test::near(0.2 + 0.03 + 0.1));
-	CHECK(both.peak_m_s == 0.7);
-	CHECK(both.onset_s == first.onset_s);
-	CHECK(both.now_s == second.now_s);
-	CHECK(both.from == first.from);
-	CHECK(both.to == second.to);
-}
-
 TEST_CASE("a stroke measures the motion before its onset") {
 	const auto from_rest = [](double t_s) { return Eigen::Vector3d(DRAG.x_m(t_s), 0.0, 0.0); };
 	const Stroke rested = longest(from_rest, 110.0);

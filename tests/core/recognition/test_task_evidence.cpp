@@ -1,12 +1,12 @@
-// Evidence of the strokes of a hand with a task.
+// Evidence of the movements of a hand with a task.
 
-#include "gesture/feature.h"
-#include "gesture/task.h"
 #include "overlapping_drags.h"
-#include "strokes/task_strokes.h"
+#include "recognition/task_evidence.h"
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -15,36 +15,29 @@ using namespace steadyhand;
 namespace {
 
 constexpr double PERIOD_S = 0.01;
-constexpr double TASK_M = 0.2;               ///< of Task{}
-constexpr double SMALLEST_M = 0.06 * TASK_M; ///< smallest stroke, as in GestureRecogniser
+constexpr double TASK_M = 0.2; ///< of Task{}
 
-/// The strokes of a hand, judged in each frame.
+/// A hand whose gesture is active from its onset on.
 class JudgedHand {
 public:
-	/// The gesture begins before the first frame.
-	JudgedHand() { task_.begin(); }
-
 	template <typename Place> void move(double from_s, double to_s, const Place &place) {
 		for (int i = 0; from_s + i * PERIOD_S < to_s; ++i) {
 			const double t_s = from_s + i * PERIOD_S;
 			const FeaturePlace noise{ trembling_(random_), trembling_(random_), 0.0, 0.0 };
-			finder_.push({ .t_s = t_s }, place(t_s) + noise);
-			task_.update(finder_);
-			has_onset_ = has_onset_ || task_.has_onset();
-			task_.add(finder_);
-			static_cast<void>(task_.judge(finder_));
+			evidence_.push({ .t_s = t_s }, place(t_s) + noise, !is_active_);
+			has_onset_ = has_onset_ || evidence_.has_onset();
+			is_active_ = has_onset_;
 		}
 	}
-	void begin() { task_.begin(); }
+	void end() { is_active_ = has_onset_ = false; }
 	[[nodiscard]] bool has_onset() const { return has_onset_; } ///< at any time
-	[[nodiscard]] double best_log_odds() const { return task_.best_log_odds(); }
+	[[nodiscard]] double log_odds() const { return evidence_.log_odds(); }
 
 private:
-	TaskStrokes task_{ *find_feature("index_along_axis"), Task{} };
-	StrokeFinder finder_{ FeaturePlace::Ones(), SMALLEST_M };
+	TaskEvidence evidence_{ *find_feature("index_along_axis"), Task{} };
 	std::mt19937_64 random_{ 3 };
 	std::normal_distribution<double> trembling_{ 0.0, 6e-5 };
-	bool has_onset_ = false;
+	bool has_onset_ = false, is_active_ = false;
 };
 
 /// Position along the task's axis and across it.
@@ -54,7 +47,7 @@ auto place_of(const std::vector<test::Drag> &along, const std::vector<test::Drag
 
 } // namespace
 
-TEST_CASE("two short strokes make a gesture together, after any rest") {
+TEST_CASE("two short movements make a gesture together, after any rest") {
 	constexpr double SHORT_M = 0.45 * TASK_M;
 	for (const double rests_s : { 0.5, 3.0 }) {
 		CAPTURE(rests_s);
@@ -62,20 +55,20 @@ TEST_CASE("two short strokes make a gesture together, after any rest") {
 		const test::Drag second{ .onset_s = 1.5 + rests_s, .duration_s = 0.5, .amplitude_m = SHORT_M };
 		JudgedHand hand;
 		hand.move(0.0, second.onset_s + 1.0, place_of({ first, second }));
-		CHECK(hand.best_log_odds() > 0.0);
+		CHECK(hand.log_odds() > 0.0);
 	}
 }
 
-TEST_CASE("strokes before begin() add no evidence") {
+TEST_CASE("a movement after a rest is judged from its own onset") {
 	const test::Drag drag{ .onset_s = 1.0, .duration_s = 0.5, .amplitude_m = TASK_M };
 	const test::Drag aside{ .onset_s = 5.0, .duration_s = 0.5, .amplitude_m = TASK_M };
 	JudgedHand hand;
 	hand.move(0.0, 4.9, place_of({ drag }, { aside }));
-	REQUIRE(hand.best_log_odds() > 0.0);
-	hand.begin();
-	CHECK(hand.best_log_odds() < 0.0);
+	REQUIRE(hand.log_odds() > 0.0);
+	hand.end();
 	hand.move(4.9, 6.5, place_of({ drag }, { aside }));
-	CHECK(hand.best_log_odds() < 0.0);
+	CHECK(hand.log_odds() < 0.0);
+	CHECK_FALSE(hand.has_onset());
 }
 
 TEST_CASE("has_onset() needs motion along the axis, not noise, back or aside") {
@@ -91,4 +84,28 @@ TEST_CASE("has_onset() needs motion along the axis, not noise, back or aside") {
 	CHECK_FALSE(has_onset(0.0, 0.0));
 	CHECK_FALSE(has_onset(-0.5 * TASK_M, 0.0));
 	CHECK_FALSE(has_onset(0.0, 0.5 * TASK_M));
+}
+
+TEST_CASE("a hand that turns at the start in a dropout has an onset") {
+	const auto place = [](double t_s) { return FeaturePlace(2.0 * std::abs(t_s - 1.0), 0.0, 0.0, 0.0); };
+	JudgedHand hand;
+	hand.move(0.7, 0.97, place);
+	REQUIRE_FALSE(hand.has_onset());
+	hand.move(1.03, 1.1, place);
+	CHECK(hand.has_onset());
+	CHECK(hand.log_odds() > 0.0);
+}
+
+TEST_CASE("a half circle from start to end has lower log odds than a line") {
+	const auto arc = [](double height) {
+		return [height](double t_s) {
+			const double angle = std::numbers::pi * test::x_m({ { 1.0, 0.6, 1.0 } }, t_s);
+			return 0.5 * TASK_M * FeaturePlace(1.0 - std::cos(angle), height * std::sin(angle), 0.0, 0.0);
+		};
+	};
+	JudgedHand straight, round;
+	straight.move(0.0, 2.0, arc(0.0));
+	round.move(0.0, 2.0, arc(1.0));
+	CHECK(straight.log_odds() > 0.0);
+	CHECK(round.log_odds() < straight.log_odds() - 5.0);
 }
