@@ -1,6 +1,6 @@
 #pragma once
 
-// All tuning parameters of the motion core: motion/, strokes/, recognition/ and TrackerMonitor. Lengths
+// All tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Lengths
 // without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
 // source was fitted on simulated people of the tuning population. `./steadyhand bench ablation` measures the
 // effect of mechanisms.
@@ -91,72 +91,6 @@ STEADYHAND_PARAMETER VISIBLE_PHASE = 0.15;
 
 } // namespace steadyhand::parameters
 
-namespace steadyhand::parameters::strokes {
-
-// Cutting motion into strokes.
-
-/// Window of the speed: a tracker's slow error moves by a centimetre in a tenth of a second.
-STEADYHAND_PARAMETER WINDOW_S = 0.1;
-/// A stroke is the part of a movement above this share of its peak speed.
-STEADYHAND_PARAMETER SPEED_SHARE = 0.25;
-STEADYHAND_PARAMETER SLOWEST_M_S = 1e-3;
-/// White noise that needs no averaging, in smallest strokes, and the longest average: longer ones would bend
-/// the path.
-STEADYHAND_PARAMETER STILL = 0.15, LONGEST_MEAN_S = 0.2;
-/// In a longer dropout the hand may have moved and stopped.
-STEADYHAND_PARAMETER LOST_S = 0.1;
-/// Time before a stroke in which the hand must rest. Before a slow stroke it is this fraction of the stroke's
-/// duration, at most LONGEST_REST_S: a hand that wanders slowly hardly moves where it turns.
-STEADYHAND_PARAMETER REST_S = 0.5, REST_SHARE = 0.8, LONGEST_REST_S = 1.5;
-/// Strokes shorter than this, of the smallest amplitude, are tremor.
-STEADYHAND_PARAMETER SMALLEST_STROKE = 0.06;
-
-// Evidence of a stroke: log likelihood ratio, gesture to null model, which is a hand that goes anywhere.
-
-/// Log prior odds of the gesture against none, without a task and with one.
-STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
-/// Width of the directions of a gesture without a task, and the turn that a new stroke may still make,
-/// radians.
-STEADYHAND_PARAMETER DIRECTION = 0.35, LATER_TURN = 0.35;
-/// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
-STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
-/// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
-STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
-/// Detour = length of the path / distance - 1. Mean for gestures: this length, by hand and tracker, m, per
-/// distance.
-STEADYHAND_PARAMETER DETOUR_M = 0.025;
-/// Scale of the null model's detours, (1 + detour / scale)^-3: the distance may be about 0.
-STEADYHAND_PARAMETER OTHER_DETOUR = 1.7;
-/// Standard deviation of the motion before the onset: of a hand at rest, of the tracker's error, m, and of
-/// any hand, 1/s.
-STEADYHAND_PARAMETER REST_MOTION = 0.07, REST_MOTION_M = 0.002, OTHER_MOTION_PER_S = 1.5;
-/// Fraction of gestures without a rest before them; nats against a gesture whose rest was not tracked.
-STEADYHAND_PARAMETER NO_REST_SHARE = 0.001, REST_UNSEEN = 1.5;
-/// Standard deviations of the log of length / amplitude, below and above 0: people often reach too far.
-STEADYHAND_PARAMETER LOG_SHORTER = 0.15, LOG_LONGER = 0.5;
-/// Standard deviation of the log of duration / mean duration, and the fraction of gestures at any pace.
-STEADYHAND_PARAMETER LOG_DURATION = 0.55, ANY_PACE_SHARE = 0.25;
-/// Probability that a hand comes back at once after a strike, and that it stays after another gesture.
-STEADYHAND_PARAMETER USUAL_ENDING = 0.95;
-/// A hand stays that has not come back by TURNED (fractions of the stroke's length) within TURNED_WITHIN (of
-/// its duration), or by COMES_BACK within COMES_BACK_WITHIN.
-STEADYHAND_PARAMETER TURNED = 0.03, TURNED_WITHIN = 0.5, COMES_BACK = 0.12, COMES_BACK_WITHIN = 0.8;
-/// Scale of the log of duration / mean duration, above which a strike is a drag.
-STEADYHAND_PARAMETER SLOWER_STRIKE = 0.53;
-/// Ranges of the null model: log of 0.05 to 2 amplitudes, and of 0.1 to 5 s.
-STEADYHAND_PARAMETER LOG_LENGTHS = 3.7, LOG_DURATIONS = 3.9;
-/// A stroke below this fraction of its peak speed slows down. Then its length is at most FURTHER times that
-/// of a minimum-jerk movement, except for a small fraction of strokes.
-STEADYHAND_PARAMETER SLOWING_SHARE = 0.85, FURTHER = 2.0, GOES_ON_SHARE = 0.003;
-/// Standard deviation of a gesture's start about the task's start.
-STEADYHAND_PARAMETER START = 0.12;
-/// The null model's strokes with a task start within this radius.
-STEADYHAND_PARAMETER OTHER_STARTS = 1.5;
-/// Longest part of the movement before the hand comes into view.
-STEADYHAND_PARAMETER UNSEEN_PART = 0.45;
-
-} // namespace steadyhand::parameters::strokes
-
 namespace steadyhand::parameters::sessions {
 
 // All sessions. Values are in amplitudes, speeds in amplitudes / mean duration: a minimum-jerk movement peaks
@@ -168,11 +102,31 @@ STEADYHAND_PARAMETER END_PHASE = 0.97;
 STEADYHAND_PARAMETER PARALLEL = 0.7;
 /// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
 STEADYHAND_PARAMETER RETURNED = 0.15, TURNED_BACK = 0.08;
-/// A hand beyond this value is under way: a doubtful stroke needs this length, and the return is another
-/// movement.
+/// A hand beyond this value is under way: the return is another movement.
 STEADYHAND_PARAMETER UNDER_WAY = 0.3;
 /// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
+
+// With a task: TaskEvidence.
+
+/// Log prior odds of the gesture against none, without evidence and near the task.
+STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
+/// Window of the speed: a tracker's slow error moves by a centimetre in a tenth of a second.
+STEADYHAND_PARAMETER WINDOW_S = 0.1;
+/// A movement begins above this share of its peak speed.
+STEADYHAND_PARAMETER SPEED_SHARE = 0.25;
+/// Straight pieces of a path that are shorter than this are tremor.
+STEADYHAND_PARAMETER SMALLEST_PIECE = 0.06;
+/// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
+STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
+/// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
+STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
+/// Standard deviation of a gesture's start about the task's start.
+STEADYHAND_PARAMETER START = 0.12;
+/// The null model's movements start within this radius.
+STEADYHAND_PARAMETER OTHER_STARTS = 1.5;
+/// Longest part of the movement before the hand comes into view, and nats against such a movement.
+STEADYHAND_PARAMETER UNSEEN_PART = 0.45, REST_UNSEEN = 1.5;
 
 // With a task.
 
@@ -188,7 +142,7 @@ STEADYHAND_PARAMETER HALFWAY = 0.5;
 STEADYHAND_PARAMETER ABORT_AFTER = 3.0;
 /// The hand has stopped if P(HOLD) is greater for this time.
 STEADYHAND_PARAMETER STOP_PROBABILITY = 0.7, STOP_S = 0.2;
-/// Log odds by strokes for an end before the target: hands that do something else stop anywhere.
+/// Log odds for an end before the target: hands that do something else stop anywhere.
 STEADYHAND_PARAMETER STOP_LOG_ODDS = 9.0;
 /// A gesture does not start farther from its start. A hand that stays farther for this time is not followed.
 STEADYHAND_PARAMETER ELSEWHERE = 0.7, ELSEWHERE_S = 3.0;
@@ -199,25 +153,14 @@ STEADYHAND_PARAMETER OFF_CIRCLE = 0.3, OFF_STRAIGHT = 1.0;
 /// Greatest age of a measurement of the hand's position.
 STEADYHAND_PARAMETER RECENT_S = 0.1;
 
-// Without a task.
+// Without a task, by HMM.
 
-/// Least length of a stroke with a direction.
+/// Posterior of a start, an abort and an end. An early start costs little: only the end counts.
+STEADYHAND_PARAMETER BEGINS = 0.1, GIVEN_UP = 0.03, CERTAIN = 0.99;
+/// Least reach of a movement with a direction.
 STEADYHAND_PARAMETER SHORTEST = 0.12;
-/// A stroke whose upper bound of the log odds is lower is no gesture, and is aborted after this time.
-STEADYHAND_PARAMETER REJECT_LOG_ODDS = -8.0, REJECT_AFTER_S = 0.1;
-/// Least log odds of a predicted end.
-STEADYHAND_PARAMETER END_LOG_ODDS = 1.5;
-/// Tolerance of the speed at an end, relative to the peak, for people who slow down less.
-STEADYHAND_PARAMETER SLOWED_LESS = 0.25;
 /// A hand has returned from its end at this fraction of its greatest distance.
 STEADYHAND_PARAMETER HALF_BACK = 0.5;
-/// Time before an onset in which the movement may have started, and time of the means that suppress noise.
-STEADYHAND_PARAMETER BEFORE_ONSET_S = 0.15, MEAN_S = 0.05;
-
-// By HMM.
-
-/// Posterior of a start and an end.
-STEADYHAND_PARAMETER BEGINS = 0.7, CERTAIN = 0.98;
 
 // Several gestures.
 
@@ -227,8 +170,6 @@ STEADYHAND_PARAMETER SWITCH_MARGIN = 2.0;
 STEADYHAND_PARAMETER NEARER = 0.8;
 /// Steps between tasks below this are blended: the tasks have the same path.
 STEADYHAND_PARAMETER SAME_PATH = 0.1;
-/// Nats against a gesture of one finger per amplitude of a gesture that needs more fingers.
-STEADYHAND_PARAMETER PART = 12.0;
 
 } // namespace steadyhand::parameters::sessions
 

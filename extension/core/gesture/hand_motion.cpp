@@ -30,17 +30,15 @@ template <class Value> void HandMotionWindow::Samples<Value>::push(double t_s, c
 	newest = value;
 }
 
-/// Must be called once for each frame.
-bool HandMotionWindow::is_usable(const HandFrame &frame) {
-	return frame.has(Joint::INDEX) && frame.position(Joint::INDEX).allFinite() &&
-			monitor_.push(frame.t_s, frame.position(Joint::INDEX)).is_usable();
-}
-
 bool HandMotionWindow::push(const HandFrame &frame) {
-	if (!is_usable(frame)) {
+	if (!frame.has(Joint::INDEX) || !frame.position(Joint::INDEX).allFinite()) {
 		return false;
 	}
-	tip_.push(frame.t_s, frame.position(Joint::INDEX));
+	const Measurement measurement = monitor_.push(frame.t_s, frame.position(Joint::INDEX));
+	if (!measurement.is_usable()) {
+		return false;
+	}
+	tip_.push(frame.t_s, measurement.position_m - measurement.displacement_m);
 	static const Feature *const radius = find_feature("tips_circumradius");
 	const std::optional<double> radius_m = radius->measure(frame, { .start_m = Eigen::Vector3d::Zero() });
 	has_radius_ = radius_m.has_value();

@@ -11,7 +11,8 @@ namespace steadyhand {
 
 /// Motion of a hand at one instant, from which the HMMs of a ClassifierModel get their observations.
 struct HandMotion {
-	Eigen::Vector3d tip_m = Eigen::Vector3d::Zero(); ///< of the index finger
+	/// Index tip, without the tracker's jumps (Measurement::displacement_m).
+	Eigen::Vector3d tip_m = Eigen::Vector3d::Zero();
 	Eigen::Vector3d velocity_m_s = Eigen::Vector3d::Zero();
 	double radius_m = 0.0; ///< of the circle through the tips of thumb, index and middle finger
 	double radius_rate_m_s = 0.0;
@@ -45,8 +46,6 @@ private:
 	Samples<Eigen::Vector3d> tip_{ {}, Eigen::Vector3d::Zero() };
 	Samples<double> radius_{ {}, 0.0 };
 	bool has_radius_ = false;
-
-	[[nodiscard]] bool is_usable(const HandFrame &frame);
 };
 
 /// A HandMotion relative to the one at a possible onset: distance of the tip, its speed away from the onset

@@ -4,7 +4,6 @@
 #include "gesture/classifier_file.h"
 #include "recognition/gesture_recogniser.h"
 #include "recognition/hmm_session.h"
-#include "recognition/stroke_session.h"
 #include "recognition/task_session.h"
 
 #include <algorithm>
@@ -27,19 +26,12 @@ std::vector<ExpectedGesture> at_one_place(
 	return gestures;
 }
 
-bool is_spotted(const ExpectedGesture &gesture, MotionMode mode) {
-	return mode == MotionMode::PAPER && !gesture.task && HmmSession::can_follow(gesture.model);
-}
-
 std::unique_ptr<GestureSession> session_for(
 		const ExpectedGesture &gesture, const Synthesis &synthesis, GestureSpotter *spotter) {
 	if (gesture.task) {
 		return std::make_unique<TaskSession>(*gesture.model, *gesture.task, synthesis);
 	}
-	if (is_spotted(gesture, synthesis.mode)) {
-		return std::make_unique<HmmSession>(*gesture.model, synthesis, *spotter);
-	}
-	return std::make_unique<StrokeSession>(*gesture.model, synthesis);
+	return std::make_unique<HmmSession>(*gesture.model, synthesis, *spotter);
 }
 
 } // namespace
@@ -94,12 +86,12 @@ std::vector<int> GestureRecogniser::expect(std::vector<ExpectedGesture> gestures
 	const bool is_active = leader_ >= 0 && session()->stage() == GestureSession::Stage::ACTIVE;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (std::ranges::find(now, static_cast<int>(i)) == now.end()) {
-			sessions_[i]->ignore_before(is_active ? time_s_ : ended_started_s_);
+			sessions_[i]->ignore_before(is_active ? time_s_ : ended_s_);
 		}
 	}
 	const int still_shown = shown_ < now.size() ? now[shown_] : -1;
 	shown_ = still_shown >= 0 ? static_cast<std::size_t>(still_shown) : nearest();
-	watch_features();
+	track_features();
 	if (sessions_.empty() || sessions_[shown()].get() != shown_before) {
 		blend_ = {};
 	}
@@ -110,7 +102,7 @@ void GestureRecogniser::expect_spotted() {
 	std::vector<GestureHmms> spotted;
 	for (const ExpectedGesture &gesture : gestures_) {
 		const bool is_first = !std::ranges::count(spotted, gesture.model->gesture, &GestureHmms::gesture);
-		if (is_first && is_spotted(gesture, synthesis_.mode)) {
+		if (!gesture.task && is_first) {
 			spotted.push_back(HmmSession::hmms_of(gesture.model));
 		}
 	}
@@ -123,25 +115,19 @@ void GestureRecogniser::expect_spotted() {
 	}
 }
 
-void GestureRecogniser::watch_features() {
-	std::vector<WatchedFeature> before = std::exchange(watched_, {});
-	watched_by_.clear();
+void GestureRecogniser::track_features() {
+	std::vector<FeatureTrack> before = std::exchange(tracks_, {});
+	track_of_.clear();
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		const Feature *const feature = find_feature(gestures_[i].model->feature);
-		const auto is_its = [feature](const WatchedFeature &watched) { return watched.feature == feature; };
-		const double smallest_m = parameters::strokes::SMALLEST_STROKE * sessions_[i]->task().amplitude_m;
-		const auto known = std::find_if(watched_.begin(), watched_.end(), is_its);
-		watched_by_.push_back(static_cast<std::size_t>(known - watched_.begin()));
-		if (known != watched_.end()) {
-			known->strokes.set_smallest(std::min(known->strokes.smallest_m(), smallest_m));
-		} else if (const auto old = std::find_if(before.begin(), before.end(), is_its); old != before.end()) {
-			watched_.push_back(std::move(*old));
-			watched_.back().strokes.set_smallest(smallest_m);
-		} else {
-			const FeaturePlace shares = Eigen::Map<const FeaturePlace>(feature->coordinate_weights.data());
-			watched_.push_back(
-					{ feature, StrokeFinder(shares, smallest_m), {}, FeaturePlace::Zero(), {}, {} });
+		const auto is_its = [feature](const FeatureTrack &track) { return &track.feature() == feature; };
+		const auto known = std::find_if(tracks_.begin(), tracks_.end(), is_its);
+		track_of_.push_back(static_cast<std::size_t>(known - tracks_.begin()));
+		if (known != tracks_.end()) {
+			continue;
 		}
+		const auto old = std::find_if(before.begin(), before.end(), is_its);
+		tracks_.push_back(old != before.end() ? std::move(*old) : FeatureTrack(*feature));
 	}
 	schedule_dropout();
 }

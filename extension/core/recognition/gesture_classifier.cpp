@@ -2,7 +2,7 @@
 
 #include "gesture/task.h"
 #include "hmm/linear_hmm.h"
-#include "strokes/path_densities.h"
+#include "recognition/path_densities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,10 +154,13 @@ void GestureClassifier::step(double t_s) {
 		return;
 	}
 	time_s_ = t_s;
-	recent_.push(motion);
-	if (--until_onset_ <= 0 && is_at_rest()) {
-		until_onset_ = ONSET_STEP;
-		start_onset(least_likely_onset(), motion);
+	recent_.push({ t_s, motion });
+	if (--until_onset_ <= 0) {
+		const std::array<Rest, RESTS> rests = rests_before_now();
+		if (rests[0].tip_m <= options_.rest_m && rests[0].radius_m <= options_.rest_radius_m) {
+			until_onset_ = ONSET_STEP;
+			start_onset(least_likely_onset(), motion, rests);
+		}
 	}
 	evaluate();
 }
@@ -169,11 +172,16 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 		if (!onset.is_used) {
 			continue;
 		}
+		++onset.age;
 		if (is_new_) {
+			const double distance_m2 = onset.observer.farthest_m().squaredNorm();
+			const double growth_m = onset.observer.growth_m();
 			columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
+			onset.farthest_age =
+					onset.observer.farthest_m().squaredNorm() > distance_m2 ? onset.age : onset.farthest_age;
+			onset.growth_age = onset.observer.growth_m() > growth_m ? onset.age : onset.growth_age;
 		}
 		filler_filter_.step(static_cast<int>(lane), filler_.b.col(columns_[lane]).data());
-		++onset.age;
 	}
 	for (Hypothesis &hypothesis : hypotheses_) {
 		double *emission = hypothesis.emissions.data();
@@ -186,15 +194,32 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 	}
 }
 
-bool GestureClassifier::is_at_rest() const {
-	const HandMotion &now = recent_.newest();
-	for (std::size_t i = 0; i < recent_.size(); ++i) {
-		const bool has_opened = std::abs(recent_[i].radius_m - now.radius_m) > options_.rest_radius_m;
-		if (has_opened || (recent_[i].tip_m - now.tip_m).norm() > options_.rest_m) {
-			return false;
-		}
+std::array<GestureClassifier::Rest, GestureClassifier::RESTS> GestureClassifier::rests_before_now() const {
+	std::array<Rest, RESTS> rests{};
+	const HandMotion &now = recent_.newest().motion;
+	Rest rest;
+	for (std::size_t i = recent_.size(); i > 0; --i) {
+		const auto &[t_s, then] = recent_[i - 1];
+		rest.tip_m = std::max(rest.tip_m, (then.tip_m - now.tip_m).norm());
+		rest.radius_m = std::max(rest.radius_m, std::abs(then.radius_m - now.radius_m));
+		rest.tracked_s = recent_.newest().t_s - t_s;
+		const double longer = (rest.tracked_s + 0.5 * SymbolClock::PERIOD_S) / REST_S; // than this many rests
+		std::fill(rests.begin() + static_cast<std::ptrdiff_t>(std::min<double>(longer, RESTS)), rests.end(),
+				rest);
 	}
-	return true;
+	return rests;
+}
+
+/// Likelihood ratio, gesture to other motion, of the motion before the onset, for a time as long as the hand
+/// moved since, up to its farthest place: a hand that wanders slowly hardly moves where it turns.
+double GestureClassifier::rest_ratio(const DirectedHmm &model, const Onset &onset, double rested_s) const {
+	const int age = model.is_radius ? onset.growth_age : onset.farthest_age;
+	const double moved_s = onset.t_s + age * SymbolClock::PERIOD_S - rested_s;
+	const double rests = std::clamp((moved_s + 0.5 * SymbolClock::PERIOD_S) / REST_S, 0.0, RESTS - 1.0);
+	const Rest &rest = onset.rests[static_cast<std::size_t>(rests)];
+	const double motion = (model.is_radius ? rest.radius_m : rest.tip_m) / model.reach_m;
+	const double other = std::hypot(options_.rest_motion, options_.other_motion_per_s * rest.tracked_s);
+	return normal_density(motion, options_.rest_motion) / normal_density(motion, other);
 }
 
 /// An unused one; otherwise the less likely one of two of the same rest; otherwise the least likely of all.
@@ -224,8 +249,9 @@ std::size_t GestureClassifier::least_likely_onset() const {
 	return least_of_rest < ONSETS ? least_of_rest : least;
 }
 
-void GestureClassifier::start_onset(std::size_t lane, const HandMotion &motion) {
-	Onset &onset = onsets_[lane] = { true, 0, time_s_, MotionObserver(motion) };
+void GestureClassifier::start_onset(
+		std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests) {
+	Onset &onset = onsets_[lane] = { true, 0, time_s_, MotionObserver(motion), rests };
 	const Eigen::Index column = columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
 	filler_filter_.start(static_cast<int>(lane), filler_.b.col(column).data());
 	for (Hypothesis &hypothesis : hypotheses_) {
@@ -285,7 +311,8 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double
 	const double begun = 1.0 - rest - end_probability + ended;
 	const double of_movement = options_.onset_prior * quotient(all, filler);
 	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;
-	double weight = r_hypothesis.share * of_movement * begun;
+	const double rested_s = r_hypothesis.rested_s[lane];
+	double weight = r_hypothesis.share * of_movement * begun * rest_ratio(model, onset, rested_s);
 	if (!model.is_radius) {
 		weight *= direction_ratio(displacement_m, model.axis, options_) * bow;
 	}
@@ -294,7 +321,7 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double
 	candidate.posterior += weight;
 	if (weight > greatest_[r_hypothesis.gesture]) {
 		greatest_[r_hypothesis.gesture] = weight;
-		candidate.onset_s = r_hypothesis.rested_s[lane];
+		candidate.onset_s = rested_s;
 		candidate.start_m = onset.observer.onset().tip_m;
 		candidate.start_radius_m = onset.observer.onset().radius_m;
 		candidate.axis =

@@ -36,17 +36,20 @@ struct GestureCandidate {
 struct ClassifierOptions {
 	/// Prior odds of an onset at an instant, for each gesture. A higher value gives fewer misses and more
 	/// false alarms.
-	double onset_prior = 3e-3;
+	double onset_prior = 4e-4;
 	/// Prior odds of the same movement in any direction, with any bow and of any length, to each gesture; of
 	/// the growth of the radius to any length.
-	double elsewhere = 0.3, elsewhere_radius = 0.06;
+	double elsewhere = 0.3, elsewhere_radius = 0.16;
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double bow_width = 0.12; ///< for log_bow_ratio()
 	double jitter_m = 0.005; ///< of a tracked tip
-	/// A hand whose index tip and radius have moved less than this within REST_SYMBOLS is at rest. Gestures
+	/// A hand whose index tip and radius have moved less than this within REST_S is at rest. Gestures
 	/// begin only at rest.
 	double rest_m = 0.025, rest_radius_m = 0.005;
+	/// Standard deviations of the motion before the onset, in reaches: of a hand at rest, and of any hand,
+	/// per second.
+	double rest_motion = 0.11, other_motion_per_s = 1.5;
 	/// Exponent of the likelihood of a symbol. Symbols are independent after twice
 	/// HandMotionWindow::WINDOW_S: velocities are slopes over this time, and the tracker's errors last.
 	double evidence = 0.5 * SymbolClock::PERIOD_S / HandMotionWindow::WINDOW_S;
@@ -81,16 +84,26 @@ public:
 private:
 	/// Number of onsets in parallel, and symbols between two of them.
 	static constexpr int ONSETS = 16, ONSET_STEP = 5;
-	static constexpr std::size_t REST_SYMBOLS = 40;
+	static constexpr double REST_S = 0.4;
+	/// Rests of 1 to RESTS times REST_S are measured before an onset.
+	static constexpr std::size_t RESTS = 4;
 	/// After a longer gap everything is reset.
 	static constexpr double LONGEST_GESTURE_GAP_S = 10.0;
 
+	/// Greatest distances of the hand from its place at an onset, in the time before it.
+	struct Rest {
+		double tip_m = 0.0, radius_m = 0.0;
+		double tracked_s = 0.0;
+	};
 	struct Onset {
 		bool is_used = false;
 		int age = 0; ///< symbols
 		double t_s = 0.0;
 		MotionObserver observer; ///< holds the hand at the onset
-		double weight = 0.0;     ///< of the likeliest gesture, relative to the filler
+		std::array<Rest, RESTS> rests{};
+		/// Ages at which the index tip was farthest, and the radius greatest.
+		int farthest_age = 0, growth_age = 0;
+		double weight = 0.0; ///< of the likeliest gesture, relative to the filler
 	};
 	struct Hypothesis {
 		std::size_t gesture;
@@ -118,7 +131,11 @@ private:
 	std::vector<double> greatest_; ///< weight of the likeliest onset of each candidate
 	SymbolClock clock_;
 	HandMotionWindow window_;
-	Ring<HandMotion, REST_SYMBOLS> recent_;
+	struct Recent {
+		double t_s = 0.0;
+		HandMotion motion;
+	};
+	Ring<Recent, 160> recent_; ///< for RESTS * REST_S
 	bool has_started_ = false;
 	bool is_new_ = false; ///< a frame came since the last instant
 	double last_s_ = 0.0, time_s_ = 0.0;
@@ -127,8 +144,9 @@ private:
 	[[nodiscard]] Hypothesis hypothesis_of(std::size_t gesture, const DirectedHmm &model) const;
 	void step(double t_s);
 	void step_onsets(const HandMotion &motion);
-	void start_onset(std::size_t lane, const HandMotion &motion);
-	[[nodiscard]] bool is_at_rest() const;
+	void start_onset(std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests);
+	[[nodiscard]] std::array<Rest, RESTS> rests_before_now() const;
+	[[nodiscard]] double rest_ratio(const DirectedHmm &model, const Onset &onset, double rested_s) const;
 	[[nodiscard]] std::size_t least_likely_onset() const;
 	void evaluate();
 	void weigh(Hypothesis &r_hypothesis, std::size_t lane, double bow);

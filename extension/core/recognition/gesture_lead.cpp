@@ -21,7 +21,7 @@ void GestureRecogniser::report_end() {
 		return;
 	}
 	sessions_[shown()]->report_end();
-	ended_started_s_ = session()->started_s();
+	ended_s_ = time_s_;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		if (ends_off_path(shown(), i)) {
 			sessions_[i]->abort(time_s_);
@@ -97,7 +97,7 @@ std::optional<Motion> GestureRecogniser::show_nearest(double t_s) {
 	}
 	const bool was_seen = sessions_[shown_]->start_distance_m() < INFINITY;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
-		if (const std::optional<FeaturePlace> &place = watched(i).place) {
+		if (const std::optional<FeaturePlace> &place = track(i).place()) {
 			sessions_[i]->locate(*place);
 		}
 	}

@@ -2,10 +2,10 @@
 
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
+#include "recognition/feature_track.h"
 #include "recognition/gesture_session.h"
 #include "recognition/gesture_spotter.h"
 #include "recognition/start_condition.h"
-#include "strokes/stroke_finder.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -80,24 +80,9 @@ public:
 private:
 	Synthesis synthesis_;
 	std::vector<ExpectedGesture> gestures_;
-	struct WatchedFeature {
-		const Feature *feature;
-		StrokeFinder strokes;
-		std::optional<FeaturePlace> place; ///< as measured in the newest frame
-		FeaturePlace displacement_m;       ///< of the tracker, in the newest frame with a position
-		TrackerMonitor monitor;
-		Measurement measurement; ///< of the newest frame
-
-		void push(const HandFrame &frame);
-		/// `place`, corrected for the tracker's displacement.
-		[[nodiscard]] std::optional<FeaturePlace> hand() const {
-			return place ? std::optional<FeaturePlace>(*place - displacement_m) : std::nullopt;
-		}
-	};
-
-	std::vector<WatchedFeature> watched_; ///< each feature once
-	std::vector<std::size_t> watched_by_; ///< per session: index into watched_
-	/// `paper` mode without a task: spots the gestures that its HMMs include, for their sessions.
+	std::vector<FeatureTrack> tracks_;  ///< one for each feature
+	std::vector<std::size_t> track_of_; ///< per session: index into tracks_
+	/// Spots the gestures without a task, for their sessions; nullptr if there are none.
 	std::unique_ptr<GestureSpotter> spotter_;
 	std::vector<std::unique_ptr<GestureSession>> sessions_;
 	std::vector<FilteredMotion> filtered_; ///< one per session
@@ -115,50 +100,29 @@ private:
 	OutputBlend blend_;     ///< of the step to another shown gesture, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
 	double time_s_;
-	double next_dropout_s_ = INFINITY;   ///< next time at which a dropout reaches GestureSession::DROPOUTS_S
-	double last_dropout_s_ = -INFINITY;  ///< last such time
-	double ended_started_s_ = -INFINITY; ///< start of the last gesture with a reported end
+	double next_dropout_s_ = INFINITY;  ///< next time at which a dropout reaches GestureSession::DROPOUTS_S
+	double last_dropout_s_ = -INFINITY; ///< last such time
+	double ended_s_ = -INFINITY;        ///< time of the last reported end
 
 	void expect_spotted();
-	void watch_features();
-	[[nodiscard]] const WatchedFeature &watched(std::size_t session) const {
-		return watched_[watched_by_[session]];
-	}
+	void track_features();
+	[[nodiscard]] const FeatureTrack &track(std::size_t session) const { return tracks_[track_of_[session]]; }
 	/// Steps all sessions to t_s, with the dropouts before it.
 	void advance_sessions(double t_s);
 	void step_sessions(double t_s);
 	void schedule_dropout();
 	[[nodiscard]] double posterior(std::size_t session) const;
-	/// Log odds by which gestures are compared.
-	[[nodiscard]] double log_odds(std::size_t session) const {
-		return comparable_log_odds(session, sessions_[session]->log_odds());
-	}
-	/// log_odds of the session, reduced if the motion is a part of another gesture. A strike whose
-	/// path another gesture shares is also reduced by its strike_log_odds().
-	[[nodiscard]] double comparable_log_odds(std::size_t session, double log_odds) const;
-	/// Nats against a gesture whose motion is a part of another gesture, which needs more joints.
-	[[nodiscard]] double part_penalty(std::size_t session) const;
+	[[nodiscard]] double log_odds(std::size_t session) const { return sessions_[session]->log_odds(); }
 	/// The start condition was met, and the confidence is high enough, so that the gesture may be shown and
 	/// end.
 	[[nodiscard]] bool may_show(std::size_t session) const;
 	/// Checks the start condition at each start, and aborts gestures whose pinch opens.
 	void judge_starts();
-	/// Aborts gestures without a task whose motion is clearly a part of another gesture, or of its return.
-	void abort_parts();
-	/// The hand returns from the end of another gesture of the same feature.
-	[[nodiscard]] bool returns_from_other(std::size_t session) const;
-	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate, odds_of:
-	/// f(index).
-	template <class Predicate, class Odds>
-	[[nodiscard]] int likeliest(Predicate is_candidate, Odds odds_of) const;
-	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const {
-		return likeliest(is_candidate, [this](std::size_t i) { return log_odds(i); });
-	}
+	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate: f(index).
+	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;
 	/// Both have tasks with a straight path, and the end of `other` is beside the path of `one`: its distance
 	/// from the end of `one` is greater across that path than along it.
 	[[nodiscard]] bool ends_off_path(std::size_t one, std::size_t other) const;
-	/// The end of this session is unusual, and another gesture with an unfinished stroke may become likelier.
-	[[nodiscard]] bool may_lose(std::size_t best) const;
 	void decide_ends();
 	void report_end();
 	void choose_leader();
@@ -169,17 +133,13 @@ private:
 	[[nodiscard]] Motion synthesised(double t_s) const;
 };
 
-template <class Predicate, class Odds>
-int GestureRecogniser::likeliest(Predicate is_candidate, Odds odds_of) const {
+template <class Predicate> int GestureRecogniser::likeliest(Predicate is_candidate) const {
 	int best = -1;
 	double best_odds = -INFINITY;
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
-		if (!is_candidate(i)) {
-			continue;
-		}
-		if (const double odds = odds_of(i); odds > best_odds) {
+		if (is_candidate(i) && log_odds(i) > best_odds) {
 			best = static_cast<int>(i);
-			best_odds = odds;
+			best_odds = log_odds(i);
 		}
 	}
 	return best;

@@ -6,7 +6,6 @@ namespace steadyhand {
 namespace {
 
 using namespace parameters;
-using namespace parameters::strokes;
 using namespace parameters::sessions;
 
 /// Longest gap that is stepped through symbol by symbol. A jump of the clock must not take long.
@@ -24,15 +23,13 @@ GestureSession::GestureSession(
 				follows_rest ? parameters::GAIN_SPREAD
 							 : feature_->no_task_gain_factor * parameters::NO_TASK_GAIN_SPREAD) {}
 
-bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePlace> &place,
-		const StrokeFinder &strokes, const Measurement &measurement) {
+bool GestureSession::push(const HandFrame &frame, const FeatureTrack &track) {
 	if (!clock_started_) {
 		clock_.start(frame.t_s);
 		clock_started_ = true;
 	}
-	place_ = place.value_or(place_);
-	measurement_ = measurement;
-	const std::optional<double> x_m = measure(frame, place.has_value(), strokes);
+	place_ = track.hand().value_or(place_);
+	const std::optional<double> x_m = measure(frame, track);
 	if (!x_m) {
 		return false;
 	}
@@ -40,7 +37,7 @@ bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePla
 	window_.push(frame.t_s, *x_m);
 	if (follows_phase()) {
 		const double x = *x_m / task_.amplitude_m;
-		is_paused_ ? phase_.reset_at(frame.t_s, x) : phase_.push(measurement, x);
+		is_paused_ ? phase_.reset_at(frame.t_s, x) : phase_.push(track.measurement(), x);
 	}
 	if (is_reset_) {
 		is_reset_ = false;
@@ -50,24 +47,24 @@ bool GestureSession::push(const HandFrame &frame, const std::optional<FeaturePla
 	return true;
 }
 
-void GestureSession::advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
+void GestureSession::advance(double t_s, const FeatureTrack &track) {
 	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	while (clock_started_ && clock_.due(t_s)) {
-		step(clock_.next_s(), strokes, monitor);
+		step(clock_.next_s(), track);
 		clock_.advance();
 	}
 }
 
-void GestureSession::step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor) {
+void GestureSession::step(double t_s, const FeatureTrack &track) {
 	if (!has_new_frame_ && follows_phase()) {
-		phase_.wait(t_s, monitor.is_overdue(t_s));
+		phase_.wait(t_s, track.monitor().is_overdue(t_s));
 	}
 	if (stage_ == Stage::ACTIVE) {
 		decode(t_s);
 	}
-	update_stage(t_s, strokes);
+	update_stage(t_s, track);
 	has_new_frame_ = false;
 }
 
@@ -127,11 +124,11 @@ void GestureSession::reset_frames() {
 	phase_.reset();
 }
 
-void GestureSession::replay(double t_s, double x_m) {
+void GestureSession::replay(double t_s, double x_m, double noise_m) {
 	window_.push(t_s, x_m);
 	has_new_frame_ = true;
 	if (mode_ == MotionMode::PHASE) {
-		phase_.push({ .t_s = t_s, .noise_m = measurement_.noise_m }, x_m / task_.amplitude_m);
+		phase_.push({ .t_s = t_s, .noise_m = noise_m }, x_m / task_.amplitude_m);
 	}
 }
 

@@ -10,8 +10,7 @@
 #include "motion/output_blend.h"
 #include "motion/paper_synthesiser.h"
 #include "motion/switching_estimator.h"
-#include "strokes/stroke_finder.h"
-#include "tracking/tracker_monitor.h"
+#include "recognition/feature_track.h"
 
 #include <array>
 #include <cmath>
@@ -34,7 +33,7 @@ struct Synthesis {
 /// gesture is IDLE. All times are frame times. Only the constructor allocates.
 ///
 /// This class makes the motion. Subclasses decide when a gesture starts and ends: TaskSession with a task,
-/// StrokeSession (`phase` mode) and HmmSession (`paper` mode) without a task.
+/// HmmSession without one.
 class GestureSession {
 public:
 	enum class Stage { IDLE, ACTIVE, ENDED };
@@ -47,13 +46,10 @@ public:
 	virtual ~GestureSession() = default;
 
 	/// A new frame, not before the last one and not before the last advance(). Call advance() up to it first.
-	/// Returns false if the frame has no value of the feature. place: of the feature, finite, corrected for
-	/// the tracker's displacement; strokes: of the feature, with this frame; measurement: of the feature's
-	/// tracked point.
-	bool push(const HandFrame &frame, const std::optional<FeaturePlace> &place, const StrokeFinder &strokes,
-			const Measurement &measurement);
-	/// Advances to t_s. strokes, monitor: as of the last frame.
-	void advance(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
+	/// Returns false if the frame has no value of the feature. track: of the feature, with this frame.
+	bool push(const HandFrame &frame, const FeatureTrack &track);
+	/// Advances to t_s. track: as of the last frame.
+	void advance(double t_s, const FeatureTrack &track);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
@@ -69,34 +65,14 @@ public:
 	void set_gestures_started(std::uint32_t number) { gestures_started_ = number; }
 	[[nodiscard]] int state() const { return decoder_.state(); }
 	/// log of the posterior odds of the gesture against none so far, nats. Gestures are compared by it.
-	/// Before count_end() it lacks length and duration of the movement.
 	[[nodiscard]] double log_odds() const { return log_odds_; }
 	/// The gesture has probably ended. The caller answers with end_gesture() or abort().
 	[[nodiscard]] virtual bool may_end() const { return false; }
-	/// may_end(), before the stroke has ended.
-	[[nodiscard]] virtual bool is_end_predicted() const { return false; }
-	/// may_end(), and the hand then came back after a strike, or stayed after another gesture.
-	[[nodiscard]] virtual bool is_end_usual() const { return true; }
-	/// Evidence of the pace of a strike, nats, <= 0. It is added to log_odds() if another gesture
-	/// shares_path().
-	[[nodiscard]] virtual double strike_log_odds() const { return 0.0; }
-	/// This gesture has no task and is no strike, and the other one moves in one of its directions.
-	[[nodiscard]] virtual bool shares_path(const GestureSession & /*other*/) const { return false; }
-	/// Direction of the model that the movement follows; 0 with a task.
-	[[nodiscard]] virtual FeaturePlace axis() const { return FeaturePlace::Zero(); }
-	/// Upper bound of log_odds() during the stroke.
-	[[nodiscard]] virtual double best_log_odds() const { return log_odds_; }
-	/// log_odds() if the hand comes back at once after its end, or stays.
-	[[nodiscard]] virtual double log_odds_if(bool /*comes_back*/) const { return log_odds_; }
-	/// From now on log_odds() includes length and duration of the movement, and what the hand did after it.
-	virtual void count_end() {}
-	/// The gesture has ended, and the hand comes back from there by this stroke of its feature.
-	[[nodiscard]] virtual bool is_return(const Stroke & /*stroke*/) const { return false; }
 	virtual void end_gesture(double /*t_s*/) {}
 	/// Active, and near the task's end.
 	[[nodiscard]] virtual bool is_near_end() const { return false; }
 	/// A dropout has reached one of DROPOUTS_S at t_s. The gesture may_end() or is aborted.
-	virtual void on_dropout(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	virtual void on_dropout(double /*t_s*/, const FeatureTrack & /*track*/) {}
 	/// Position of the hand in the next frame.
 	virtual void locate(const FeaturePlace & /*place_m*/) {}
 	/// Distance, m, of the last located hand from the task's start. Infinite before the first locate(), and
@@ -121,18 +97,15 @@ protected:
 	GestureSession(
 			const GestureModel &model, const Task &task, const Synthesis &synthesis, bool follows_rest);
 
-	/// Motion element in a frame, m; nullopt if the frame has none. has_place: last_place() is of this frame.
-	virtual std::optional<double> measure(
-			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) = 0;
+	/// Motion element in a frame, m; nullopt if the frame has none. Then last_place() is of an earlier frame.
+	virtual std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) = 0;
 	/// Called at each instant of the symbols, after the state is decoded.
-	virtual void update_stage(double /*t_s*/, const StrokeFinder & /*strokes*/) {}
+	virtual void update_stage(double /*t_s*/, const FeatureTrack & /*track*/) {}
 
 	[[nodiscard]] const Feature &feature() const { return *feature_; }
 	[[nodiscard]] MotionMode mode() const { return mode_; }
-	/// Position of the feature in the newest frame that has one.
+	/// FeatureTrack::hand() in the newest frame that has one.
 	[[nodiscard]] const FeaturePlace &last_place() const { return place_; }
-	/// Measurement of the newest frame.
-	[[nodiscard]] const Measurement &measurement() const { return measurement_; }
 	/// Measured motion element, amplitudes.
 	[[nodiscard]] double value() const { return window_.position_m() / task_.amplitude_m; }
 	[[nodiscard]] Observation observation() const {
@@ -163,7 +136,7 @@ protected:
 	void blend_from(const Motion &before, double t_s, double rate_per_s);
 	/// Deletes all frames. Then replay() is called for the frames since the onset.
 	void reset_frames();
-	void replay(double t_s, double x_m);
+	void replay(double t_s, double x_m, double noise_m);
 	/// Decodes at an instant of the symbols between two replayed frames.
 	void decode_replayed(double t_s);
 	/// While paused, the estimator is only reset, and the motion is 0.
@@ -183,7 +156,6 @@ private:
 	bool clock_started_ = false;
 	bool has_new_frame_ = false; ///< since the last symbol
 	FeaturePlace place_ = FeaturePlace::Zero();
-	Measurement measurement_;
 
 	Stage stage_ = Stage::IDLE;
 	double stage_began_s_ = -INFINITY;
@@ -198,7 +170,7 @@ private:
 	bool is_reset_ = false;    ///< by reset_hand(), until the next frame
 	OutputBlend blend_;        ///< m
 
-	void step(double t_s, const StrokeFinder &strokes, const TrackerMonitor &monitor);
+	void step(double t_s, const FeatureTrack &track);
 	void enter(Stage stage, double t_s);
 	/// The estimator is in use: it gets the frames and makes the motion.
 	[[nodiscard]] bool follows_phase() const {

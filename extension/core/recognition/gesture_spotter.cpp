@@ -71,7 +71,7 @@ bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
 
 GestureSpotter::Event GestureSpotter::follow() {
 	const GestureCandidate &now = classifier_.candidates()[index_];
-	if (now.posterior < ABORT_PROBABILITY) {
+	if (now.posterior < GIVEN_UP) {
 		is_active_ = false;
 		return Event::ABORTED;
 	}

@@ -13,6 +13,8 @@ using namespace parameters::sessions;
 
 using Event = GestureSpotter::Event;
 
+/// Onsets closer together belong to one rest.
+constexpr double LATER_ONSET_S = 0.1;
 constexpr double LEAST_COMPLEMENT = 1e-12; ///< keeps log odds finite
 
 FeaturePlace vector_of(const Eigen::Vector3d &tip, double radius) {
@@ -27,7 +29,7 @@ double log_odds_of(double posterior) {
 
 HmmSession::HmmSession(const GestureModel &model, const Synthesis &synthesis, GestureSpotter &r_spotter) :
 		GestureSession(model, model.typical_task, synthesis, false), spotter_(&r_spotter),
-		direction_(feature().direction(task())) {}
+		direction_(feature().direction != nullptr ? feature().direction(task()) : FeaturePlace::Zero()) {}
 
 GestureHmms HmmSession::hmms_of(const std::shared_ptr<const GestureModel> &model) {
 	GestureHmms own{ model->gesture, { model, &model->recorded_hmms } };
@@ -45,82 +47,99 @@ bool HmmSession::can_follow(const std::shared_ptr<const GestureModel> &model) {
 	});
 }
 
-std::optional<double> HmmSession::measure(
-		const HandFrame &frame, bool has_place, const StrokeFinder &strokes) {
+std::optional<double> HmmSession::measure(const HandFrame &frame, const FeatureTrack &track) {
 	may_end_ = false;
 	const bool has_started = spotter_->event() == Event::STARTED;
 	if (has_started && is_spotted()) {
-		begin_at_onset(frame.t_s, strokes);
+		begin_at_onset(frame.t_s, track);
 	} else if (stage() == Stage::ACTIVE) {
-		look_for_end(frame.t_s);
+		look_for_end(frame.t_s, track);
 	}
-	if (!has_place) {
+	if (!track.hand()) {
 		return std::nullopt;
 	}
 	if (stage() == Stage::IDLE) {
-		aim_at(spotter_->candidate_of(model().gesture), strokes.displacement_m());
+		aim_at(spotter_->candidate_of(model().gesture), track);
 	}
-	if (stage() != Stage::IDLE && measurement().is_usable() &&
-			along(last_place()) > farthest_m_ + START_VALUE * task().amplitude_m) {
-		farthest_m_ = along(last_place());
-		moved_s_ = frame.t_s;
+	const bool is_usable = track.measurement().is_usable();
+	if (stage() != Stage::IDLE && is_usable) {
+		follow_hand_path(frame.t_s);
 	}
-	const bool has_returned = along(last_place()) < HALF_BACK * farthest_m_;
-	if (stage() == Stage::ENDED && (has_started || has_returned || frame.t_s - moved_s_ > PAUSE_S)) {
+	const double now_m = along(last_place());
+	const bool has_returned = is_usable && now_m < HALF_BACK * farthest_m_;
+	const bool has_stopped = frame.t_s - moved_s_ > PAUSE_S;
+	if (stage() == Stage::ACTIVE && has_stopped) {
+		decide(frame.t_s, SWITCH_MARGIN);
+	} else if (stage() == Stage::ENDED && (has_started || has_returned || has_stopped)) {
 		enter_idle(frame.t_s);
 	}
-	return along(last_place());
+	return now_m;
+}
+
+/// The direction of an active gesture leads to where the hand was farthest from the start.
+void HmmSession::follow_hand_path(double t_s) {
+	const FeaturePlace off_m = last_place() - start_;
+	const FeaturePlace step_m = last_place() - moved_to_;
+	const double least_m = START_VALUE * task().amplitude_m;
+	if ((feature().is_radius ? std::abs(step_m.dot(direction_)) : step_m.norm()) > least_m) {
+		moved_to_ = last_place();
+		moved_s_ = t_s;
+	}
+	const bool may_turn = stage() == Stage::ACTIVE && !feature().is_radius;
+	const double distance_m = may_turn ? off_m.norm() : along(last_place());
+	if (distance_m > farthest_m_ + least_m) {
+		farthest_m_ = distance_m;
+		direction_ = may_turn ? FeaturePlace(off_m / distance_m) : direction_;
+	}
 }
 
 /// Measures from the candidate's onset on, in the hand's direction; without an onset from here on.
-void HmmSession::aim_at(const GestureCandidate *candidate, const FeaturePlace &displacement_m) {
+void HmmSession::aim_at(const GestureCandidate *candidate, const FeatureTrack &track) {
 	if (candidate == nullptr || candidate->log_likelihood_ratio == NEVER) {
 		start_ = last_place();
 		return;
 	}
-	start_ = feature().is_radius ? vector_of(Eigen::Vector3d::Zero(), candidate->start_radius_m)
-								 : vector_of(candidate->start_m, 0.0);
-	start_ -= displacement_m;
-	if (!feature().is_radius && !candidate->axis.isZero(0.0)) {
+	if (feature().is_radius) {
+		start_ = vector_of(Eigen::Vector3d::Zero(), candidate->start_radius_m) - track.displacement_m();
+		return;
+	}
+	start_ = vector_of(candidate->start_m, 0.0);
+	if (!candidate->axis.isZero(0.0)) {
 		direction_ = vector_of(candidate->axis, 0.0);
 	}
 }
 
-void HmmSession::update_direction() {
-	const GestureCandidate &found = spotter_->candidate();
-	if (!feature().is_radius) {
-		direction_ = vector_of(found.axis, 0.0);
-	}
-	set_log_odds(log_odds_of(found.posterior));
-}
-
-void HmmSession::begin_at_onset(double t_s, const StrokeFinder &strokes) {
+void HmmSession::begin_at_onset(double t_s, const FeatureTrack &track) {
 	const Motion before = motion(t_s);
 	const GestureCandidate &found = spotter_->candidate();
-	aim_at(&found, strokes.displacement_m());
+	aim_at(&found, track);
 	set_log_odds(log_odds_of(found.posterior));
 	farthest_m_ = 0.0;
 	moved_s_ = t_s;
 	reset_frames();
 	begin(found.onset_s, 0.0);
 	double symbol_s = found.onset_s + SymbolClock::PERIOD_S;
-	strokes.frames_since(found.onset_s, [&](double frame_s, const FeaturePlace &place) {
+	track.frames_since(found.onset_s, [&](double frame_s, const FeaturePlace &hand) {
 		while (symbol_s < std::min(frame_s, t_s)) {
 			decode_replayed(symbol_s);
 			symbol_s += SymbolClock::PERIOD_S;
 		}
 		if (frame_s < t_s) {
-			replay(frame_s, along(place));
+			replay(frame_s, along(hand), track.measurement().noise_m);
 		}
 	});
 	blend_from(before, t_s, START_BLEND_PER_S);
 }
 
-void HmmSession::look_for_end(double t_s) {
+void HmmSession::look_for_end(double t_s, const FeatureTrack &track) {
 	if (is_spotted()) {
-		update_direction();
+		const GestureCandidate &now = spotter_->candidate();
+		if (now.onset_s > started_s() + LATER_ONSET_S && now.reach > SHORTEST) {
+			begin_at_onset(t_s, track);
+		}
+		set_log_odds(log_odds_of(now.posterior));
 	} else if (spotter_->event() == Event::ENDED) {
-		update_direction();
+		set_log_odds(log_odds_of(spotter_->candidate().posterior));
 		may_end_ = true;
 	} else {
 		enter_idle(t_s);
@@ -142,15 +161,24 @@ void HmmSession::abort(double t_s) {
 	}
 }
 
-/// A lost hand gives no more evidence, so that the present one decides.
-void HmmSession::on_dropout(double t_s, const StrokeFinder &strokes) {
-	if (t_s >= strokes.last_measurement_s() + DROPOUTS_S.back()) {
+void HmmSession::on_dropout(double t_s, const FeatureTrack &track) {
+	if (t_s >= track.last_measurement_s() + DROPOUTS_S.back()) {
 		abort(t_s);
-	} else if (is_spotted() && spotter_->candidate().end_probability > 0.5) {
-		update_direction();
-		spotter_->drop();
-		may_end_ = true;
+	} else if (is_spotted() && spotter_->candidate().reach > NEAR_END) {
+		decide(t_s, 0.0);
 	}
+}
+
+/// No more evidence is to come: the hand is lost or has stopped. Near the end it has probably arrived.
+/// least: log odds for an end.
+void HmmSession::decide(double t_s, double least) {
+	set_log_odds(log_odds_of(spotter_->candidate().posterior));
+	if (!is_spotted() || spotter_->candidate().reach < NEAR_END || log_odds() < least) {
+		abort(t_s);
+		return;
+	}
+	spotter_->drop();
+	may_end_ = true;
 }
 
 } // namespace steadyhand

@@ -5,9 +5,9 @@
 
 namespace steadyhand {
 
-/// A gesture without a task in `paper` mode. A GestureSpotter detects its begin, end and abort. At the begin
-/// the frames since the onset are replayed and decoded. The motion element is measured along the hand's own
-/// direction. The amplitude is the model's mean.
+/// A gesture without a task. A GestureSpotter detects its begin, end and abort. At the begin the frames since
+/// the onset are replayed and decoded. The motion element is measured along the hand's own direction. The
+/// amplitude is the model's mean.
 class HmmSession final : public GestureSession {
 public:
 	/// r_spotter must outlive the session, and must get each frame before the session.
@@ -22,22 +22,24 @@ public:
 	void end_gesture(double t_s) override;
 	void ignore_before(double /*t_s*/) override {} // the spotter deletes all onsets at an end
 	void abort(double t_s) override;
-	void on_dropout(double t_s, const StrokeFinder &strokes) override;
+	void on_dropout(double t_s, const FeatureTrack &track) override;
 
 private:
 	GestureSpotter *spotter_;
 	FeaturePlace start_ = FeaturePlace::Zero();
-	FeaturePlace direction_;     ///< unit vector
-	double farthest_m_ = 0.0;    ///< of the motion element since the onset
-	double moved_s_ = -INFINITY; ///< last time at which farthest_m_ grew
+	FeaturePlace direction_;  ///< unit vector
+	double farthest_m_ = 0.0; ///< of the motion element since the onset
+	/// Last place to which the hand moved, and its time.
+	FeaturePlace moved_to_ = FeaturePlace::Zero();
+	double moved_s_ = -INFINITY;
 	bool may_end_ = false;
 
-	std::optional<double> measure(
-			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
-	void begin_at_onset(double t_s, const StrokeFinder &strokes);
-	void look_for_end(double t_s);
-	void aim_at(const GestureCandidate *candidate, const FeaturePlace &displacement_m);
-	void update_direction();
+	std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) override;
+	void begin_at_onset(double t_s, const FeatureTrack &track);
+	void look_for_end(double t_s, const FeatureTrack &track);
+	void decide(double t_s, double least);
+	void aim_at(const GestureCandidate *candidate, const FeatureTrack &track);
+	void follow_hand_path(double t_s);
 	[[nodiscard]] bool is_spotted() const {
 		return spotter_->is_active() && spotter_->gesture() == model().gesture;
 	}

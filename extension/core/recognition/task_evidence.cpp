@@ -1,7 +1,7 @@
 #include "recognition/task_evidence.h"
 
 #include "base/parameters.h"
-#include "strokes/path_densities.h"
+#include "recognition/path_densities.h"
 
 #include <numbers>
 
@@ -9,7 +9,6 @@ namespace steadyhand {
 namespace {
 
 using namespace parameters;
-using namespace parameters::strokes;
 using namespace parameters::sessions;
 
 FeaturePlace to_place(const Feature &feature, const Eigen::Vector3d &point_m) {
@@ -51,7 +50,7 @@ void TaskEvidence::push(const Measurement &measurement, const FeaturePlace &plac
 	const double piece_m = (now_.place_m - knot_.place_m).norm();
 	now_.path_m = knot_.path_m + piece_m;
 	now_.sum = knot_.sum + 0.5 * piece_m * (now_.place_m + knot_.place_m);
-	if (piece_m > SMALLEST_STROKE * amplitude_m_) {
+	if (piece_m > SMALLEST_PIECE * amplitude_m_) {
 		knot_ = now_;
 	}
 	window_.push(now_.t_s, now_.place_m, WINDOW_S);

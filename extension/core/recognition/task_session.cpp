@@ -9,7 +9,6 @@ namespace steadyhand {
 namespace {
 
 using namespace parameters;
-using namespace parameters::strokes;
 using namespace parameters::sessions;
 
 } // namespace
@@ -17,8 +16,7 @@ using namespace parameters::sessions;
 TaskSession::TaskSession(const GestureModel &model, const Task &task, const Synthesis &synthesis) :
 		GestureSession(model, task, synthesis, true), element_(feature()), evidence_(feature(), task) {}
 
-std::optional<double> TaskSession::measure(
-		const HandFrame &frame, bool has_place, const StrokeFinder & /*strokes*/) {
+std::optional<double> TaskSession::measure(const HandFrame &frame, const FeatureTrack &track) {
 	if (stage() == Stage::IDLE) {
 		element_.restart();
 	}
@@ -32,8 +30,8 @@ std::optional<double> TaskSession::measure(
 	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
 	hand_.push(frame.t_s, path_distance_m_ < tolerance * task().amplitude_m);
 	update_nearness(frame.t_s);
-	if (has_place) {
-		evidence_.push(measurement(), last_place(), stage() == Stage::IDLE);
+	if (track.hand()) {
+		evidence_.push(track.measurement(), last_place(), stage() == Stage::IDLE);
 	}
 	const double x = *x_m / task().amplitude_m;
 	if (stage() == Stage::IDLE && std::abs(x) < RETURNED) {
@@ -73,7 +71,7 @@ double TaskSession::start_distance_m() const {
 	return is_anywhere ? std::max(distance_m(), ANYWHERE_M) : distance_m();
 }
 
-void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
+void TaskSession::update_stage(double t_s, const FeatureTrack &track) {
 	if (!is_reset() && t_s - hand_.last_s() > DROPOUTS_S.back()) {
 		is_rejected_ = false;
 		lose(t_s);
@@ -102,7 +100,7 @@ void TaskSession::update_stage(double t_s, const StrokeFinder &strokes) {
 				go_idle(t_s);
 			} else if (has_aborted(t_s)) {
 				go_idle(t_s);
-			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_end_observed(t_s, strokes)) {
+			} else if ((has_stopped(t_s) || is_still_at_end(t_s)) && is_end_observed(t_s, track)) {
 				try_end(t_s);
 			} else {
 				at_end_since_s_ = t_s;
@@ -162,9 +160,8 @@ bool TaskSession::has_aborted(double t_s) {
 
 /// The estimate may end the gesture: the last value is near the end, or the hand is in the second half or not
 /// tracked, but not late in a dropout or just after one.
-bool TaskSession::is_end_observed(double t_s, const StrokeFinder &strokes) const {
-	const double unseen_s =
-			t_s - (feature().place != nullptr ? strokes.last_measurement_s() : hand_.last_s());
+bool TaskSession::is_end_observed(double t_s, const FeatureTrack &track) const {
+	const double unseen_s = t_s - (feature().place != nullptr ? track.last_measurement_s() : hand_.last_s());
 	const bool may_be_there = value() > HALFWAY || unseen_s > RECENT_S;
 	const bool is_followed = unseen_s < DROPOUTS_S.front() && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);

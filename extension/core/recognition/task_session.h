@@ -43,9 +43,8 @@ private:
 	double moved_s_ = 0.0;        ///< last time of P(hold) <= STOP_PROBABILITY, or without a measurement
 	double beyond_s_ = -INFINITY; ///< last time of a value >= RETURNED
 
-	std::optional<double> measure(
-			const HandFrame &frame, bool has_place, const StrokeFinder &strokes) override;
-	void update_stage(double t_s, const StrokeFinder &strokes) override;
+	std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) override;
+	void update_stage(double t_s, const FeatureTrack &track) override;
 	void judge();
 	void update_nearness(double t_s);
 	[[nodiscard]] bool is_straight() const { return feature().path_distance_m == nullptr; }
@@ -55,7 +54,7 @@ private:
 	[[nodiscard]] bool has_left_path() const;
 	[[nodiscard]] bool is_estimate_wrong(double t_s) const;
 	[[nodiscard]] bool has_started(double t_s) const;
-	[[nodiscard]] bool is_end_observed(double t_s, const StrokeFinder &strokes) const;
+	[[nodiscard]] bool is_end_observed(double t_s, const FeatureTrack &track) const;
 	[[nodiscard]] bool has_returned(double t_s) const;
 	/// Must be called at each step while ACTIVE.
 	[[nodiscard]] bool has_aborted(double t_s);

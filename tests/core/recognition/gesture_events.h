@@ -1,5 +1,6 @@
 #pragma once
 
+#include "classifier_streams.h"
 #include "overlapping_drags.h"
 #include "recognition/gesture_recogniser.h"
 #include "shown_changes.h"
@@ -26,27 +27,28 @@ inline const Eigen::Vector3d X = Eigen::Vector3d::UnitX(), Y = Eigen::Vector3d::
 inline constexpr double NEVER_S = 1e9;
 inline constexpr Drag DRAG{ .onset_s = 0.6, .duration_s = 1.0, .amplitude_m = 0.2 };
 
+/// One of FOUR_GESTURES has the HMMs of the add-on.
 inline std::shared_ptr<const GestureModel> model(
 		const char *gesture, const Eigen::Vector3d &axis, bool both_ways) {
 	GestureModel trained = drag_model();
 	trained.gesture = gesture;
 	trained.typical_task.axis = axis;
-	DirectedHmm hmm = trained.recorded_hmms.front();
-	hmm.gesture = gesture;
-	hmm.axis = axis;
-	trained.recorded_hmms = { hmm };
 	if (both_ways) {
 		trained.other_axes = { -axis };
-		trained.recorded_hmms.push_back(hmm);
-		trained.recorded_hmms.back().axis = -axis;
+	}
+	DirectedHmm hmm = std::exchange(trained.recorded_hmms, {}).front();
+	if (std::ranges::count(FOUR_GESTURES, gesture) == 0) {
+		hmm.gesture = gesture;
+		hmm.axis = axis;
+		trained.recorded_hmms = { hmm };
 	}
 	return std::make_shared<const GestureModel>(std::move(trained));
 }
 
 inline const std::vector<std::shared_ptr<const GestureModel>> &models() {
 	static const std::vector<std::shared_ptr<const GestureModel>> all = {
-		model("sideways", Eigen::Vector3d::UnitX(), true), model("upright", Eigen::Vector3d::UnitY(), true),
-		model("push", -Eigen::Vector3d::UnitZ(), false)
+		model("horizontal_drag", Eigen::Vector3d::UnitX(), true),
+		model("vertical_drag", Eigen::Vector3d::UnitY(), true), model("tap", -Eigen::Vector3d::UnitZ(), false)
 	};
 	return all;
 }
@@ -63,12 +65,13 @@ inline GestureSession::Stage stage(const GestureRecogniser &recogniser) {
 using EventNames = std::vector<std::string>;
 using TestPath = std::function<Eigen::Vector3d(double t_s)>;
 
-/// Events of "sideways".
-inline const EventNames NOTHING{}, STARTS{ "started sideways" },
-		ABORTS{ "started sideways", "aborted sideways" }, ENDS{ "started sideways", "ended sideways" };
+/// Events of "horizontal_drag".
+inline const EventNames NOTHING{}, STARTS{ "started horizontal_drag" },
+		ABORTS{ "started horizontal_drag", "aborted horizontal_drag" },
+		ENDS{ "started horizontal_drag", "ended horizontal_drag" };
 
 struct Events {
-	EventNames names;             ///< such as "started sideways"
+	EventNames names;             ///< such as "started horizontal_drag"
 	double largest_step = 0.0;    ///< largest change of the synthesised value in 1 ms, m
 	double last_confidence = 0.0; ///< at the last end
 	double last_value_m = 0.0;    ///< synthesised value at the end of the run

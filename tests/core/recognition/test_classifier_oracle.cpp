@@ -115,6 +115,21 @@ double bow_ratio(double bow, double length_m) {
 	return std::max(0.5 / (width * std::tgamma(1.25)), 1.0) * std::exp(-std::pow(bow / width, 4.0));
 }
 
+double normal(double x, double deviation) {
+	return std::exp(-0.5 * x * x / (deviation * deviation)) / deviation;
+}
+
+/// Ratio of the densities of the motion in the 0.4 s before an onset. Longer movements need a longer rest.
+double rest_ratio(const DirectedHmm &own, const std::vector<HandMotion> &motions, std::size_t onset) {
+	const std::size_t first = onset + 1 > 40 ? onset + 1 - 40 : 0;
+	double moved_m = 0.0;
+	for (std::size_t i = first; i < onset; ++i) {
+		moved_m = std::max(moved_m, (motions[i].tip_m - motions[onset].tip_m).norm());
+	}
+	const double x = moved_m / own.reach_m;
+	return normal(x, 0.11) / normal(x, std::hypot(0.11, 1.5 * 0.01 * static_cast<double>(onset - first)));
+}
+
 /// Posterior by the sum over all segmentations: filler up to an onset, then a gesture, or its movement in any
 /// direction, up to the newest instant.
 double posterior_of(const ClassifierModel &model, std::size_t gesture, const std::vector<HandMotion> &motions,
@@ -149,7 +164,8 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
 			const double movement = ONSET_PRIOR * std::exp(likelihood.log_all - log_filler);
 			weights[g] += movement * (1.0 - likelihood.rest_share + likelihood.end_share * (reach - 1.0)) *
-					direction_ratio(displacement_m, own.axis) * bow_ratio(bow, displacement_m.norm());
+					rest_ratio(own, motions, onset) * direction_ratio(displacement_m, own.axis) *
+					bow_ratio(bow, displacement_m.norm());
 			elsewhere += (ELSEWHERE / 2.0 + likelihood.rest_share) * movement;
 		}
 	}

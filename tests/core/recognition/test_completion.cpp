@@ -90,6 +90,6 @@ TEST_CASE("only a hand that returns near its start makes the gesture again") {
 		CAPTURE(left_m);
 		const TestPath path =
 				along(X, { { 0.5, 0.8, 0.2 }, { 2.0, 0.8, left_m - 0.2 }, { 3.5, 0.8, 0.2 - left_m } });
-		CHECK(watch_with_task(path, 6.0).names == times(left_m < 0.03 ? 2 : 1, "sideways"));
+		CHECK(watch_with_task(path, 6.0).names == times(left_m < 0.03 ? 2 : 1, "horizontal_drag"));
 	}
 }

@@ -107,8 +107,8 @@ TEST_CASE("a gesture expected during or after another counts with the next movem
 	const ExpectedGesture here = drag_at(HERE), ahead = drag_at(AHEAD);
 	CHECK(run({ here }, { { HALF_WAY_S, { here, ahead } }, { 2.0, { ahead } } }, 6.0,
 				  { DRAG, { 2.5, 0.6, -0.1 }, { 4.0, 1.0, 0.2 } })
-					.names == times(2, "sideways"));
+					.names == times(2, "horizontal_drag"));
 	CHECK(run({ here }, { { 1.7, {} }, { 2.0, { here } } }, 6.0,
 				  { DRAG, { 2.5, 0.6, -0.2 }, { 4.0, 1.0, 0.2 } })
-					.names == times(2, "sideways"));
+					.names == times(2, "horizontal_drag"));
 }

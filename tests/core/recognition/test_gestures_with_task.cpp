@@ -134,7 +134,8 @@ TEST_CASE("with a task a turn near the start begins the next gesture") {
 				const double way_m = i % 2 == 0 ? 0.2 - turns_m : turns_m - 0.2;
 				ways.push_back({ ways.back().onset_s + duration_s, duration_s, way_m });
 			}
-			CHECK(watch_with_task(along(X, ways), 1.5 + 5.0 * duration_s).names == times(3, "sideways"));
+			CHECK(watch_with_task(along(X, ways), 1.5 + 5.0 * duration_s).names ==
+					times(3, "horizontal_drag"));
 		}
 	}
 }
@@ -145,6 +146,6 @@ TEST_CASE("ten taps in a row each start and end once") {
 		strokes.push_back({ .onset_s = 0.6 + i, .duration_s = 0.45, .amplitude_m = 0.2 });
 		strokes.push_back({ .onset_s = 1.02 + i, .duration_s = 0.4, .amplitude_m = -0.2 });
 	}
-	CHECK(watch_without_task(along(-Z, strokes), 11.0).names == times(10, "push"));
-	CHECK(watch_with_task(along(X, strokes), 11.0).names == times(10, "sideways"));
+	CHECK(watch_without_task(along(-Z, strokes), 11.0).names == times(10, "tap"));
+	CHECK(watch_with_task(along(X, strokes), 11.0).names == times(10, "horizontal_drag"));
 }

@@ -68,7 +68,7 @@ TEST_CASE("a spotted drag starts during the movement and ends within 0.2 s") {
 	CHECK(events.first_shown_s < DRAG.onset_s + DRAG.duration_s);
 	CHECK(std::abs(events.last_ended_s - (DRAG.onset_s + DRAG.duration_s)) < 0.2);
 	CHECK(events.last_confidence > 0.9);
-	const Events lost = watch(paper(four_models()), SIDEWAYS, 4.0, { DRAG.onset_s + 0.7 });
+	const Events lost = watch(paper(four_models()), SIDEWAYS, 4.0, { DRAG.onset_s + 0.5 });
 	CHECK(lost.names == EventNames{ "started horizontal_drag", "aborted horizontal_drag" });
 	const Events lost_at_end =
 			watch(paper(four_models()), SIDEWAYS, 4.0, { DRAG.onset_s + DRAG.duration_s + 0.05 });

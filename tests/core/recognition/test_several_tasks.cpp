@@ -110,7 +110,7 @@ TEST_CASE("a gesture that begins near the last endpoint is shown") {
 	const ExpectedGesture there = drag_at(0.2 * X - 0.15 * Y, X);
 	const Run alone = run({ there }, path, 4.5);
 	const Run both = run({ drag_at(ORIGIN, X), there }, path, 4.5);
-	CHECK(both.events.names == times(2, "sideways"));
+	CHECK(both.events.names == times(2, "horizontal_drag"));
 	for (std::size_t i = 0; i < both.values_m.size(); ++i) {
 		if (both.shown[i] == 1) {
 			CHECK(std::abs(both.values_m[i] - alone.values_m[i]) < 2e-3);

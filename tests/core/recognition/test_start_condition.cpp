@@ -85,8 +85,9 @@ EventNames event_names(const StartSettings &settings, GestureRecogniser recognis
 		}
 		recogniser.advance(t_s);
 		const GestureChanges changes = shown.next(recogniser);
-		for (const auto &[has_happened, what] : { std::pair{ changes.aborted, "aborted sideways" },
-					 { changes.started, "started sideways" }, { changes.ended, "ended sideways" } }) {
+		for (const auto &[has_happened, what] : { std::pair{ changes.aborted, "aborted horizontal_drag" },
+					 { changes.started, "started horizontal_drag" },
+					 { changes.ended, "ended horizontal_drag" } }) {
 			if (has_happened) {
 				names.emplace_back(what);
 			}

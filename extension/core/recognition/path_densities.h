@@ -22,7 +22,7 @@ namespace steadyhand {
 [[nodiscard]] inline double log_bow_ratio(double bow, double width) {
 	constexpr double GAMMA_FIVE_QUARTERS = 0.9064024770554771; // gamma(5/4)
 	const double square = bow * bow / (width * width);
-	return std::max(std::log(parameters::strokes::LARGEST_BOW / (width * GAMMA_FIVE_QUARTERS)), 0.0) -
+	return std::max(std::log(parameters::sessions::LARGEST_BOW / (width * GAMMA_FIVE_QUARTERS)), 0.0) -
 			square * square;
 }
 
