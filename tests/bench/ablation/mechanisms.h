@@ -2,6 +2,7 @@
 
 #include "base/parameters.h"
 
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,8 @@ struct Mechanism {
 namespace ablation {
 
 using namespace parameters;
-namespace s = parameters::strokes;
-namespace r = parameters::sessions;
+using namespace parameters::strokes;
+using namespace parameters::sessions;
 namespace t = parameters::tracker;
 
 constexpr double NEVER = 1e9, NONE = 1e-9;
@@ -54,30 +55,21 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "TrackerMonitor: catch-up is no displacement", { { &t::STOOD, 0.0 } } },
 		{ "TrackerMonitor: late frames", { { &t::MOST_BEHIND_S, 0.0 } } },
 
-		{ "with a task: strokes decide", { { &s::LOG_PRIOR_TASK, 1e3 } } },
-		{ "with a task: strokes decide early ends", { { &r::STOP_LOG_ODDS, -NEVER } } },
-		{ "with a task: probability of a start", { { &r::START_PROBABILITY, 0.0 } } },
-		{ "with a task: drift delays the start", { { &r::START_DRIFTS, 0.0 } } },
-		{ "with a task: halfway starts at any probability", { { &r::HALFWAY, NEVER } } },
-		{ "with a task: gestures that enter the view", { { &s::UNSEEN_PART, 0.0 } } },
+		{ "with a task: evidence of the movement", { { &LOG_PRIOR_TASK, 1e3 } } },
+		{ "with a task: direction", { { &TASK_DIRECTION, std::numbers::sqrt2 } } },
+		{ "with a task: bow", { { &BOW, 0.55 } } },
+		{ "with a task: place of the onset", { { &START, 1.0 } } },
+		{ "with a task: evidence of early ends", { { &STOP_LOG_ODDS, -NEVER } } },
+		{ "with a task: probability of a start", { { &START_PROBABILITY, 0.0 } } },
+		{ "with a task: drift delays the start", { { &START_DRIFTS, 0.0 } } },
+		{ "with a task: halfway starts at any probability", { { &HALFWAY, NEVER } } },
+		{ "with a task: gestures that enter the view", { { &REST_UNSEEN, NEVER } } },
 
-		{ "strokes: direction", { { &s::DIRECTION, NEVER } }, true },
-		{ "strokes: later turn", { { &s::LATER_TURN, 0.0 } }, true },
-		{ "strokes: bow", { { &s::BOW, 0.55 } }, true },
-		{ "strokes: detour", { { &s::OTHER_DETOUR, NEVER }, { &s::DETOUR_M, 0.1 * NEVER } }, true },
-		{ "strokes: rest before", { { &s::NO_REST_SHARE, 1.0 - NONE }, { &s::REST_UNSEEN, 0.0 } }, true },
-		{ "strokes: rest unseen", { { &s::REST_UNSEEN, 0.0 } }, true },
-		{ "strokes: longer rest before slow ones", { { &s::LONGEST_REST_S, 0.0 } }, true },
-		{ "strokes: duration", { { &s::ANY_PACE_SHARE, 1.0 - NONE } }, true },
-		{ "strokes: any pace", { { &s::ANY_PACE_SHARE, NONE } }, true },
-		{ "strokes: slowing down", { { &s::SLOWING_SHARE, 0.0 } }, true },
-		{ "strokes: means against noise", { { &s::LONGEST_MEAN_S, 0.0 } }, true },
-		{ "strokes: hopeless ones abort", { { &r::REJECT_LOG_ODDS, -NEVER } }, true },
-		{ "strokes: predicted ends", { { &r::END_LOG_ODDS, NEVER } }, true },
-		{ "strokes: start before the onset", { { &r::BEFORE_ONSET_S, 0.0 } }, true },
+		{ "without a task: early starts", { { &BEGINS, CERTAIN } }, true },
+		{ "without a task: lower limit of an abort", { { &GIVEN_UP, BEGINS } }, true },
+		{ "without a task: least reach of a start", { { &SHORTEST, 0.0 } }, true },
 
-		{ "several gestures: margin of a change", { { &r::SWITCH_MARGIN, 0.0 } }, true },
-		{ "several gestures: part of another", { { &r::PART, 0.0 } }, true },
+		{ "several gestures: margin of a change", { { &SWITCH_MARGIN, 0.0 } }, true },
 	};
 }
 
