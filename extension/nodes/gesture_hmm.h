@@ -209,13 +209,10 @@ private:
 	void watch_tasks(const steadyhand::HandFrame &p_frame);
 	/// How to correct a task at which no model's motion can be measured; empty if it can.
 	String place_fault(const GestureTask &p_task) const;
-	/// Warning about a gesture that needs a task and has none; empty if there is none.
+	/// Warning about a gesture without a task that needs one, or has no HMMs; empty if there is none.
 	String taskless_fault() const;
 	/// Warning about START_PINCH with a gesture that opens the fingers; empty if there is none.
 	String start_fault() const;
-	/// Warning about a gesture without a task that the HMMs of `paper` mode do not include; empty if there is
-	/// none.
-	String paper_fault() const;
 	[[nodiscard]] bool run_clock(double p_time_s, bool p_up_to_and_including);
 	void publish();
 	/// At p_time_s, or now if that is later.

@@ -87,9 +87,6 @@ void GestureHMM::warn_of_settings() {
 	if (warning == String()) {
 		warning = start_fault();
 	}
-	if (warning == String()) {
-		warning = paper_fault();
-	}
 	if (warning != String() && warning != warned_) {
 		WARN_PRINT(node_label(*this) + String(": ") + warning);
 	}
@@ -129,9 +126,6 @@ PackedStringArray GestureHMM::_get_configuration_warnings() const {
 		warnings.push_back(fault);
 	}
 	if (const String fault = start_fault(); fault != String()) {
-		warnings.push_back(fault);
-	}
-	if (const String fault = paper_fault(); fault != String()) {
 		warnings.push_back(fault);
 	}
 	if (has_empty) {
@@ -176,11 +170,20 @@ String GestureHMM::place_fault(const GestureTask &p_task) const {
 
 String GestureHMM::taskless_fault() const {
 	for (const Expected &one : find_expected()) {
-		if (!one.place && steadyhand::find_feature(one.model->feature)->place == nullptr) {
+		if (one.place) {
+			continue;
+		}
+		if (steadyhand::find_feature(one.model->feature)->place == nullptr) {
 			return String("Add a GestureTask of '") + String(one.gesture) +
 					String("' to \"tasks\": this gesture is measured from the task's start, and is not "
 						   "recognised "
 						   "without a task.");
+		}
+		if (!steadyhand::HmmSession::can_follow(one.model)) {
+			return String("Train the model of '") + String(one.gesture) +
+					String("' again with GestureTrainer, or add a GestureTask of it to \"tasks\": it has no "
+						   "HMMs, "
+						   "so it cannot be recognised without a task.");
 		}
 	}
 	return String();
@@ -192,21 +195,6 @@ String GestureHMM::start_fault() const {
 				steadyhand::find_feature(one.model->feature)->is_radius) {
 			return String("Set \"start_condition\" to another one than START_PINCH: '") +
 					String(one.gesture) + String("' opens the fingers, which ends a pinch.");
-		}
-	}
-	return String();
-}
-
-String GestureHMM::paper_fault() const {
-	if (mode_ != MODE_PAPER) {
-		return String();
-	}
-	for (const Expected &one : find_expected()) {
-		if (!one.place && !steadyhand::HmmSession::can_follow(one.model)) {
-			return String("Train the model of '") + String(one.gesture) +
-					String("' again with GestureTrainer, or add a GestureTask of it to \"tasks\": it has no "
-						   "HMMs, "
-						   "so it cannot be recognised without a task.");
 		}
 	}
 	return String();
