@@ -36,7 +36,7 @@ struct Feature {
 	bool is_radius = false; ///< Task::start_m.x is a radius, not a position
 	/// Factor of the standard deviation of the endpoint without a task.
 	double no_task_gain_factor = 1.0;
-	/// Weights of the coordinates of FeaturePlace in strokes.
+	/// Weights of the coordinates of FeaturePlace in TaskEvidence.
 	std::array<double, 4> coordinate_weights{ 1.0, 1.0, 1.0, 1.0 };
 };
 

@@ -14,8 +14,8 @@ using namespace parameters::sessions;
 
 } // namespace
 
-/// Reports the end of the leader. One stroke may start several neighbouring tasks; those that end beside this
-/// one are aborted.
+/// Reports the end of the leader. One movement may start several neighbouring tasks; those that end beside
+/// this one are aborted.
 void GestureRecogniser::report_end() {
 	if (leader_ < 0 || session()->stage() != GestureSession::Stage::ENDED || session()->is_end_reported()) {
 		return;
