@@ -13,7 +13,6 @@ LAYERS = [
     "devices",
     "gesture",
     "motion",
-    "strokes",
     "recognition",
     "haptics",
     "metrics",
