@@ -38,10 +38,13 @@ double normal_density(double off, double deviation) {
 	return std::exp(-0.5 * x * x) / (deviation * std::sqrt(2.0 * std::numbers::pi));
 }
 
-/// Likelihood ratio, gesture to other motion, of an end at this reach.
-double reach_ratio(const DirectedHmm &model, double reach_m) {
+/// Likelihood ratio, gesture to other motion, of an end at this reach. The density of its logarithm is a
+/// normal one whose standard deviation differs below and above the median.
+double reach_ratio(const DirectedHmm &model, double reach_m, const ClassifierOptions &options) {
 	const double off = std::log(std::max(reach_m, SMALLEST_AMPLITUDE_M) / model.reach_m);
-	return OTHER_REACHES * normal_density(off, model.reach_deviation);
+	const double below = model.reach_deviation, above = std::max(below, options.farther);
+	const double deviation = off < 0.0 ? below : above;
+	return OTHER_REACHES * normal_density(off, deviation) * 2.0 * deviation / (below + above);
 }
 
 /// Likelihood ratio, gesture to other motion, of the direction. The jitter of the tip turns short
@@ -307,7 +310,7 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double
 	}
 	const Eigen::Vector3d &displacement_m = onset.observer.farthest_m();
 	const double reach_m = model.is_radius ? onset.observer.growth_m() : displacement_m.norm();
-	const double ended = end_probability * reach_ratio(model, reach_m);
+	const double ended = end_probability * reach_ratio(model, reach_m, options_);
 	const double begun = 1.0 - rest - end_probability + ended;
 	const double of_movement = options_.onset_prior * quotient(all, filler);
 	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;

@@ -43,6 +43,8 @@ struct ClassifierOptions {
 	/// Width for log_direction_ratio(), radians: gestures may deviate by 20 degrees from their axes.
 	double direction_width = 0.42;
 	double bow_width = 0.12; ///< for log_bow_ratio()
+	/// Least standard deviation of the logarithm of reaches above the median: people often reach too far.
+	double farther = 0.3;
 	double jitter_m = 0.005; ///< of a tracked tip
 	/// A hand whose index tip and radius have moved less than this within REST_S is at rest. Gestures
 	/// begin only at rest.

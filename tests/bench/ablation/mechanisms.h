@@ -19,7 +19,6 @@ struct Mechanism {
 namespace ablation {
 
 using namespace parameters;
-using namespace parameters::strokes;
 using namespace parameters::sessions;
 namespace t = parameters::tracker;
 

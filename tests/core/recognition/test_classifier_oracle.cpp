@@ -158,10 +158,10 @@ double posterior_of(const ClassifierModel &model, std::size_t gesture, const std
 			DiscreteHmm hmm = own.hmm;
 			hmm.log_b *= EVIDENCE;
 			const Likelihood likelihood = likelihood_of(hmm, symbols);
-			const double off =
-					std::log(std::max(displacement_m.norm(), 1e-6) / own.reach_m) / own.reach_deviation;
-			const double reach = 4.605 * std::exp(-0.5 * off * off) /
-					(own.reach_deviation * std::sqrt(2.0 * std::numbers::pi));
+			const double off = std::log(std::max(displacement_m.norm(), 1e-6) / own.reach_m);
+			const double z = off / (off < 0.0 ? own.reach_deviation : 0.3);
+			const double reach = 4.605 * std::exp(-0.5 * z * z) /
+					(0.5 * (own.reach_deviation + 0.3) * std::sqrt(2.0 * std::numbers::pi));
 			const double movement = ONSET_PRIOR * std::exp(likelihood.log_all - log_filler);
 			weights[g] += movement * (1.0 - likelihood.rest_share + likelihood.end_share * (reach - 1.0)) *
 					rest_ratio(own, motions, onset) * direction_ratio(displacement_m, own.axis) *

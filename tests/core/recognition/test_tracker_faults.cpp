@@ -87,7 +87,7 @@ TEST_CASE("a freeze of 0.3 s at the onset hides no gesture") {
 
 TEST_CASE("without a task a freeze of rounded positions does not abort") {
 	constexpr double FREEZE_S = 0.2, GRID_M = 2e-3, TREMOR_M = 3e-4;
-	for (const double duration_s : { 0.6, 0.8 }) {
+	for (const double duration_s : { 0.8, 1.0 }) {
 		for (const double share : { 0.1, 0.3 }) { // of the duration
 			for (unsigned seed = 0; seed < 3; ++seed) {
 				INFO("duration ", duration_s, ", share ", share, ", seed ", seed);
