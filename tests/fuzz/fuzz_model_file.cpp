@@ -7,11 +7,32 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 
 using namespace steadyhand;
 using steadyhand::fuzz::require;
+
+namespace steadyhand {
+namespace {
+
+/// The suite runs in the repository's root.
+std::string text_of(const char *path) {
+	std::ifstream file(path);
+	require(file.good(), "models/gestures.classifier can be read");
+	return { std::istreambuf_iterator<char>(file), {} };
+}
+
+const std::string CLASSIFIER_TEXT = text_of("models/gestures.classifier");
+
+} // namespace
+
+extern const std::string_view OWN_CLASSIFIER;
+const std::string_view OWN_CLASSIFIER = CLASSIFIER_TEXT;
+
+} // namespace steadyhand
 
 namespace {
 
