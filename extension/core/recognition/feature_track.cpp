@@ -19,6 +19,11 @@ std::optional<Eigen::Vector3d> tracked_point(
 
 } // namespace
 
+FeaturePlace place_of(const Feature &feature, const Eigen::Vector3d &point_m) {
+	return feature.is_radius ? FeaturePlace(point_m.x(), point_m.y(), 0.0, point_m.z())
+							 : FeaturePlace(point_m.x(), point_m.y(), point_m.z(), 0.0);
+}
+
 void FeatureTrack::push(const HandFrame &frame) {
 	place_ = feature_->place != nullptr ? feature_->place(frame) : std::nullopt;
 	measurement_ = { .t_s = frame.t_s };
@@ -32,9 +37,7 @@ void FeatureTrack::push(const HandFrame &frame) {
 	if (!place_) {
 		return;
 	}
-	const Eigen::Vector3d &offset_m = measurement_.displacement_m;
-	displacement_m_ = feature_->is_radius ? FeaturePlace(offset_m.x(), offset_m.y(), 0.0, offset_m.z())
-										  : FeaturePlace(offset_m.x(), offset_m.y(), offset_m.z(), 0.0);
+	displacement_m_ = place_of(*feature_, measurement_.displacement_m);
 	if (measurement_.is_usable() && frame.t_s - last_measurement_s() >= parameters::LEAST_FRAME_S) {
 		past_.push({ frame.t_s, *place_ - displacement_m_ });
 	}

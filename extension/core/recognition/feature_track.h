@@ -10,6 +10,10 @@
 
 namespace steadyhand {
 
+/// Place of a feature whose tracked point for TrackerMonitor is point_m. Of a radius, x and y are the
+/// fingertips' mean, and z is the radius.
+[[nodiscard]] FeaturePlace place_of(const Feature &feature, const Eigen::Vector3d &point_m);
+
 /// Positions of a feature in the newest frames, judged by a TrackerMonitor. Only the constructor allocates.
 class FeatureTrack {
 public:

@@ -111,12 +111,12 @@ void GestureSession::decode(double t_s) {
 	}
 }
 
-bool GestureSession::is_at_end(double t_s) const {
-	return mode_ == MotionMode::PAPER ? paper_.phase(t_s) >= 1.0 : estimate(t_s).value >= END_LEVEL;
-}
-
 bool GestureSession::is_still_at_end(double t_s) const {
-	return is_at_end(t_s) && (mode_ == MotionMode::PAPER || estimate(t_s).remaining < 1.0 - END_PHASE);
+	if (mode_ == MotionMode::PAPER) {
+		return paper_.phase(t_s) >= 1.0;
+	}
+	const MotionEstimate now = estimate(t_s);
+	return now.value >= END_LEVEL && now.remaining < 1.0 - END_PHASE;
 }
 
 void GestureSession::reset_frames() {

@@ -115,9 +115,7 @@ protected:
 	[[nodiscard]] MotionEstimate estimate(double t_s) const { return phase_.at(t_s); }
 	/// estimate(), without the blend of the last change.
 	[[nodiscard]] MotionEstimate unblended(double t_s) const { return phase_.unblended(t_s); }
-	/// The motion is at the gesture's end.
-	[[nodiscard]] bool is_at_end(double t_s) const;
-	/// is_at_end(), and the motion has almost stopped.
+	/// The motion is at the gesture's end, and has almost stopped.
 	[[nodiscard]] bool is_still_at_end(double t_s) const;
 
 	void set_log_odds(double log_odds) { log_odds_ = log_odds; }

@@ -1,6 +1,7 @@
 #include "recognition/task_evidence.h"
 
 #include "base/parameters.h"
+#include "recognition/feature_track.h"
 #include "recognition/path_densities.h"
 
 #include <numbers>
@@ -11,11 +12,6 @@ namespace {
 using namespace parameters;
 using namespace parameters::sessions;
 
-FeaturePlace to_place(const Feature &feature, const Eigen::Vector3d &point_m) {
-	return feature.is_radius ? FeaturePlace(point_m.x(), point_m.y(), 0.0, point_m.z())
-							 : FeaturePlace(point_m.x(), point_m.y(), point_m.z(), 0.0);
-}
-
 } // namespace
 
 TaskEvidence::TaskEvidence(const Feature &feature, const Task &task) :
@@ -23,7 +19,7 @@ TaskEvidence::TaskEvidence(const Feature &feature, const Task &task) :
 	if (feature.place != nullptr) {
 		direction_ = feature.direction(task);
 		start_ = feature.is_radius ? FeaturePlace(0.0, 0.0, 0.0, task.start_m.x())
-								   : to_place(feature, task.start_m);
+								   : place_of(feature, task.start_m);
 	}
 }
 
@@ -40,7 +36,7 @@ void TaskEvidence::push(const Measurement &measurement, const FeaturePlace &plac
 	const auto weights = Eigen::Map<const FeaturePlace>(feature_->coordinate_weights.data());
 	now_ = { .t_s = measurement.t_s,
 		.place_m = weights.cwiseProduct(place_m),
-		.displacement_m = weights.cwiseProduct(to_place(*feature_, measurement.displacement_m)),
+		.displacement_m = weights.cwiseProduct(place_of(*feature_, measurement.displacement_m)),
 		.is_entry = samples_.empty() || since_s > LONG_DROPOUT_S };
 	if (since_s > LONG_DROPOUT_S) {
 		window_.clear();
