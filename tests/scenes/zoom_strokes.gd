@@ -14,21 +14,21 @@ func test_three_strokes_are_three_zooms() -> void:
 	var strokes: Array[Vector3] = [
 		Vector3(0.6, 0.7, GROWTH_M),
 		Vector3(1.8, 0.5, -GROWTH_M),
-		Vector3(3.3, 0.6, GROWTH_M),
-		Vector3(4.3, 0.5, -GROWTH_M),
-		Vector3(5.8, 0.8, GROWTH_M),
+		Vector3(2.6, 0.6, GROWTH_M),
+		Vector3(3.6, 0.5, -GROWTH_M),
+		Vector3(4.4, 0.8, GROWTH_M),
 	]
 	for in_task: bool in [true, false]:
-		var seen := _play(strokes, 7.4, in_task)
+		var seen := _play(strokes, 6.0, in_task)
 		check_equal(seen["events"], _zooms(3), "%s: each stroke is a zoom" % _context(in_task))
-		for at_s: float in [0.5, 3.25, 5.75]:
+		for at_s: float in [0.5, 2.55, 4.35]:
 			check_near(
 				_value_at(seen, at_s),
 				0.0,
 				0.05 * GROWTH_M,
 				"%s: closed at %.2f s" % [_context(in_task), at_s]
 			)
-		for at_s: float in [1.6, 4.1, 7.0]:
+		for at_s: float in [1.6, 3.4, 5.6]:
 			check_near(
 				_value_at(seen, at_s),
 				GROWTH_M,

@@ -78,6 +78,7 @@ void GestureClassifier::expect(std::vector<GestureHmms> gestures) {
 	const std::vector<GestureHmms> gestures_before = std::exchange(gestures_, std::move(gestures));
 	candidates_.resize(gestures_.size());
 	greatest_.resize(gestures_.size());
+	repeated_until_s_ = -INFINITY; // its index may be another one now
 	std::vector<Hypothesis> before = std::exchange(hypotheses_, {});
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		for (const DirectedHmm &model : *gestures_[i].hmms) {
@@ -116,6 +117,7 @@ void GestureClassifier::reset() {
 	until_onset_ = 0;
 	window_.reset();
 	recent_.clear();
+	repeated_until_s_ = -INFINITY;
 	for (Onset &onset : onsets_) {
 		onset.is_used = false;
 	}
@@ -127,6 +129,12 @@ void GestureClassifier::forget_before(double t_s) {
 		onset.is_used = onset.is_used && onset.t_s >= t_s;
 	}
 	evaluate();
+}
+
+void GestureClassifier::expect_repetition_of(std::size_t gesture) {
+	repeated_ = gesture;
+	repeated_from_ = candidates_[gesture];
+	repeated_until_s_ = time_s_ + options_.repetition_s;
 }
 
 void GestureClassifier::push(const HandFrame &frame) {
@@ -159,10 +167,13 @@ void GestureClassifier::step(double t_s) {
 	time_s_ = t_s;
 	recent_.push({ t_s, motion });
 	if (--until_onset_ <= 0) {
-		const std::array<Rest, RESTS> rests = rests_before_now();
-		if (rests[0].tip_m <= options_.rest_m && rests[0].radius_m <= options_.rest_radius_m) {
+		const Onset onset{ true, 0, t_s, MotionObserver(motion), rests_before_now(),
+			is_at_repeated_start(motion) };
+		const Rest &rest = onset.rests.front();
+		const bool is_at_rest = rest.tip_m <= options_.rest_m && rest.radius_m <= options_.rest_radius_m;
+		if (is_at_rest || onset.is_of_repetition) {
 			until_onset_ = ONSET_STEP;
-			start_onset(least_likely_onset(), motion, rests);
+			start_onset(least_likely_onset(), onset);
 		}
 	}
 	evaluate();
@@ -197,6 +208,11 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 	}
 }
 
+bool GestureClassifier::is_at_repeated_start(const HandMotion &motion) const {
+	return time_s_ < repeated_until_s_ && (motion.tip_m - repeated_from_.start_m).norm() <= options_.rest_m &&
+			std::abs(motion.radius_m - repeated_from_.start_radius_m) <= options_.rest_radius_m;
+}
+
 std::array<GestureClassifier::Rest, GestureClassifier::RESTS> GestureClassifier::rests_before_now() const {
 	std::array<Rest, RESTS> rests{};
 	const HandMotion &now = recent_.newest().motion;
@@ -215,12 +231,16 @@ std::array<GestureClassifier::Rest, GestureClassifier::RESTS> GestureClassifier:
 
 /// Likelihood ratio, gesture to other motion, of the motion before the onset, for a time as long as the hand
 /// moved since, up to its farthest place: a hand that wanders slowly hardly moves where it turns.
-double GestureClassifier::rest_ratio(const DirectedHmm &model, const Onset &onset, double rested_s) const {
+double GestureClassifier::rest_ratio(const Hypothesis &hypothesis, std::size_t lane) const {
+	const DirectedHmm &model = *hypothesis.model;
+	const Onset &onset = onsets_[lane];
 	const int age = model.is_radius ? onset.growth_age : onset.farthest_age;
-	const double moved_s = onset.t_s + age * SymbolClock::PERIOD_S - rested_s;
+	const double moved_s = onset.t_s + age * SymbolClock::PERIOD_S - hypothesis.rested_s[lane];
 	const double rests = std::clamp((moved_s + 0.5 * SymbolClock::PERIOD_S) / REST_S, 0.0, RESTS - 1.0);
 	const Rest &rest = onset.rests[static_cast<std::size_t>(rests)];
-	const double motion = (model.is_radius ? rest.radius_m : rest.tip_m) / model.reach_m;
+	const bool counts_as_rest = onset.is_of_repetition && hypothesis.gesture == repeated_;
+	const double moved_m = model.is_radius ? rest.radius_m : rest.tip_m;
+	const double motion = counts_as_rest ? 0.0 : moved_m / model.reach_m;
 	const double other = std::hypot(options_.rest_motion, options_.other_motion_per_s * rest.tracked_s);
 	return normal_density(motion, options_.rest_motion) / normal_density(motion, other);
 }
@@ -252,10 +272,10 @@ std::size_t GestureClassifier::least_likely_onset() const {
 	return least_of_rest < ONSETS ? least_of_rest : least;
 }
 
-void GestureClassifier::start_onset(
-		std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests) {
-	Onset &onset = onsets_[lane] = { true, 0, time_s_, MotionObserver(motion), rests };
-	const Eigen::Index column = columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
+void GestureClassifier::start_onset(std::size_t lane, const Onset &onset) {
+	onsets_[lane] = onset;
+	const Eigen::Index column = columns_[lane] =
+			model_->codebook.symbol(onsets_[lane].observer.observe(onset.observer.onset()));
 	filler_filter_.start(static_cast<int>(lane), filler_.b.col(column).data());
 	for (Hypothesis &hypothesis : hypotheses_) {
 		hypothesis.forward.start(
@@ -314,8 +334,7 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double
 	const double begun = 1.0 - rest - end_probability + ended;
 	const double of_movement = options_.onset_prior * quotient(all, filler);
 	elsewhere_ += (r_hypothesis.elsewhere + r_hypothesis.share * rest) * of_movement;
-	const double rested_s = r_hypothesis.rested_s[lane];
-	double weight = r_hypothesis.share * of_movement * begun * rest_ratio(model, onset, rested_s);
+	double weight = r_hypothesis.share * of_movement * begun * rest_ratio(r_hypothesis, lane);
 	if (!model.is_radius) {
 		weight *= direction_ratio(displacement_m, model.axis, options_) * bow;
 	}
@@ -324,11 +343,11 @@ void GestureClassifier::weigh(Hypothesis &r_hypothesis, std::size_t lane, double
 	candidate.posterior += weight;
 	if (weight > greatest_[r_hypothesis.gesture]) {
 		greatest_[r_hypothesis.gesture] = weight;
-		candidate.onset_s = rested_s;
+		candidate.onset_s = r_hypothesis.rested_s[lane];
 		candidate.start_m = onset.observer.onset().tip_m;
 		candidate.start_radius_m = onset.observer.onset().radius_m;
-		candidate.axis =
-				displacement_m.norm() > 0.0 ? Eigen::Vector3d(displacement_m.normalized()) : displacement_m;
+		candidate.axis = displacement_m.normalized();
+		candidate.is_radius = model.is_radius;
 		candidate.reach = reach_m / model.reach_m;
 		candidate.log_likelihood_ratio = all.log() - filler.log();
 		candidate.end_probability = begun > 0.0 ? ended / begun : 0.0;

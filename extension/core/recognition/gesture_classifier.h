@@ -11,6 +11,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,6 +28,7 @@ struct GestureCandidate {
 	double start_radius_m = 0.0;                       ///< radius of the three fingertips at the onset
 	/// Unit vector from start_m to the index tip; zero if they are equal.
 	Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+	bool is_radius = false; ///< of its HMM
 	double reach =
 			0.0; ///< greatest distance from the start, or growth of the radius, in DirectedHmm::reach_m
 	double log_likelihood_ratio = NEVER; ///< gesture to filler, nats
@@ -52,6 +54,8 @@ struct ClassifierOptions {
 	/// Standard deviations of the motion before the onset, in reaches: of a hand at rest, and of any hand,
 	/// per second.
 	double rest_motion = 0.11, other_motion_per_s = 1.5;
+	/// A gesture may be repeated without a rest for this time after its end. Later the hand may do anything.
+	double repetition_s = 3.0;
 	/// Exponent of the likelihood of a symbol. Symbols are independent after twice
 	/// HandMotionWindow::WINDOW_S: velocities are slopes over this time, and the tracker's errors last.
 	double evidence = 0.5 * SymbolClock::PERIOD_S / HandMotionWindow::WINDOW_S;
@@ -77,6 +81,9 @@ public:
 	void reset();
 	/// Deletes the onsets before t_s.
 	void forget_before(double t_s);
+	/// This one of gestures() has ended and may be repeated: for a short time its onsets near the last one
+	/// need no rest.
+	void expect_repetition_of(std::size_t gesture);
 
 	/// One for each of gestures(), in this order, at time_s().
 	[[nodiscard]] std::span<const GestureCandidate> candidates() const { return candidates_; }
@@ -103,6 +110,7 @@ private:
 		double t_s = 0.0;
 		MotionObserver observer; ///< holds the hand at the onset
 		std::array<Rest, RESTS> rests{};
+		bool is_of_repetition = false;
 		/// Ages at which the index tip was farthest, and the radius greatest.
 		int farthest_age = 0, growth_age = 0;
 		double weight = 0.0; ///< of the likeliest gesture, relative to the filler
@@ -142,13 +150,18 @@ private:
 	bool is_new_ = false; ///< a frame came since the last instant
 	double last_s_ = 0.0, time_s_ = 0.0;
 	int until_onset_ = 0;
+	/// Of expect_repetition_of().
+	std::size_t repeated_ = 0;
+	GestureCandidate repeated_from_;
+	double repeated_until_s_ = -INFINITY;
 
 	[[nodiscard]] Hypothesis hypothesis_of(std::size_t gesture, const DirectedHmm &model) const;
 	void step(double t_s);
 	void step_onsets(const HandMotion &motion);
-	void start_onset(std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests);
+	void start_onset(std::size_t lane, const Onset &onset);
+	[[nodiscard]] bool is_at_repeated_start(const HandMotion &motion) const;
 	[[nodiscard]] std::array<Rest, RESTS> rests_before_now() const;
-	[[nodiscard]] double rest_ratio(const DirectedHmm &model, const Onset &onset, double rested_s) const;
+	[[nodiscard]] double rest_ratio(const Hypothesis &hypothesis, std::size_t lane) const;
 	[[nodiscard]] std::size_t least_likely_onset() const;
 	void evaluate();
 	void weigh(Hypothesis &r_hypothesis, std::size_t lane, double bow);

@@ -37,6 +37,13 @@ void GestureSpotter::drop() {
 	classifier_.forget_before(classifier_.time_s());
 }
 
+void GestureSpotter::end() {
+	ended_s_ = classifier_.time_s();
+	ended_axis_ = candidate_.axis;
+	classifier_.expect_repetition_of(index_);
+	drop();
+}
+
 GestureSpotter::Event GestureSpotter::push(const HandFrame &frame) {
 	classifier_.push(frame);
 	event_ = is_active_ ? follow() : find_start();
@@ -66,7 +73,8 @@ GestureSpotter::Event GestureSpotter::find_start() {
 }
 
 bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
-	return candidate.onset_s - ended_s_ < PAUSE_S && candidate.axis.dot(ended_axis_) < -PARALLEL;
+	return !candidate.is_radius && candidate.onset_s - ended_s_ < PAUSE_S &&
+			candidate.axis.dot(ended_axis_) < -PARALLEL;
 }
 
 GestureSpotter::Event GestureSpotter::follow() {
@@ -77,9 +85,7 @@ GestureSpotter::Event GestureSpotter::follow() {
 	}
 	candidate_ = now;
 	if (now.posterior > CERTAIN && now.end_probability > 0.5) {
-		ended_s_ = classifier_.time_s();
-		ended_axis_ = now.axis;
-		drop();
+		end();
 		return Event::ENDED;
 	}
 	return Event::NONE;

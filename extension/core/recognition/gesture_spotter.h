@@ -23,7 +23,9 @@ public:
 	/// this allocates.
 	void expect(std::vector<GestureHmms> gestures);
 	Event push(const HandFrame &frame);
-	/// Ends the active gesture without an event. Its onsets are deleted.
+	/// Ends the active gesture. Its onsets are deleted.
+	void end();
+	/// As end(), but the movement was no gesture.
 	void drop();
 
 	/// Event at the newest frame.

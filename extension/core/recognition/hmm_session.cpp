@@ -177,7 +177,7 @@ void HmmSession::decide(double t_s, double least) {
 		abort(t_s);
 		return;
 	}
-	spotter_->drop();
+	spotter_->end();
 	may_end_ = true;
 }
 

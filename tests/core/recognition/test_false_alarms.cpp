@@ -136,17 +136,6 @@ TEST_CASE("slow wandering makes less than 1 false alarm per minute" * doctest::t
 	}
 }
 
-TEST_CASE("a track that begins with waving ends at most one gesture") {
-	for (const double rate_hz : { 0.7, 1.0, 1.5 }) {
-		for (int phase = 0; phase < PHASES; ++phase) {
-			INFO("rate ", rate_hz, ", phase ", phase);
-			const double into_s = phase / (PHASES * rate_hz);
-			const TestPath path = [=](double t_s) { return waving(rate_hz, t_s + into_s); };
-			CHECK(count(watch_without_task(path, 6.0), "ended horizontal_drag") <= 1);
-		}
-	}
-}
-
 TEST_CASE("a waving hand with dropouts and freezes hardly ends a gesture" * doctest::test_suite("figures")) {
 	int runs = 0, alarms = 0;
 	for (const double rate_hz : { 0.5, 0.7, 1.0 }) {

@@ -127,6 +127,18 @@ TEST_CASE("without a task only a return after a long dwell is a gesture") {
 	}
 }
 
+TEST_CASE("without a task a soon repeated gesture needs no rest") {
+	const auto ends_with_return_at = [](double back_s, const Eigen::Vector3d &axis) {
+		const Drag back{ back_s, 0.6, -0.2 }, again{ back_s + 0.7, 0.6, 0.2 };
+		return ends(watch_without_task(along(axis, { DRAG, back, again }), back_s + 2.5));
+	};
+	for (const Eigen::Vector3d &axis : { X, Y, Eigen::Vector3d(-Z) }) {
+		CAPTURE(axis);
+		CHECK(ends_with_return_at(1.7, axis) == 2);
+	}
+	CHECK(ends_with_return_at(4.5, -Z) == 1);
+}
+
 TEST_CASE("confidence is above 0.95 for a straight gesture, less for oblique ones") {
 	const Events plain = watch_without_task(along(X, { DRAG }), 2.5);
 	CHECK(plain.last_confidence > 0.95);

@@ -135,7 +135,7 @@ TEST_CASE("with a task noise of 1 mm hardly starts a zoom") {
 }
 
 TEST_CASE("repeated zooms end no drag; a drag after them ends") {
-	constexpr double OUT_S = 0.55, REST_S = 0.4, BACK_S = 1.0, PERIOD_S = 3.0, SMALL_M = 0.016;
+	constexpr double OUT_S = 0.55, REST_S = 0.1, BACK_S = 1.0, PERIOD_S = 1.85, SMALL_M = 0.016;
 	constexpr int STROKES = 4;
 	std::vector<Drag> radius_m; // minimum jerk, as of a drag
 	for (int i = 0; i < STROKES; ++i) {
