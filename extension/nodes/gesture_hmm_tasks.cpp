@@ -131,8 +131,9 @@ void GestureHMM::build_recogniser() {
 	warn_of_settings();
 	restart_task_watch();
 	recogniser_ = std::make_unique<steadyhand::GestureRecogniser>(core_of(expected_),
-			static_cast<steadyhand::MotionMode>(mode_),
-			steadyhand::hypotheses_of(static_cast<steadyhand::Quality>(quality_)), sensor_latency_s_);
+			steadyhand::Synthesis{ static_cast<steadyhand::MotionMode>(mode_),
+					steadyhand::hypotheses_of(static_cast<steadyhand::Quality>(quality_)),
+					sensor_latency_s_ });
 	recogniser_->set_min_confidence(min_confidence_);
 	recogniser_->set_completion(completion_);
 	recogniser_->set_start_condition(start_);

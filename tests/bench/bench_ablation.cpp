@@ -16,6 +16,7 @@
 #include "matrix/scenarios.h"
 #include "metrics/summary.h"
 #include "models.h"
+#include "recogniser_of.h"
 #include "shown_changes.h"
 #include "trials.h"
 
@@ -111,8 +112,8 @@ private:
 		std::erase_if(chosen, [=](const SyntheticTrial *one) { return one->trial.position != position; });
 		return each(chosen.size(), [&](std::size_t i) {
 			const auto &model = model_of(chosen[i]->trial.gesture);
-			GestureRecogniser recogniser({ model }, task_of(*chosen[i]), MotionMode::PHASE,
-					DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+			GestureRecogniser recogniser(
+					{ { model, task_of(*chosen[i]) } }, { .latency_s = USUAL_SENSOR_LATENCY_S });
 			constexpr double OUTPUTS_PER_S = 250.0;
 			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
 		});
@@ -121,8 +122,8 @@ private:
 	[[nodiscard]] Sample percent_missed() const {
 		const std::vector<const SyntheticTrial *> chosen = gestures_of(real_);
 		return each(chosen.size(), [&](std::size_t i) {
-			GestureRecogniser recogniser(
-					models_, std::nullopt, MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+			GestureRecogniser recogniser =
+					test::recogniser_of(models_, std::nullopt, { .latency_s = USUAL_SENSOR_LATENCY_S });
 			test::ShownChanges shown;
 			std::string last;
 			for (const HandFrame &frame : chosen[i]->measured.frames) {

@@ -35,8 +35,7 @@ int main(int count, char **arguments) {
 			continue;
 		}
 		const auto &model = models[static_cast<std::size_t>(known - GESTURES.begin())];
-		GestureRecogniser recogniser(
-				{ model }, task_of(trial), MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+		GestureRecogniser recogniser({ { model, task_of(trial) } }, { .latency_s = USUAL_SENSOR_LATENCY_S });
 		const CurveComparison compared = compare_replay(trial, *model, recogniser, OUTPUTS_PER_S);
 		std::printf("%s,%s,%s,%.5f,%.5f,%.4f,%d\n", trial.trial.trial.c_str(), trial.trial.gesture.c_str(),
 				trial.trial.position == HandPosition::STABLE ? "stable" : "unstable", compared.r2,

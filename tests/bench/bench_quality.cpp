@@ -10,6 +10,7 @@
 #include "metrics/summary.h"
 #include "models.h"
 #include "quality_settings.h"
+#include "recogniser_of.h"
 #include "recognition/gesture_recogniser.h"
 #include "shown_changes.h"
 #include "timing.h"
@@ -58,8 +59,8 @@ public:
 		for (std::size_t g = 0; g < trials_.size(); ++g) {
 			for (std::size_t i = 0; i < std::min(TRIALS, trials_[g].size()); ++i) {
 				const SyntheticTrial &trial = trials_[g][i];
-				GestureRecogniser recogniser({ models_of(setting)[g] }, task_of(trial), setting.mode,
-						setting.hypotheses, 0.0, setting.decoding);
+				GestureRecogniser recogniser({ { models_of(setting)[g], task_of(trial) } },
+						{ setting.mode, setting.hypotheses, 0.0, setting.decoding });
 				ns += ns_of([&] {
 					replay(trial, recogniser, setting.outputs_per_s,
 							[&](double) { keep(recogniser.motion(MotionSource::SYNTHESISED)); });
@@ -107,15 +108,15 @@ private:
 	/// Comparison with a task.
 	[[nodiscard]] CurveComparison compare(
 			const SyntheticTrial &trial, std::size_t gesture, const Setting &setting) const {
-		GestureRecogniser recogniser({ models_of(setting)[gesture] }, task_of(trial), setting.mode,
-				setting.hypotheses, 0.0, setting.decoding);
+		GestureRecogniser recogniser({ { models_of(setting)[gesture], task_of(trial) } },
+				{ setting.mode, setting.hypotheses, 0.0, setting.decoding });
 		return compare_replay(trial, *models_of(setting)[gesture], recogniser, setting.outputs_per_s);
 	}
 
 	/// Gestures that ended, with all models active and without a task.
 	[[nodiscard]] std::vector<int> ended(const SyntheticTrial &trial, const Setting &setting) const {
-		GestureRecogniser recogniser(
-				models_of(setting), std::nullopt, setting.mode, setting.hypotheses, 0.0, setting.decoding);
+		GestureRecogniser recogniser = test::recogniser_of(models_of(setting), std::nullopt,
+				{ setting.mode, setting.hypotheses, 0.0, setting.decoding });
 		std::vector<int> found;
 		test::ShownChanges shown;
 		for (const HandFrame &frame : trial.measured.frames) {

@@ -11,6 +11,7 @@
 #include "hmm/forward.h"
 #include "hmm/viterbi.h"
 #include "models.h"
+#include "recogniser_of.h"
 #include "recognition/gesture_recogniser.h"
 #include "simulation/synthetic_trial.h"
 #include "timing.h"
@@ -134,8 +135,8 @@ double ns_a_frame(const std::vector<SyntheticTrial> &trials, const Models &model
 	return ns_a_frame(
 			trials,
 			[&](const Task &task) {
-				return GestureRecogniser(
-						models, has_task ? std::optional(task) : std::nullopt, mode, hypotheses_of(quality));
+				return test::recogniser_of(models, has_task ? std::optional(task) : std::nullopt,
+						{ mode, hypotheses_of(quality) });
 			},
 			outputs);
 }

@@ -5,6 +5,7 @@
 //
 // MODELS: folder of the models (default: models). FOLDER: has track CSV of hands that make no gesture.
 
+#include "recogniser_of.h"
 #include "shown_changes.h"
 #include "trials.h"
 
@@ -45,7 +46,7 @@ struct Counts {
 
 Counts follow(const Models &models, StartKind start, const std::vector<HandFrame> &frames,
 		const std::optional<Task> &task) {
-	GestureRecogniser recogniser(models, task, MotionMode::PHASE, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+	GestureRecogniser recogniser = test::recogniser_of(models, task, { .latency_s = USUAL_SENSOR_LATENCY_S });
 	recogniser.set_start_condition({ .kind = start });
 	Counts counts;
 	if (frames.empty()) {

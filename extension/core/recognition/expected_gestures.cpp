@@ -9,22 +9,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
 namespace steadyhand {
 namespace {
-
-std::vector<ExpectedGesture> at_one_place(
-		const std::vector<std::shared_ptr<const GestureModel>> &models, const std::optional<Task> &task) {
-	std::vector<ExpectedGesture> gestures;
-	gestures.reserve(models.size());
-	for (const std::shared_ptr<const GestureModel> &model : models) {
-		gestures.push_back({ model, task });
-	}
-	return gestures;
-}
 
 std::unique_ptr<GestureSession> session_for(
 		const ExpectedGesture &gesture, const Synthesis &synthesis, GestureSpotter *spotter) {
@@ -36,15 +25,8 @@ std::unique_ptr<GestureSession> session_for(
 
 } // namespace
 
-GestureRecogniser::GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-		const std::optional<Task> &task, MotionMode mode, std::size_t hypotheses, double latency_s,
-		const StateDecoding &decoding) :
-		GestureRecogniser(at_one_place(models, task), mode, hypotheses, latency_s, decoding) {}
-
-GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode,
-		std::size_t hypotheses, double latency_s, const StateDecoding &decoding) :
-		synthesis_{ mode, hypotheses, latency_s, decoding },
-		time_s_(-std::numeric_limits<double>::infinity()) {
+GestureRecogniser::GestureRecogniser(std::vector<ExpectedGesture> gestures, const Synthesis &synthesis) :
+		synthesis_(synthesis) {
 	expect(std::move(gestures));
 }
 
@@ -129,7 +111,6 @@ void GestureRecogniser::track_features() {
 		const auto old = std::find_if(before.begin(), before.end(), is_its);
 		tracks_.push_back(old != before.end() ? std::move(*old) : FeatureTrack(*feature));
 	}
-	schedule_dropout();
 }
 
 } // namespace steadyhand

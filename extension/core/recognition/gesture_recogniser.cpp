@@ -12,6 +12,9 @@ namespace {
 using namespace parameters;
 using namespace parameters::sessions;
 
+/// Longest gap that is stepped through symbol by symbol. A jump of the clock must not take long.
+constexpr double LONGEST_GAP_S = 10.0;
+
 } // namespace
 
 void GestureRecogniser::set_completion(double share) {
@@ -26,8 +29,11 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
+	if (time_s_ == -INFINITY) {
+		clock_.start(frame.t_s);
+	}
 	// Steps before this frame must not use it.
-	advance_sessions(std::nextafter(frame.t_s, -INFINITY));
+	step_sessions(std::nextafter(frame.t_s, -INFINITY));
 	for (FeatureTrack &track : tracks_) {
 		track.push(frame);
 	}
@@ -45,52 +51,37 @@ void GestureRecogniser::push(const HandFrame &frame) {
 	if (before) {
 		blend_from(*before, CHANGE_BLEND_PER_S);
 	}
-	schedule_dropout();
-	judge_starts();
-	decide_ends();
-	choose_leader();
+	update_gestures();
 }
 
 void GestureRecogniser::advance(double t_s) {
 	if (!(t_s > time_s_) || t_s > FARTHEST_S) {
 		return;
 	}
-	advance_sessions(t_s);
-	time_s_ = t_s;
-	judge_starts();
-	choose_leader();
-}
-
-void GestureRecogniser::schedule_dropout() {
-	next_dropout_s_ = INFINITY;
-	for (const FeatureTrack &track : tracks_) {
-		for (const double dropout_s : GestureSession::DROPOUTS_S) {
-			const double due_s = track.last_measurement_s() + dropout_s;
-			const bool is_to_come = due_s >= time_s_ && due_s > last_dropout_s_;
-			next_dropout_s_ = is_to_come ? std::min(next_dropout_s_, due_s) : next_dropout_s_;
-		}
-	}
-}
-
-void GestureRecogniser::advance_sessions(double t_s) {
-	while (next_dropout_s_ <= t_s) {
-		time_s_ = last_dropout_s_ = next_dropout_s_;
-		step_sessions(time_s_);
-		for (std::size_t i = 0; i < sessions_.size(); ++i) {
-			sessions_[i]->on_dropout(time_s_, track(i));
-		}
-		judge_starts();
-		decide_ends();
-		choose_leader();
-		schedule_dropout();
-	}
 	step_sessions(t_s);
+	time_s_ = t_s;
 }
 
 void GestureRecogniser::step_sessions(double t_s) {
-	for (std::size_t i = 0; i < sessions_.size(); ++i) {
-		sessions_[i]->advance(t_s, track(i));
+	if (time_s_ == -INFINITY) {
+		return;
 	}
+	if (t_s - clock_.next_s() > LONGEST_GAP_S) {
+		clock_.start(t_s - LONGEST_GAP_S);
+	}
+	for (; clock_.due(t_s); clock_.advance()) {
+		time_s_ = clock_.next_s();
+		for (std::size_t i = 0; i < sessions_.size(); ++i) {
+			sessions_[i]->step(time_s_, track(i));
+		}
+		update_gestures();
+	}
+}
+
+void GestureRecogniser::update_gestures() {
+	judge_starts();
+	decide_ends();
+	choose_leader();
 }
 
 double GestureRecogniser::posterior(std::size_t session) const {

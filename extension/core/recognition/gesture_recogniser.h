@@ -27,14 +27,7 @@ struct ExpectedGesture {
 /// Only the constructor and expect() allocate.
 class GestureRecogniser {
 public:
-	/// hypotheses, latency_s: of SwitchingEstimator; decoding: of Synthesis.
-	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, MotionMode mode = MotionMode::PHASE,
-			std::size_t hypotheses = DEFAULT_HYPOTHESES, double latency_s = 0.0,
-			const StateDecoding &decoding = {});
-	/// All models with the same task, or all without one.
-	GestureRecogniser(const std::vector<std::shared_ptr<const GestureModel>> &models,
-			const std::optional<Task> &task, MotionMode mode, std::size_t hypotheses = DEFAULT_HYPOTHESES,
-			double latency_s = 0.0, const StateDecoding &decoding = {});
+	explicit GestureRecogniser(std::vector<ExpectedGesture> gestures, const Synthesis &synthesis = {});
 
 	/// Least confidence() at which a gesture without a task is shown, and may end: 0..1. A low one gives more
 	/// false alarms, a high one later starts.
@@ -99,18 +92,16 @@ private:
 	std::size_t shown_ = 0; ///< the leader, if there is one
 	OutputBlend blend_;     ///< of the step to another shown gesture, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
-	double time_s_;
-	double next_dropout_s_ = INFINITY;  ///< next time at which a dropout reaches GestureSession::DROPOUTS_S
-	double last_dropout_s_ = -INFINITY; ///< last such time
-	double ended_s_ = -INFINITY;        ///< time of the last reported end
+	SymbolClock clock_; ///< of the sessions, from the first frame on
+	double time_s_ = -INFINITY;
+	double ended_s_ = -INFINITY; ///< time of the last reported end
 
 	void expect_spotted();
 	void track_features();
 	[[nodiscard]] const FeatureTrack &track(std::size_t session) const { return tracks_[track_of_[session]]; }
-	/// Steps all sessions to t_s, with the dropouts before it.
-	void advance_sessions(double t_s);
+	/// Steps all sessions through the instants of the symbols, up to t_s.
 	void step_sessions(double t_s);
-	void schedule_dropout();
+	void update_gestures();
 	[[nodiscard]] double posterior(std::size_t session) const;
 	[[nodiscard]] double log_odds(std::size_t session) const { return sessions_[session]->log_odds(); }
 	/// The start condition was met, and the confidence is high enough, so that the gesture may be shown and

@@ -8,9 +8,6 @@ namespace {
 using namespace parameters;
 using namespace parameters::sessions;
 
-/// Longest gap that is stepped through symbol by symbol. A jump of the clock must not take long.
-constexpr double LONGEST_GAP_S = 10.0;
-
 } // namespace
 
 GestureSession::GestureSession(
@@ -24,10 +21,6 @@ GestureSession::GestureSession(
 							 : feature_->no_task_gain_factor * parameters::NO_TASK_GAIN_SPREAD) {}
 
 bool GestureSession::push(const HandFrame &frame, const FeatureTrack &track) {
-	if (!clock_started_) {
-		clock_.start(frame.t_s);
-		clock_started_ = true;
-	}
 	place_ = track.hand().value_or(place_);
 	const std::optional<double> x_m = measure(frame, track);
 	if (!x_m) {
@@ -45,16 +38,6 @@ bool GestureSession::push(const HandFrame &frame, const FeatureTrack &track) {
 	}
 	has_new_frame_ = true;
 	return true;
-}
-
-void GestureSession::advance(double t_s, const FeatureTrack &track) {
-	if (clock_started_ && t_s - clock_.next_s() > LONGEST_GAP_S) {
-		clock_.start(t_s - LONGEST_GAP_S);
-	}
-	while (clock_started_ && clock_.due(t_s)) {
-		step(clock_.next_s(), track);
-		clock_.advance();
-	}
 }
 
 void GestureSession::step(double t_s, const FeatureTrack &track) {

@@ -12,7 +12,6 @@
 #include "motion/switching_estimator.h"
 #include "recognition/feature_track.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -37,19 +36,16 @@ struct Synthesis {
 class GestureSession {
 public:
 	enum class Stage { IDLE, ACTIVE, ENDED };
-	/// Lengths of a dropout. After the first one, an active gesture without a task ends if it is near its
-	/// end, and one with a task cannot end any more. After the second one the session is idle.
-	static inline const std::array DROPOUTS_S{ parameters::SHORT_DROPOUT_S, parameters::LONG_DROPOUT_S };
 
 	GestureSession(const GestureSession &) = delete;
 	GestureSession &operator=(const GestureSession &) = delete;
 	virtual ~GestureSession() = default;
 
-	/// A new frame, not before the last one and not before the last advance(). Call advance() up to it first.
-	/// Returns false if the frame has no value of the feature. track: of the feature, with this frame.
+	/// A new frame, not before the last one and not before the last step(). Returns false if the frame has no
+	/// value of the feature. track: of the feature, with this frame.
 	bool push(const HandFrame &frame, const FeatureTrack &track);
-	/// Advances to t_s. track: as of the last frame.
-	void advance(double t_s, const FeatureTrack &track);
+	/// Advances to the next instant of a SymbolClock. track: as of the last frame.
+	void step(double t_s, const FeatureTrack &track);
 
 	[[nodiscard]] Motion motion(double t_s) const;
 	[[nodiscard]] Stage stage() const { return stage_; }
@@ -71,8 +67,6 @@ public:
 	virtual void end_gesture(double /*t_s*/) {}
 	/// Active, and near the task's end.
 	[[nodiscard]] virtual bool is_near_end() const { return false; }
-	/// A dropout has reached one of DROPOUTS_S at t_s. The gesture may_end() or is aborted.
-	virtual void on_dropout(double /*t_s*/, const FeatureTrack & /*track*/) {}
 	/// Position of the hand in the next frame.
 	virtual void locate(const FeaturePlace & /*place_m*/) {}
 	/// Distance, m, of the last located hand from the task's start. Infinite before the first locate(), and
@@ -99,8 +93,8 @@ protected:
 
 	/// Motion element in a frame, m; nullopt if the frame has none. Then last_place() is of an earlier frame.
 	virtual std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) = 0;
-	/// Called at each instant of the symbols, after the state is decoded.
-	virtual void update_stage(double /*t_s*/, const FeatureTrack & /*track*/) {}
+	/// Called at each step(), after the state is decoded.
+	virtual void update_stage(double t_s, const FeatureTrack &track) = 0;
 
 	[[nodiscard]] const Feature &feature() const { return *feature_; }
 	[[nodiscard]] MotionMode mode() const { return mode_; }
@@ -150,8 +144,6 @@ private:
 	bool is_paused_ = false;
 
 	ObservationWindow window_;
-	SymbolClock clock_;
-	bool clock_started_ = false;
 	bool has_new_frame_ = false; ///< since the last symbol
 	FeaturePlace place_ = FeaturePlace::Zero();
 
@@ -168,7 +160,6 @@ private:
 	bool is_reset_ = false;    ///< by reset_hand(), until the next frame
 	OutputBlend blend_;        ///< m
 
-	void step(double t_s, const FeatureTrack &track);
 	void enter(Stage stage, double t_s);
 	/// The estimator is in use: it gets the frames and makes the motion.
 	[[nodiscard]] bool follows_phase() const {

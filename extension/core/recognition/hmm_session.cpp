@@ -161,10 +161,11 @@ void HmmSession::abort(double t_s) {
 	}
 }
 
-void HmmSession::on_dropout(double t_s, const FeatureTrack &track) {
-	if (t_s >= track.last_measurement_s() + DROPOUTS_S.back()) {
+void HmmSession::update_stage(double t_s, const FeatureTrack &track) {
+	const double unseen_s = t_s - track.last_measurement_s();
+	if (unseen_s >= LONG_DROPOUT_S) {
 		abort(t_s);
-	} else if (is_spotted() && spotter_->candidate().reach > NEAR_END) {
+	} else if (unseen_s >= SHORT_DROPOUT_S && is_spotted() && spotter_->candidate().reach > NEAR_END) {
 		decide(t_s, 0.0);
 	}
 }

@@ -22,7 +22,6 @@ public:
 	void end_gesture(double t_s) override;
 	void ignore_before(double /*t_s*/) override {} // the spotter deletes all onsets at an end
 	void abort(double t_s) override;
-	void on_dropout(double t_s, const FeatureTrack &track) override;
 
 private:
 	GestureSpotter *spotter_;
@@ -35,6 +34,7 @@ private:
 	bool may_end_ = false;
 
 	std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) override;
+	void update_stage(double t_s, const FeatureTrack &track) override;
 	void begin_at_onset(double t_s, const FeatureTrack &track);
 	void look_for_end(double t_s, const FeatureTrack &track);
 	void decide(double t_s, double least);

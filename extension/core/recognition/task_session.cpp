@@ -72,7 +72,7 @@ double TaskSession::start_distance_m() const {
 }
 
 void TaskSession::update_stage(double t_s, const FeatureTrack &track) {
-	if (!is_reset() && t_s - hand_.last_s() > DROPOUTS_S.back()) {
+	if (!is_reset() && t_s - hand_.last_s() > LONG_DROPOUT_S) {
 		is_rejected_ = false;
 		lose(t_s);
 	}
@@ -163,7 +163,7 @@ bool TaskSession::has_aborted(double t_s) {
 bool TaskSession::is_end_observed(double t_s, const FeatureTrack &track) const {
 	const double unseen_s = t_s - (feature().place != nullptr ? track.last_measurement_s() : hand_.last_s());
 	const bool may_be_there = value() > HALFWAY || unseen_s > RECENT_S;
-	const bool is_followed = unseen_s < DROPOUTS_S.front() && !hand_.is_just_found(t_s);
+	const bool is_followed = unseen_s < SHORT_DROPOUT_S && !hand_.is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 

@@ -23,7 +23,7 @@ struct GestureEvent {
 inline std::vector<GestureEvent> follow(const std::vector<ExpectedGesture> &gestures,
 		const std::vector<HandFrame> &frames, double length_s, double min_confidence,
 		MotionMode mode = MotionMode::PHASE) {
-	GestureRecogniser recogniser(gestures, mode, DEFAULT_HYPOTHESES, USUAL_SENSOR_LATENCY_S);
+	GestureRecogniser recogniser(gestures, { .mode = mode, .latency_s = USUAL_SENSOR_LATENCY_S });
 	recogniser.set_min_confidence(min_confidence);
 	std::vector<GestureEvent> events;
 	test::ShownChanges shown;

@@ -1,5 +1,6 @@
 // Gestures of a user, trained from a few recordings, are recognised without a task.
 
+#include "recogniser_of.h"
 #include "recognition/gesture_events.h"
 #include "simulation/classifier_set.h"
 
@@ -14,7 +15,7 @@ namespace {
 using Models = std::vector<std::shared_ptr<const GestureModel>>;
 
 GestureRecogniser paper(const Models &expected) {
-	return { expected, std::nullopt, MotionMode::PAPER };
+	return recogniser_of(expected, std::nullopt, { MotionMode::PAPER });
 }
 
 /// Without HMMs of its own.

@@ -13,7 +13,7 @@ class RecogniserEstimator : public Estimator {
 public:
 	RecogniserEstimator(
 			const std::shared_ptr<const GestureModel> &model, const Task &task, double latency_s) :
-			recogniser_({ model }, task, MotionMode::PHASE, DEFAULT_HYPOTHESES, latency_s) {}
+			recogniser_({ { model, task } }, { .latency_s = latency_s }) {}
 
 	void push(const HandFrame &frame) override {
 		DeviceFrame shown;

@@ -2,6 +2,7 @@
 
 #include "classifier_streams.h"
 #include "overlapping_drags.h"
+#include "recogniser_of.h"
 #include "recognition/gesture_recogniser.h"
 #include "shown_changes.h"
 #include "trained_drag.h"
@@ -138,11 +139,11 @@ inline TestPath along(const Eigen::Vector3d &axis, const std::vector<Drag> &stro
 }
 
 inline GestureRecogniser without_task() {
-	return { models(), std::nullopt, MotionMode::PHASE };
+	return recogniser_of(models(), std::nullopt);
 }
 
 inline GestureRecogniser with_task(const Task &task = {}) {
-	return { { models()[0] }, task, MotionMode::PHASE };
+	return GestureRecogniser({ { models()[0], task } });
 }
 
 /// Events of the recogniser for a hand and a tracker.

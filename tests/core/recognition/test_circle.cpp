@@ -46,7 +46,7 @@ GestureRecogniser circles(MotionMode mode = MotionMode::PHASE, const std::option
 		return std::make_shared<const GestureModel>(
 				train("circle", "index_along_circle", recordings, {}).value());
 	}();
-	return { { model }, task, mode };
+	return GestureRecogniser({ { model, task } }, { mode });
 }
 
 } // namespace

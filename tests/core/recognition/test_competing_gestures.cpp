@@ -89,7 +89,7 @@ TestPath drag(double duration_s) {
 }
 
 Events events_of(const Models &models, const TestPath &path, const TestTracker &tracker = {}) {
-	return watch(GestureRecogniser(models, std::nullopt, MotionMode::PHASE), path, 3.0, tracker);
+	return watch(recogniser_of(models, std::nullopt), path, 3.0, tracker);
 }
 
 } // namespace

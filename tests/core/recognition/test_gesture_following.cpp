@@ -21,7 +21,7 @@ constexpr std::array SOURCES{ MotionSource::SYNTHESISED, MotionSource::MEASURED,
 constexpr std::array MODES{ MotionMode::PHASE, MotionMode::PAPER };
 
 GestureRecogniser recogniser(MotionMode mode, const std::optional<Task> &task = Task{}) {
-	return { { shared_drag_model() }, task, mode };
+	return GestureRecogniser({ { shared_drag_model(), task } }, { mode });
 }
 
 using Row = std::array<double, SOURCES.size()>;
@@ -198,7 +198,7 @@ TEST_CASE("the acceleration without frame corrections follows the hand at 0.5 mm
 	for (const double duration_s : { 0.6, 0.9, 1.2 }) {
 		const Drag drag{ .onset_s = 0.5, .duration_s = duration_s, .amplitude_m = 0.2 };
 		Track track = drag_track(drag, 110.0, 2.2);
-		GestureRecogniser recogniser({ shared_drag_model() }, Task{}, MotionMode::PHASE);
+		GestureRecogniser recogniser({ { shared_drag_model(), Task{} } });
 		int ms = 0;
 		for (HandFrame &frame : track.frames) {
 			frame.set(Joint::INDEX, frame.position(Joint::INDEX) + tremor().x() * X);
@@ -241,5 +241,5 @@ TEST_CASE("NaN, infinite and huge input leaves every output finite") {
 		hmm.advance(1e12); // does not hang
 		CHECK(std::isfinite(hmm.motion(MotionSource::SYNTHESISED).value_m));
 	}
-	CHECK(row_of(GestureRecogniser({}, std::nullopt, MotionMode::PHASE))[0] == 0.0);
+	CHECK(row_of(GestureRecogniser({}))[0] == 0.0);
 }

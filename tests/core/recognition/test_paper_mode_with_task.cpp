@@ -16,7 +16,7 @@ constexpr double TASK_M = 0.2; ///< amplitude of Task{}
 constexpr double ONSET_S = 0.5;
 
 Events watch_paper_mode(const TestPath &path, double length_s) {
-	GestureRecogniser recogniser({ models()[0] }, Task{}, MotionMode::PAPER);
+	GestureRecogniser recogniser({ { models()[0], Task{} } }, { MotionMode::PAPER });
 	return watch(recogniser, path, length_s);
 }
 

@@ -24,7 +24,7 @@ std::vector<std::shared_ptr<const GestureModel>> four_models() {
 }
 
 GestureRecogniser paper(const std::vector<std::shared_ptr<const GestureModel>> &expected) {
-	return { expected, std::nullopt, MotionMode::PAPER };
+	return recogniser_of(expected, std::nullopt, { MotionMode::PAPER });
 }
 
 const TestPath SIDEWAYS = along(X, { DRAG });

@@ -29,7 +29,7 @@ TEST_CASE("drags with dropouts and freezes end, with less error than the data") 
 	double error = 0.0, raw_error = 0.0; // sums of squares
 	for (unsigned seed = 0; seed < 6; ++seed) {
 		CAPTURE(seed);
-		GestureRecogniser recogniser({ shared_drag_model() }, Task{}, MotionMode::PHASE);
+		GestureRecogniser recogniser({ { shared_drag_model(), Task{} } });
 		std::mt19937_64 random(seed);
 		std::uniform_real_distribution<double> uniform;
 		Tremor tremor(2e-4, seed);
@@ -108,8 +108,8 @@ TEST_CASE("a return after a dwell is followed at any quality") {
 			for (const double back_s : { 0.25, 0.4 }) {
 				INFO("quality ", static_cast<int>(quality), ", rest ", rest_s, ", back ", back_s);
 				const std::vector<Drag> strokes{ { 1.0, 1.6, 0.28 }, { 2.6 + rest_s, back_s, -0.28 } };
-				GestureRecogniser recogniser({ shared_drag_model() }, Task{ 0.0 * X, X, 0.28 },
-						MotionMode::PHASE, hypotheses_of(quality));
+				GestureRecogniser recogniser({ { shared_drag_model(), Task{ 0.0 * X, X, 0.28 } } },
+						{ .hypotheses = hypotheses_of(quality) });
 				const Events events = watch(
 						recogniser, along(X, strokes), 4.1 + rest_s, { .rate_hz = 60.0, .noise_m = 0.0 });
 				CHECK(std::abs(events.last_value_m) < 1e-3);

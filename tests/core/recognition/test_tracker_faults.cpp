@@ -60,7 +60,7 @@ TEST_CASE("a dropout or a rounding tracker at the onset hides no gesture") {
 					const double lost_s = onset_s - 0.05, length_s = onset_s + duration_s + 0.6;
 					const TestTracker tracker{ lost_s, lost_s + gap_s, RATE_HZ, 0.0 };
 					check_found(seen, length_s, tracker);
-					GestureRecogniser paper(models(), std::nullopt, MotionMode::PAPER);
+					GestureRecogniser paper = recogniser_of(models(), std::nullopt, { MotionMode::PAPER });
 					CHECK(watch(paper, seen, length_s, tracker).names == ENDS);
 				}
 			}

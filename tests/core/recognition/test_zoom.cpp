@@ -43,7 +43,7 @@ HandFrame frame_of(double t_s, const Tips &tips, Tremor &r_tremor,
 }
 
 GestureRecogniser zooms(double closed_m = CLOSED_M, const std::optional<Task> &task = std::nullopt) {
-	return { { zoom_model(closed_m, GROWTH_M) }, task, MotionMode::PHASE };
+	return recogniser_of({ zoom_model(closed_m, GROWTH_M) }, task);
 }
 
 struct Opening {
@@ -146,8 +146,8 @@ TEST_CASE("repeated zooms end no drag; a drag after them ends") {
 	for (unsigned seed = 0; seed < 20; ++seed) {
 		CAPTURE(seed);
 		Tremor tremor(2e-4, seed);
-		GestureRecogniser recogniser(
-				{ zoom_model(SMALL_M, GROWTH_M), models()[1] }, std::nullopt, MotionMode::PHASE);
+		GestureRecogniser recogniser =
+				recogniser_of({ zoom_model(SMALL_M, GROWTH_M), models()[1] }, std::nullopt);
 		ShownChanges shown;
 		std::array<int, 2> ended{};
 		for (int i = 0; i < 60.0 * (drag.onset_s + 1.2); ++i) {
