@@ -132,8 +132,8 @@ STEADYHAND_PARAMETER UNSEEN_PART = 0.45, REST_UNSEEN = 1.5;
 
 /// Least values of a start: value, speed (only `paper` mode), and value in standard deviations of the drift.
 STEADYHAND_PARAMETER START_VALUE = 0.03, START_SPEED = 0.1, START_DRIFTS = 7.0;
-/// Drift at rest: time of its second differences, and its value until it is measured.
-STEADYHAND_PARAMETER DRIFT_S = 0.1, UNKNOWN_DRIFT = 0.02;
+/// Drift at rest until it is measured.
+STEADYHAND_PARAMETER UNKNOWN_DRIFT = 0.02;
 /// Probability of the gesture above which it starts, and below which it is aborted.
 STEADYHAND_PARAMETER START_PROBABILITY = 0.7, ABORT_PROBABILITY = 0.1;
 /// Beyond this value a gesture starts at any probability.

@@ -27,9 +27,7 @@ std::optional<double> TaskSession::measure(const HandFrame &frame, const Feature
 	if (!is_straight()) {
 		path_distance_m_ = feature().path_distance_m(frame, task());
 	}
-	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
-	hand_.push(frame.t_s, path_distance_m_ < tolerance * task().amplitude_m);
-	update_nearness(frame.t_s);
+	update_presence(frame.t_s);
 	if (track.hand()) {
 		evidence_.push(track.measurement(), last_place(), stage() == Stage::IDLE);
 	}
@@ -50,7 +48,11 @@ void TaskSession::judge() {
 
 /// Pauses the estimator while the hand is far away. It has the greatest cost, and a scene may have many
 /// tasks.
-void TaskSession::update_nearness(double t_s) {
+void TaskSession::update_presence(double t_s) {
+	found_s_ = is_recent(t_s) ? found_s_ : t_s;
+	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
+	on_path_s_ = path_distance_m_ < tolerance * task().amplitude_m ? t_s : on_path_s_;
+	last_s_ = t_s;
 	if (is_near() || stage() != Stage::IDLE) {
 		follow_hand(t_s);
 	}
@@ -62,8 +64,8 @@ bool TaskSession::is_near() const {
 }
 
 bool TaskSession::has_left_path() const {
-	return is_straight() ? mode() == MotionMode::PHASE && hand_.off_path_s() > LONG_DROPOUT_S
-						 : hand_.off_path_s() > DETECTION_S;
+	return is_straight() ? mode() == MotionMode::PHASE && off_path_s() > LONG_DROPOUT_S
+						 : off_path_s() > DETECTION_S;
 }
 
 double TaskSession::start_distance_m() const {
@@ -72,7 +74,7 @@ double TaskSession::start_distance_m() const {
 }
 
 void TaskSession::update_stage(double t_s, const FeatureTrack &track) {
-	if (!is_reset() && t_s - hand_.last_s() > LONG_DROPOUT_S) {
+	if (!is_reset() && t_s - last_s_ > LONG_DROPOUT_S) {
 		is_rejected_ = false;
 		lose(t_s);
 	}
@@ -84,7 +86,7 @@ void TaskSession::update_stage(double t_s, const FeatureTrack &track) {
 			if (is_rejected_ ? has_returned(t_s) : is_estimate_wrong(t_s)) {
 				is_rejected_ = false;
 				restart_estimate(t_s);
-			} else if (!is_rejected_ && (is_straight() || hand_.off_path_s() <= 0.0) && has_started(t_s)) {
+			} else if (!is_rejected_ && (is_straight() || off_path_s() <= 0.0) && has_started(t_s)) {
 				judge();
 				at_end_since_s_ = likely_s_ = t_s;
 				max_value_ = 0.0;
@@ -161,9 +163,9 @@ bool TaskSession::has_aborted(double t_s) {
 /// The estimate may end the gesture: the last value is near the end, or the hand is in the second half or not
 /// tracked, but not late in a dropout or just after one.
 bool TaskSession::is_end_observed(double t_s, const FeatureTrack &track) const {
-	const double unseen_s = t_s - (feature().place != nullptr ? track.last_measurement_s() : hand_.last_s());
+	const double unseen_s = t_s - (feature().place != nullptr ? track.last_measurement_s() : last_s_);
 	const bool may_be_there = value() > HALFWAY || unseen_s > RECENT_S;
-	const bool is_followed = unseen_s < SHORT_DROPOUT_S && !hand_.is_just_found(t_s);
+	const bool is_followed = unseen_s < SHORT_DROPOUT_S && !is_just_found(t_s);
 	return mode() == MotionMode::PAPER || value() > NEAR_END || (is_followed && may_be_there);
 }
 
@@ -174,9 +176,9 @@ bool TaskSession::has_returned(double t_s) const {
 
 void TaskSession::update_stop(double t_s) {
 	const MotionEstimate now = estimate(t_s);
-	const bool is_seen = hand_.is_recent(t_s);
+	const bool is_seen = is_recent(t_s);
 	moved_s_ = is_seen && now.hold > STOP_PROBABILITY ? moved_s_ : t_s;
-	max_value_ = is_seen && !hand_.is_just_found(t_s) ? std::max(max_value_, now.value) : max_value_;
+	max_value_ = is_seen && !is_just_found(t_s) ? std::max(max_value_, now.value) : max_value_;
 }
 
 /// The hand has stopped beyond completion_, or has turned back from there.
@@ -192,7 +194,7 @@ bool TaskSession::has_stopped(double t_s) const {
 
 void TaskSession::try_end(double t_s) {
 	const bool is_gesture = log_odds() >= 0.0;
-	if (is_gesture && (mode() == MotionMode::PAPER || hand_.off_path_s() <= 0.0)) {
+	if (is_gesture && (mode() == MotionMode::PAPER || off_path_s() <= 0.0)) {
 		enter_ended(t_s);
 	} else if (!is_gesture && t_s - at_end_since_s_ > DETECTION_S) {
 		is_rejected_ = true;

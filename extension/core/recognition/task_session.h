@@ -2,7 +2,6 @@
 
 #include "gesture/motion_element.h"
 #include "recognition/gesture_session.h"
-#include "recognition/hand_presence.h"
 #include "recognition/rest_drift.h"
 #include "recognition/task_evidence.h"
 
@@ -31,8 +30,10 @@ private:
 	MotionElement element_;
 	double completion_ = END_LEVEL;
 	TaskEvidence evidence_;
-	RestDrift drift_; ///< of the motion element at rest
-	HandPresence hand_;
+	RestDrift drift_;                    ///< of the motion element at rest
+	double last_s_ = INFINITY;           ///< newest frame with a value of the feature
+	double found_s_ = -INFINITY;         ///< first such frame after a dropout
+	double on_path_s_ = -INFINITY;       ///< last such frame near the path
 	double start_distance_m_ = INFINITY; ///< for a straight task
 	double path_distance_m_ = INFINITY;
 	double followed_s_ = -INFINITY; ///< last time at which the hand was near, or the motion shown
@@ -46,7 +47,14 @@ private:
 	std::optional<double> measure(const HandFrame &frame, const FeatureTrack &track) override;
 	void update_stage(double t_s, const FeatureTrack &track) override;
 	void judge();
-	void update_nearness(double t_s);
+	void update_presence(double t_s);
+	[[nodiscard]] bool is_recent(double t_s) const { return t_s - last_s_ <= parameters::sessions::RECENT_S; }
+	/// A dropout has just ended.
+	[[nodiscard]] bool is_just_found(double t_s) const {
+		return t_s - found_s_ <= parameters::sessions::RECENT_S;
+	}
+	/// Time for which the tracked hand has been away from the path.
+	[[nodiscard]] double off_path_s() const { return last_s_ - on_path_s_; }
 	[[nodiscard]] bool is_straight() const { return feature().path_distance_m == nullptr; }
 	/// Distance from the positions where the gesture may start: the start, or any point of a circle.
 	[[nodiscard]] double distance_m() const { return is_straight() ? start_distance_m_ : path_distance_m_; }
