@@ -102,19 +102,25 @@ STEADYHAND_PARAMETER END_PHASE = 0.97;
 STEADYHAND_PARAMETER PARALLEL = 0.7;
 /// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
 STEADYHAND_PARAMETER RETURNED = 0.15, TURNED_BACK = 0.08;
+/// A hand beyond this value is under way: the return is another movement.
+STEADYHAND_PARAMETER UNDER_WAY = 0.3;
 /// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
 
 // With a task: TaskEvidence.
 
 /// Log prior odds of the gesture against none, without evidence and near the task.
-STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 2.1;
+STEADYHAND_PARAMETER LOG_PRIOR_NO_TASK = -5.0, LOG_PRIOR_TASK = 1.0;
 /// Window of the speed: a tracker's slow error moves by a centimetre in a tenth of a second.
 STEADYHAND_PARAMETER WINDOW_S = 0.1;
 /// A movement begins above this share of its peak speed.
 STEADYHAND_PARAMETER SPEED_SHARE = 0.25;
+/// Straight pieces of a path that are shorter than this are tremor.
+STEADYHAND_PARAMETER SMALLEST_PIECE = 0.06;
 /// Standard deviation of the direction to a task's end, radians: aim and the tracker's error.
 STEADYHAND_PARAMETER TASK_DIRECTION = 0.11;
+/// Bow = mean distance of the path from its chord / length. Scale for gestures, and limit of the null model.
+STEADYHAND_PARAMETER BOW = 0.18, LARGEST_BOW = 0.5;
 /// Standard deviation of a gesture's start about the task's start.
 STEADYHAND_PARAMETER START = 0.12;
 /// The null model's movements start within this radius.
@@ -151,8 +157,6 @@ STEADYHAND_PARAMETER RECENT_S = 0.1;
 
 /// Posterior of a start, an abort and an end. An early start costs little: only the end counts.
 STEADYHAND_PARAMETER BEGINS = 0.1, GIVEN_UP = 0.03, CERTAIN = 0.99;
-/// Bow = mean distance of the path from its chord / length. Limit of other motion.
-STEADYHAND_PARAMETER LARGEST_BOW = 0.5;
 /// Least reach of a movement with a direction.
 STEADYHAND_PARAMETER SHORTEST = 0.12;
 /// A hand has returned from its end at this fraction of its greatest distance.

@@ -123,6 +123,13 @@ void GestureFilter::correct(const Prediction &prediction, const ElementReading &
 	cached_s_ = NAN;
 }
 
+void GestureFilter::widen_error(double deviation) {
+	const double velocity = deviation_rate_per_s(tracker_) * deviation;
+	covariance_(DEVIATION, DEVIATION) += deviation * deviation;
+	covariance_(DEVIATION_VELOCITY, DEVIATION_VELOCITY) += velocity * velocity;
+	cached_s_ = NAN;
+}
+
 GestureFilter::Hand GestureFilter::hand(
 		const ReferenceTable &curve, double t_s, double since_s, double fading) const {
 	const double rate = 1.0 / duration_s_, phase = (t_s - mean_(ONSET)) * rate;

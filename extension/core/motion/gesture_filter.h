@@ -86,6 +86,8 @@ public:
 	const Prediction &cached_prediction(const ReferenceTable &curve, double t_s);
 	/// Kalman update. Multiplies the weight by the likelihood of the reading.
 	void correct(const Prediction &prediction, const ElementReading &reading);
+	/// Adds the error of a jump of the tracker, `deviation` amplitudes, to the variance of d.
+	void widen_error(double deviation);
 	/// The hand at t_s. since_s: t_s minus the time of the last predict(). fading: exp(-rate since_s), with
 	/// the rate of the deviation.
 	[[nodiscard]] Hand hand(const ReferenceTable &curve, double t_s, double since_s, double fading) const;

@@ -134,7 +134,7 @@ void SwitchingEstimator::push(const Measurement &measurement, double x) {
 		predict(t_s);
 		const bool reappears = measurement.status == MeasurementStatus::REAPPEARED;
 		if (measurement.status == MeasurementStatus::OUTLIER) {
-			count_fault(parameters::LOG_JUMPS);
+			count_jump();
 		} else if (reappears || measurement.status == MeasurementStatus::FROZEN) {
 			count_fault(parameters::LOG_FAULTS);
 		}
@@ -273,13 +273,25 @@ void SwitchingEstimator::update_tracker_modes(double log_ratio) {
 	normalise();
 }
 
-/// Applies the evidence of a fault once. While the fault lasts, step() adds more.
-void SwitchingEstimator::count_fault(double log_ratio) {
+/// After a jump the error of a LAGGING tracker is unknown.
+void SwitchingEstimator::count_jump() {
+	const bool is_new = count_fault(parameters::LOG_JUMPS);
+	for (GestureFilter &gesture : now_.gestures) {
+		if (is_new && gesture.tracker() == TrackerMode::LAGGING) {
+			gesture.widen_error(parameters::DEVIATION);
+		}
+	}
+}
+
+/// Applies the evidence of a fault once; true the first time. While the fault lasts, step() adds more.
+bool SwitchingEstimator::count_fault(double log_ratio) {
 	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
-	if (now_.log_fault == 0.0) {
+	const bool is_new = now_.log_fault == 0.0;
+	if (is_new) {
 		now_.log_fault = log_ratio;
 		update_tracker_modes(log_ratio);
 	}
+	return is_new;
 }
 
 /// Likelihood that a hand at rest in this position begins a gesture, relative to a hand at the start. The

@@ -123,7 +123,8 @@ private:
 	void step(double t_s);
 	void switch_modes(double dt_s);
 	void update_tracker_modes(double log_ratio);
-	void count_fault(double log_ratio);
+	void count_jump();
+	bool count_fault(double log_ratio);
 	void spawn_gestures(double t_s);
 	void spawn_unseen_gestures(const ElementReading &reading, double gap_s);
 	void add(TrackerMode tracker, double weight, const GestureFilter::Onset &onset, const HandState &from);

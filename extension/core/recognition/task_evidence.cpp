@@ -2,6 +2,7 @@
 
 #include "base/parameters.h"
 #include "recognition/feature_track.h"
+#include "recognition/path_densities.h"
 
 #include <numbers>
 
@@ -40,7 +41,13 @@ void TaskEvidence::push(const Measurement &measurement, const FeaturePlace &plac
 	if (since_s > LONG_DROPOUT_S) {
 		window_.clear();
 		samples_.clear();
-		onset_ = now_;
+		onset_ = knot_ = now_;
+	}
+	const double piece_m = (now_.place_m - knot_.place_m).norm();
+	now_.path_m = knot_.path_m + piece_m;
+	now_.sum = knot_.sum + 0.5 * piece_m * (now_.place_m + knot_.place_m);
+	if (piece_m > SMALLEST_PIECE * amplitude_m_) {
+		knot_ = now_;
 	}
 	window_.push(now_.t_s, now_.place_m, WINDOW_S);
 	now_.velocity_m_s = window_.slope();
@@ -109,7 +116,8 @@ double TaskEvidence::max_log_odds() const {
 	const double ball = 4.0 / 3.0 * std::numbers::pi * OTHER_STARTS * OTHER_STARTS * OTHER_STARTS;
 	const double z = start_error().norm() / (START * amplitude_m_);
 	return LOG_PRIOR_TASK + std::log(ball / (across * along)) - 0.5 * z * z -
-			(onset_.is_entry ? REST_UNSEEN : 0.0) + std::log(2.0 / (TASK_DIRECTION * TASK_DIRECTION));
+			(onset_.is_entry ? REST_UNSEEN : 0.0) + std::log(2.0 / (TASK_DIRECTION * TASK_DIRECTION)) +
+			log_bow_ratio(0.0, BOW);
 }
 
 double TaskEvidence::log_odds() const {
@@ -119,7 +127,18 @@ double TaskEvidence::log_odds() const {
 	// Hands aim at the end also from beside the start.
 	const FeaturePlace aim = (amplitude_m_ * direction_ - start_error()).normalized();
 	const double z = (chord_m().normalized() - aim).norm() / TASK_DIRECTION;
-	return max_log_odds() - 0.5 * z * z;
+	return max_log_odds() - 0.5 * z * z + log_bow_ratio(bow(), BOW) - log_bow_ratio(0.0, BOW);
+}
+
+/// Mean distance of the path from its chord, in lengths of the chord.
+double TaskEvidence::bow() const {
+	const double length_m = chord_m().norm(), path_m = now_.path_m - onset_.path_m;
+	if (path_m < 0.5 * length_m || !(path_m > 0.0)) {
+		return 0.0; // of few pieces
+	}
+	const FeaturePlace bent_m = (now_.sum - onset_.sum) / path_m - 0.5 * (now_.place_m + onset_.place_m);
+	const FeaturePlace along = chord_m().normalized();
+	return (bent_m - bent_m.dot(along) * along).norm() / length_m;
 }
 
 double TaskEvidence::start_distance_m(const FeaturePlace &place_m) const {

@@ -13,7 +13,7 @@ namespace steadyhand {
 
 /// Evidence of the hand's movement for a gesture with a task: whether it has begun, and its log odds. The
 /// onset is the last moment at which the hand was slow, compared with the peak speed since then, or turned.
-/// The direction from the onset and the onset's place count. The hand may rest on the way.
+/// Direction and bow of the path from the onset count, and the onset's place. The hand may rest on the way.
 class TaskEvidence {
 public:
 	/// A feature without a position has no straight path. Then has_onset() is always true and the log odds
@@ -50,6 +50,8 @@ private:
 		FeaturePlace place_m = FeaturePlace::Zero();
 		FeaturePlace displacement_m = FeaturePlace::Zero(); ///< of the tracker
 		FeaturePlace velocity_m_s = FeaturePlace::Zero();
+		double path_m = 0.0;                     ///< length of the path so far
+		FeaturePlace sum = FeaturePlace::Zero(); ///< integral of place_m over the path, m^2
 		bool is_entry = false;                   ///< the hand has just come into view
 	};
 
@@ -61,10 +63,12 @@ private:
 	SlopeWindow<FeaturePlace, SAMPLES> window_;
 	Ring<Sample, SAMPLES> samples_;
 	Sample now_, onset_;
+	Sample knot_; ///< start of the newest straight piece of the path: tremor does not lengthen the path
 
 	void find_onset();
 	[[nodiscard]] FeaturePlace chord_m() const { return now_.place_m - onset_.place_m; }
 	[[nodiscard]] FeaturePlace start_error() const;
+	[[nodiscard]] double bow() const;
 	[[nodiscard]] double max_log_odds() const;
 };
 

@@ -56,6 +56,7 @@ inline std::vector<Mechanism> mechanisms() {
 
 		{ "with a task: evidence of the movement", { { &LOG_PRIOR_TASK, 1e3 } } },
 		{ "with a task: direction", { { &TASK_DIRECTION, std::numbers::sqrt2 } } },
+		{ "with a task: bow", { { &BOW, 0.55 } } },
 		{ "with a task: place of the onset", { { &START, 1.0 } } },
 		{ "with a task: evidence of early ends", { { &STOP_LOG_ODDS, -NEVER } } },
 		{ "with a task: probability of a start", { { &START_PROBABILITY, 0.0 } } },

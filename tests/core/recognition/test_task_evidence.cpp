@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -93,4 +94,18 @@ TEST_CASE("a hand that turns at the start in a dropout has an onset") {
 	hand.move(1.03, 1.1, place);
 	CHECK(hand.has_onset());
 	CHECK(hand.log_odds() > 0.0);
+}
+
+TEST_CASE("a half circle from start to end has lower log odds than a line") {
+	const auto arc = [](double height) {
+		return [height](double t_s) {
+			const double angle = std::numbers::pi * test::x_m({ { 1.0, 0.6, 1.0 } }, t_s);
+			return 0.5 * TASK_M * FeaturePlace(1.0 - std::cos(angle), height * std::sin(angle), 0.0, 0.0);
+		};
+	};
+	JudgedHand straight, round;
+	straight.move(0.0, 2.0, arc(0.0));
+	round.move(0.0, 2.0, arc(1.0));
+	CHECK(straight.log_odds() > 0.0);
+	CHECK(round.log_odds() < straight.log_odds() - 5.0);
 }
