@@ -102,8 +102,6 @@ STEADYHAND_PARAMETER END_PHASE = 0.97;
 STEADYHAND_PARAMETER PARALLEL = 0.7;
 /// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
 STEADYHAND_PARAMETER RETURNED = 0.15, TURNED_BACK = 0.08;
-/// A hand beyond this value is under way: the return is another movement.
-STEADYHAND_PARAMETER UNDER_WAY = 0.3;
 /// A gesture may have ended in a dropout that begins beyond this value.
 STEADYHAND_PARAMETER NEAR_END = 0.75;
 

@@ -16,7 +16,14 @@ struct ShownGesture {
 	bool operator==(const ShownGesture &) const = default;
 };
 
-[[nodiscard]] ShownGesture shown_gesture(const GestureRecogniser &recogniser);
+[[nodiscard]] inline ShownGesture shown_gesture(const GestureRecogniser &recogniser) {
+	const GestureSession *const session = recogniser.session();
+	if (session == nullptr) {
+		return {};
+	}
+	return { recogniser.gesture(), session->gestures_started(), session->state(),
+		session->stage() == GestureSession::Stage::ENDED };
+}
 
 /// Events from one instant to the next, in this order: the gesture shown before was aborted, another one
 /// started, its state changed, it ended.
@@ -30,6 +37,15 @@ struct GestureChanges {
 };
 
 /// A different ShownGesture::number is a different gesture, also with the same model.
-[[nodiscard]] GestureChanges changes_between(const ShownGesture &before, const ShownGesture &now);
+[[nodiscard]] inline GestureChanges changes_between(const ShownGesture &before, const ShownGesture &now) {
+	const bool is_other = now.gesture != before.gesture || now.number != before.number;
+	const bool started = now.gesture >= 0 && is_other;
+	return {
+		.aborted = before.gesture >= 0 && !before.has_ended && is_other,
+		.started = started,
+		.state_changed = started || now.state != before.state,
+		.ended = now.has_ended && (started || !before.has_ended),
+	};
+}
 
 } // namespace steadyhand

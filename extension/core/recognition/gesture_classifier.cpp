@@ -17,8 +17,7 @@ namespace {
 constexpr double OTHER_REACHES = 4.605;
 /// Symbols. A younger onset is not replaced, because its weight is not yet known.
 constexpr int YOUNG = 30;
-/// Onsets closer in time and in position belong to the same rest.
-constexpr int SAME_REST_SYMBOLS = 25;
+/// Onsets closer together belong to the same rest.
 constexpr double SAME_REST_M = 0.005;
 
 /// The emissions to the power `evidence`.
@@ -261,7 +260,6 @@ std::size_t GestureClassifier::least_likely_onset() const {
 		}
 		const bool is_of_one_rest = std::ranges::any_of(onsets_, [&](const Onset &other) {
 			return &other != &onset && onset.weight <= other.weight &&
-					std::abs(other.age - onset.age) <= SAME_REST_SYMBOLS &&
 					(other.observer.onset().tip_m - onset.observer.onset().tip_m).norm() < SAME_REST_M &&
 					std::abs(other.observer.onset().radius_m - onset.observer.onset().radius_m) < SAME_REST_M;
 		});

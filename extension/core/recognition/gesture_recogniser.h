@@ -1,8 +1,8 @@
 #pragma once
 
+#include "gesture/feature_track.h"
 #include "motion/filtered_motion.h"
 #include "motion/output_blend.h"
-#include "recognition/feature_track.h"
 #include "recognition/gesture_session.h"
 #include "recognition/gesture_spotter.h"
 #include "recognition/start_condition.h"

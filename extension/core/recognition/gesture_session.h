@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/parameters.h"
+#include "gesture/feature_track.h"
 #include "gesture/gesture_model.h"
 #include "gesture/observation.h"
 #include "gesture/symbol_clock.h"
@@ -10,7 +11,6 @@
 #include "motion/output_blend.h"
 #include "motion/paper_synthesiser.h"
 #include "motion/switching_estimator.h"
-#include "recognition/feature_track.h"
 
 #include <cmath>
 #include <cstdint>

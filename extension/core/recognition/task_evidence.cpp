@@ -1,7 +1,7 @@
 #include "recognition/task_evidence.h"
 
 #include "base/parameters.h"
-#include "recognition/feature_track.h"
+#include "gesture/feature_track.h"
 #include "recognition/path_densities.h"
 
 #include <numbers>

@@ -203,11 +203,8 @@ void TaskSession::try_end(double t_s) {
 }
 
 void TaskSession::go_idle(double t_s) {
-	const bool had_left = stage() == Stage::ENDED || max_value_ > UNDER_WAY;
 	enter_idle(t_s);
-	if (had_left) {
-		evidence_.ignore_before(beyond_s_ - DETECTION_S);
-	}
+	evidence_.ignore_before(beyond_s_ - DETECTION_S);
 	if (!is_rejected_ && has_returned(t_s)) {
 		const double amplitude_m = task().amplitude_m;
 		restart_estimate(

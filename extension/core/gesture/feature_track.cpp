@@ -1,4 +1,4 @@
-#include "recognition/feature_track.h"
+#include "gesture/feature_track.h"
 
 #include "base/parameters.h"
 
