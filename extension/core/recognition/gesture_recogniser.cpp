@@ -29,9 +29,6 @@ void GestureRecogniser::push(const HandFrame &frame) {
 		return;
 	}
 	last_frame_ = frame;
-	if (time_s_ == -INFINITY) {
-		clock_.start(frame.t_s);
-	}
 	// Steps before this frame must not use it.
 	step_sessions(std::nextafter(frame.t_s, -INFINITY));
 	for (FeatureTrack &track : tracks_) {
@@ -64,9 +61,8 @@ void GestureRecogniser::advance(double t_s) {
 
 void GestureRecogniser::step_sessions(double t_s) {
 	if (time_s_ == -INFINITY) {
-		return;
-	}
-	if (t_s - clock_.next_s() > LONGEST_GAP_S) {
+		clock_.start(t_s);
+	} else if (t_s - clock_.next_s() > LONGEST_GAP_S) {
 		clock_.start(t_s - LONGEST_GAP_S);
 	}
 	for (; clock_.due(t_s); clock_.advance()) {

@@ -49,7 +49,7 @@ public:
 	/// A frame with an earlier or non-finite time, or equal to the last one, is ignored.
 	void push(const HandFrame &frame);
 	/// Advances to t_s; ignored if it is not later than time_s(). The shown gesture changes only in push(),
-	/// advance() and expect(). A gesture that starts and ends between two calls is not shown.
+	/// advance() and expect(). A gesture that is shown and aborted within one call is not noticed.
 	void advance(double t_s);
 
 	/// Motion at time_s().
@@ -92,7 +92,7 @@ private:
 	std::size_t shown_ = 0; ///< the leader, if there is one
 	OutputBlend blend_;     ///< of the step to another shown gesture, m
 	HandFrame last_frame_{ .t_s = -INFINITY };
-	SymbolClock clock_; ///< of the sessions, from the first frame on
+	SymbolClock clock_; ///< of the sessions
 	double time_s_ = -INFINITY;
 	double ended_s_ = -INFINITY; ///< time of the last reported end
 

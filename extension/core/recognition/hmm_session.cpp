@@ -161,6 +161,7 @@ void HmmSession::abort(double t_s) {
 	}
 }
 
+/// After a short dropout a gesture near its end is decided, after a long one the session is idle.
 void HmmSession::update_stage(double t_s, const FeatureTrack &track) {
 	const double unseen_s = t_s - track.last_measurement_s();
 	if (unseen_s >= LONG_DROPOUT_S) {

@@ -137,3 +137,23 @@ TEST_CASE("a hand at rest that is lost stays at rest") {
 		CHECK(most_m < 0.01); // 5 % of the amplitude
 	}
 }
+
+TEST_CASE("an advance before the first frame changes nothing, also at negative times") {
+	constexpr double EARLIER_S = 50.0;
+	GestureRecogniser plain = with_task(), early = with_task();
+	early.advance(-EARLIER_S - 20.0);
+	bool has_ended = false;
+	for (int i = 0; i < 250; ++i) {
+		const double t_s = 0.01 * i;
+		HandFrame frame;
+		frame.t_s = t_s - EARLIER_S;
+		frame.set(Joint::INDEX, DRAG.x_m(t_s) * X);
+		for (GestureRecogniser *one : { &plain, &early }) {
+			one->push(frame);
+		}
+		CHECK(early.motion(MotionSource::SYNTHESISED).value_m ==
+				plain.motion(MotionSource::SYNTHESISED).value_m);
+		has_ended = has_ended || stage(early) == GestureSession::Stage::ENDED;
+	}
+	CHECK(has_ended);
+}
