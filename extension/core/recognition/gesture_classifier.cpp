@@ -1,5 +1,6 @@
 #include "recognition/gesture_classifier.h"
 
+#include "base/parameters.h"
 #include "gesture/task.h"
 #include "hmm/linear_hmm.h"
 #include "recognition/path_densities.h"
@@ -77,7 +78,6 @@ void GestureClassifier::expect(std::vector<GestureHmms> gestures) {
 	const std::vector<GestureHmms> gestures_before = std::exchange(gestures_, std::move(gestures));
 	candidates_.resize(gestures_.size());
 	greatest_.resize(gestures_.size());
-	repeated_until_s_ = -INFINITY; // its index may be another one now
 	std::vector<Hypothesis> before = std::exchange(hypotheses_, {});
 	for (std::size_t i = 0; i < gestures_.size(); ++i) {
 		for (const DirectedHmm &model : *gestures_[i].hmms) {
@@ -130,9 +130,8 @@ void GestureClassifier::forget_before(double t_s) {
 	evaluate();
 }
 
-void GestureClassifier::expect_repetition_of(std::size_t gesture) {
+void GestureClassifier::expect_repetition_of(const GestureCandidate &gesture) {
 	repeated_ = gesture;
-	repeated_from_ = candidates_[gesture];
 	repeated_until_s_ = time_s_ + options_.repetition_s;
 }
 
@@ -140,14 +139,15 @@ void GestureClassifier::push(const HandFrame &frame) {
 	if (has_started_ && !(frame.t_s > last_s_)) {
 		return;
 	}
+	// The hand may be elsewhere after a long dropout.
+	if (has_started_ && frame.t_s - seen_s_ > parameters::LONG_DROPOUT_S) {
+		reset();
+	}
 	if (!has_started_) {
 		clock_.start(frame.t_s);
 		has_started_ = true;
-	} else if (frame.t_s - last_s_ > LONGEST_GESTURE_GAP_S) {
-		reset();
-		push(frame);
-		return;
 	}
+	seen_s_ = frame.has(Joint::INDEX) ? frame.t_s : seen_s_;
 	last_s_ = frame.t_s;
 	// Instants before this frame use earlier frames only.
 	for (; clock_.due(std::nextafter(frame.t_s, -INFINITY)); clock_.advance()) {
@@ -166,13 +166,10 @@ void GestureClassifier::step(double t_s) {
 	time_s_ = t_s;
 	recent_.push({ t_s, motion });
 	if (--until_onset_ <= 0) {
-		const Onset onset{ true, 0, t_s, MotionObserver(motion), rests_before_now(),
-			is_at_repeated_start(motion) };
-		const Rest &rest = onset.rests.front();
-		const bool is_at_rest = rest.tip_m <= options_.rest_m && rest.radius_m <= options_.rest_radius_m;
-		if (is_at_rest || onset.is_of_repetition) {
+		const std::array<Rest, RESTS> rests = rests_before_now();
+		if (rests[0].tip_m <= options_.rest_m && rests[0].radius_m <= options_.rest_radius_m) {
 			until_onset_ = ONSET_STEP;
-			start_onset(least_likely_onset(), onset);
+			start_onset(least_likely_onset(), motion, rests);
 		}
 	}
 	evaluate();
@@ -208,18 +205,21 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 }
 
 bool GestureClassifier::is_at_repeated_start(const HandMotion &motion) const {
-	return time_s_ < repeated_until_s_ && (motion.tip_m - repeated_from_.start_m).norm() <= options_.rest_m &&
-			std::abs(motion.radius_m - repeated_from_.start_radius_m) <= options_.rest_radius_m;
+	return time_s_ < repeated_until_s_ && (motion.tip_m - repeated_.start_m).norm() <= options_.rest_m &&
+			std::abs(motion.radius_m - repeated_.start_radius_m) <= options_.rest_radius_m;
 }
 
 std::array<GestureClassifier::Rest, GestureClassifier::RESTS> GestureClassifier::rests_before_now() const {
 	std::array<Rest, RESTS> rests{};
 	const HandMotion &now = recent_.newest().motion;
+	const bool needs_rest = !is_at_repeated_start(now);
 	Rest rest;
 	for (std::size_t i = recent_.size(); i > 0; --i) {
 		const auto &[t_s, then] = recent_[i - 1];
-		rest.tip_m = std::max(rest.tip_m, (then.tip_m - now.tip_m).norm());
-		rest.radius_m = std::max(rest.radius_m, std::abs(then.radius_m - now.radius_m));
+		if (needs_rest) {
+			rest.tip_m = std::max(rest.tip_m, (then.tip_m - now.tip_m).norm());
+			rest.radius_m = std::max(rest.radius_m, std::abs(then.radius_m - now.radius_m));
+		}
 		rest.tracked_s = recent_.newest().t_s - t_s;
 		const double longer = (rest.tracked_s + 0.5 * SymbolClock::PERIOD_S) / REST_S; // than this many rests
 		std::fill(rests.begin() + static_cast<std::ptrdiff_t>(std::min<double>(longer, RESTS)), rests.end(),
@@ -237,9 +237,7 @@ double GestureClassifier::rest_ratio(const Hypothesis &hypothesis, std::size_t l
 	const double moved_s = onset.t_s + age * SymbolClock::PERIOD_S - hypothesis.rested_s[lane];
 	const double rests = std::clamp((moved_s + 0.5 * SymbolClock::PERIOD_S) / REST_S, 0.0, RESTS - 1.0);
 	const Rest &rest = onset.rests[static_cast<std::size_t>(rests)];
-	const bool counts_as_rest = onset.is_of_repetition && hypothesis.gesture == repeated_;
-	const double moved_m = model.is_radius ? rest.radius_m : rest.tip_m;
-	const double motion = counts_as_rest ? 0.0 : moved_m / model.reach_m;
+	const double motion = (model.is_radius ? rest.radius_m : rest.tip_m) / model.reach_m;
 	const double other = std::hypot(options_.rest_motion, options_.other_motion_per_s * rest.tracked_s);
 	return normal_density(motion, options_.rest_motion) / normal_density(motion, other);
 }
@@ -270,10 +268,10 @@ std::size_t GestureClassifier::least_likely_onset() const {
 	return least_of_rest < ONSETS ? least_of_rest : least;
 }
 
-void GestureClassifier::start_onset(std::size_t lane, const Onset &onset) {
-	onsets_[lane] = onset;
-	const Eigen::Index column = columns_[lane] =
-			model_->codebook.symbol(onsets_[lane].observer.observe(onset.observer.onset()));
+void GestureClassifier::start_onset(
+		std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests) {
+	Onset &onset = onsets_[lane] = { true, 0, time_s_, MotionObserver(motion), rests };
+	const Eigen::Index column = columns_[lane] = model_->codebook.symbol(onset.observer.observe(motion));
 	filler_filter_.start(static_cast<int>(lane), filler_.b.col(column).data());
 	for (Hypothesis &hypothesis : hypotheses_) {
 		hypothesis.forward.start(

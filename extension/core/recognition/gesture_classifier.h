@@ -81,9 +81,8 @@ public:
 	void reset();
 	/// Deletes the onsets before t_s.
 	void forget_before(double t_s);
-	/// This one of gestures() has ended and may be repeated: for a short time its onsets near the last one
-	/// need no rest.
-	void expect_repetition_of(std::size_t gesture);
+	/// A gesture has ended and may be repeated: for a short time, onsets near its start need no rest.
+	void expect_repetition_of(const GestureCandidate &gesture);
 
 	/// One for each of gestures(), in this order, at time_s().
 	[[nodiscard]] std::span<const GestureCandidate> candidates() const { return candidates_; }
@@ -96,9 +95,6 @@ private:
 	static constexpr double REST_S = 0.4;
 	/// Rests of 1 to RESTS times REST_S are measured before an onset.
 	static constexpr std::size_t RESTS = 4;
-	/// After a longer gap everything is reset.
-	static constexpr double LONGEST_GESTURE_GAP_S = 10.0;
-
 	/// Greatest distances of the hand from its place at an onset, in the time before it.
 	struct Rest {
 		double tip_m = 0.0, radius_m = 0.0;
@@ -110,7 +106,6 @@ private:
 		double t_s = 0.0;
 		MotionObserver observer; ///< holds the hand at the onset
 		std::array<Rest, RESTS> rests{};
-		bool is_of_repetition = false;
 		/// Ages at which the index tip was farthest, and the radius greatest.
 		int farthest_age = 0, growth_age = 0;
 		double weight = 0.0; ///< of the likeliest gesture, relative to the filler
@@ -149,16 +144,15 @@ private:
 	bool has_started_ = false;
 	bool is_new_ = false; ///< a frame came since the last instant
 	double last_s_ = 0.0, time_s_ = 0.0;
+	double seen_s_ = 0.0; ///< last frame with an index tip
 	int until_onset_ = 0;
-	/// Of expect_repetition_of().
-	std::size_t repeated_ = 0;
-	GestureCandidate repeated_from_;
+	GestureCandidate repeated_; ///< of expect_repetition_of()
 	double repeated_until_s_ = -INFINITY;
 
 	[[nodiscard]] Hypothesis hypothesis_of(std::size_t gesture, const DirectedHmm &model) const;
 	void step(double t_s);
 	void step_onsets(const HandMotion &motion);
-	void start_onset(std::size_t lane, const Onset &onset);
+	void start_onset(std::size_t lane, const HandMotion &motion, const std::array<Rest, RESTS> &rests);
 	[[nodiscard]] bool is_at_repeated_start(const HandMotion &motion) const;
 	[[nodiscard]] std::array<Rest, RESTS> rests_before_now() const;
 	[[nodiscard]] double rest_ratio(const Hypothesis &hypothesis, std::size_t lane) const;

@@ -40,7 +40,7 @@ void GestureSpotter::drop() {
 void GestureSpotter::end() {
 	ended_s_ = classifier_.time_s();
 	ended_axis_ = candidate_.axis;
-	classifier_.expect_repetition_of(index_);
+	classifier_.expect_repetition_of(candidate_);
 	drop();
 }
 

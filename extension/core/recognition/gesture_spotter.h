@@ -35,6 +35,8 @@ public:
 	[[nodiscard]] const std::string &gesture() const { return gesture_; }
 	/// Present candidate of a gesture; nullptr if it is not expected.
 	[[nodiscard]] const GestureCandidate *candidate_of(std::string_view gesture) const;
+	/// The hand of the ended gesture arrived at t_s, before the end was known.
+	void set_arrival(double t_s) { ended_s_ = t_s; }
 	/// Last candidate of this gesture while it was active.
 	[[nodiscard]] const GestureCandidate &candidate() const { return candidate_; }
 

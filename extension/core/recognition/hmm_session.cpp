@@ -63,25 +63,26 @@ std::optional<double> HmmSession::measure(const HandFrame &frame, const FeatureT
 	}
 	const bool is_usable = track.measurement().is_usable();
 	if (stage() != Stage::IDLE && is_usable) {
-		follow_hand_path(frame.t_s);
+		follow_hand_path(frame.t_s, track.measurement().noise_m);
 	}
 	const double now_m = along(last_place());
 	const bool has_returned = is_usable && now_m < HALF_BACK * farthest_m_;
 	const bool has_stopped = frame.t_s - moved_s_ > PAUSE_S;
 	if (stage() == Stage::ACTIVE && has_stopped) {
 		decide(frame.t_s, SWITCH_MARGIN);
-	} else if (stage() == Stage::ENDED && (has_started || has_returned || has_stopped)) {
+	} else if (stage() == Stage::ENDED && (has_started || has_returned)) {
 		enter_idle(frame.t_s);
 	}
 	return now_m;
 }
 
 /// The direction of an active gesture leads to where the hand was farthest from the start.
-void HmmSession::follow_hand_path(double t_s) {
+void HmmSession::follow_hand_path(double t_s, double noise_m) {
 	const FeaturePlace off_m = last_place() - start_;
 	const FeaturePlace step_m = last_place() - moved_to_;
 	const double least_m = START_VALUE * task().amplitude_m;
-	if ((feature().is_radius ? std::abs(step_m.dot(direction_)) : step_m.norm()) > least_m) {
+	if ((feature().is_radius ? std::abs(step_m.dot(direction_)) : step_m.norm()) >
+			std::max(least_m, START_DRIFTS * noise_m)) {
 		moved_to_ = last_place();
 		moved_s_ = t_s;
 	}
@@ -148,6 +149,7 @@ void HmmSession::look_for_end(double t_s, const FeatureTrack &track) {
 
 void HmmSession::end_gesture(double t_s) {
 	may_end_ = false;
+	spotter_->set_arrival(moved_s_);
 	enter_ended(t_s);
 }
 

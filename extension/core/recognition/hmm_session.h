@@ -39,7 +39,7 @@ private:
 	void look_for_end(double t_s, const FeatureTrack &track);
 	void decide(double t_s, double least);
 	void aim_at(const GestureCandidate *candidate, const FeatureTrack &track);
-	void follow_hand_path(double t_s);
+	void follow_hand_path(double t_s, double noise_m);
 	[[nodiscard]] bool is_spotted() const {
 		return spotter_->is_active() && spotter_->gesture() == model().gesture;
 	}
