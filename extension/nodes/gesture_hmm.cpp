@@ -157,7 +157,7 @@ void GestureHMM::publish() {
 	// Copies, because the signal handlers may change the members.
 	const double instant_s = time_s_;
 	const int state = shown_.state;
-	const double reached = changes.ended ? fraction() : 0.0;
+	const double reached = changes.ended ? recogniser_->session()->fraction(recogniser_->time_s()) : 0.0;
 	const StringName gesture = changes.started || changes.ended ? gesture_name(shown_.gesture) : StringName();
 	GestureTask *const aborted_task = changes.aborted ? task_of(before.gesture) : nullptr;
 	const StringName aborted_gesture = changes.aborted ? gesture_name(before.gesture) : StringName();
@@ -226,10 +226,6 @@ double GestureHMM::amplitude_m() const {
 	}
 	const Expected &shown = expected_[recogniser_->shown()];
 	return shown.place.value_or(shown.model->typical_task).amplitude_m;
-}
-
-double GestureHMM::fraction() const {
-	return std::max(current(MOTION_SYNTHESISED).value_m / amplitude_m(), 0.0);
 }
 
 StringName GestureHMM::gesture_name(int p_expected) const {

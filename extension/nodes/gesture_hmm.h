@@ -220,7 +220,6 @@ private:
 			Motion p_motion, double p_time_s = -std::numeric_limits<double>::infinity()) const;
 	double amplitude_m() const;
 	/// Value of the active gesture, in amplitudes.
-	double fraction() const;
 	/// Null if there is none, or it was freed.
 	GestureTask *task_at(int64_t p_index) const;
 	bool has_model_of(const StringName &p_gesture) const;

@@ -12,6 +12,7 @@
 #include "motion/paper_synthesiser.h"
 #include "motion/switching_estimator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -48,6 +49,10 @@ public:
 	void step(double t_s, const FeatureTrack &track);
 
 	[[nodiscard]] Motion motion(double t_s) const;
+	/// Fraction of the amplitude that the motion has reached, without the blend from what was shown before.
+	[[nodiscard]] double fraction(double t_s) const {
+		return std::max(synthesised(t_s).value_m / task_.amplitude_m, 0.0);
+	}
 	[[nodiscard]] Stage stage() const { return stage_; }
 	[[nodiscard]] double stage_began_s() const { return stage_began_s_; }
 	/// Marks the end of an ENDED gesture as reported.

@@ -68,7 +68,7 @@ std::optional<double> HmmSession::measure(const HandFrame &frame, const FeatureT
 	const double now_m = along(last_place());
 	const bool has_returned = is_usable && now_m < HALF_BACK * farthest_m_;
 	const bool has_stopped = frame.t_s - moved_s_ > PAUSE_S;
-	if (stage() == Stage::ACTIVE && has_stopped) {
+	if (stage() == Stage::ACTIVE && has_stopped && !may_end_) {
 		decide(frame.t_s, SWITCH_MARGIN);
 	} else if (stage() == Stage::ENDED && (has_started || has_returned)) {
 		enter_idle(frame.t_s);

@@ -139,6 +139,25 @@ TEST_CASE("without a task a soon repeated gesture needs no rest") {
 	CHECK(ends_with_return_at(4.5, -Z) == 1);
 }
 
+TEST_CASE("without a task a hand found elsewhere makes no gesture") {
+	for (const double lost_s : { 1.5, 20.0 }) {
+		const TestPath path = [](double t_s) -> Eigen::Vector3d { return (t_s < 2.0 ? 0.0 : 0.2) * X; };
+		CHECK(watch_without_task(path, lost_s + 4.0, { 1.5, 1.5 + lost_s }).names.empty());
+	}
+}
+
+TEST_CASE("without a task a drag down and a drag up 1.5 s later end") {
+	for (const double rate_hz : { 60.0, 90.0, 110.0, 120.0 }) {
+		for (const double noise_m : { 1e-4, 2e-4, 3e-4 }) {
+			INFO("rate ", rate_hz, ", noise ", noise_m);
+			const TestPath path = along(-Y, { DRAG, { 3.1, 0.8, -0.2 } });
+			const Events events = watch_without_task(path, 9.0, { .rate_hz = rate_hz, .noise_m = noise_m });
+			CHECK(events.names == times(2, "vertical_drag"));
+			CHECK(events.last_value_m == near(0.2).epsilon(0.02)); // the hand stays at the end
+		}
+	}
+}
+
 TEST_CASE("confidence is above 0.95 for a straight gesture, less for oblique ones") {
 	const Events plain = watch_without_task(along(X, { DRAG }), 2.5);
 	CHECK(plain.last_confidence > 0.95);

@@ -103,6 +103,23 @@ TEST_CASE("opening fingers are one zoom of their own growth") {
 	}
 }
 
+TEST_CASE("a zoom that stops half-way aborts, also with 1 mm noise") {
+	for (const double noise_m : { 1e-4, 1e-3 }) {
+		CAPTURE(noise_m);
+		GestureRecogniser recogniser = zooms();
+		Tremor tremor(noise_m, 3);
+		ShownChanges shown;
+		int started = 0;
+		for (int i = 0; i < 500; ++i) {
+			const double t_s = i / 100.0, gone = 0.5 * minimum_jerk((t_s - 1.0) / 0.5).value;
+			recogniser.push(frame_of(t_s, opened(CLOSED_M + gone * GROWTH_M), tremor));
+			started += shown.next(recogniser).started ? 1 : 0;
+		}
+		CHECK(started > 0);
+		CHECK(recogniser.gesture() < 0);
+	}
+}
+
 TEST_CASE("fidgeting fingers end less than 1 zoom per minute" * doctest::test_suite("figures")) {
 	const Subject subject = draw_subject(Population::TUNE, 1);
 	int ended = 0;
