@@ -51,7 +51,7 @@ TEST_CASE("without a task a dropout near the end still ends the gesture") {
 	CHECK(std::abs(returns.last_value_m) < 0.005);
 	const Events freezes = frozen(without_task(), REACH, NEAR_END_S, 4.0);
 	CHECK(freezes.names == ENDS);
-	CHECK(freezes.last_value_m > 0.15); // as of a hand that stays at the end
+	CHECK(freezes.last_value_m > 0.15);               // as of a hand that stays at the end
 	CHECK(freezes.last_ended_s <= NEAR_END_S + 0.31); // the freeze may begin with the next frame
 }
 
