@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 using namespace steadyhand;
@@ -32,7 +33,7 @@ TEST_CASE("a clip's samples are its amplitude times a sine that sweeps from 55 t
 			const double turns = 55.0 * t_s + 0.5 * (145.0 / 0.4) * t_s * (t_s - 1.0 / rate_hz);
 			const double amplitude = t_s < 0.2 ? t_s / 0.2 : 2.0 - t_s / 0.2;
 			const double fade = std::min((0.4 - t_s) / 0.002, 1.0);
-			return fade * amplitude * std::sin(2.0 * M_PI * turns);
+			return fade * amplitude * std::sin(2.0 * std::numbers::pi * turns);
 		};
 		CHECK(largest_error(samples, rate_hz, truth) < 1e-6);
 	}
@@ -123,8 +124,8 @@ TEST_CASE("a clip that the position drives has the amplitude and frequency of th
 		double sine = 0.0, cosine = 0.0;
 		for (std::size_t i = 48000; i < 96000; ++i) {
 			const double t_s = static_cast<double>(i) / RATE_HZ;
-			sine += static_cast<double>(out[i]) * std::sin(2.0 * M_PI * frequency_hz * t_s);
-			cosine += static_cast<double>(out[i]) * std::cos(2.0 * M_PI * frequency_hz * t_s);
+			sine += static_cast<double>(out[i]) * std::sin(2.0 * std::numbers::pi * frequency_hz * t_s);
+			cosine += static_cast<double>(out[i]) * std::cos(2.0 * std::numbers::pi * frequency_hz * t_s);
 		}
 		CHECK(std::hypot(sine, cosine) / 24000.0 == near(place).epsilon(1e-4));
 		const MotionPoint motion{ place, 0.0, 0.0, 0.0 };

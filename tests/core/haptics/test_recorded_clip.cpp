@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 using namespace steadyhand;
 using namespace steadyhand::test;
@@ -64,7 +65,7 @@ TEST_CASE("a recorded impulse is a transient at the contact, as strong as its fi
 	CHECK(std::abs(clip.transients[0].time_s - movement.end_s()) < 1e-4);
 	const double speed_m_s = PREVIEW_AMPLITUDE_M * movement.at(movement.end_s()).velocity;
 	// exp(-N t) sin(2 pi f t) is greatest where tan(2 pi f t) = 2 pi f / N.
-	const double w = 2.0 * M_PI * 300.0;
+	const double w = 2.0 * std::numbers::pi * 300.0;
 	const double peak_s = std::atan(w / 200.0) / w;
 	const double peak = speed_m_s * std::exp(-200.0 * peak_s) * std::sin(w * peak_s);
 	CHECK(clip.transients[0].amplitude == near(peak).epsilon(0.01));
@@ -76,7 +77,8 @@ TEST_CASE("a recorded sweep has the frequency of each time") {
 	std::vector<float> samples(48000);
 	for (std::size_t i = 0; i < samples.size(); ++i) {
 		const double t_s = static_cast<double>(i) / RATE_HZ;
-		samples[i] = static_cast<float>(0.7 * std::sin(2.0 * M_PI * (60.0 * t_s + 60.0 * t_s * t_s)));
+		samples[i] =
+				static_cast<float>(0.7 * std::sin(2.0 * std::numbers::pi * (60.0 * t_s + 60.0 * t_s * t_s)));
 	}
 	const HapticClip clip = recorded_clip(samples, RATE_HZ);
 	for (double t_s = 0.05; t_s < 0.95; t_s += 0.05) {

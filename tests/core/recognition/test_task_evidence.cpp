@@ -98,7 +98,7 @@ TEST_CASE("a hand that turns at the start in a dropout has an onset") {
 
 TEST_CASE("a half circle from start to end has lower log odds than a line") {
 	const auto arc = [](double height) {
-		return [height](double t_s) {
+		return [height](double t_s) -> FeaturePlace {
 			const double angle = std::numbers::pi * test::x_m({ { 1.0, 0.6, 1.0 } }, t_s);
 			return 0.5 * TASK_M * FeaturePlace(1.0 - std::cos(angle), height * std::sin(angle), 0.0, 0.0);
 		};
