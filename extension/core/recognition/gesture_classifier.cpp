@@ -146,6 +146,7 @@ void GestureClassifier::push(const HandFrame &frame) {
 	if (!has_started_) {
 		clock_.start(frame.t_s);
 		has_started_ = true;
+		seen_s_ = frame.t_s;
 	}
 	seen_s_ = frame.has(Joint::INDEX) ? frame.t_s : seen_s_;
 	last_s_ = frame.t_s;

@@ -144,7 +144,7 @@ private:
 	bool has_started_ = false;
 	bool is_new_ = false; ///< a frame came since the last instant
 	double last_s_ = 0.0, time_s_ = 0.0;
-	double seen_s_ = 0.0; ///< last frame with an index tip
+	double seen_s_ = 0.0; ///< last frame with an index tip, or the first frame
 	int until_onset_ = 0;
 	GestureCandidate repeated_; ///< of expect_repetition_of()
 	double repeated_until_s_ = -INFINITY;

@@ -49,7 +49,7 @@ public:
 	void step(double t_s, const FeatureTrack &track);
 
 	[[nodiscard]] Motion motion(double t_s) const;
-	/// Fraction of the amplitude that the motion has reached, without the blend from what was shown before.
+	/// Value of the motion in amplitudes, at least 0. The blend at the start is left out.
 	[[nodiscard]] double fraction(double t_s) const {
 		return std::max(synthesised(t_s).value_m / task_.amplitude_m, 0.0);
 	}

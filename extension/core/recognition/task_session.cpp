@@ -46,8 +46,8 @@ void TaskSession::judge() {
 	set_log_odds(mode() == MotionMode::PAPER ? LOG_PRIOR_TASK : evidence_.log_odds());
 }
 
-/// Pauses the estimator while the hand is far away. It has the greatest cost, and a scene may have many
-/// tasks.
+/// Notes where the hand is. Pauses the estimator while it is far away: the estimator has the greatest cost,
+/// and a scene may have many tasks.
 void TaskSession::update_presence(double t_s) {
 	found_s_ = is_recent(t_s) ? found_s_ : t_s;
 	const double tolerance = is_straight() ? OFF_STRAIGHT : OFF_CIRCLE;
