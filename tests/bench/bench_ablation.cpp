@@ -6,13 +6,11 @@
 // MODELS: folder of the models (default: models). RUNS: runs of each hand of bench_events (default: 8).
 // TRIALS: trial sets of real hands. Compiled with STEADYHAND_VARIABLE_PARAMETERS.
 
+#include "ablation/measures.h"
 #include "ablation/mechanisms.h"
 #include "events/gesturing_hands.h"
 #include "events/idle_hands.h"
 #include "events/run.h"
-#include "matrix/bounds.h"
-#include "matrix/measures.h"
-#include "matrix/recogniser_estimator.h"
 #include "matrix/scenarios.h"
 #include "metrics/summary.h"
 #include "models.h"
@@ -21,39 +19,18 @@
 #include "trials.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <span>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
 namespace {
 
 using namespace steadyhand;
 using namespace steadyhand::bench;
-
-/// One number for each trial or run. The order is equal with and without a mechanism.
-using Sample = std::vector<double>;
-
-/// f(0) to f(count - 1), computed on all processors.
-template <class Function> Sample each(std::size_t count, const Function &f) {
-	Sample values(count);
-	std::atomic<std::size_t> next = 0;
-	std::vector<std::jthread> workers;
-	for (unsigned i = 0; i < std::max(std::thread::hardware_concurrency(), 1U); ++i) {
-		workers.emplace_back([&] {
-			for (std::size_t k = next++; k < count; k = next++) {
-				values[k] = f(k);
-			}
-		});
-	}
-	workers.clear();
-	return values;
-}
 
 class Measure {
 public:
@@ -87,40 +64,19 @@ private:
 
 	std::vector<matrix::Scenario> scenarios_ = matrix::Scenarios().all();
 
-	[[nodiscard]] const std::shared_ptr<const GestureModel> &model_of(std::string_view gesture) const {
-		return *std::ranges::find(models_, gesture, [](const auto &model) { return model->gesture; });
-	}
 	[[nodiscard]] Samples motion() const {
 		Samples all;
+		const auto accuracy = [this](const std::vector<SyntheticTrial> &trials, HandPosition position) {
+			return accuracy_of(models_, gestures_at(trials, position));
+		};
 		all.r2_zero = { accuracy(simulated_, HandPosition::UNSTABLE), accuracy(real_, HandPosition::UNSTABLE),
 			accuracy(simulated_, HandPosition::STABLE), accuracy(real_, HandPosition::STABLE) };
-		all.bounds = bounds();
+		all.bounds = percent_outside(models_, scenarios_);
 		return all;
-	}
-	[[nodiscard]] static std::vector<const SyntheticTrial *> gestures_of(
-			const std::vector<SyntheticTrial> &trials) {
-		std::vector<const SyntheticTrial *> found;
-		for (const SyntheticTrial &one : trials) {
-			if (one.trial.gesture != NO_GESTURE) {
-				found.push_back(&one);
-			}
-		}
-		return found;
-	}
-	[[nodiscard]] Sample accuracy(const std::vector<SyntheticTrial> &trials, HandPosition position) const {
-		std::vector<const SyntheticTrial *> chosen = gestures_of(trials);
-		std::erase_if(chosen, [=](const SyntheticTrial *one) { return one->trial.position != position; });
-		return each(chosen.size(), [&](std::size_t i) {
-			const auto &model = model_of(chosen[i]->trial.gesture);
-			GestureRecogniser recogniser(
-					{ { model, task_of(*chosen[i]) } }, { .latency_s = USUAL_SENSOR_LATENCY_S });
-			constexpr double OUTPUTS_PER_S = 250.0;
-			return compare_replay(*chosen[i], *model, recogniser, OUTPUTS_PER_S).r2_zero;
-		});
 	}
 	/// Real trials, with all models and without a task, in which the last gesture that ended is another one.
 	[[nodiscard]] Sample percent_missed() const {
-		const std::vector<const SyntheticTrial *> chosen = gestures_of(real_);
+		const std::vector<const SyntheticTrial *> chosen = gestures_at(real_);
 		return each(chosen.size(), [&](std::size_t i) {
 			GestureRecogniser recogniser =
 					test::recogniser_of(models_, std::nullopt, { .latency_s = USUAL_SENSOR_LATENCY_S });
@@ -137,23 +93,6 @@ private:
 			recogniser.advance(recogniser.time_s() + 1.0);
 			look();
 			return last == chosen[i]->trial.gesture ? 0.0 : 100.0;
-		});
-	}
-	[[nodiscard]] Sample bounds() const {
-		return each(scenarios_.size(), [&](std::size_t i) {
-			const matrix::Scenario &one = scenarios_[i];
-			const bool is_tap = one.gesture == matrix::Gesture::TAP;
-			matrix::RecogniserEstimator estimator(
-					model_of(is_tap ? "tap" : "horizontal_drag"), one.task, 0.0);
-			const matrix::Measures measured = matrix::measure(one, estimator);
-			double checks = 0.0, outside = 0.0;
-			for (const matrix::Bound &bound : matrix::BOUNDS) {
-				if (applies(bound, one)) {
-					checks += 1.0;
-					outside += value_of(bound.metric, one, measured) > bound.limit ? 1.0 : 0.0;
-				}
-			}
-			return checks > 0.0 ? 100.0 * outside / checks : 0.0;
 		});
 	}
 	[[nodiscard]] Run run_of(std::span<const HandKind> kinds, Context context, std::size_t i) const {

@@ -2,8 +2,9 @@
 
 // All tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Lengths
 // without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
-// source was fitted on simulated people of the tuning population. `./steadyhand bench ablation` measures the
-// effect of mechanisms.
+// source was fitted by tools/tuning/fit_parameters.py: on simulated people of the tuning population, and on
+// hands of hybrid_trials.py and aimed_hands.py. `./steadyhand bench ablation` measures the effect of
+// mechanisms.
 
 /// A constant, except in this benchmark.
 #ifdef STEADYHAND_VARIABLE_PARAMETERS
@@ -40,41 +41,41 @@ STEADYHAND_PARAMETER ONSETS_PER_S = 4.0;
 /// Standard deviation of the onset's place about the task's start.
 STEADYHAND_PARAMETER START_SPREAD = 0.07;
 /// Share of the minimum-jerk curve (Flash & Hogan 1985) in a movement; the rest is the model's curve.
-STEADYHAND_PARAMETER SHAPE_MEAN = 0.36, SHAPE_SPREAD = 0.33;
+STEADYHAND_PARAMETER SHAPE_MEAN = 0.6, SHAPE_SPREAD = 0.33;
 /// Standard deviation of the relative error of the endpoint, with a task and without.
-STEADYHAND_PARAMETER GAIN_SPREAD = 0.041, NO_TASK_GAIN_SPREAD = 0.12;
+STEADYHAND_PARAMETER GAIN_SPREAD = 0.035, NO_TASK_GAIN_SPREAD = 0.12;
 /// Deviation of a hand from the curve: critically damped noise, standard deviation and rate.
-STEADYHAND_PARAMETER DEVIATION = 0.07, DEVIATION_RATE_PER_S = 4.6;
+STEADYHAND_PARAMETER DEVIATION = 0.073, DEVIATION_RATE_PER_S = 4.6;
 /// HOLD: standard deviation of the velocity, 1/s, and its rate. Tremor, sway, and the tracker's slow error.
-STEADYHAND_PARAMETER HOLD_SPEED = 0.12, HOLD_RATE_PER_S = 9.0;
+STEADYHAND_PARAMETER HOLD_SPEED = 0.13, HOLD_RATE_PER_S = 8.5;
 /// FREE: the same, in m/s because this motion does not depend on the task.
 STEADYHAND_PARAMETER FREE_SPEED_M_S = 0.44, FREE_RATE_PER_S = 6.0;
 /// Rates of switches between modes.
-STEADYHAND_PARAMETER GESTURE_TO_FREE_PER_S = 0.02, GESTURE_TO_HOLD_PER_S = 0.3;
-STEADYHAND_PARAMETER FREE_TO_HOLD_PER_S = 2.0, HOLD_TO_FREE_PER_S = 0.3;
+STEADYHAND_PARAMETER GESTURE_TO_FREE_PER_S = 0.03, GESTURE_TO_HOLD_PER_S = 0.12;
+STEADYHAND_PARAMETER FREE_TO_HOLD_PER_S = 3.0, HOLD_TO_FREE_PER_S = 0.3;
 
 // motion/: the tracker.
 
 /// LAGGING: prior probability.
-STEADYHAND_PARAMETER LAGGING_SHARE = 0.35;
+STEADYHAND_PARAMETER LAGGING_SHARE = 0.37;
 /// Lag at the end of a long movement: mean and standard deviation. It builds up over LAG_SETTLING_S.
-STEADYHAND_PARAMETER LAG_S = 0.09, LAG_SPREAD_S = 0.035, LAG_SETTLING_S = 0.4;
+STEADYHAND_PARAMETER LAG_S = 0.085, LAG_SPREAD_S = 0.045, LAG_SETTLING_S = 0.7;
 /// Further latency of a LAGGING tracker after a fault.
-STEADYHAND_PARAMETER FAULTY_LATENCY_S = 0.03;
+STEADYHAND_PARAMETER FAULTY_LATENCY_S = 0.036;
 /// Error of a LAGGING tracker: critically damped noise, standard deviation and rate.
 STEADYHAND_PARAMETER LAGGING_ERROR = 0.05, LAGGING_ERROR_RATE_PER_S = 8.0;
 /// Log of the ratio of the fault rates, LAGGING to SOUND: dropouts and freezes; jumps.
 STEADYHAND_PARAMETER LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 /// Growth of that log ratio while a fault lasts, per s, and its limit. Faults of a sound tracker have a mean
 /// length of 0.025 s, those of a lagging one 0.13 s.
-STEADYHAND_PARAMETER LOG_FAULTS_PER_S = 32.0, MOST_LOG_FAULTS = 4.0;
+STEADYHAND_PARAMETER LOG_FAULTS_PER_S = 25.0, MOST_LOG_FAULTS = 3.0;
 /// Difference of the fault rates, LAGGING minus SOUND, 1/s: log likelihood ratio of a second without faults.
-STEADYHAND_PARAMETER FAULTS_PER_S = 1.1;
+STEADYHAND_PARAMETER FAULTS_PER_S = 0.5;
 /// White noise in addition to the noise that TrackerMonitor measures: no hand follows the curve exactly.
-STEADYHAND_PARAMETER MEASUREMENT_NOISE = 0.0035;
+STEADYHAND_PARAMETER MEASUREMENT_NOISE = 0.0025;
 /// Errors of measurements closer in time are correlated: their likelihood has a power below 1, "coarsened
 /// posterior" (Miller & Dunson 2019, doi:10.1080/01621459.2018.1469995).
-STEADYHAND_PARAMETER ALIKE_S = 0.015;
+STEADYHAND_PARAMETER ALIKE_S = 0.0075;
 /// Share of outliers that TrackerMonitor misses, and their density.
 STEADYHAND_PARAMETER OUTLIERS = 0.01, OUTLIER_DENSITY = 0.4;
 
@@ -97,7 +98,7 @@ namespace steadyhand::parameters::sessions {
 // at 1.875.
 
 /// Phase from which on a gesture is at its end, and its hand has almost stopped.
-STEADYHAND_PARAMETER END_PHASE = 0.97;
+STEADYHAND_PARAMETER END_PHASE = 0.98;
 /// Cosine of the largest angle between directions that are the same: 45 degrees.
 STEADYHAND_PARAMETER PARALLEL = 0.7;
 /// A hand within this value of the start has returned, and one that goes back by TURNED_BACK has turned.
@@ -129,7 +130,7 @@ STEADYHAND_PARAMETER UNSEEN_PART = 0.45, REST_UNSEEN = 1.5;
 // With a task.
 
 /// Least values of a start: value, speed (only `paper` mode), and value in standard deviations of the drift.
-STEADYHAND_PARAMETER START_VALUE = 0.03, START_SPEED = 0.1, START_DRIFTS = 7.0;
+STEADYHAND_PARAMETER START_VALUE = 0.03, START_SPEED = 0.1, START_DRIFTS = 10.0;
 /// Drift at rest until it is measured.
 STEADYHAND_PARAMETER UNKNOWN_DRIFT = 0.02;
 /// Probability of the gesture above which it starts, and below which it is aborted.

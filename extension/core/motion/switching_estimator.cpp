@@ -77,7 +77,9 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 	now_.gestures.clear();
 	now_.free = start(free_process_, v);
 	now_.hold = start(hold_process_, 0.0);
-	now_.time_s = now_.next_birth_s = t_s;
+	now_.time_s = t_s;
+	// Half a period later: births lie between the frames of usual rates, whatever the rounding of stamps.
+	now_.next_birth_s = t_s + 0.5 * parameters::BIRTH_PERIOD_S;
 	normalise();
 }
 
