@@ -61,7 +61,7 @@ STEADYHAND_PARAMETER LAGGING_SHARE = 0.37;
 /// Lag at the end of a long movement: mean and standard deviation. It builds up over LAG_SETTLING_S.
 STEADYHAND_PARAMETER LAG_S = 0.085, LAG_SPREAD_S = 0.045, LAG_SETTLING_S = 0.7;
 /// Further latency of a LAGGING tracker after a fault.
-STEADYHAND_PARAMETER FAULTY_LATENCY_S = 0.036;
+STEADYHAND_PARAMETER FAULTY_LATENCY_S = 0.033;
 /// Error of a LAGGING tracker: critically damped noise, standard deviation and rate.
 STEADYHAND_PARAMETER LAGGING_ERROR = 0.05, LAGGING_ERROR_RATE_PER_S = 8.0;
 /// Log of the ratio of the fault rates, LAGGING to SOUND: dropouts and freezes; jumps.
