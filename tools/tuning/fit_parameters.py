@@ -18,6 +18,7 @@ import math
 import random
 import subprocess
 import time
+from collections import defaultdict
 from pathlib import Path
 from statistics import mean
 
@@ -56,14 +57,16 @@ def stable_points(gain: float) -> float:
 
 def score(measures: dict[str, float], base: dict[str, float]) -> float:
     points = -sum(cost * (measures[name] - base[name]) for name, cost in COSTS.items())
-    for trial_set in {name.split("/")[0] for name in measures if "/" in name}:
-        gains = {
-            position: [(measures[name] - base[name]) / UNIT for name in measures if name.startswith(prefix)]
-            for position in ("stable", "unstable")
-            for prefix in [f"{trial_set}/{position}/"]
-        }
-        weight = 2.0 if trial_set == "simulated" else 0.3  # every gesture and pace; the other sets have fewer
-        points += weight * mean(gains["unstable"]) + sum(stable_points(gain) for gain in gains["stable"])
+    gains = defaultdict(list)  # by set and position
+    for name, value in measures.items():
+        if name not in COSTS:
+            trial_set, position, _ = name.split("/")
+            gains[trial_set, position].append((value - base[name]) / UNIT)
+    for (trial_set, position), group in gains.items():
+        if position == "stable":
+            points += sum(stable_points(gain) for gain in group)
+        else:  # the simulated set has every gesture and pace; the others have fewer
+            points += (2.0 if trial_set == "simulated" else 0.3) * mean(group)
     return points
 
 

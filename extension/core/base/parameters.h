@@ -2,11 +2,11 @@
 
 // All tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Lengths
 // without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
-// source was fitted by tools/tuning/fit_parameters.py: on simulated people of the tuning population, and on
-// hands of hybrid_trials.py and aimed_hands.py. `./steadyhand bench ablation` measures the effect of
-// mechanisms.
+// source was fitted on simulated people of the tuning population. Those of hand and tracker were fitted with
+// tools/tuning/fit_parameters.py, and then moved until the unit tests passed. `./steadyhand bench ablation`
+// measures the effect of mechanisms.
 
-/// A constant, except in this benchmark.
+/// A constant, except in the benchmarks that vary parameters.
 #ifdef STEADYHAND_VARIABLE_PARAMETERS
 #define STEADYHAND_PARAMETER inline double
 #else
