@@ -71,7 +71,9 @@ private:
 		};
 		all.r2_zero = { accuracy(simulated_, HandPosition::UNSTABLE), accuracy(real_, HandPosition::UNSTABLE),
 			accuracy(simulated_, HandPosition::STABLE), accuracy(real_, HandPosition::STABLE) };
-		all.bounds = percent_outside(models_, scenarios_);
+		for (const Checks &checks : checks_of(models_, scenarios_)) {
+			all.bounds.push_back(100.0 * checks.outside / std::max(checks.all, 1));
+		}
 		return all;
 	}
 	/// Real trials, with all models and without a task, in which the last gesture that ended is another one.

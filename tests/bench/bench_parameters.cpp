@@ -94,9 +94,12 @@ void print_measures(const Models &models, const std::vector<TrialSet> &sets,
 			}
 		}
 	}
-	const Outside outside = outside_bounds(models, scenarios);
-	std::printf("\"outside\": %d, \"outside, asserted\": %d, \"outside, short task\": %d}\n", outside.all,
-			outside.asserted, outside.short_task);
+	Checks sum;
+	for (const Checks &checks : checks_of(models, scenarios)) {
+		sum += checks;
+	}
+	std::printf("\"outside\": %d, \"outside, asserted\": %d, \"outside, short task\": %d}\n", sum.outside,
+			sum.asserted, sum.short_task);
 	std::fflush(stdout);
 }
 

@@ -72,53 +72,44 @@ inline matrix::Measures measures_of(const Models &models, const matrix::Scenario
 	return matrix::measure(scenario, estimator);
 }
 
-/// f(bound, whether the scenario is outside of it), of each bound that applies.
-template <class Function>
-void for_each_check(const matrix::Scenario &scenario, const matrix::Measures &measures, const Function &f) {
-	for (const matrix::Bound &bound : matrix::BOUNDS) {
-		if (applies(bound, scenario)) {
-			f(bound, value_of(bound.metric, scenario, measures) > bound.limit);
-		}
+/// Checks of bench_matrix.
+struct Checks {
+	int all = 0;
+	int outside = 0; ///< of their bounds
+	// Of those outside:
+	int asserted = 0;
+	int short_task = 0; ///< ends of short tasks that are too early or too late
+
+	Checks &operator+=(const Checks &other) {
+		all += other.all;
+		outside += other.outside;
+		asserted += other.asserted;
+		short_task += other.short_task;
+		return *this;
 	}
-}
-
-/// Checks of each scenario that are outside of their bounds, %.
-inline Sample percent_outside(const Models &models, const std::vector<matrix::Scenario> &scenarios) {
-	return each(scenarios.size(), [&](std::size_t i) {
-		double checks = 0.0, outside = 0.0;
-		for_each_check(scenarios[i], measures_of(models, scenarios[i]), [&](const auto &, bool is_outside) {
-			checks += 1.0;
-			outside += is_outside ? 1.0 : 0.0;
-		});
-		return checks > 0.0 ? 100.0 * outside / checks : 0.0;
-	});
-}
-
-/// Numbers of checks outside of their bounds. short_task: of ends too early or too late, of short tasks.
-struct Outside {
-	int all = 0, asserted = 0, short_task = 0;
 };
 
-inline Outside outside_bounds(const Models &models, const std::vector<matrix::Scenario> &scenarios) {
-	std::vector<Outside> found(scenarios.size());
+/// The checks of each scenario.
+inline std::vector<Checks> checks_of(const Models &models, const std::vector<matrix::Scenario> &scenarios) {
+	std::vector<Checks> found(scenarios.size());
 	each(scenarios.size(), [&](std::size_t i) {
-		for_each_check(scenarios[i], measures_of(models, scenarios[i]),
-				[&](const matrix::Bound &bound, bool is_outside) {
-					const bool is_short_task =
-							bound.group == "short task" && bound.metric == matrix::Metric::END_ERROR_MS;
-					found[i].all += is_outside ? 1 : 0;
-					found[i].asserted += is_outside && bound.standing == matrix::Standing::ASSERTED ? 1 : 0;
-					found[i].short_task += is_outside && is_short_task ? 1 : 0;
-				});
+		const matrix::Measures measures = measures_of(models, scenarios[i]);
+		for (const matrix::Bound &bound : matrix::BOUNDS) {
+			if (!applies(bound, scenarios[i])) {
+				continue;
+			}
+			++found[i].all;
+			if (value_of(bound.metric, scenarios[i], measures) > bound.limit) {
+				const bool is_short_task =
+						bound.group == "short task" && bound.metric == matrix::Metric::END_ERROR_MS;
+				++found[i].outside;
+				found[i].asserted += bound.standing == matrix::Standing::ASSERTED ? 1 : 0;
+				found[i].short_task += is_short_task ? 1 : 0;
+			}
+		}
 		return 0.0;
 	});
-	Outside sum;
-	for (const Outside &one : found) {
-		sum.all += one.all;
-		sum.asserted += one.asserted;
-		sum.short_task += one.short_task;
-	}
-	return sum;
+	return found;
 }
 
 } // namespace steadyhand::bench
