@@ -2,10 +2,10 @@
 
     python tools/tuning/fit_parameters.py --trials DIR... [--start NAME=VALUE...] [--minutes N] [--seed N]
 
-DIR: sets of hybrid_trials.py and aimed_hands.py. Simulated people of the tuning population and the checks of
-bench_matrix always count. The search changes one to three parameters at a time by a random factor, and keeps what
-raises the score. It starts at the values of the header, or at those given, and prints each better setting. It does
-not run the unit tests, which pin more than the score: a setting must pass them too.
+DIR: sets of hybrid_trials.py, aimed_hands.py and longer_rest.py. Simulated people of the tuning population and the
+checks of bench_matrix always count. The search changes one to three parameters at a time by a random factor, and
+keeps what raises the score. It starts at the values of the header, or at those given, and prints each better setting.
+It does not run the unit tests, which pin more than the score: a setting must pass them too.
 
 Score: changes of zero-lag R2 in units of 1e-4. Unstable positions count in full: the lag and the faults of trackers are
 what the parameters are for. A loss at the stable position counts half, and twice beyond LARGEST_LOSS: there the

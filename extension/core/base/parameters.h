@@ -71,6 +71,8 @@ STEADYHAND_PARAMETER LOG_FAULTS = 1.8, LOG_JUMPS = 0.4;
 STEADYHAND_PARAMETER LOG_FAULTS_PER_S = 25.0, MOST_LOG_FAULTS = 3.0;
 /// Difference of the fault rates, LAGGING minus SOUND, 1/s: log likelihood ratio of a second without faults.
 STEADYHAND_PARAMETER FAULTS_PER_S = 0.5;
+/// Rate at which the tracker's mode is drawn anew while the hand makes no gesture: it moves to other places.
+STEADYHAND_PARAMETER TRACKER_CHANGES_PER_S = 0.1;
 /// White noise in addition to the noise that TrackerMonitor measures: no hand follows the curve exactly.
 STEADYHAND_PARAMETER MEASUREMENT_NOISE = 0.0025;
 /// Errors of measurements closer in time are correlated: their likelihood has a power below 1, "coarsened

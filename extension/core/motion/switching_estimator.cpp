@@ -255,9 +255,11 @@ void SwitchingEstimator::switch_modes(double dt_s) {
 		free(gesture.weight * to_free, shown, lagging);
 		gesture.weight *= 1.0 - to_hold - to_free;
 	}
+	const double anew = switch_probability(parameters::TRACKER_CHANGES_PER_S, dt_s);
 	const auto set_mode = [&](CurvelessMode &r_mode, const HandMixture &mixture, double lagging) {
 		if (mixture.weight() > 0.0) {
-			r_mode = { mixture.weight(), lagging / mixture.weight(), mixture.state() };
+			lagging = (1.0 - anew) * lagging / mixture.weight() + anew * parameters::LAGGING_SHARE;
+			r_mode = { mixture.weight(), lagging, mixture.state() };
 		}
 	};
 	set_mode(now_.hold, held, held_lagging);

@@ -36,9 +36,9 @@ std::vector<Reading> readings(const Path &hand, double rate_hz, double length_s,
 }
 
 /// The output at each ms until length_s; begin_s is added to all times.
-std::vector<MotionEstimate> replay(
-		const std::vector<Reading> &readings, double length_s, double begin_s = 0.0) {
-	test::MonitoredEstimator estimator(test::drag_model());
+std::vector<MotionEstimate> replay(const std::vector<Reading> &readings, double length_s,
+		double begin_s = 0.0, std::size_t hypotheses = DEFAULT_HYPOTHESES) {
+	test::MonitoredEstimator estimator(test::drag_model(), hypotheses);
 	std::vector<MotionEstimate> out;
 	auto next = readings.begin();
 	for (int ms = 0; ms < length_s * 1000.0; ++ms) {
@@ -253,6 +253,30 @@ TEST_CASE("a dropout of 0.1 s shifts the end by under 30 ms") {
 				const double truth_s = 0.5 + duration_s * minimum_jerk_share(0.95);
 				CHECK(std::abs(end_s(replay(seen, 3.0)) - truth_s) < 0.03);
 			}
+		}
+	}
+}
+
+TEST_CASE("a late tracker is corrected after a fault, however long the hand rested before") {
+	constexpr double DURATION_S = 0.9, LAG_S = 0.09;
+	for (const double rest_s : { 1.0, 10.0, 60.0 }) {
+		for (const double lost_from : { 0.3, 0.5 }) { // shares of the duration
+			INFO("rest ", rest_s, ", lost from ", lost_from);
+			const Path hand = drag(rest_s, DURATION_S);
+			const Path late = [&](double t_s) { return hand(t_s - LAG_S * hand(t_s)); };
+			const double lost_s = rest_s + lost_from * DURATION_S, found_s = lost_s + 0.2;
+			const double length_s = rest_s + DURATION_S;
+			std::vector<Reading> seen = readings(late, 90.0, length_s, 1e-3);
+			std::erase_if(seen,
+					[&](const Reading &reading) { return reading.t_s > lost_s && reading.t_s < found_s; });
+			const std::vector<MotionEstimate> out = replay(seen, length_s, 0.0, MOST_HYPOTHESES);
+			double shown = 0.0, measured = 0.0; // sums of squared errors
+			for (auto ms = static_cast<std::size_t>(1000.0 * found_s); ms < out.size(); ++ms) {
+				const double t_s = static_cast<double>(ms) / 1000.0;
+				shown += std::pow(out[ms].value - hand(t_s), 2);
+				measured += std::pow(late(t_s) - hand(t_s), 2);
+			}
+			CHECK(std::sqrt(shown / measured) < 0.99);
 		}
 	}
 }
