@@ -60,13 +60,21 @@ def halting(duration_s: float, rng: np.random.Generator) -> Movement:
     return Movement(t, x, onset_s - rng.uniform(0.05, 0.3), end_s + 0.05)
 
 
-def wandering(n: int, deviation: float, correlation_s: float, rng: np.random.Generator) -> np.ndarray:
-    """An Ornstein-Uhlenbeck process (n, 3) at REFERENCE_RATE_HZ, smoothed over 0.2 s."""
-    kept = np.exp(-1.0 / REFERENCE_RATE_HZ / correlation_s)
+def ornstein_uhlenbeck(
+    n: int, deviation: float, correlation_s: float, rate_hz: float, rng: np.random.Generator
+) -> np.ndarray:
+    """A stationary Ornstein-Uhlenbeck process (n, 3)."""
+    kept = np.exp(-1.0 / rate_hz / correlation_s)
     steps = rng.normal(size=(n, 3)) * deviation * np.sqrt(1.0 - kept * kept)
     walk = rng.normal(size=(1, 3)) * deviation + np.zeros((n, 3))
     for i in range(1, n):
         walk[i] = kept * walk[i - 1] + steps[i]
+    return walk
+
+
+def wandering(n: int, deviation: float, correlation_s: float, rng: np.random.Generator) -> np.ndarray:
+    """An Ornstein-Uhlenbeck process (n, 3) at REFERENCE_RATE_HZ, smoothed over 0.2 s."""
+    walk = ornstein_uhlenbeck(n, deviation, correlation_s, REFERENCE_RATE_HZ, rng)
     window = np.hanning(51)[1:-1] / np.hanning(51).sum()
     return np.stack([np.convolve(np.pad(walk[:, k], 24, "edge"), window, "valid") for k in range(3)], axis=1)
 

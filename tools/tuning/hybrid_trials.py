@@ -125,6 +125,14 @@ def write_track(path: Path, t: np.ndarray, places: np.ndarray, joints: tuple[str
     path.write_text("\n".join(lines) + "\n")
 
 
+def write_trials(folder: Path, trials: list[dict[str, str]]) -> None:
+    with (folder / "trials.csv").open("w", newline="") as target:
+        writer = csv.DictWriter(target, trials[0].keys())
+        writer.writeheader()
+        writer.writerows(trials)
+    print(f"{len(trials)} trials in {folder}")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--real", type=Path, required=True)
@@ -167,11 +175,7 @@ def main() -> None:
                     "amplitude_m": f"{SCENE_AMPLITUDE_M:.4f}",
                 }
             )
-    with (options.out / "trials.csv").open("w", newline="") as target:
-        writer = csv.DictWriter(target, written[0].keys())
-        writer.writeheader()
-        writer.writerows(written)
-    print(f"{len(written)} trials in {options.out}")
+    write_trials(options.out, written)
 
 
 if __name__ == "__main__":

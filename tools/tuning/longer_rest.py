@@ -2,8 +2,8 @@
 
     python tools/tuning/longer_rest.py --trials DIR --out DIR [--rest SECONDS] [--seed N]
 
-The trackers have no faults in this rest. In games hands rest for longer than in trials: what the estimator believes
-about a tracker must not fade meanwhile. Equal arguments give equal files.
+The trackers have no faults in this rest. In games hands rest for longer than in trials, and a tracker must be corrected
+after a fault all the same. Equal arguments give equal files.
 """
 
 import argparse
@@ -11,7 +11,8 @@ import csv
 from pathlib import Path
 
 import numpy as np
-from hybrid_trials import read_track, write_track
+from aimed_hands import ornstein_uhlenbeck
+from hybrid_trials import read_track, write_track, write_trials
 
 FIRST_S = 0.2  # of a track: the noise and the period are measured here
 SWAY_M, SWAY_S = 0.8e-3, 0.3  # of a hand at rest: standard deviation and time constant
@@ -19,15 +20,12 @@ SWAY_M, SWAY_S = 0.8e-3, 0.3  # of a hand at rest: standard deviation and time c
 
 def with_rest(t: np.ndarray, places: np.ndarray, rest_s: float, rng: np.random.Generator) -> tuple:
     """Times (s) and places (n, 3; m) with a rest before them, at the first place."""
-    first = places[t < t[0] + FIRST_S]
-    period_s = np.median(np.diff(t[t < t[0] + FIRST_S]))
-    noise_m = np.sqrt(np.mean(np.diff(first, n=2, axis=0) ** 2) / 6.0)
+    is_first = t < t[0] + FIRST_S
+    period_s = np.median(np.diff(t[is_first]))
+    noise_m = np.sqrt(np.mean(np.diff(places[is_first], n=2, axis=0) ** 2) / 6.0)
     count = int(rest_s / period_s)
-    kept = np.exp(-period_s / SWAY_S)
-    sway = np.zeros((count, 3))  # from the movement backwards, so that the rest ends where the movement starts
-    for i in range(1, count):
-        sway[i] = kept * sway[i - 1] + rng.normal(0.0, SWAY_M * np.sqrt(1.0 - kept**2), 3)
-    rest = first[0] + sway[::-1] + rng.normal(0.0, noise_m, (count, 3))
+    sway = ornstein_uhlenbeck(count, SWAY_M, SWAY_S, 1.0 / period_s, rng)
+    rest = places[0] + (sway - sway[-1]) + rng.normal(0.0, noise_m, (count, 3))
     stamps = t[0] + rest_s - period_s * np.arange(count, 0, -1)
     return np.concatenate([stamps, t + rest_s]), np.concatenate([rest, places])
 
@@ -49,11 +47,7 @@ def main() -> None:
     for trial in trials:
         for name in ("start_s", "end_s"):
             trial[name] = f"{float(trial[name]) + options.rest:.4f}"
-    with (options.out / "trials.csv").open("w", newline="") as target:
-        writer = csv.DictWriter(target, fieldnames=list(trials[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(trials)
-    print(f"{len(trials)} trials in {options.out}")
+    write_trials(options.out, trials)
 
 
 if __name__ == "__main__":
