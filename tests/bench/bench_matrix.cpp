@@ -7,9 +7,9 @@
 // MODELS: folder of the models (default: models). LATENCY_S: latency for the estimator (default: 0; the
 // simulated tracker has none).
 
+#include "ablation/measures.h"
 #include "matrix/bounds.h"
 #include "matrix/measures.h"
-#include "matrix/recogniser_estimator.h"
 #include "matrix/scenarios.h"
 #include "models.h"
 
@@ -17,7 +17,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +25,6 @@ namespace {
 
 using namespace steadyhand;
 using namespace steadyhand::matrix;
-
-const char *name_of(Gesture gesture) {
-	return gesture == Gesture::TAP ? "tap" : "horizontal_drag";
-}
 
 void print_rows(const std::vector<Scenario> &scenarios, const std::vector<Measures> &measured) {
 	std::printf("group,hand,gesture,length_m,rate,noise,fault,fault_share,seed,t_diff_s,missed,move_error,"
@@ -44,7 +39,7 @@ void print_rows(const std::vector<Scenario> &scenarios, const std::vector<Measur
 		std::printf(
 				"\"%s\",\"%s\",%s,%g,%s,%s,\"%s\",%g,%d,%.4f,%d,%.4f,%.4f,%.5f,%.6f,%.4f,%.3f,%.5f,%.5f,%d,"
 				"%d,%d,%.3f,%d\n",
-				one.group.c_str(), one.hand.name.c_str(), name_of(one.gesture), one.task.amplitude_m,
+				one.group.c_str(), one.hand.name.c_str(), bench::name_of(one.gesture), one.task.amplitude_m,
 				one.rate.name, one.noise.name, one.fault.name, one.fault_share, static_cast<int>(one.seed),
 				m.t_diff_s, m.missed ? 1 : 0, m.move_error, m.stop_error, m.value_step, m.value_jump,
 				m.velocity_step, m.overshoot, m.r2_zero, m.r2_zero_raw, m.started, m.ended, m.aborted,
@@ -93,16 +88,11 @@ int main(int count, char **arguments) {
 			return 1;
 		}
 	}
-	const MakeEstimator make = [&](Gesture gesture, const Task &task) {
-		const auto named =
-				std::ranges::find(models, name_of(gesture), [](const auto &m) { return m->gesture; });
-		return std::make_unique<RecogniserEstimator>(*named, task, latency_s);
-	};
 	const std::vector<Scenario> scenarios = Scenarios().all();
 	std::vector<Measures> measured;
 	measured.reserve(scenarios.size());
 	for (const Scenario &scenario : scenarios) {
-		measured.push_back(measure(scenario, *make(scenario.gesture, scenario.task)));
+		measured.push_back(bench::measures_of(models, scenario, latency_s));
 	}
 	(is_csv ? print_rows : print_summary)(scenarios, measured);
 	return 0;

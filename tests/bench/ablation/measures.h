@@ -64,11 +64,15 @@ inline Sample accuracy_of(const Models &models, const std::vector<const Syntheti
 	});
 }
 
-/// A scenario's measures, with its task.
-inline matrix::Measures measures_of(const Models &models, const matrix::Scenario &scenario) {
-	const bool is_tap = scenario.gesture == matrix::Gesture::TAP;
+inline const char *name_of(matrix::Gesture gesture) {
+	return gesture == matrix::Gesture::TAP ? "tap" : "horizontal_drag";
+}
+
+/// A scenario's measures, with its task. latency_s: for the estimator.
+inline matrix::Measures measures_of(
+		const Models &models, const matrix::Scenario &scenario, double latency_s = 0.0) {
 	matrix::RecogniserEstimator estimator(
-			model_of(models, is_tap ? "tap" : "horizontal_drag"), scenario.task, 0.0);
+			model_of(models, name_of(scenario.gesture)), scenario.task, latency_s);
 	return matrix::measure(scenario, estimator);
 }
 

@@ -1,10 +1,6 @@
 #pragma once
 
-#include "scenario.h"
 #include "tracking/frame.h"
-
-#include <functional>
-#include <memory>
 
 namespace steadyhand::matrix {
 
@@ -29,7 +25,5 @@ public:
 	/// t_s: not before an earlier one, nor before the last frame; called once a millisecond.
 	virtual Output advance(double t_s) = 0;
 };
-
-using MakeEstimator = std::function<std::unique_ptr<Estimator>(Gesture gesture, const Task &task)>;
 
 } // namespace steadyhand::matrix
