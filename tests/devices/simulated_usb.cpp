@@ -122,6 +122,7 @@ void SimulatedUsb::replug_when_noticed() {
 
 gboolean SimulatedUsb::on_replug(gpointer self_pointer) {
 	auto &self = *static_cast<SimulatedUsb *>(self_pointer);
+	const std::lock_guard lock(self.mutex_);
 	self.plug();
 	umockdev_testbed_uevent(self.bed_, PLACE, "add");
 	return G_SOURCE_REMOVE;
@@ -131,6 +132,7 @@ gboolean SimulatedUsb::on_replug(gpointer self_pointer) {
 /// would ask all the time.
 gboolean SimulatedUsb::on_tick(gpointer self_pointer) {
 	auto &self = *static_cast<SimulatedUsb *>(self_pointer);
+	const std::lock_guard lock(self.mutex_);
 	self.answer();
 	if (self.is_unplugged_) {
 		self.replug_when_noticed();
@@ -157,8 +159,10 @@ void SimulatedUsb::on_end(GObject *child, GAsyncResult *result, gpointer self_po
 	g_main_loop_quit(self.loop_);
 }
 
-gboolean SimulatedUsb::on_ioctl(UMockdevIoctlBase *, UMockdevIoctlClient *client, gpointer self) {
-	static_cast<SimulatedUsb *>(self)->serve(client);
+gboolean SimulatedUsb::on_ioctl(UMockdevIoctlBase *, UMockdevIoctlClient *client, gpointer self_pointer) {
+	auto &self = *static_cast<SimulatedUsb *>(self_pointer);
+	const std::lock_guard lock(self.mutex_);
+	self.serve(client);
 	return TRUE;
 }
 

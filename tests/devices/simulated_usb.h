@@ -7,6 +7,7 @@
 
 #include <list>
 #include <memory>
+#include <mutex>
 #include <string_view>
 
 /// What is plugged in, and how the system treats it. unplug_s: of the first stream, on the tracker's clock.
@@ -51,6 +52,9 @@ private:
 	static void finish(Urb &urb, int status, std::string_view bytes, int size);
 
 	SimulatedUsbOptions options_;
+	/// umockdev calls on_ioctl() in a thread of its own; the timers run in that of run(). It guards the
+	/// members that both use.
+	std::mutex mutex_;
 	UMockdevTestbed *bed_ = nullptr;
 	std::unique_ptr<SimulatedLiberty> liberty_;
 	std::list<Urb> urbs_; ///< the oldest first
