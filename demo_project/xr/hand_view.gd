@@ -60,15 +60,17 @@ func _process(_delta: float) -> void:
 		_tips[i].global_position = _joints.get(tip, Vector3.ZERO)
 
 
-## Positions (m) of the available joints, in the space of the tracker's frames.
+## World positions (m) of the available joints.
 func _read_joints() -> void:
 	_joints.clear()
 	var hand := XRServer.get_tracker(tracker.publish_name) as XRHandTracker
 	if hand == null or not hand.has_tracking_data:
 		return
+	var to_world := XRServer.world_origin * XRServer.get_reference_frame()
+	to_world = to_world.scaled_local(XRServer.world_scale * Vector3.ONE)
 	for joint in XRHandTracker.HAND_JOINT_MAX:
 		if hand.get_hand_joint_flags(joint) & XRHandTracker.HAND_JOINT_FLAG_POSITION_VALID:
-			_joints[joint] = hand.get_hand_joint_transform(joint).origin
+			_joints[joint] = to_world * hand.get_hand_joint_transform(joint).origin
 
 
 func _show_bone(shape: MeshInstance3D, bone: Vector2i) -> void:

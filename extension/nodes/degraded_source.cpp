@@ -33,6 +33,7 @@ public:
 	double complete_until_s(double p_now_s) const override { return original_->complete_until_s(p_now_s); }
 	bool accept(const steadyhand::DeviceFrame &p_frame) override { return original_->accept(p_frame); }
 	double latency_s() const override { return original_->latency_s() + latency_s_; }
+	Eigen::Affine3d tracking_to_frames() const override { return original_->tracking_to_frames(); }
 	bool next_event(StreamEvent &r_event) override { return original_->next_event(r_event); }
 
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override {

@@ -41,12 +41,12 @@ private:
 	std::deque<steadyhand::DeviceFrame> frames_;
 };
 
-/// Transforms all joints from the device's space to the scene. p_device: pose of the device in the scene.
-inline void move_joints(steadyhand::HandSkeleton &r_joints, const Eigen::Affine3d &p_device) {
-	const Eigen::Quaterniond turn(p_device.rotation());
+/// Transforms all joints, for example by the pose of their device in the scene.
+inline void move_joints(steadyhand::HandSkeleton &r_joints, const Eigen::Affine3d &p_transform) {
+	const Eigen::Quaterniond turn(p_transform.rotation());
 	for (std::size_t i = 0; i < steadyhand::SKELETON_JOINT_COUNT; ++i) {
 		if (r_joints.has(static_cast<steadyhand::SkeletonJoint>(i))) {
-			r_joints.positions_m[i] = p_device * r_joints.positions_m[i];
+			r_joints.positions_m[i] = p_transform * r_joints.positions_m[i];
 		}
 		if ((r_joints.rotated >> i & 1U) != 0) {
 			r_joints.rotations[i] = turn * r_joints.rotations[i];

@@ -1,5 +1,6 @@
 #include "hand_publisher.h"
 
+#include "device_queue.h"
 #include "geometry_conversions.h"
 
 #include "tracking/skeleton_inference.h"
@@ -27,12 +28,14 @@ HandPublisher::~HandPublisher() {
 	}
 }
 
-void HandPublisher::publish(const steadyhand::DeviceFrame &p_frame) {
-	const steadyhand::HandSkeleton hand = steadyhand::infer_skeleton(p_frame);
+void HandPublisher::publish(
+		const steadyhand::DeviceFrame &p_frame, const Eigen::Affine3d &p_tracking_to_frames) {
 	if (p_frame.hand.tracked == 0) {
 		publish_lost();
 		return;
 	}
+	steadyhand::HandSkeleton hand = steadyhand::infer_skeleton(p_frame);
+	move_joints(hand, p_tracking_to_frames.inverse());
 	for (std::size_t i = 0; i < steadyhand::SKELETON_JOINT_COUNT; ++i) {
 		const auto joint = static_cast<XRHandTracker::HandJoint>(i);
 		int64_t flags = 0;

@@ -24,8 +24,9 @@ public:
 	HandPublisher &operator=(const HandPublisher &) = delete;
 	~HandPublisher();
 
-	/// Missing joints are inferred, and marked as valid but not tracked.
-	void publish(const steadyhand::DeviceFrame &p_frame);
+	/// Missing joints are inferred, and marked as valid but not tracked. p_tracking_to_frames: from the
+	/// tracking space, in which the joints are published, to the space of the frame.
+	void publish(const steadyhand::DeviceFrame &p_frame, const Eigen::Affine3d &p_tracking_to_frames);
 	void publish_lost();
 
 private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tracking_space.h"
+
 #include "tracking/hand_skeleton.h"
 
 #include <godot_cpp/variant/string.hpp>
@@ -58,6 +60,9 @@ public:
 	virtual bool accept(const steadyhand::DeviceFrame & /* p_frame */) { return false; }
 	/// From the hand's motion to its frame, s; NaN if it is unknown.
 	virtual double latency_s() const { return std::numeric_limits<double>::quiet_NaN(); }
+	/// From the tracking space of Godot's XR nodes to the space of the frames: the world, unless the source
+	/// has another space.
+	virtual Eigen::Affine3d tracking_to_frames() const { return tracking_to_world(); }
 
 	virtual bool next_event(StreamEvent &r_event) {
 		if (events_.empty()) {

@@ -164,7 +164,7 @@ void HandTracker::deliver(steadyhand::DeviceFrame p_frame) {
 		recorder_->write(hand);
 	}
 	if (publisher_) {
-		publisher_->publish(p_frame);
+		publisher_->publish(p_frame, stream_->tracking_to_frames());
 	}
 	if (hand.tracked != 0) {
 		hand_seen_s_ = time_s_;

@@ -127,24 +127,21 @@ bool XRStream::is_other_hand(const HandSkeleton &p_joints, double p_now_s) {
 }
 
 void XRStream::to_space(HandSkeleton &r_joints, double p_now_s) {
-	const XRServer *const server = XRServer::get_singleton();
-	const Transform3D reference = server->get_reference_frame();
-	const double scale = server->get_world_scale();
-	Eigen::Affine3d space = to_core(reference);
-	space.linear() *= scale;
 	if (source_->get_space() == XRSource::SPACE_WORLD) {
-		space = to_core(server->get_world_origin()) * space;
+		tracking_to_frames_ = tracking_to_world();
 	} else {
 		// Gestures without a task have the size of the real hand's motion, for any world scale.
-		space = Eigen::Affine3d(Eigen::Scaling(1.0 / scale)) * space;
-	}
-	if (source_->get_space() == XRSource::SPACE_BODY && r_joints.has(SkeletonJoint::INDEX_TIP)) {
-		body_.follow(space * r_joints.position(SkeletonJoint::INDEX_TIP), head_turn(), p_now_s);
+		const double scale = XRServer::get_singleton()->get_world_scale();
+		tracking_to_frames_ = Eigen::Scaling(1.0 / scale) * tracking_to_origin();
 	}
 	if (source_->get_space() == XRSource::SPACE_BODY) {
-		space = Eigen::Affine3d(body_.transform()) * space;
+		if (r_joints.has(SkeletonJoint::INDEX_TIP)) {
+			const Eigen::Vector3d tip_m = tracking_to_frames_ * r_joints.position(SkeletonJoint::INDEX_TIP);
+			body_.follow(tip_m, head_turn(), p_now_s);
+		}
+		tracking_to_frames_ = body_.transform() * tracking_to_frames_;
 	}
-	move_joints(r_joints, space);
+	move_joints(r_joints, tracking_to_frames_);
 }
 
 void XRStream::poll(double p_now_s) {

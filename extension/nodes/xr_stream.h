@@ -21,6 +21,7 @@ public:
 	StreamClock clock() const override { return StreamClock::LIVE; }
 	void poll(double p_now_s) override;
 	bool next(double p_until_s, steadyhand::DeviceFrame &r_frame) override;
+	Eigen::Affine3d tracking_to_frames() const override { return tracking_to_frames_; }
 
 private:
 	/// Searches by name each time, because an interface may register, replace and remove trackers at any
@@ -49,6 +50,7 @@ private:
 	double own_palm_s_ = -std::numeric_limits<double>::infinity();
 	std::optional<Eigen::Vector3d> other_palm_m_;
 	BodySpace body_;
+	Eigen::Affine3d tracking_to_frames_ = Eigen::Affine3d::Identity(); ///< at the last poll
 };
 
 } // namespace godot

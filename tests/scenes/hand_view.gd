@@ -10,6 +10,8 @@ func test_a_simulated_hand_is_shown_whole() -> void:
 	var tracker := HandTracker.new()
 	tracker.source = SyntheticSource.new()
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	XRServer.world_origin = Transform3D(Basis(Vector3.UP, 0.5), Vector3(5.0, 1.0, 0.0))
+	XRServer.world_scale = 2.0
 	var view := HandView.new()
 	view.tracker = tracker
 	for node: Node in [tracker, view]:
@@ -31,6 +33,8 @@ func test_a_simulated_hand_is_shown_whole() -> void:
 		await process_frame
 	var is_hidden := func(shape: MeshInstance3D) -> bool: return not shape.visible
 	check(view.get_children().all(is_hidden), "a lost hand is hidden")
+	XRServer.world_origin = Transform3D()
+	XRServer.world_scale = 1.0
 	for node: Node in [view, tracker]:
 		node.free()
 

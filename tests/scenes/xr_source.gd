@@ -69,6 +69,41 @@ func test_world_scale_scales_the_world_space_only() -> void:
 	hand.remove()
 
 
+func test_nodes_follow_a_published_hand_to_the_real_hand() -> void:
+	var hand := _add_hand()
+	var head := _add_head()
+	_turn(head, 1.0)
+	var origin := XROrigin3D.new()
+	origin.transform = Transform3D(Basis(Vector3.UP, 0.5), Vector3(5.0, 1.0, 0.0))
+	origin.world_scale = 2.0
+	var follower := XRNode3D.new()
+	follower.tracker = &"/steadyhand/right"
+	origin.add_child(follower)
+	root.add_child(origin)
+	var sources: Array[HandSource] = []
+	for space: XRSource.Space in [XRSource.SPACE_WORLD, XRSource.SPACE_ORIGIN, XRSource.SPACE_BODY]:
+		var source := XRSource.new()
+		source.space = space
+		sources.append(source)
+	var degraded := DegradedSource.new()
+	degraded.source = sources[XRSource.SPACE_ORIGIN]
+	sources.append(degraded)
+	var palm := origin.transform * (2.0 * (PLACE + XRHand.PALM_OFFSET))
+	for source in sources:
+		var tracker := _add_tracker()
+		tracker.source = source
+		tracker.publish_name = follower.tracker
+		tracker.start()
+		tracker.advance(STEP_S)
+		check(follower.global_position.is_equal_approx(palm), "%s: %s" % [source, palm])
+		tracker.free()
+	origin.free()
+	XRServer.world_origin = Transform3D()
+	XRServer.world_scale = 1.0
+	XRServer.remove_tracker(head)
+	hand.remove()
+
+
 func test_the_tracker_may_come_after_the_node_and_be_replaced() -> void:
 	var tracker := _add_tracker()
 	var ready: Array[int] = [0]
