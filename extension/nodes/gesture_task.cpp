@@ -46,7 +46,14 @@ GestureTask::GestureTask() {
 void GestureTask::_notification(int p_what) {
 	if (p_what == NOTIFICATION_TRANSFORM_CHANGED) {
 		emit_signal("changed");
+	} else if (p_what == NOTIFICATION_EXIT_TREE) {
+		const Node3D *const parent = is_set_as_top_level() ? nullptr : get_parent_node_3d();
+		parent_place_ = parent != nullptr ? parent->get_global_transform() : Transform3D();
 	}
+}
+
+Transform3D GestureTask::place() const {
+	return is_inside_tree() ? get_global_transform() : parent_place_ * get_transform();
 }
 
 void GestureTask::announce_change() {
@@ -90,12 +97,11 @@ void GestureTask::set_start_radius(double p_radius) {
 }
 
 Vector3 GestureTask::get_start() const {
-	return is_inside_tree() ? get_global_position() : get_position();
+	return place().origin;
 }
 
 Vector3 GestureTask::get_axis() const {
-	const Transform3D transform = is_inside_tree() ? get_global_transform() : get_transform();
-	const Vector3 direction = unit_of(direction_), axis = unit_of(transform.basis.xform(direction));
+	const Vector3 direction = unit_of(direction_), axis = unit_of(place().basis.xform(direction));
 	return axis.is_finite() && axis.length_squared() > 0 ? axis : direction;
 }
 

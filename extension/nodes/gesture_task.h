@@ -12,7 +12,10 @@ class GestureTask : public Node3D {
 	Vector3 direction_ = Vector3(1, 0, 0);
 	double amplitude_ = 0.2;
 	double start_radius_ = 0.0;
+	Transform3D parent_place_; ///< parent in the world when the task last left the tree
 
+	/// Transform in the world. Outside the tree the parent counts as if it had stayed.
+	Transform3D place() const;
 	void announce_change();
 
 protected:
@@ -32,7 +35,7 @@ public:
 	void set_start_radius(double p_radius);
 	double get_start_radius() const { return start_radius_; }
 
-	/// m, world; outside the tree: relative to the parent.
+	/// m, world; before the task first enters the tree: relative to the parent.
 	Vector3 get_start() const;
 	/// Unit vector; the local direction if the node's scale is degenerate.
 	Vector3 get_axis() const;

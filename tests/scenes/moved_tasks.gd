@@ -42,6 +42,31 @@ func test_a_trembling_panel_keeps_the_gesture() -> void:
 	_free(hmm, panel)
 
 
+func test_a_task_of_a_removed_panel_stays_at_its_place() -> void:
+	for is_top_level: bool in [false, true]:
+		var room := Node3D.new()
+		room.transform = Transform3D(Basis(Vector3.UP, 1.0), Vector3(5.0, 0.0, 0.0))
+		var panel := Node3D.new()
+		panel.transform = Transform3D(Basis(Vector3.BACK, 0.5 * PI), Vector3(1.0, 2.0, 3.0))
+		var task := GestureTask.new()
+		task.position = Vector3(0.1, 0.2, 0.3)
+		task.top_level = is_top_level
+		panel.add_child(task)
+		room.add_child(panel)
+		root.add_child(room)
+		var start := task.get_start()
+		var axis := task.get_axis()
+		room.remove_child(panel)
+		check(task.get_start().is_equal_approx(start), "outside the tree: %s" % start)
+		check(task.get_axis().is_equal_approx(axis), "its direction: %s" % axis)
+		task.position.x += 1.0
+		check(not task.get_start().is_equal_approx(start), "its own move counts")
+		root.add_child(panel)
+		check(task.get_start().is_equal_approx(task.global_position), "in the tree again")
+		panel.free()
+		room.free()
+
+
 func test_task_properties_take_effect_at_once() -> void:
 	for what: StringName in [
 		&"amplitude", &"direction", &"gesture", &"no_gesture", &"start_radius"
