@@ -40,9 +40,17 @@ void GestureHMM::_notification(int p_what) {
 }
 
 void GestureHMM::reset() {
-	outdated_ = true;
 	recognised_ = StringName();
-	abort_shown(get_gesture(), get_current_task());
+	end_motion();
+}
+
+void GestureHMM::end_motion() {
+	const Watch watch(listeners_);
+	outdated_ = true;
+	listeners_.call(&MotionListener::on_motion_ended);
+	if (!watch.is_destroyed()) {
+		abort_shown(get_gesture(), get_current_task());
+	}
 }
 
 void GestureHMM::abort_shown(const StringName &p_gesture, GestureTask *p_task) {
@@ -65,8 +73,7 @@ void GestureHMM::on_stream_started() {
 
 void GestureHMM::on_stream_ended() {
 	++stream_;
-	outdated_ = true;
-	abort_shown(get_gesture(), get_current_task());
+	end_motion();
 }
 
 bool GestureHMM::prepare(double p_time_s) {
@@ -100,8 +107,7 @@ bool GestureHMM::prepare(double p_time_s) {
 	build_recogniser();
 	next_instant_ = static_cast<int64_t>(std::ceil(p_time_s * CONTROL_RATE_HZ));
 	time_s_ = p_time_s;
-	listeners_.call(&MotionListener::on_motion_started);
-	return !is_over();
+	return true;
 }
 
 bool GestureHMM::run_clock(double p_time_s, bool p_up_to_and_including) {

@@ -197,6 +197,8 @@ private:
 	bool is_task_freed() const;
 	void build_recogniser();
 	void update_expected();
+	/// Ends the motion and its gesture. The next frame starts another one. A handler may free this node.
+	void end_motion();
 	/// Ends the shown gesture and emits the signals of this. A handler may free this node.
 	void abort_shown(const StringName &p_gesture, GestureTask *p_task);
 	void warn_of_settings();

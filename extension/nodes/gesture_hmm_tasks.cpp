@@ -164,7 +164,7 @@ void GestureHMM::update_expected() {
 	}
 	const Watch watch(listeners_);
 	if (!is_motion_continued) {
-		listeners_.call(&MotionListener::on_motion_started);
+		listeners_.call(&MotionListener::on_motion_ended);
 	}
 	if (shown < 0 && !watch.is_destroyed()) {
 		abort_shown(gesture, task);

@@ -18,7 +18,7 @@ public:
 	virtual void set_effects(const steadyhand::EffectSet &p_effects) = 0;
 	virtual std::uint64_t oldest_generation() const = 0;
 
-	/// A new stream of motion starts.
+	/// The motion has ended. The next one has no connection to it.
 	virtual void restart() {}
 	/// Called at each control instant, with the last arrival and the last onset. `knot.moving` holds from
 	/// this instant.

@@ -59,7 +59,7 @@ void HapticSynth::add_sink(HapticSink &p_sink) {
 	}
 }
 
-void HapticSynth::on_motion_started() {
+void HapticSynth::on_motion_ended() {
 	arrivals_.restart();
 	strength_ = {};
 	effects_are_set_ = false;
@@ -147,14 +147,14 @@ steadyhand::LiveMotion HapticSynth::live_motion() const {
 void HapticSynth::on_motion_freed() {
 	gesture_hmm_ = nullptr;
 	follows_parent_ = false;
-	on_motion_started();
+	on_motion_ended();
 	update_configuration_warnings();
 }
 
 void HapticSynth::set_gesture_hmm(GestureHMM *p_gesture_hmm) {
 	follows_parent_ = false;
 	if (listen_to(p_gesture_hmm, gesture_hmm_, this)) {
-		on_motion_started();
+		on_motion_ended();
 		update_configuration_warnings();
 	}
 }

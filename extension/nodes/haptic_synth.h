@@ -64,7 +64,7 @@ public:
 	void stop_wav();
 	PackedVector2Array get_buffer(int p_frames);
 
-	void on_motion_started() override;
+	void on_motion_ended() override;
 	void on_motion(const MotionInstant &p_motion) override;
 	void on_motion_known() override;
 	void on_motion_freed() override;

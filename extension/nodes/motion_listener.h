@@ -20,8 +20,8 @@ struct MotionInstant {
 /// Gets a GestureHMM's motion at each of its control instants.
 class MotionListener {
 public:
-	/// A new motion starts, without connection to the previous one.
-	virtual void on_motion_started() = 0;
+	/// The motion ends. The next one has no connection to it.
+	virtual void on_motion_ended() = 0;
 	virtual void on_motion(const MotionInstant &p_motion) = 0;
 	/// All instants that are due were reported. The listener may now predict by motion_at().
 	virtual void on_motion_known() = 0;

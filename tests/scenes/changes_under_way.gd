@@ -63,13 +63,29 @@ func test_unrelated_changes_keep_an_active_gesture() -> void:
 
 func test_changes_that_abort_an_active_gesture_send_aborted() -> void:
 	var changes: Array[StringName] = [
-		&"move", &"free", &"no_models", &"quality", &"mode", &"sensor_latency", &"tracker", &"reset"
+		&"move",
+		&"free",
+		&"no_models",
+		&"quality",
+		&"mode",
+		&"sensor_latency",
+		&"tracker",
+		&"source",
+		&"restart",
+		&"reset"
 	]
 	for change in changes:
 		var task := _task(&"horizontal_drag")
 		var hmm := _hmm(["horizontal_drag", "tap"], [task, _task(&"tap", ELSEWHERE)])
 		var tracker := hmm.tracker
+		var synth := HapticSynth.new()
+		synth.gesture_hmm = hmm
+		var amplitudes: Array[float] = []
+		var note := func(_gesture: StringName, _task: GestureTask) -> void:
+			amplitudes.append(synth.get_amplitude())
+		hmm.gesture_aborted.connect(note)
 		var make_it := func() -> void:
+			check(synth.get_amplitude() > 0.1, "%s: it vibrates before" % change)
 			match change:
 				&"move":
 					task.position = 2.0 * ELSEWHERE
@@ -86,6 +102,10 @@ func test_changes_that_abort_an_active_gesture_send_aborted() -> void:
 					hmm.sensor_latency = 0.03
 				&"tracker":
 					hmm.tracker = null
+				&"source":
+					tracker.source = ScriptSource.new()
+				&"restart":
+					tracker.start()
 				&"reset":
 					hmm.reset()
 		# expects one warning: because "models" has none of 'horizontal_drag'
@@ -93,8 +113,9 @@ func test_changes_that_abort_an_active_gesture_send_aborted() -> void:
 		check_equal(
 			_events.slice(0, 2), ["started", "aborted"] as Array[String], "%s: the signals" % change
 		)
-		tracker.free()
-		hmm.free()
+		check_equal(amplitudes[0], 0.0, "%s: the amplitude at the signal" % change)
+		for node: Node in [hmm, tracker, synth]:
+			node.free()
 
 
 func test_a_handler_may_restart_the_tracker_at_the_end_of_a_gesture() -> void:
