@@ -30,6 +30,28 @@ func test_the_overlay_describes_the_tracker() -> void:
 		node.free()
 
 
+func test_the_overlay_finds_the_gesture_hmm_of_each_scene() -> void:
+	var overlay := _add_overlay()
+	var points := overlay.get_node("Points") as Control
+	await process_frame
+	for scene in 2:
+		await process_frame
+		check_equal(overlay.describe_tracker(), "no tracker", "before scene %d" % scene)
+		check(not points.visible, "no points in it")
+		var tracker := HandTracker.new()
+		tracker.source = ScriptSource.new()
+		var hmm := GestureHMM.new()
+		tracker.add_child(hmm)
+		root.add_child(tracker)
+		await process_frame
+		await process_frame
+		check_equal(overlay.gesture_hmm, hmm, "the GestureHMM of scene %d" % scene)
+		_check_shows(overlay, "ScriptSource: no hand")
+		check(points.visible, "its points")
+		tracker.free()
+	overlay.free()
+
+
 func test_a_task_is_an_arrow_of_its_length_in_the_world() -> void:
 	var task := GestureTask.new()
 	task.position = Vector3(1, 2, 3)

@@ -1,8 +1,8 @@
 extends CanvasLayer
 ## Shows in a running game the state of a HandTracker, the gesture of a GestureHMM, and why no
 ## gesture starts. In the scene it shows the measured fingertip and the output motion. Add
-## debug_overlay.tscn to a scene. It shows `gesture_hmm`, or `tracker` alone; if neither is set, the
-## first GestureHMM of the tree.
+## debug_overlay.tscn to a scene. It shows `gesture_hmm`, or `tracker` alone. Without either, it
+## takes the first GestureHMM of the tree.
 
 const EditorLink := preload("debug_overlay/editor_link.gd")
 const IdleReason := preload("debug_overlay/idle_reason.gd")
@@ -19,6 +19,8 @@ const ScenePoints := preload("debug_overlay/scene_points.gd")
 		tracker = value
 		_follow()
 
+## The tree has changed since the last search for a GestureHMM, which is slow in a large tree.
+var _is_search_due := true
 var _followed: HandTracker = null
 var _reason := IdleReason.new()
 
@@ -32,10 +34,11 @@ var _reason := IdleReason.new()
 
 func _ready() -> void:
 	_link.follow(_followed)
-	_choose.call_deferred()  # a script may add the overlay first and then set its properties
+	get_tree().tree_changed.connect(func() -> void: _is_search_due = true)
 
 
 func _process(delta: float) -> void:
+	_choose()
 	_follow()
 	_reason.pass_time(delta)
 	_tracker_label.text = describe_tracker()
@@ -44,6 +47,7 @@ func _process(delta: float) -> void:
 	_gesture_label.visible = has_gesture
 	_progress.visible = has_gesture
 	_strip.visible = has_gesture
+	_points.visible = has_gesture
 	if has_gesture:
 		_progress.value = gesture_hmm.progress if not gesture_hmm.gesture.is_empty() else 0.0
 		_strip.note(gesture_hmm)
@@ -103,7 +107,8 @@ func describe_gesture() -> String:
 
 
 func _choose() -> void:
-	if gesture_hmm == null and tracker == null and is_inside_tree():
+	if _is_search_due and not is_instance_valid(gesture_hmm) and not is_instance_valid(tracker):
+		_is_search_due = false
 		var found := get_tree().root.find_children("*", "GestureHMM", true, false)
 		gesture_hmm = found[0] as GestureHMM if not found.is_empty() else null
 
