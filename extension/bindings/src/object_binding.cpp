@@ -108,10 +108,7 @@ Wrapped::Wrapped(const StringName &p_engine_class) {
 	namespace gd = gdextension_interface;
 	// Reset, so that objects made by members of this object do not use it.
 	const Construction construction = std::exchange(_construction(), Construction());
-	_owner = construction.existing_owner;
-	if (_owner == nullptr) {
-		_owner = gd::classdb_construct_object2(p_engine_class._native_ptr());
-	}
+	_owner = gd::classdb_construct_object2(p_engine_class._native_ptr());
 	if (construction.extension_class != nullptr) {
 		gd::object_set_instance(_owner, construction.extension_class->_native_ptr(), this);
 	}

@@ -25,7 +25,6 @@ protected:
 	struct Construction {
 		const StringName *extension_class = nullptr; // null for engine classes
 		const GDExtensionInstanceBindingCallbacks *callbacks = nullptr;
-		GodotObject *existing_owner = nullptr; // an object from before a reload of the library
 	};
 	static Construction &_construction();
 
@@ -84,8 +83,7 @@ inline constexpr GDExtensionInstanceBindingCallbacks OWN_BINDING_CALLBACKS = {
 	template <typename T_New> friend void ::godot::internal::pre_new();                                      \
                                                                                                              \
 	static void _announce_construction() {                                                                   \
-		m_class::_construction() = { &get_class_static(), &::godot::internal::OWN_BINDING_CALLBACKS,         \
-			nullptr };                                                                                       \
+		m_class::_construction() = { &get_class_static(), &::godot::internal::OWN_BINDING_CALLBACKS };       \
 	}                                                                                                        \
                                                                                                              \
 protected:                                                                                                   \
@@ -144,7 +142,7 @@ private:
 	template <typename T_New> friend void ::godot::internal::pre_new();                                      \
                                                                                                              \
 	static void _announce_construction() {                                                                   \
-		_construction() = { nullptr, &_binding_callbacks, nullptr };                                         \
+		_construction() = { nullptr, &_binding_callbacks };                                                  \
 	}                                                                                                        \
                                                                                                              \
 protected:                                                                                                   \

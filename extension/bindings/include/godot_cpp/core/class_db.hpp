@@ -35,13 +35,6 @@ class ClassDB {
 		}
 		return object->_owner;
 	}
-	// After a reload of the library, the engine's object still exists, and its C++ half must be made again.
-	template <typename T>
-	static GDExtensionClassInstancePtr recreate_instance(void *, GDExtensionObjectPtr p_owner) {
-		T::_announce_construction();
-		T::_construction().existing_owner = p_owner;
-		return static_cast<Wrapped *>(new T);
-	}
 	template <typename T> static void free_instance(void *, GDExtensionClassInstancePtr p_instance) {
 		delete static_cast<T *>(static_cast<Wrapped *>(p_instance));
 	}
@@ -71,7 +64,6 @@ class ClassDB {
 		info.free_instance_func = &free_instance<T>;
 		if constexpr (!std::is_abstract_v<T>) {
 			info.create_instance_func = &create_instance<T>;
-			info.recreate_instance_func = &recreate_instance<T>;
 		}
 		info.get_virtual_func = &get_virtual;
 		register_record(T::get_class_static(), T::parent_type::get_class_static(), p_kind, info);
