@@ -130,6 +130,22 @@ func test_wait_for_ends_at_its_timeout() -> void:
 	_free_nodes()
 
 
+func test_the_hand_follows_the_time_scale_of_the_game() -> void:
+	for mode: HandTracker.UpdateMode in [HandTracker.UPDATE_IDLE, HandTracker.UPDATE_PHYSICS]:
+		for scale: float in [0.5, 4.0]:
+			Engine.time_scale = scale
+			var hand := _make_nodes()
+			_tracker.update_mode = mode
+			await hand.rest(0.1)
+			var timer := create_timer(2.0)
+			await hand.rest(1.9)
+			check_near(timer.time_left, 0.1, 0.08, "mode %d, scale %s: a timer" % [mode, scale])
+			hand.make_gesture(_hmm.task)
+			check(await hand.wait_for(_hmm.gesture_ended, 5.0), "a gesture ends")
+			_free_nodes()
+	Engine.time_scale = 1.0
+
+
 func test_a_hand_without_a_tracker_is_an_error() -> void:
 	# expects one error: GestureTestHand: no HandTracker follows it
 	await GestureTestHand.new().rest(1.0)

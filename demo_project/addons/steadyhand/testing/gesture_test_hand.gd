@@ -33,9 +33,9 @@ var is_busy := false
 
 var _tracker: HandTracker = null
 var _tree: SceneTree = null
-## When the hand was first seen, on the tracker's clock. NAN: not yet.
+## When the hand was first seen, on the clock of live devices. NAN: not yet.
 var _first_s := NAN
-## Time since then.
+## The game's time since then. Live devices do not follow Engine.time_scale, but the hand does.
 var _time_s := 0.0
 var _place := MinimumJerk.new(Vector3.ZERO)
 var _thumb_gap := MinimumJerk.new(HandPose.OPEN_M)
@@ -200,10 +200,13 @@ func _start(tracker: HandTracker) -> String:
 func _poll(tracker: HandTracker, time_s: float) -> void:
 	if is_nan(_first_s):
 		_first_s = time_s
-	_time_s = time_s - _first_s
+	elif Engine.is_in_physics_frame():
+		_time_s += tracker.get_physics_process_delta_time()
+	else:
+		_time_s += tracker.get_process_delta_time()
 	if _time_s >= _frozen_until_s:
 		_last_joints = _joints()
-	tracker.push_frame(time_s, {} if _time_s < _lost_until_s else _last_joints)
+	tracker.push_frame(_first_s + _time_s, {} if _time_s < _lost_until_s else _last_joints)
 
 
 func _stop(_stopped: HandTracker) -> void:
