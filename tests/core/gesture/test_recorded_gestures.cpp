@@ -100,6 +100,19 @@ TEST_CASE("five recordings of a gesture tell it from the add-on's four") {
 	}
 }
 
+TEST_CASE("without a task a gesture may have 0.7 to 2 times its trained length") {
+	const auto push = user_model("push", -Z, 0.2);
+	for (const auto &[length, count] : { std::pair{ 0.5, 0 }, { 0.7, 1 }, { 1.0, 1 }, { 2.0, 1 } }) {
+		for (const double duration_s : { 0.8, 1.0 }) {
+			CAPTURE(length);
+			CAPTURE(duration_s);
+			const Drag drag{ DRAG.onset_s, duration_s, 0.2 * length };
+			CHECK(ends(watch(paper({ push }), along(-Z, { drag }), 3.0)) == count);
+			CHECK(ends(watch(paper({ own_models()[0] }), along(X, { drag }), 3.0)) == count);
+		}
+	}
+}
+
 TEST_CASE("a model's own HMMs replace the add-on's, and the first model of a name counts") {
 	GestureModel own = *model("down", -Y, false);
 	own.gesture = own.recorded_hmms.front().gesture = "horizontal_drag";
