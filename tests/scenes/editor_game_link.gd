@@ -1,9 +1,17 @@
 extends "support/editor_test.gd"
 ## The editor's "Gestures" panel records from a running game, as needed for a headset.
 
+const PushedHand := preload("support/pushed_hand.gd")
+
 const SCENE := "res://recorded_game.tscn"
+const FRAME_S := 1.0 / 90.0
+const TRACK_S := 40.0
+## Of the hand in the game: out, rest, back, rest.
+const PERIOD_S := 2.4
+const PART_S := 0.6
 const PATIENCE_S := 15.0
-const RECORDED_S := 3.0
+## Has a whole movement, whenever it begins.
+const RECORDED_S := 4.0
 
 var _folder := DirAccess.create_temp("steadyhand_takes")
 
@@ -56,8 +64,8 @@ func _waits(began_ms: int) -> bool:
 func _save_scene() -> void:
 	var scene := Node3D.new()
 	var tracker := HandTracker.new()
-	var source := SyntheticSource.new()
-	source.loop = true
+	var source := RecordedSource.new()
+	source.track = _write_track()
 	tracker.source = source
 	tracker.name = "HandTracker"
 	var overlay := load("res://addons/steadyhand/debug_overlay.tscn") as PackedScene
@@ -70,3 +78,16 @@ func _save_scene() -> void:
 	packed.pack(scene)
 	ResourceSaver.save(packed, SCENE)
 	scene.free()
+
+
+func _write_track() -> String:
+	var rows := PackedStringArray(["t,index_x,index_y,index_z"])
+	for frame in int(TRACK_S / FRAME_S):
+		var time_s := frame * FRAME_S
+		var passed := fmod(time_s, PERIOD_S) / PART_S
+		var way := 0.2 * (PushedHand.share(passed) - PushedHand.share(passed - 2.0))
+		var tip := Vector3(way, 1.0, -0.3) + PushedHand.tremor(time_s)
+		rows.append("%s,%s,%s,%s" % [time_s, tip.x, tip.y, tip.z])
+	var path := _folder.get_current_dir().path_join("hand.csv")
+	FileAccess.open(path, FileAccess.WRITE).store_string("\n".join(rows) + "\n")
+	return path
