@@ -84,7 +84,7 @@ func begin(trial: Dictionary, time_s: float, given_log: StudyTrialLog) -> void:
 
 ## Columns of trials.csv. `truth`: as in StudyTrialLog.finish().
 func finish(truth: Dictionary) -> Dictionary:
-	var row := log.finish(task, _feature(), truth)
+	var row := log.finish(task, _feature(), truth, course.start_s)
 	last_figures = log.figures
 	row["shown_s"] = _shown_s
 	row["onset_s"] = course.start_s

@@ -6,11 +6,12 @@ const Conditions := preload("res://scripts/conditions.gd")
 
 const RATE_HZ := 1000.0
 const HEADER := "t,measured,average,one_euro,kalman,synthesised,reference,state,progress,vibration"
-## A sensor's reference starts and ends at these shares of its farthest value.
+## A sensor's reference starts at this share of the way from its lowest to its farthest value.
 const ONSET_LEVEL := 0.05
+## A sensor's reference ends at this share of its farthest value.
 const END_LEVEL := 0.99
 
-## Of MotionMetrics.compare(), by condition. Empty without a reference.
+## Of MotionMetrics.compare(), by condition. Empty without a reference or its span.
 var figures: Dictionary[String, Dictionary] = {}
 ## "sensor", "truth" or empty, as in trials.csv.
 var reference_kind := ""
@@ -48,18 +49,19 @@ func add(time_s: float, hmm: GestureHMM, vibration: float) -> void:
 
 ## Ends the recording and hands motion.csv to the session. `feature`: of the gesture's model.
 ## `truth`: {start_s, end_s} of a simulated hand; empty for a sensor's reference, whose span comes
-## from its own curve. Gives the columns of trials.csv that compare with the reference.
-func finish(task: GestureTask, feature: String, truth: Dictionary) -> Dictionary:
+## from its own curve and from `onset_s`, when the gesture was recognised (NAN: never). Gives the
+## columns of trials.csv that compare with the reference.
+func finish(task: GestureTask, feature: String, truth: Dictionary, onset_s: float) -> Dictionary:
 	stop()
 	var row := {}
 	var reference := _reference_curve(task, feature, truth)
 	if not reference.is_empty():
-		_compare(reference, task.amplitude, truth)
 		row["reference"] = reference_kind
-		for motion in Conditions.COMPARED:
-			var condition := Conditions.NAMES[Conditions.MOTIONS.find(motion)]
-			for figure: String in ["r2", "r2_zero", "lag", "t_diff"]:
-				row["%s_%s" % [figure, condition]] = figures[condition][figure]
+		var span := truth
+		if truth.is_empty() and not is_nan(onset_s):
+			span = span_of(reference, _times[0], onset_s)
+		if not span.is_empty():
+			row.merge(_compare(reference, task.amplitude, span))
 	_session.add_file(
 		_session.trial_path(_trial, "motion"), _motion_text(reference, task.amplitude)
 	)
@@ -73,19 +75,30 @@ func stop() -> void:
 		_reference.stop_recording()
 
 
-## {start_s, end_s} of a reference's motion: from the last instant at which it was below ONSET_LEVEL
-## before it first got to END_LEVEL of its farthest value.
-static func span_of(reference: PackedFloat64Array, t0_s: float) -> Dictionary:
-	var farthest := 0.0
-	for value in reference:
-		farthest = maxf(farthest, value)
-	var end := 0
+## {start_s, end_s} of a reference's motion, whose gesture was recognised at `onset_s`. The record
+## begins while the hand is still at the end of the trial before. So the motion starts at the last
+## instant at the start's level.
+static func span_of(reference: PackedFloat64Array, t0_s: float, onset_s: float) -> Dictionary:
+	var values := Array(reference)
+	# The reference of a hand at the start is not 0 if the two trackers are not aligned exactly.
+	var lowest: float = maxf(values.min(), 0.0)
+	var level: float = lowest + ONSET_LEVEL * (values.max() - lowest)
+	var onset := clampi(roundi((onset_s - t0_s) * RATE_HZ), 0, reference.size() - 1)
+	# The reference may be ahead of the tracker: near its end when the gesture is recognised.
+	var end := _last_at_most(level, reference, onset)
+	var farthest: float = values.slice(end).max()
 	while end < reference.size() - 1 and reference[end] < END_LEVEL * farthest:
 		end += 1
-	var start := end
-	while start > 0 and reference[start] > ONSET_LEVEL * farthest:
-		start -= 1
+	var start := _last_at_most(level, reference, end)
 	return {start_s = t0_s + start / RATE_HZ, end_s = t0_s + end / RATE_HZ}
+
+
+## The last index up to `from` at which a curve is at or below a level; 0 if there is none.
+static func _last_at_most(level: float, curve: PackedFloat64Array, from: int) -> int:
+	var index := from
+	while index > 0 and curve[index] > level:
+		index -= 1
+	return index
 
 
 func _start_recording(recorded: HandTracker, kind: String) -> void:
@@ -120,8 +133,8 @@ func _reference_curve(task: GestureTask, feature: String, truth: Dictionary) -> 
 	)
 
 
-func _compare(reference: PackedFloat64Array, amplitude_m: float, truth: Dictionary) -> void:
-	var span := span_of(reference, _times[0]) if truth.is_empty() else truth
+## Columns of trials.csv.
+func _compare(reference: PackedFloat64Array, amplitude_m: float, span: Dictionary) -> Dictionary:
 	var width := Conditions.NAMES.size() + 2
 	for c in Conditions.NAMES.size():
 		var curve := PackedFloat64Array()
@@ -131,6 +144,12 @@ func _compare(reference: PackedFloat64Array, amplitude_m: float, truth: Dictiona
 		figures[Conditions.NAMES[c]] = MotionMetrics.compare(
 			reference, curve, RATE_HZ, _times[0], span["start_s"], span["end_s"]
 		)
+	var row := {}
+	for motion in Conditions.COMPARED:
+		var condition := Conditions.NAMES[Conditions.MOTIONS.find(motion)]
+		for figure: String in ["r2", "r2_zero", "lag", "t_diff"]:
+			row["%s_%s" % [figure, condition]] = figures[condition][figure]
+	return row
 
 
 func _motion_text(reference: PackedFloat64Array, amplitude_m: float) -> String:

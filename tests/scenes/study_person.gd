@@ -96,6 +96,35 @@ func test_a_persons_trial_is_compared_with_a_reference_sensor() -> void:
 	check(row["r2_measured"].to_float() > 0.99, "R2 of the measured motion")
 
 
+func test_the_return_before_a_trial_does_not_count_in_its_figures() -> void:
+	var protocol := StudySupport.protocol()
+	protocol.gestures = ["horizontal_drag"]
+	protocol.practice_trials = 0
+	protocol.questionnaires = []
+	var session := StudySession.new()
+	session.start(_root.path_join("return"), "ann", protocol, "person")
+	var runner := StudyRunner.new()
+	root.add_child(runner)
+	runner.vibration_bus = &""
+	var hand := StudyHand.new(ScriptSource.new(), ScriptSource.new())
+	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
+	hand.reference.update_mode = HandTracker.UPDATE_MANUAL
+	runner.begin(session, hand, DesktopPanel.new())
+	var time_s := 1e-6 * Time.get_ticks_usec()
+	for trial in 2:
+		# The hand is still at the target of the trial before.
+		time_s = _drag(runner, maxf(time_s, 1e-6 * Time.get_ticks_usec()), 0.03, trial > 0)
+		var began_ms := Time.get_ticks_msec()
+		while session.count_finished() == trial and Time.get_ticks_msec() - began_ms < 20000:
+			await process_frame
+	runner.free()
+	for row in TrialRows.read(session.folder):
+		check_near(row["lag_measured"].to_float(), 0.035, 0.003, "trial %s: lag" % row["trial"])
+		check_near(row["t_diff_measured"].to_float(), -0.03, 0.006, "it ends later")
+		check(row["r2_measured"].to_float() > 0.99, "R2 of the measured motion")
+		check(row["r2_zero_measured"].to_float() > 0.97, "zero-lag R2")
+
+
 func test_a_trial_without_a_gesture_ends_at_its_limit() -> void:
 	var protocol := StudySupport.protocol()
 	protocol.trial_limit_s = 0.1
@@ -176,21 +205,34 @@ func test_a_pause_drops_the_current_trial() -> void:
 
 ## Pushes a drag along the task, and a rest; the time of its last frame.
 ## `ahead_s`: how much earlier the reference sees it, where there is one.
-func _drag(runner: StudyRunner, from_s: float, ahead_s: float = 0.0) -> float:
+## `returns`: the hand first returns from the target.
+func _drag(
+	runner: StudyRunner, from_s: float, ahead_s: float = 0.0, returns: bool = false
+) -> float:
 	var task := runner.task_scene.task
 	var time_s := from_s
-	for frame in 330:
+	var begin_s := -1.6 if returns else 0.0
+	for frame in roundi((3.3 - begin_s) / 0.01):
 		time_s += 0.01
-		var seen := {HandTracker.JOINT_INDEX: _place(task, time_s - from_s, time_s)}
-		var before := {HandTracker.JOINT_INDEX: _place(task, time_s - from_s + ahead_s, time_s)}
+		var passed_s := begin_s + time_s - from_s
 		if runner.hand.reference != null:
+			var before := {HandTracker.JOINT_INDEX: _place(task, passed_s + ahead_s, time_s)}
 			runner.hand.reference.push_frame(time_s, before)
+		var seen := {HandTracker.JOINT_INDEX: _place(task, passed_s, time_s)}
 		runner.hand.tracker.push_frame(time_s, seen)
 	return time_s
 
 
+## Before 0 s the hand is at the target, or returns from it.
 func _place(task: GestureTask, passed_s: float, time_s: float) -> Vector3:
-	var p := clampf((passed_s - 1.0) / 0.8, 0.0, 1.0)
-	var way := task.amplitude * p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
+	var share := _moved(passed_s, 1.0, 0.8)
+	if passed_s < 0.0:
+		share = 1.0 - _moved(passed_s, -1.1, 0.6)
 	var tremor := 1e-4 * Vector3(sin(55.0 * time_s), sin(62.0 * time_s), sin(71.0 * time_s))
-	return task.get_start() + task.get_axis() * way + tremor
+	return task.get_start() + task.get_axis() * task.amplitude * share + tremor
+
+
+## Share of a minimum-jerk motion.
+func _moved(passed_s: float, onset_s: float, duration_s: float) -> float:
+	var p := clampf((passed_s - onset_s) / duration_s, 0.0, 1.0)
+	return p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
