@@ -15,6 +15,7 @@ const DRIVING := Color(1.0, 0.83, 0.3)
 const OTHER := Color(0.85, 0.88, 0.9)
 const STATES: Dictionary[StudyRunner.State, String] = {
 	StudyRunner.State.IDLE: "idle",
+	StudyRunner.State.WAITING: "waiting for the tracker",
 	StudyRunner.State.RESTING: "rest",
 	StudyRunner.State.ASKING: "questionnaire",
 	StudyRunner.State.MAKING: "trial",

@@ -15,12 +15,17 @@ var reference: HandTracker = null
 
 var _source: HandSource = null
 var _participant: Participant = null
+## Of the frames' clock from the engine's, s, by the newest frame. NAN: no frame has come.
+var _clock_offset_s := NAN
 
 
 ## `source`: of the hand. `reference_source`: of a sensor to compare with; null: none.
 func _init(source: HandSource = null, reference_source: HandSource = null) -> void:
 	_source = source
 	tracker.autostart = false
+	tracker.frame_received.connect(
+		func(frame: HandFrame) -> void: _clock_offset_s = frame.time - _engine_s()
+	)
 	add_child(tracker)
 	if reference_source != null:
 		reference = HandTracker.new()
@@ -66,14 +71,23 @@ func play() -> void:
 	pass
 
 
-## The run's clock.
+## Whether the run's clock is known: the first frame sets it.
+func has_clock() -> bool:
+	return not is_nan(_clock_offset_s)
+
+
+## The run's clock: the clock of the tracker's frames, also while none comes.
 func now_s() -> float:
-	return 1e-6 * Time.get_ticks_usec()
+	return _engine_s() + _clock_offset_s
 
 
 ## Lets simulated time pass.
 func wait(_seconds: float) -> void:
 	pass
+
+
+static func _engine_s() -> float:
+	return 1e-6 * Time.get_ticks_usec()
 
 
 ## The task scenes keep these as they are.

@@ -11,7 +11,17 @@ signal questionnaire_started(asked: Questionnaire)
 ## Every trial is made and every questionnaire answered.
 signal completed
 
-enum State { IDLE, RESTING, ASKING, MAKING, ENDING, PAUSED, COMPLETE }
+enum State {
+	IDLE,
+	## For the tracker's first frame, which sets the run's clock.
+	WAITING,
+	RESTING,
+	ASKING,
+	MAKING,
+	ENDING,
+	PAUSED,
+	COMPLETE,
+}
 
 const StudyHand := preload("study_hand.gd")
 const StudyTask := preload("study_task.gd")
@@ -19,6 +29,8 @@ const StudyTrialLog := preload("study_trial_log.gd")
 
 ## Recording continues for this time after the end of a gesture, s.
 const AFTER_S := 0.5
+## The same for a tracker that sends no more frames: its clock stands still.
+const LONGEST_AFTER_S := 1.0
 ## Files are written at least so often between trials, s.
 const FLUSH_INTERVAL_S := 1.0
 
@@ -37,10 +49,13 @@ var _truth: Dictionary = {}
 var _due: Dictionary = {}
 var _unanswered := 0
 var _item_shown_s := 0.0
-var _trial_end_s := INF
-var _rest_end_s := 0.0
+## On the run's clock. INF: no gesture has ended yet.
+var _recorded_until_s := INF
+## How much of the trial is left at most, s.
+var _trial_left_s := 0.0
+var _rest_left_s := 0.0
 var _rested_before := 0
-var _flushed_s := -INF
+var _unflushed_s := 0.0
 
 
 ## `given_hand` and `given_panel` are added to the tree.
@@ -59,10 +74,9 @@ func begin(
 	var opened := hand.open(session.participant)
 	if opened != OK:
 		return opened
-	session.add_event(hand.now_s(), "run_started", Time.get_datetime_string_from_system())
-	session.flush()
-	if not hand.is_simulated():
-		_go_on()
+	state = State.WAITING
+	if hand.has_clock():
+		_start_run()
 	return OK
 
 
@@ -71,7 +85,7 @@ func step() -> bool:
 	_go_on()
 	match state:
 		State.RESTING:
-			hand.wait(_rest_end_s - hand.now_s())
+			hand.wait(_rest_left_s)
 			_end_rest()
 		State.MAKING:
 			hand.play()
@@ -84,27 +98,33 @@ func end() -> void:
 	if session == null:
 		return
 	_abort_trial()
-	session.add_event(hand.now_s(), "run_ended", Time.get_datetime_string_from_system())
+	add_event("run_ended", Time.get_datetime_string_from_system())
 	session.flush()
 	session = null
 	state = State.IDLE
 
 
+## Adds an event of now, outside of trials. Without the run's clock it has no time, and is left out.
+func add_event(event: String, value: String = "") -> void:
+	if hand.has_clock():
+		session.add_event(hand.now_s(), event, value)
+
+
 ## A pause drops the current trial: it is made again.
 func pause() -> void:
-	if state in [State.IDLE, State.PAUSED, State.COMPLETE]:
+	if state in [State.IDLE, State.WAITING, State.PAUSED, State.COMPLETE]:
 		return
 	_abort_trial()
 	panel.close()
 	state = State.PAUSED
-	session.add_event(hand.now_s(), "paused")
+	add_event("paused")
 	session.flush()
 
 
 func continue_run() -> void:
 	if state != State.PAUSED:
 		return
-	session.add_event(hand.now_s(), "continued")
+	add_event("continued")
 	_go_on()
 
 
@@ -113,42 +133,50 @@ func skip() -> void:
 	if hand == null or hand.is_simulated():
 		return
 	if state == State.RESTING:
-		_rest_end_s = hand.now_s()
+		_rest_left_s = 0.0
 	elif state in [State.MAKING, State.ENDING]:
 		session.add_event(hand.now_s(), "skipped", "", trial["trial"])
-		_trial_end_s = -INF
+		_trial_left_s = 0.0
 
 
 ## How much of a rest is left, s.
 func get_rest_left() -> float:
-	return maxf(_rest_end_s - hand.now_s(), 0.0) if state == State.RESTING else 0.0
+	return _rest_left_s if state == State.RESTING else 0.0
 
 
-func _process(_delta: float) -> void:
+func _process(delta: float) -> void:
 	if session == null or hand.is_simulated():
 		return
-	var time_s := hand.now_s()
-	if state == State.RESTING and time_s >= _rest_end_s:
-		_end_rest()
-		_go_on()
-	elif state == State.ENDING and _is_trial_over(time_s):
-		_end_trial()
-		_go_on()
-	elif state == State.MAKING and time_s >= _trial_end_s:
-		_end_trial()
-		_go_on()
-	elif state in [State.RESTING, State.ASKING] and time_s - _flushed_s > FLUSH_INTERVAL_S:
-		_flushed_s = time_s
+	match state:
+		State.WAITING:
+			if hand.has_clock():
+				_start_run()
+		State.RESTING:
+			_rest_left_s = maxf(_rest_left_s - delta, 0.0)
+			if _rest_left_s == 0.0:
+				_end_rest()
+				_go_on()
+		State.MAKING, State.ENDING:
+			_trial_left_s -= delta
+			if _trial_left_s <= 0.0 or task_scene.gesture_hmm.time >= _recorded_until_s:
+				_end_trial()
+				_go_on()
+	_unflushed_s += delta
+	if state in [State.RESTING, State.ASKING] and _unflushed_s > FLUSH_INTERVAL_S:
+		_unflushed_s = 0.0
 		session.flush()
-
-
-## The clock of a lost hand may stand still.
-func _is_trial_over(time_s: float) -> bool:
-	return task_scene.gesture_hmm.time >= _trial_end_s or time_s >= _trial_end_s + AFTER_S
 
 
 func _exit_tree() -> void:
 	end()
+
+
+func _start_run() -> void:
+	state = State.IDLE
+	add_event("run_started", Time.get_datetime_string_from_system())
+	session.flush()
+	if not hand.is_simulated():
+		_go_on()
 
 
 ## Begins what is next: a questionnaire, a rest, a trial, or the end.
@@ -169,14 +197,14 @@ func _go_on() -> void:
 
 func _rest(seconds: float) -> void:
 	state = State.RESTING
-	_rest_end_s = hand.now_s() + seconds
-	session.add_event(hand.now_s(), "rest_started")
+	_rest_left_s = seconds
+	add_event("rest_started")
 	session.flush()
 	rest_started.emit(seconds)
 
 
 func _end_rest() -> void:
-	session.add_event(hand.now_s(), "rest_ended")
+	add_event("rest_ended")
 
 
 func _ask() -> void:
@@ -184,7 +212,7 @@ func _ask() -> void:
 	var asked: Questionnaire = _due["questionnaire"]
 	_unanswered = _due["items"].size()
 	_item_shown_s = hand.now_s()
-	session.add_event(hand.now_s(), "questionnaire_shown", asked.name)
+	add_event("questionnaire_shown", asked.name)
 	questionnaire_started.emit(asked)
 	panel.ask(asked, _due["items"], session.trials[_due["after_trial"] - 1])
 
@@ -217,7 +245,8 @@ func _begin_trial(next: Dictionary) -> void:
 	var log := StudyTrialLog.new(session, trial["trial"], hand.tracker, hand.reference)
 	var time_s := hand.now_s()
 	state = State.MAKING
-	_trial_end_s = time_s + float(session.protocol["trial_limit_s"])
+	_recorded_until_s = INF
+	_trial_left_s = session.protocol["trial_limit_s"]
 	task_scene.begin(trial, time_s, log)
 	trial_started.emit(trial)
 
@@ -264,4 +293,5 @@ func _use_scene(gesture: String) -> void:
 func _on_done(time_s: float) -> void:
 	if state == State.MAKING and not hand.is_simulated():
 		state = State.ENDING
-		_trial_end_s = time_s + AFTER_S
+		_recorded_until_s = time_s + AFTER_S
+		_trial_left_s = LONGEST_AFTER_S

@@ -243,7 +243,7 @@ func _exit_tree() -> void:
 
 func _on_recentred() -> void:
 	if runner != null and runner.session != null:
-		runner.session.add_event(runner.hand.now_s(), "recentred")
+		runner.add_event("recentred")
 
 
 func _folder() -> String:

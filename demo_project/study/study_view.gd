@@ -67,6 +67,9 @@ func _process(_delta: float) -> void:
 		return
 	visible = _runner.state != StudyRunner.State.ASKING
 	match _runner.state:
+		StudyRunner.State.WAITING:
+			_title.text = "Wait"
+			_instruction.text = "The study starts with the first frame of the tracker."
 		StudyRunner.State.RESTING:
 			_title.text = "Rest"
 			_instruction.text = "The next trial comes in %.0f s." % _runner.get_rest_left()

@@ -77,6 +77,10 @@ func play() -> void:
 	tracker.advance_to(_clock_s)
 
 
+func has_clock() -> bool:
+	return true
+
+
 func now_s() -> float:
 	return _clock_s
 

@@ -171,12 +171,17 @@ func _open_study(gesture: String) -> StudyScene:
 ## A simulated hand makes the first trial up to MOMENT.
 func _begin_trial(scene: StudyScene, name: String, out_folder: String) -> void:
 	scene.run_session("p01")
+	while scene.runner.task_scene == null:
+		await process_frame
 	var task := scene.runner.task_scene.task
 	var tracker: HandTracker = scene.runner.hand.tracker
 	var hmm := scene.runner.task_scene.gesture_hmm
 	(scene.source as SyntheticSource).place_at(task)
 	tracker.update_mode = HandTracker.UPDATE_MANUAL
+	# The hand starts again, so the trial does too.
+	scene.pause_or_continue()
 	tracker.start()
+	scene.pause_or_continue()
 	while hmm.value < MOMENT * task.amplitude and not tracker.is_finished():
 		tracker.advance(STEP_S)
 	for i in SETTLING_FRAMES:

@@ -10,6 +10,8 @@ const StudyView := preload("res://study/study_view.gd")
 const TrialRows := preload("support/trial_rows.gd")
 
 const STUDY_SCENE := "res://study/study_scene.tscn"
+## A device's clock: seconds since 1970.
+const DEVICE_S := 1.7e9
 
 var _folder := DirAccess.create_temp("steadyhand_study_person")
 var _root := _folder.get_current_dir()
@@ -22,25 +24,17 @@ func test_a_person_is_led_through_a_session() -> void:
 	protocol.practice_trials = 0
 	protocol.rest_after_trials = 2
 	protocol.rest_s = 0.05
-	var session := StudySession.new()
-	session.start(_root.path_join("person"), "ann", protocol, "person")
-	var runner := StudyRunner.new()
-	root.add_child(runner)
-	runner.vibration_bus = &""
-	runner.session = session
+	var panel := DesktopPanel.new()
+	var runner := await _begin("person", protocol, StudyHand.new(ScriptSource.new()), panel)
+	var session := runner.session
 	var view := StudyView.new()
 	root.add_child(view)
 	view.follow(runner)
-	var panel := DesktopPanel.new()
-	var hand := StudyHand.new(ScriptSource.new())
-	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
-	check_equal(runner.begin(session, hand, panel), OK, "begun")
-	var time_s := 1e-6 * Time.get_ticks_usec()
 	var shown := PackedStringArray()
 	var began_ms := Time.get_ticks_msec()
 	while runner.state != StudyRunner.State.COMPLETE and Time.get_ticks_msec() - began_ms < 20000:
 		if runner.state == StudyRunner.State.MAKING:
-			time_s = _drag(runner, maxf(time_s, 1e-6 * Time.get_ticks_usec()))
+			_drag(runner)
 		elif runner.state == StudyRunner.State.ASKING:
 			panel.choose(1)
 			panel.choose(3)
@@ -74,20 +68,12 @@ func test_a_person_is_led_through_a_session() -> void:
 
 
 func test_a_persons_trial_is_compared_with_a_reference_sensor() -> void:
-	var session := StudySession.new()
-	session.start(_root.path_join("sensor"), "ann", StudySupport.protocol(), "person")
-	var runner := StudyRunner.new()
-	root.add_child(runner)
-	runner.vibration_bus = &""
 	var hand := StudyHand.new(ScriptSource.new(), ScriptSource.new())
-	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
-	hand.reference.update_mode = HandTracker.UPDATE_MANUAL
-	runner.begin(session, hand, DesktopPanel.new())
+	var runner := await _begin("sensor", StudySupport.protocol(), hand)
+	var session := runner.session
 	# The reference sees the hand 30 ms earlier than the tracker, whose frames are held for 10 ms.
-	_drag(runner, 1e-6 * Time.get_ticks_usec(), 0.03)
-	var began_ms := Time.get_ticks_msec()
-	while session.count_finished() == 0 and Time.get_ticks_msec() - began_ms < 20000:
-		await process_frame
+	_drag(runner, 0.03)
+	await _wait_for_trial(session, 1)
 	runner.free()
 	var row := TrialRows.read(session.folder)[0]
 	check_equal(row["reference"], "sensor", "reference")
@@ -101,22 +87,13 @@ func test_the_return_before_a_trial_does_not_count_in_its_figures() -> void:
 	protocol.gestures = ["horizontal_drag"]
 	protocol.practice_trials = 0
 	protocol.questionnaires = []
-	var session := StudySession.new()
-	session.start(_root.path_join("return"), "ann", protocol, "person")
-	var runner := StudyRunner.new()
-	root.add_child(runner)
-	runner.vibration_bus = &""
 	var hand := StudyHand.new(ScriptSource.new(), ScriptSource.new())
-	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
-	hand.reference.update_mode = HandTracker.UPDATE_MANUAL
-	runner.begin(session, hand, DesktopPanel.new())
-	var time_s := 1e-6 * Time.get_ticks_usec()
-	for trial in 2:
+	var runner := await _begin("return", protocol, hand)
+	var session := runner.session
+	for trial: int in [1, 2]:
 		# The hand is still at the target of the trial before.
-		time_s = _drag(runner, maxf(time_s, 1e-6 * Time.get_ticks_usec()), 0.03, trial > 0)
-		var began_ms := Time.get_ticks_msec()
-		while session.count_finished() == trial and Time.get_ticks_msec() - began_ms < 20000:
-			await process_frame
+		_drag(runner, 0.03, trial > 1)
+		await _wait_for_trial(session, trial)
 	runner.free()
 	for row in TrialRows.read(session.folder):
 		check_near(row["lag_measured"].to_float(), 0.035, 0.003, "trial %s: lag" % row["trial"])
@@ -125,18 +102,71 @@ func test_the_return_before_a_trial_does_not_count_in_its_figures() -> void:
 		check(row["r2_zero_measured"].to_float() > 0.97, "zero-lag R2")
 
 
-func test_a_trial_without_a_gesture_ends_at_its_limit() -> void:
-	var protocol := StudySupport.protocol()
-	protocol.trial_limit_s = 0.1
+func test_a_session_waits_for_the_first_frame() -> void:
 	var session := StudySession.new()
-	session.start(_root.path_join("limit"), "ann", protocol, "person")
+	session.start(_root.path_join("waits"), "ann", StudySupport.protocol(), "person")
 	var runner := StudyRunner.new()
 	root.add_child(runner)
 	runner.vibration_bus = &""
+	var view := StudyView.new()
+	root.add_child(view)
+	runner.session = session
+	view.follow(runner)
 	runner.begin(session, StudyHand.new(ScriptSource.new()), DesktopPanel.new())
-	var began_ms := Time.get_ticks_msec()
-	while session.count_finished() == 0 and Time.get_ticks_msec() - began_ms < 20000:
-		await process_frame
+	runner.pause()
+	await process_frame
+	check_equal(runner.state, StudyRunner.State.WAITING, "no trial before the first frame")
+	check("first frame" in view.get_texts()[1], "the participant reads why")
+	runner.free()
+	view.free()
+	check_equal(StudySupport.read(session, "events.csv"), [], "no event without a clock")
+
+
+func test_times_of_a_run_are_on_the_clock_of_its_frames() -> void:
+	var hand := StudyHand.new(ScriptSource.new())
+	var runner := await _begin("clock", StudySupport.protocol(), hand)
+	var session := runner.session
+	var begin_s := hand.now_s()
+	for frame in 330:
+		var passed_s := 0.01 * frame
+		var time_s := maxf(begin_s + passed_s, hand.tracker.get_time())
+		var joints := {HandTracker.JOINT_INDEX: _place(runner.task_scene.task, passed_s, time_s)}
+		hand.tracker.push_frame(time_s, joints)
+		if runner.state == StudyRunner.State.ENDING:
+			await process_frame
+		if session.count_finished() > 0:
+			break
+	runner.free()
+	var row := TrialRows.read(session.folder)[0]
+	var shown_s: float = row["shown_s"].to_float()
+	check(shown_s > DEVICE_S and shown_s < begin_s, "the target is shown")
+	check_near(row["onset_s"].to_float() - begin_s, 1.15, 0.15, "the onset comes after it")
+	check_near(row["end_s"].to_float() - begin_s, 1.75, 0.15, "the end")
+	var motion := FileAccess.get_file_as_string(session.trial_path(1, "motion"))
+	var recorded_s: float = motion.split("\n", false)[-1].to_float() - row["end_s"].to_float()
+	check_near(recorded_s, StudyRunner.AFTER_S, 0.03, "recording continues after the end")
+	var events := StudySupport.read(session, "events.csv")
+	for i in range(1, events.size()):
+		var step_s: float = events[i]["t_s"].to_float() - events[i - 1]["t_s"].to_float()
+		check(step_s >= 0.0 and step_s < 3.0, "%s comes in time" % events[i]["event"])
+
+
+func test_a_trial_ends_though_its_tracker_falls_silent() -> void:
+	var runner := await _begin("silent", StudySupport.protocol(), StudyHand.new(ScriptSource.new()))
+	var session := runner.session
+	_drag(runner, 0.0, false, StudyRunner.State.ENDING)
+	check_equal(runner.state, StudyRunner.State.ENDING, "the gesture has ended")
+	await _wait_for_trial(session, 1)
+	runner.free()
+	check_equal(session.count_finished(), 1, "the trial too")
+
+
+func test_a_trial_without_a_gesture_ends_at_its_limit() -> void:
+	var protocol := StudySupport.protocol()
+	protocol.trial_limit_s = 0.1
+	var runner := await _begin("limit", protocol, StudyHand.new(ScriptSource.new()))
+	var session := runner.session
+	await _wait_for_trial(session, 1)
 	runner.free()
 	var row := TrialRows.read(session.folder)[0]
 	for column: String in ["recognised", "onset_s", "end_s", "end_value_m"]:
@@ -179,14 +209,8 @@ func test_a_study_name_in_other_case_is_refused() -> void:
 
 
 func test_a_pause_drops_the_current_trial() -> void:
-	var session := StudySession.new()
-	session.start(_root.path_join("pause"), "ann", StudySupport.protocol(), "person")
-	var runner := StudyRunner.new()
-	root.add_child(runner)
-	runner.vibration_bus = &""
-	var hand := StudyHand.new(ScriptSource.new())
-	hand.tracker.update_mode = HandTracker.UPDATE_MANUAL
-	runner.begin(session, hand, DesktopPanel.new())
+	var runner := await _begin("pause", StudySupport.protocol(), StudyHand.new(ScriptSource.new()))
+	var session := runner.session
 	check_equal(runner.state, StudyRunner.State.MAKING, "a trial is running")
 	runner.pause()
 	check_equal(session.count_finished(), 0, "it does not count")
@@ -203,24 +227,53 @@ func test_a_pause_drops_the_current_trial() -> void:
 	)
 
 
-## Pushes a drag along the task, and a rest; the time of its last frame.
+## A session whose hand has sent its first frame.
+func _begin(
+	study: String,
+	protocol: StudyProtocol,
+	hand: StudyHand,
+	panel: QuestionnairePanel = DesktopPanel.new()
+) -> StudyRunner:
+	var session := StudySession.new()
+	session.start(_root.path_join(study), "ann", protocol, "person")
+	var runner := StudyRunner.new()
+	root.add_child(runner)
+	runner.vibration_bus = &""
+	check_equal(runner.begin(session, hand, panel), OK, "begun")
+	hand.tracker.push_frame(DEVICE_S, {})
+	await process_frame
+	return runner
+
+
+func _wait_for_trial(session: StudySession, trial: int) -> void:
+	var began_ms := Time.get_ticks_msec()
+	while session.count_finished() < trial and Time.get_ticks_msec() - began_ms < 20000:
+		await process_frame
+
+
+## Pushes a drag along the task, and a rest, all at once.
 ## `ahead_s`: how much earlier the reference sees it, where there is one.
 ## `returns`: the hand first returns from the target.
+## `last_state`: no frame comes after the runner has entered it.
 func _drag(
-	runner: StudyRunner, from_s: float, ahead_s: float = 0.0, returns: bool = false
-) -> float:
+	runner: StudyRunner,
+	ahead_s: float = 0.0,
+	returns: bool = false,
+	last_state: StudyRunner.State = StudyRunner.State.IDLE
+) -> void:
 	var task := runner.task_scene.task
-	var time_s := from_s
+	var from_s := runner.hand.now_s()
 	var begin_s := -1.6 if returns else 0.0
 	for frame in roundi((3.3 - begin_s) / 0.01):
-		time_s += 0.01
-		var passed_s := begin_s + time_s - from_s
+		if runner.state == last_state:
+			return
+		var passed_s := begin_s + 0.01 * frame
+		var time_s := from_s + 0.01 * frame
 		if runner.hand.reference != null:
 			var before := {HandTracker.JOINT_INDEX: _place(task, passed_s + ahead_s, time_s)}
 			runner.hand.reference.push_frame(time_s, before)
 		var seen := {HandTracker.JOINT_INDEX: _place(task, passed_s, time_s)}
 		runner.hand.tracker.push_frame(time_s, seen)
-	return time_s
 
 
 ## Before 0 s the hand is at the target, or returns from it.

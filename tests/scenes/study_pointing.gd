@@ -82,6 +82,10 @@ func test_the_operator_reads_the_condition_and_skips_a_trial() -> void:
 	runner.begin(session, StudyHand.new(ScriptSource.new()), DesktopPanel.new())
 	operator.follow(runner)
 	await process_frame
+	check_equal(operator.get_text("study"), "waiting for the tracker", "no frame has come")
+	runner.hand.tracker.push_frame(0.0, {})
+	await process_frame
+	await process_frame
 	check_equal(operator.get_text("condition"), runner.trial["condition"], "the condition")
 	check(operator.get_text("trial").begins_with("1 of "), "the trial")
 	check_equal(operator.get_text("hand"), "not tracked", "the tracker")
