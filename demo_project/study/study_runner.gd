@@ -110,7 +110,7 @@ func add_event(event: String, value: String = "") -> void:
 		session.add_event(hand.now_s(), event, value)
 
 
-## A pause drops the current trial: it is made again.
+## A pause drops the current trial: it is made again. A rest continues after the pause.
 func pause() -> void:
 	if state in [State.IDLE, State.WAITING, State.PAUSED, State.COMPLETE]:
 		return
@@ -125,7 +125,10 @@ func continue_run() -> void:
 	if state != State.PAUSED:
 		return
 	add_event("continued")
-	_go_on()
+	if _rest_left_s > 0.0:
+		state = State.RESTING
+	else:
+		_go_on()
 
 
 ## Ends a person's rest, or their trial as it is. A questionnaire's item is skipped by its panel.
@@ -204,6 +207,7 @@ func _rest(seconds: float) -> void:
 
 
 func _end_rest() -> void:
+	_rest_left_s = 0.0
 	add_event("rest_ended")
 
 

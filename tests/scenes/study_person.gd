@@ -227,6 +227,39 @@ func test_a_pause_drops_the_current_trial() -> void:
 	)
 
 
+func test_a_rest_continues_after_a_pause() -> void:
+	var protocol := StudySupport.protocol()
+	protocol.practice_trials = 0
+	protocol.trial_limit_s = 0.1
+	protocol.rest_after_trials = 1
+	protocol.questionnaires = []
+	var runner := await _begin("rest", protocol, StudyHand.new(ScriptSource.new()))
+	var session := runner.session
+	await _wait_for_trial(session, 1)
+	check_equal(runner.state, StudyRunner.State.RESTING, "a rest comes after the trial")
+	await create_timer(0.1).timeout
+	var left_s := runner.get_rest_left()
+	check(left_s < protocol.rest_s and left_s > 0.0, "a part of it has passed")
+	runner.pause()
+	await create_timer(0.1).timeout
+	runner.continue_run()
+	check_equal(runner.state, StudyRunner.State.RESTING, "the rest continues")
+	check_equal(runner.get_rest_left(), left_s, "the pause does not count")
+	runner.skip()
+	await process_frame
+	await process_frame
+	check_equal(runner.trial["trial"], 2, "the next trial comes after it")
+	runner.free()
+	var events := StudySupport.read(session, "events.csv").map(
+		func(row: Dictionary) -> String: return row["event"]
+	)
+	check_equal(
+		events.slice(2, 7),
+		["rest_started", "paused", "continued", "rest_ended", "target_shown"],
+		"events"
+	)
+
+
 ## A session whose hand has sent its first frame.
 func _begin(
 	study: String,
