@@ -23,6 +23,7 @@ enum State {
 	COMPLETE,
 }
 
+const MouseStudyHand := preload("mouse_study_hand.gd")
 const StudyHand := preload("study_hand.gd")
 const StudyTask := preload("study_task.gd")
 const StudyTrialLog := preload("study_trial_log.gd")
@@ -291,7 +292,7 @@ func _use_scene(gesture: String) -> void:
 	task_scene.done.connect(_on_done)
 	add_child(task_scene)
 	task_scene.haptic_synth.bus = vibration_bus
-	task_scene.mouse.active = hand.origin == "mouse"
+	task_scene.mouse.active = hand is MouseStudyHand
 
 
 func _on_done(time_s: float) -> void:

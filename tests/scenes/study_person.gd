@@ -195,6 +195,30 @@ func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
 
 
+func test_the_origin_of_a_session_is_that_of_its_source() -> void:
+	var degraded := DegradedSource.new()
+	degraded.source = SyntheticSource.new()
+	var origins: Dictionary[HandSource, String] = {
+		XRSource.new(): "person",
+		SyntheticSource.new(): "synthetic",
+		degraded: "synthetic",
+		RecordedSource.new(): "replay",
+		MouseSource.new(): "mouse",
+	}
+	for source in origins:
+		var hand := StudyHand.new(source)
+		check_equal(hand.origin, origins[source], "origin with a %s" % source.get_class())
+		hand.free()
+	var scene := (load(STUDY_SCENE) as PackedScene).instantiate() as StudyScene
+	scene.study_folder = _root.path_join("origin")
+	scene.source = degraded
+	root.add_child(scene)
+	check_equal(scene.run_session("p01"), OK, "a session starts")
+	var file := FileAccess.get_file_as_string(scene.session.folder.path_join("session.json"))
+	check_equal(JSON.parse_string(file)["origin"], "synthetic", "origin in session.json")
+	scene.free()
+
+
 func test_a_study_name_in_other_case_is_refused() -> void:
 	# expects one error: Study 'Pilot': there is 'pilot' already. Choose another 'study_name'
 	var scene := (load(STUDY_SCENE) as PackedScene).instantiate() as StudyScene
