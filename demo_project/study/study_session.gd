@@ -18,6 +18,11 @@ const SESSION_FILE := "session.json"
 const ID_LENGTH := 32
 const LETTERS_AND_DIGITS := "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
+const ORIGIN_DIFFERS := (
+	"%s: this session has the origin '%s', and this hand has '%s'."
+	+ " Use another id, or the source of this session"
+)
+
 ## Of the participant: STUDY/sub-ID/ses-NN.
 var folder := ""
 var participant := ""
@@ -94,7 +99,8 @@ func start(
 
 
 ## Resumes the participant's last session. ERR_DOES_NOT_EXIST: none is unfinished.
-func resume(study_folder: String, participant_id: String) -> Error:
+## `given_origin`: of the hand that would continue it.
+func resume(study_folder: String, participant_id: String, given_origin: String) -> Error:
 	if _enter(study_folder, participant_id) != OK:
 		return ERR_INVALID_PARAMETER
 	number = _last_session(folder)
@@ -104,6 +110,8 @@ func resume(study_folder: String, participant_id: String) -> Error:
 	var opened := _open()
 	if opened == OK and is_complete():
 		return ERR_DOES_NOT_EXIST
+	if opened == OK and origin != given_origin:
+		return _fail(ORIGIN_DIFFERS % [folder, origin, given_origin])
 	return opened
 
 
@@ -115,7 +123,7 @@ func start_or_resume(
 	given_origin: String,
 	settings: Dictionary = {}
 ) -> Error:
-	var resumed := resume(study_folder, participant_id)
+	var resumed := resume(study_folder, participant_id, given_origin)
 	if resumed != ERR_DOES_NOT_EXIST:
 		return resumed
 	return start(study_folder, participant_id, wanted, given_origin, settings)

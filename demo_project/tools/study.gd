@@ -111,7 +111,7 @@ func _run_participant(
 	hand.seed = protocol.seed
 	var opened := ERR_DOES_NOT_EXIST
 	if resumes:
-		opened = session.resume(out_folder, id)
+		opened = session.resume(out_folder, id, hand.origin)
 		if opened == ERR_DOES_NOT_EXIST and not session.trials.is_empty():
 			print("%s: complete" % session.folder)
 			hand.free()

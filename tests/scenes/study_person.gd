@@ -192,7 +192,9 @@ func test_the_study_scene_runs_a_session_with_the_mouse() -> void:
 	check_equal(scene.runner.state, StudyRunner.State.MAKING, "P pauses and continues")
 	scene.free()
 	var again := StudySession.new()
-	check_equal(again.resume(folder.get_base_dir().get_base_dir(), "p01"), OK, "it can be resumed")
+	check_equal(
+		again.resume(folder.get_base_dir().get_base_dir(), "p01", "mouse"), OK, "it can be resumed"
+	)
 
 
 func test_the_origin_of_a_session_is_that_of_its_source() -> void:

@@ -94,7 +94,9 @@ func test_a_session_that_stops_goes_on_with_the_next_trial() -> void:
 	session.start(_root.path_join("stops"), "p03", StudySupport.protocol(), "synthetic")
 	_make_steps(session, 9)
 	var resumed := StudySession.new()
-	check_equal(resumed.resume(_root.path_join("stops"), "p03"), OK, "it is unfinished")
+	check_equal(
+		resumed.resume(_root.path_join("stops"), "p03", "synthetic"), OK, "it is unfinished"
+	)
 	_make_steps(resumed, 1000)
 	var rows := TrialRows.read(resumed.folder)
 	check_equal(rows.size(), whole.trials.size(), "every trial once")

@@ -97,7 +97,7 @@ func test_an_unfinished_session_resumes_at_the_first_missing_trial() -> void:
 	for trial in [1, 2, 3]:
 		session.finish_trial(trial, {})
 	var resumed := StudySession.new()
-	check_equal(resumed.resume(_root.path_join("resume"), "ann"), OK, "resumed")
+	check_equal(resumed.resume(_root.path_join("resume"), "ann", "mouse"), OK, "resumed")
 	check_equal(resumed.run, 2, "second run")
 	check_equal(resumed.trials, session.trials, "the plan is the same")
 	check_equal(resumed.next_trial()["trial"], 4, "next trial")
@@ -109,7 +109,7 @@ func test_an_unfinished_session_resumes_at_the_first_missing_trial() -> void:
 	resumed.flush()
 	check(resumed.is_complete(), "the session is complete")
 	var again := StudySession.new()
-	var result := again.resume(_root.path_join("resume"), "ann")
+	var result := again.resume(_root.path_join("resume"), "ann", "mouse")
 	check_equal(result, ERR_DOES_NOT_EXIST, "a complete session is not resumed")
 
 
@@ -124,11 +124,23 @@ func test_a_session_of_another_running_program_is_refused() -> void:
 	check(not FileAccess.file_exists(path), "a closed session has no lock")
 	FileAccess.open(path, FileAccess.WRITE).store_string("1\n")
 	var second := StudySession.new()
-	check(second.resume(_root.path_join("lock"), "ann") != OK, "refused")
+	check(second.resume(_root.path_join("lock"), "ann", "mouse") != OK, "refused")
 	check(folder in second.error, "the message names the session")
 	check(FileAccess.file_exists(path), "the lock stays")
 	FileAccess.open(path, FileAccess.WRITE).store_string("999999999\n")
-	check_equal(second.resume(_root.path_join("lock"), "ann"), OK, "a stale lock is taken over")
+	check_equal(
+		second.resume(_root.path_join("lock"), "ann", "mouse"), OK, "a stale lock is taken over"
+	)
+
+
+func test_a_hand_of_another_origin_cannot_resume_a_session() -> void:
+	# expects one error: origin/sub-ann/ses-01: this session has the origin 'mouse', and this hand
+	var session := _start("origin", "ann")
+	session.close()
+	var other := StudySession.new()
+	var refused := other.resume(_root.path_join("origin"), "ann", "synthetic")
+	check_equal(refused, ERR_INVALID_PARAMETER, "refused")
+	check("Use another id" in other.error, "the message says what to do")
 
 
 func test_a_cut_session_file_is_refused() -> void:
@@ -137,7 +149,7 @@ func test_a_cut_session_file_is_refused() -> void:
 	var path := session.folder.path_join("session.json")
 	var text := _text(session, "session.json")
 	FileAccess.open(path, FileAccess.WRITE).store_string(text.left(text.length() / 2))
-	check(StudySession.new().resume(_root.path_join("half"), "ann") != OK, "refused")
+	check(StudySession.new().resume(_root.path_join("half"), "ann", "mouse") != OK, "refused")
 
 
 func test_a_plan_that_cannot_run_is_refused() -> void:
@@ -153,7 +165,7 @@ func test_a_plan_that_cannot_run_is_refused() -> void:
 		['"protocol": {', '"protocol": 1, "other": {'],
 	]:
 		FileAccess.open(path, FileAccess.WRITE).store_string(text.replace(change[0], change[1]))
-		var refused := StudySession.new().resume(_root.path_join("plan"), "ann")
+		var refused := StudySession.new().resume(_root.path_join("plan"), "ann", "mouse")
 		check_equal(refused, ERR_INVALID_PARAMETER, "with %s" % change[1])
 
 
@@ -174,7 +186,7 @@ func test_a_session_that_lost_its_trials_table_is_refused() -> void:
 	session.add_file(session.folder.path_join("trial_0001.motion.csv"), "t\n")
 	session.finish_trial(1, {})
 	DirAccess.remove_absolute(session.folder.path_join("trials.csv"))
-	check(StudySession.new().resume(_root.path_join("lost"), "ann") != OK, "not resumed")
+	check(StudySession.new().resume(_root.path_join("lost"), "ann", "mouse") != OK, "not resumed")
 	check(not FileAccess.file_exists(session.folder.path_join("trials.csv")), "nothing is written")
 
 
@@ -186,11 +198,14 @@ func test_a_table_that_a_spreadsheet_saved_is_read_or_refused() -> void:
 	var text := _text(session, "trials.csv")
 	FileAccess.open(path, FileAccess.WRITE).store_string("\ufeff" + text.replace("\n", "\r\n"))
 	var again := StudySession.new()
-	check_equal(again.resume(_root.path_join("sheet"), "ann"), OK, "a BOM and CRLF are read")
+	check_equal(
+		again.resume(_root.path_join("sheet"), "ann", "mouse"), OK, "a BOM and CRLF are read"
+	)
 	check_equal(again.next_trial()["trial"], 2, "trial 1 is finished")
 	FileAccess.open(path, FileAccess.WRITE).store_string(text.replace(",", ";"))
 	check(
-		StudySession.new().resume(_root.path_join("sheet"), "ann") != OK, "semicolons are refused"
+		StudySession.new().resume(_root.path_join("sheet"), "ann", "mouse") != OK,
+		"semicolons are refused"
 	)
 
 
@@ -203,7 +218,7 @@ func test_unanswered_items_are_asked_again_after_a_crash() -> void:
 	session.add_answer(4, due["questionnaire"], {item = "synchronisation", value = 3, changes = 0})
 	session.flush()
 	var resumed := StudySession.new()
-	resumed.resume(_root.path_join("answers"), "ann")
+	resumed.resume(_root.path_join("answers"), "ann", "mouse")
 	var left: PackedStringArray = resumed.next_questionnaire()["items"]
 	check_equal(left, PackedStringArray(["smoothness", "completion"]), "the others are left")
 
@@ -219,7 +234,7 @@ func test_a_cut_last_row_is_kept_aside() -> void:
 	file.store_string(whole.substr(0, whole.length() - 12))
 	file.close()
 	var resumed := StudySession.new()
-	check_equal(resumed.resume(_root.path_join("cut"), "ann"), OK, "resumed")
+	check_equal(resumed.resume(_root.path_join("cut"), "ann", "mouse"), OK, "resumed")
 	check_equal(resumed.next_trial()["trial"], 2, "the cut trial is made again")
 	resumed.finish_trial(2, {})
 	check_equal(_text(resumed, "trials.csv").count("\n"), 3, "a header and two rows")
