@@ -44,7 +44,9 @@ func _init() -> void:
 	_table.columns = 2
 	_table.add_theme_constant_override("h_separation", 24)
 	rows.add_child(_table)
-	for row: String in ["session", "trial", "gesture", "position", "condition", "study", "state"]:
+	for row: String in [
+		"session", "protocol", "trial", "gesture", "position", "condition", "study", "state"
+	]:
 		_add_row(row)
 	for condition in Conditions.NAMES:
 		_add_row(condition)
@@ -77,6 +79,8 @@ func _show_session() -> void:
 	var session := _runner.session
 	var trial := _runner.trial
 	_write("session", "%s / %02d, %s" % [session.participant, session.number, session.origin])
+	var changed := ", ".join(session.changed)
+	_write("protocol", "unchanged" if changed.is_empty() else "changed: %s" % changed)
 	_write("study", STATES[_runner.state])
 	_pause.text = "Continue (P)" if _runner.state == StudyRunner.State.PAUSED else "Pause (P)"
 	if trial.is_empty() or _runner.task_scene == null:

@@ -58,6 +58,16 @@ static func read(path: String) -> Dictionary:
 	return plan
 
 
+## Names of the properties that differ between `protocol`, as it was read, and `wanted`.
+static func differences(protocol: Dictionary, wanted: StudyProtocol) -> PackedStringArray:
+	var names := PackedStringArray()
+	var as_read: Dictionary = JSON.parse_string(JSON.stringify(wanted.to_dictionary()))
+	for name: String in as_read:
+		if JSON.stringify(as_read[name]) != JSON.stringify(protocol.get(name)):
+			names.append(name)
+	return names
+
+
 ## Whether a study can run the plan: a person may have edited it.
 static func _is_complete(plan: Dictionary) -> bool:
 	var protocol: Variant = plan.get("protocol")

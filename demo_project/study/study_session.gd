@@ -32,6 +32,8 @@ var origin := ""
 ## As in session.json.
 var trials: Array[Dictionary] = []
 var protocol: Dictionary = {}
+## Properties of the study's protocol that have changed since then; see compare_protocol().
+var changed := PackedStringArray()
 ## Why nothing could be opened. Empty when all is well.
 var error := ""
 
@@ -125,8 +127,19 @@ func start_or_resume(
 ) -> Error:
 	var resumed := resume(study_folder, participant_id, given_origin)
 	if resumed != ERR_DOES_NOT_EXIST:
+		compare_protocol(wanted)
 		return resumed
 	return start(study_folder, participant_id, wanted, given_origin, settings)
+
+
+## Warns if the protocol has changed since the session was planned.
+func compare_protocol(wanted: StudyProtocol) -> void:
+	if protocol.is_empty():
+		return
+	changed = SessionFile.differences(protocol, wanted)
+	if not changed.is_empty():
+		var text := "%s: it keeps the protocol of its start, but '%s' of the study's protocol changed."
+		push_warning(text % [folder, "', '".join(changed)])
 
 
 ## The first planned trial without a row. Empty when every trial has one.

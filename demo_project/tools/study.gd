@@ -112,6 +112,7 @@ func _run_participant(
 	var opened := ERR_DOES_NOT_EXIST
 	if resumes:
 		opened = session.resume(out_folder, id, hand.origin)
+		session.compare_protocol(protocol)
 		if opened == ERR_DOES_NOT_EXIST and not session.trials.is_empty():
 			print("%s: complete" % session.folder)
 			hand.free()

@@ -68,6 +68,10 @@ func test_the_command_leaves_complete_sessions_alone() -> void:
 	var again := FileAccess.get_file_as_string(out.path_join("sub-p02/ses-01/trials.csv"))
 	check_equal(again, table, "and changes nothing")
 	check(not DirAccess.dir_exists_absolute(out.path_join("sub-p02/ses-02")), "no new session")
+	arguments[arguments.find("5")] = "6"
+	var other := ToolRun.new("study", PackedStringArray(arguments))
+	var changed := "sub-p02/ses-01: it keeps the protocol of its start, but 'seed' of the study's"
+	check_equal(other.missing([changed]), "", "a warning of another seed")
 
 
 ## A file with these lines as its resource; the first has number 5.

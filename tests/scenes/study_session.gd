@@ -133,6 +133,24 @@ func test_a_session_of_another_running_program_is_refused() -> void:
 	)
 
 
+func test_a_changed_protocol_is_named_where_a_session_is_resumed() -> void:
+	# expects one warning: ses-01: it keeps the protocol of its start, but 'seed', 'trials_per_cell'
+	var session := _start("changed", "ann")
+	session.close()
+	var same := StudySession.new()
+	same.start_or_resume(_root.path_join("changed"), "ann", _protocol(), "mouse")
+	check_equal(same.changed, PackedStringArray(), "the same protocol")
+	same.close()
+	var protocol := _protocol()
+	protocol.trials_per_cell = 4
+	protocol.seed = 9
+	var resumed := StudySession.new()
+	var result := resumed.start_or_resume(_root.path_join("changed"), "ann", protocol, "mouse")
+	check_equal(result, OK, "the session is resumed")
+	check_equal(resumed.changed, PackedStringArray(["seed", "trials_per_cell"]), "what differs")
+	check_equal(resumed.trials.size(), session.trials.size(), "it keeps its plan")
+
+
 func test_a_hand_of_another_origin_cannot_resume_a_session() -> void:
 	# expects one error: origin/sub-ann/ses-01: this session has the origin 'mouse', and this hand
 	var session := _start("origin", "ann")

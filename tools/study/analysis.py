@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from study.session_file import ORIGINS, Session
+from study.session_file import ORIGINS, Session, differences
 from study.session_rows import Answer, StudyTrial
 from study.sessions import Sessions
 
@@ -53,7 +53,7 @@ def one_analysis(read: Sessions, study: str, origin: str) -> Analysis:
     trials = own(read.trials)
     answers = [answer for answer in own(read.answers) if not after_practice(answer)]
     counted = [trial for trial in trials if not trial.practice]
-    notes = [*differing_settings(sessions), *mixed_references(counted), *answers_without_condition(answers)]
+    notes = [*differing_sessions(sessions), *mixed_references(counted), *answers_without_condition(answers)]
     return Analysis(study, origin, sessions, counted, answers, len(trials) - len(counted), notes)
 
 
@@ -62,15 +62,13 @@ def after_practice(answer: Answer) -> bool:
     return planned is not None and planned.practice
 
 
-def differing_settings(sessions: list[Session]) -> list[str]:
-    """Sessions that ran on different settings may not be comparable."""
-    notes = []
-    for kind in ("settings", "versions"):
-        for key in sorted({key for session in sessions for key in getattr(session, kind)}):
-            values = sorted({str(getattr(session, kind).get(key)) for session in sessions})
-            if len(values) > 1:
-                notes.append(f"Sessions differ in {kind[:-1]} {key}: {', '.join(values)}.")
-    return notes
+def differing_sessions(sessions: list[Session]) -> list[str]:
+    """Sessions of different protocols, settings or versions may not be comparable."""
+    return [
+        f"Sessions differ in {kind} {one}."
+        for kind, key in (("protocol", "protocol"), ("setting", "settings"), ("version", "versions"))
+        for one in differences([getattr(session, key) for session in sessions])
+    ]
 
 
 def mixed_references(trials: list[StudyTrial]) -> list[str]:

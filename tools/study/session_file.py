@@ -13,6 +13,7 @@ ORIGINS = {
     "replay": "replay",
 }
 FORMAT, VERSION = "steadyhand-session", 1
+LONGEST_VALUE = 60  # in a note
 
 
 @dataclass(frozen=True)
@@ -31,6 +32,7 @@ class Session:
     number: int
     origin: str
     plan: dict[int, Planned] = field(hash=False)
+    protocol: dict = field(hash=False)
     settings: dict = field(hash=False)
     versions: dict = field(hash=False)
 
@@ -76,9 +78,32 @@ def parse_session(folder: Path, data: object) -> Session:
         whole_number(data, "session"),
         data["origin"],
         parse_plan(data.get("trials")),
-        data.get("settings") if isinstance(data.get("settings"), dict) else {},
-        data.get("versions") if isinstance(data.get("versions"), dict) else {},
+        part_of(data, "protocol"),
+        part_of(data, "settings"),
+        part_of(data, "versions"),
     )
+
+
+def part_of(data: dict, key: str) -> dict:
+    return data[key] if isinstance(data.get(key), dict) else {}
+
+
+def differences(parts: list[dict]) -> list[str]:
+    """`KEY: VALUE, VALUE` for each key whose values differ. Long values are left out."""
+    found = []
+    for key in sorted({key for part in parts for key in part}):
+        values = sorted({value_text(part.get(key)) for part in parts})
+        if len(values) > 1:
+            are_short = all(len(value) <= LONGEST_VALUE for value in values)
+            found.append(f"{key}: {', '.join(values)}" if are_short else key)
+    return found
+
+
+def value_text(value: object) -> str:
+    """Godot writes every number of a JSON file as 1.0."""
+    if value is None:
+        return "none"
+    return str(int(value) if isinstance(value, float) and value.is_integer() else value)
 
 
 def parse_plan(trials: object) -> dict[int, Planned]:

@@ -2,6 +2,7 @@
 
 import json
 import re
+from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from datetime import datetime, timedelta
@@ -10,6 +11,7 @@ from pathlib import Path
 
 from study.folders import sessions_without_json
 from study.logs import set_apart
+from study.session_file import differences, part_of
 from study_export.columns import ANSWERS, EVENTS, ORIGINS, TRIALS, Column, check, number, time_of
 from study_export.tables import Findings, Table, read_table
 
@@ -113,7 +115,17 @@ def read_sessions(root: Path, found: Findings) -> list[Session]:
         found.faults.append(
             f"{folder}: session.json is missing. The session is left out: copy the whole folder of the session"
         )
-    return [sessions[key] for key in sorted(sessions)]
+    in_order = [sessions[key] for key in sorted(sessions)]
+    note_differing_protocols(in_order, found)
+    return in_order
+
+
+def note_differing_protocols(sessions: list[Session], found: Findings) -> None:
+    protocols = defaultdict(list)
+    for session in sessions:
+        protocols[str(session.about.get("study")), session.origin].append(part_of(session.about, "protocol"))
+    for (study, origin), parts in protocols.items():
+        found.notes += [f"study '{study}' ({origin}): sessions differ in protocol {one}" for one in differences(parts)]
 
 
 def read_about(path: Path) -> dict:

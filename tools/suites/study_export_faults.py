@@ -1,6 +1,7 @@
 """Messages and output of python -m study_export for damaged sessions."""
 
 import csv
+import json
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -20,6 +21,7 @@ def faults(folder: Path, export: Export) -> Iterator[Outcome]:
     yield from bad_cells(folder / "cells", export)
     yield from open_quote(folder / "quote", export)
     yield from no_frames(folder / "frames", export)
+    yield from differing_protocols(folder / "protocols", export)
     yield from bad_sessions(folder / "sessions", export)
     yield from refused(folder / "refused", export)
 
@@ -125,6 +127,21 @@ def no_frames(folder: Path, export: Export) -> Iterator[Outcome]:
     results = folder / "bids/sub-ann/ses-02/beh/sub-ann_ses-02_task-horizontalDrag_beh.tsv"
     kept = [line.split("\t")[0] for line in results.read_text().splitlines()] == ["trial", "2", "4"]
     yield Outcome.of(f"{NAME}: a trial without frames keeps its result", status == 0 and is_noted and kept, output)
+
+
+def differing_protocols(folder: Path, export: Export) -> Iterator[Outcome]:
+    """Sessions of another origin are another analysis."""
+    write_study(folder)
+    for session, protocol in (("sim1/ses-01", {"seed": 9.0}), ("ann/ses-01", {}), ("ann/ses-02", {})):
+        path = folder / f"sub-{session}/session.json"
+        path.write_text(json.dumps(json.loads(path.read_text()) | {"protocol": protocol}))
+    status, output = export(folder, "--tidy", folder / "out.csv")
+    notes = [line for line in output.splitlines() if "sessions differ" in line]
+    expected = [
+        f"study: study 'drags' (synthetic): sessions differ in protocol {one}"
+        for one in ("repetitions: 1, none", "seed: 9, none")
+    ]
+    yield Outcome.of(f"{NAME}: sessions of different protocols are a note", status == 0 and notes == expected, output)
 
 
 def bad_sessions(folder: Path, export: Export) -> Iterator[Outcome]:

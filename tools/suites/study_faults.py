@@ -96,6 +96,19 @@ def bad_rows(folder: Path) -> Iterator[Outcome]:
     yield Outcome.of("command/study report: an answer beyond its scale is left out", good, f"{found.faults}")
 
 
+def differing_protocols(folder: Path) -> Iterator[Outcome]:
+    write_study(folder / "study", 3, **SMALL)
+    path = folder / "study/drags/sub-p02/ses-01/session.json"
+    data = json.loads(path.read_text())
+    data["protocol"] |= {"seed": 9.0, "questionnaires": [{"text": "long" * 20}]}
+    path.write_text(json.dumps(data))
+    report(folder / "study", folder / "out")
+    page = (folder / "out/report.html").read_text()
+    notes = ["Sessions differ in protocol seed: 9, none.", "Sessions differ in protocol questionnaires."]
+    good = all(note in page for note in notes) and page.count("Sessions differ") == len(notes)
+    yield Outcome.of("command/study report: the page names what differs between protocols", good, page[:2000])
+
+
 def bad_session_files(folder: Path) -> Iterator[Outcome]:
     write_study(folder / "study", 4, **SMALL)
     path = folder / "study/drags/sub-p04/ses-01/session.json"

@@ -11,7 +11,7 @@ from suites import study_statistics
 from suites.made_up_sessions import R2, Made, write_session, write_study
 from suites.outcome import Outcome
 from suites.process import run
-from suites.study_faults import bad_rows, bad_session_files, cut_rows, doubles
+from suites.study_faults import bad_rows, bad_session_files, cut_rows, differing_protocols, doubles
 from suites.study_folders import SMALL, read, report, rewrite
 from suites.study_letters import any_letters
 
@@ -36,6 +36,7 @@ def outcomes() -> Iterator[Outcome]:
         cut_rows,
         bad_rows,
         bad_session_files,
+        differing_protocols,
         one_person,
         curves_of_the_median,
         other_inputs,
