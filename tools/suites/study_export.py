@@ -3,6 +3,7 @@
 import csv
 import gzip
 import json
+import re
 import sys
 import tempfile
 from collections import Counter
@@ -96,7 +97,14 @@ def in_pandas(table: Path) -> Iterator[Outcome]:
     except ImportError:
         yield Outcome(f"{NAME}: pandas reads the tidy table (skipped: pandas is not installed)", skipped=1)
         return
-    frame = pandas.read_csv(table)
+    documented = re.search(r"pandas\.read_csv\(.*\)", (ROOT / "docs/study_export.md").read_text("utf-8"))[0]
+    renamed = table.with_name("renamed.csv")
+    renamed.write_text(table.read_text().replace(",ann,", ",007,").replace(",sim1,", ",NA,"))
+    frame, other = (
+        eval(documented.replace('"drags.csv"', repr(str(path))), {"pandas": pandas}) for path in (table, renamed)
+    )
+    people = set(other.participant)
+    yield Outcome.of(f"{NAME}: pandas keeps ids such as 007 and NA", people == {"007", "NA"}, f"{people}")
     codebook = pandas.read_csv(table.with_name("drags_codebook.csv"))
     numbers = codebook[(codebook.file == table.name) & (codebook.type != "text") & (codebook.type != "time")].column
     wrong = [name for name in numbers if not pandas.api.types.is_numeric_dtype(frame[name])]
