@@ -22,9 +22,12 @@ struct ConstantVelocityState {
 	}
 
 	/// Joseph's form, (I-KH) P (I-KH)' + K R K'. It is a sum of squares, so that rounding cannot make the
-	/// covariance negative.
+	/// covariance negative. An exact position stays where it is, whatever another exact measurement says.
 	void correct(double measured, double measurement_variance) {
 		const double r = measurement_variance;
+		if (p00 + r <= 0.0) {
+			return;
+		}
 		const double k0 = p00 / (p00 + r);
 		const double k1 = p01 / (p00 + r);
 		const double residual = measured - position;

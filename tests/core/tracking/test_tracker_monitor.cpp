@@ -1,5 +1,6 @@
 #include "moving_hand.h"
 #include "near.h"
+#include "signal/minimum_jerk.h"
 #include "tracking/tracker_monitor.h"
 
 #include <doctest/doctest.h>
@@ -62,6 +63,23 @@ TEST_CASE("a hand without noise is measured without noise") {
 	for (const double rate_hz : { 60.0, 120.0, 240.0 }) {
 		const MovingHand hand{ .duration_s = 0.9, .rest_s = 0.0, .rate_hz = rate_hz };
 		CHECK(watched(hand, 2.0).noise_m() < 1e-5);
+	}
+}
+
+TEST_CASE("a repeated stamp of a hand without noise is no fault") {
+	for (const double rate_hz : RATES_HZ) {
+		CAPTURE(rate_hz);
+		TrackerMonitor monitor;
+		const auto tip = [](double t_s) { return Vector3d(0.2 * minimum_jerk(t_s / 0.5).value, 0.1, 0.0); };
+		for (int i = 0; i < 3.0 * rate_hz; ++i) {
+			const double t_s = i / rate_hz;
+			const Vector3d moved = t_s < 1.5 ? tip(t_s) : tip(2.0 - t_s);
+			CHECK(monitor.push(t_s, moved).status != MeasurementStatus::OUTLIER);
+			if (i == static_cast<int>(rate_hz)) {
+				monitor.push(t_s, moved);
+			}
+		}
+		CHECK(all_faults(monitor) == 0);
 	}
 }
 
