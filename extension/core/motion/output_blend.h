@@ -29,10 +29,9 @@ public:
 		return critically_damped(value_, velocity_, rate_per_s_, std::max(t_s - began_s_, 0.0));
 	}
 
-	/// Fraction left at t_s of a step that decays critically damped at twice the rate.
+	/// Fraction left at t_s of a step that decays exponentially: a blend that starts anew continues it.
 	[[nodiscard]] double share_left(double t_s) const {
-		const double dt_s = std::max(t_s - began_s_, 0.0), fading = std::exp(-rate_per_s_ * dt_s);
-		return critically_damped(1.0, 0.0, 2.0 * rate_per_s_, dt_s, fading * fading).value;
+		return std::exp(-rate_per_s_ * std::max(t_s - began_s_, 0.0));
 	}
 
 	/// `motion` plus the offset at t_s, in metres.
