@@ -9,9 +9,9 @@
 namespace steadyhand {
 namespace {
 
-/// Fraction of the lag that builds up in a gesture of this duration.
-double lag_fraction(double duration_s) {
-	return duration_s / (duration_s + parameters::LAG_SETTLING_S);
+/// Share of the lag that builds up in a gesture, divided by its duration, 1/s.
+double lag_build_up_per_s(double duration_s) {
+	return 1.0 / (duration_s + parameters::LAG_SETTLING_S);
 }
 
 } // namespace
@@ -80,7 +80,7 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	const CurvePoint hand = curve.at(phase);
 	const double progress = std::clamp(hand.value, 0.0, 1.0),
 				 progress_slope = hand.value == progress ? hand.slope : 0.0;
-	const double lag_rate = is_lagging ? lag_fraction(duration_s_) * rate : 0.0;
+	const double lag_rate = is_lagging ? lag_build_up_per_s(duration_s_) : 0.0;
 	const double lag_slope = lag_rate * progress; // phase by which the tracker is behind, per second of lag
 	const double shown_phase = phase - mean_(LAG) * lag_slope;
 	const CurvePoint own = is_lagging ? curve.at(shown_phase) : hand;
@@ -93,8 +93,7 @@ GestureFilter::Prediction GestureFilter::predict_measurement(const ReferenceTabl
 	// d x / d phase. The lag depends on the phase too.
 	const double by_phase = slope * (1.0 - mean_(LAG) * lag_rate * progress_slope);
 	p.slope(ONSET) = -by_phase * rate;
-	p.slope(LOG_DURATION) = -by_phase * phase +
-			slope * mean_(LAG) * lag_slope * duration_s_ / (duration_s_ + parameters::LAG_SETTLING_S);
+	p.slope(LOG_DURATION) = -by_phase * phase + slope * mean_(LAG) * lag_slope * lag_rate * duration_s_;
 	p.slope(GAIN) = f;
 	p.slope(SHAPE) = amplitude * (jerk.value - own.value);
 	p.slope(LAG) = -slope * lag_slope;
@@ -123,9 +122,9 @@ void GestureFilter::correct(const Prediction &prediction, const ElementReading &
 	cached_s_ = NAN;
 }
 
-void GestureFilter::widen_error(double deviation) {
-	const double velocity = deviation_rate_per_s(tracker_) * deviation;
-	covariance_(DEVIATION, DEVIATION) += deviation * deviation;
+void GestureFilter::widen_error() {
+	const double error = deviation(tracker_), velocity = deviation_rate_per_s(tracker_) * error;
+	covariance_(DEVIATION, DEVIATION) += error * error;
 	covariance_(DEVIATION_VELOCITY, DEVIATION_VELOCITY) += velocity * velocity;
 	cached_s_ = NAN;
 }

@@ -29,7 +29,7 @@ struct DampedTransition {
 /// deviation from the curve; with a LAGGING tracker it is the tracker's error.
 ///
 ///     hand(t)    = (1 + gain) f(p) + d(t)                        p = (t - onset) / duration
-///     tracker(t) = (1 + gain) f(p - lag s f(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
+///     tracker(t) = (1 + gain) f(p - lag s e(p) / duration) + d(t) + noise,    f = (1 - shape) e + shape m
 ///
 /// e: the model's reference curve. m: minimum jerk. s: fraction of the lag that builds up in the duration.
 /// Positions are in amplitudes.
@@ -86,8 +86,8 @@ public:
 	const Prediction &cached_prediction(const ReferenceTable &curve, double t_s);
 	/// Kalman update. Multiplies the weight by the likelihood of the reading.
 	void correct(const Prediction &prediction, const ElementReading &reading);
-	/// Adds the error of a jump of the tracker, `deviation` amplitudes, to the variance of d.
-	void widen_error(double deviation);
+	/// The tracker has jumped: adds the stationary variance to that of d.
+	void widen_error();
 	/// The hand at t_s. since_s: t_s minus the time of the last predict(). fading: exp(-rate since_s), with
 	/// the rate of the deviation.
 	[[nodiscard]] Hand hand(const ReferenceTable &curve, double t_s, double since_s, double fading) const;

@@ -46,7 +46,7 @@ SwitchingEstimator::SwitchingEstimator(const GestureModel &model, double amplitu
 		weight /= total;
 	}
 	for (Belief *belief : { &now_, &after_[0], &after_[1] }) {
-		belief->gestures.reserve(hypotheses + 2 * TRACKERS.size() * DURATIONS);
+		belief->gestures.reserve(hypotheses + TRACKERS.size() * DURATIONS);
 	}
 }
 
@@ -55,7 +55,6 @@ void SwitchingEstimator::reset() {
 	now_.gestures.clear();
 	now_.hold = now_.free = {};
 	now_.log_fault = 0.0;
-	now_.faulty_latency_s = 0.0;
 	blend_ = {};
 	acceleration_step_ = 0.0;
 }
@@ -75,6 +74,7 @@ void SwitchingEstimator::begin(double t_s, double x, double v) {
 			{ x, v_expected, noise, 0.0, variance } };
 	};
 	now_.gestures.clear();
+	now_.has_faulted = false;
 	now_.free = start(free_process_, v);
 	now_.hold = start(hold_process_, 0.0);
 	now_.time_s = t_s;
@@ -282,14 +282,14 @@ void SwitchingEstimator::count_jump() {
 	const bool is_new = count_fault(parameters::LOG_JUMPS);
 	for (GestureFilter &gesture : now_.gestures) {
 		if (is_new && gesture.tracker() == TrackerMode::LAGGING) {
-			gesture.widen_error(parameters::DEVIATION);
+			gesture.widen_error();
 		}
 	}
 }
 
 /// Applies the evidence of a fault once; true the first time. While the fault lasts, step() adds more.
 bool SwitchingEstimator::count_fault(double log_ratio) {
-	now_.faulty_latency_s = parameters::FAULTY_LATENCY_S;
+	now_.has_faulted = true;
 	const bool is_new = now_.log_fault == 0.0;
 	if (is_new) {
 		now_.log_fault = log_ratio;
@@ -412,7 +412,9 @@ MotionEstimate SwitchingEstimator::mean(double t_s) const {
 			unseen += gesture.weight;
 			continue;
 		}
-		const double late_s = gesture.tracker() == TrackerMode::LAGGING ? now_.faulty_latency_s : 0.0;
+		const double late_s = now_.has_faulted && gesture.tracker() == TrackerMode::LAGGING
+				? parameters::FAULTY_LATENCY_S
+				: 0.0;
 		const GestureFilter::Hand hand = gesture.hand(curve_, ahead_s + late_s, since_s, fading);
 		estimate.value += gesture.weight * hand.value;
 		estimate.velocity += gesture.weight * hand.velocity;

@@ -97,8 +97,8 @@ private:
 		double next_birth_s = 0.0;
 		CurvelessMode hold, free;
 		std::vector<GestureFilter> gestures;
-		double log_fault = 0.0;        ///< evidence of the present fault, nats; 0: no fault
-		double faulty_latency_s = 0.0; ///< further latency of LAGGING trackers
+		double log_fault = 0.0;   ///< evidence of the present fault, nats; 0: no fault
+		bool has_faulted = false; ///< a LAGGING tracker is then later by FAULTY_LATENCY_S
 	};
 	Belief now_;
 	bool is_last_used_ = true; ///< the newest usable measurement is far enough in time from the one before

@@ -46,6 +46,32 @@ TEST_CASE("a dropout of 0.3 s in mid-gesture does not abort") {
 	}
 }
 
+TEST_CASE("a dropout before a gesture does not make the next one lead") {
+	const double again_s = 6.0;
+	const TestPath path = along(X, { { 1.0, 0.7, 0.2 }, { 2.5, 0.7, -0.2 }, { again_s, 0.7, 0.2 } });
+	double lead_m = 0.0;
+	int count = 0;
+	for (unsigned seed = 0; seed < 20; ++seed) {
+		GestureRecogniser recogniser = with_task();
+		Tremor tremor(1e-3, seed);
+		for (int i = 0; i < 60 * 7; ++i) {
+			const double t_s = i / 60.0;
+			if (t_s > 0.3 && t_s < 0.45) {
+				continue;
+			}
+			HandFrame frame;
+			frame.t_s = t_s;
+			frame.set(Joint::INDEX, path(t_s) + tremor());
+			recogniser.push(frame);
+			if (t_s > again_s && t_s < again_s + 0.7) {
+				lead_m += recogniser.motion(MotionSource::SYNTHESISED).value_m - path(t_s).x();
+				++count;
+			}
+		}
+	}
+	CHECK(std::abs(lead_m / count) < 0.001);
+}
+
 TEST_CASE("a dropout or a rounding tracker at the onset hides no gesture") {
 	for (const double grid_m : { 0.0, 2e-3 }) {
 		for (const double onset_s : { 0.6, 2.0 }) {
