@@ -161,12 +161,13 @@ void GestureClassifier::push(const HandFrame &frame) {
 void GestureClassifier::step(double t_s) {
 	const HandMotion motion = window_.motion();
 	step_onsets(motion);
+	--until_onset_;
 	if (!is_new_) {
 		return;
 	}
 	time_s_ = t_s;
 	recent_.push({ t_s, motion });
-	if (--until_onset_ <= 0) {
+	if (until_onset_ <= 0) {
 		const std::array<Rest, RESTS> rests = rests_before_now();
 		if (rests[0].tip_m <= options_.rest_m && rests[0].radius_m <= options_.rest_radius_m) {
 			until_onset_ = ONSET_STEP;
@@ -192,6 +193,9 @@ void GestureClassifier::step_onsets(const HandMotion &motion) {
 					onset.observer.farthest_m().squaredNorm() > distance_m2 ? onset.age : onset.farthest_age;
 			onset.growth_age = onset.observer.growth_m() > growth_m ? onset.age : onset.growth_age;
 		}
+		const int still = onset.age - std::max(onset.farthest_age, onset.growth_age);
+		// The movement is over, and any end has been detected: the next movement is another one.
+		onset.is_used = still * SymbolClock::PERIOD_S < parameters::PAUSE_S + parameters::DETECTION_S;
 		filler_filter_.step(static_cast<int>(lane), filler_.b.col(columns_[lane]).data());
 	}
 	for (Hypothesis &hypothesis : hypotheses_) {

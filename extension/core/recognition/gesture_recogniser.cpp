@@ -81,7 +81,7 @@ void GestureRecogniser::update_gestures() {
 }
 
 double GestureRecogniser::posterior(std::size_t session) const {
-	// The largest odds are factored out, so that no exponential overflows.
+	// With the larger of these odds and 0 factored out, neither overflows.
 	const double odds = log_odds(session), largest = std::max(odds, 0.0);
 	double all = std::exp(-largest);
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
@@ -106,8 +106,8 @@ void GestureRecogniser::judge_starts() {
 	for (std::size_t i = 0; i < sessions_.size(); ++i) {
 		GestureSession &session = *sessions_[i];
 		Start &start = starts_[i];
-		if (session.gestures_started() != start.number) {
-			start = { session.gestures_started(), start_condition_.may_begin(session.started_s()) };
+		if (session.started_s() != start.onset_s) {
+			start = { session.started_s(), start_condition_.may_begin(session.started_s()) };
 		} else if (start.is_allowed && start_condition_.is_released() &&
 				session.stage() == GestureSession::Stage::ACTIVE) {
 			start.is_allowed = false;

@@ -82,9 +82,9 @@ private:
 	double min_confidence_ = 0.0;
 	double completion_ = END_LEVEL;
 	StartCondition start_condition_;
-	/// The last start of a session: its number, and whether the start condition was met.
+	/// The last start of a session: its onset, and whether the start condition was met.
 	struct Start {
-		std::uint32_t number = 0;
+		double onset_s = -INFINITY;
 		bool is_allowed = true;
 	};
 	std::vector<Start> starts_; ///< one per session
@@ -107,7 +107,7 @@ private:
 	/// The start condition was met, and the confidence is high enough, so that the gesture may be shown and
 	/// end.
 	[[nodiscard]] bool may_show(std::size_t session) const;
-	/// Checks the start condition at each start, and aborts gestures whose pinch opens.
+	/// Checks the start condition at each onset, and aborts gestures whose pinch opens.
 	void judge_starts();
 	/// Index of the candidate with the greatest log odds; -1 if there is none. is_candidate: f(index).
 	template <class Predicate> [[nodiscard]] int likeliest(Predicate is_candidate) const;

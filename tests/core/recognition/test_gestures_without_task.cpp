@@ -2,6 +2,7 @@
 
 #include "gesture_events.h"
 #include "near.h"
+#include "signal/minimum_jerk.h"
 
 #include <doctest/doctest.h>
 
@@ -35,12 +36,49 @@ GestureRecogniser least(double min_confidence, GestureRecogniser recogniser = wi
 	return recogniser;
 }
 
+/// Drags that end, of 40 hands that come from elsewhere and rest before.
+int drags_after(double rest_s, const StartSettings &start = {}) {
+	constexpr double COMES_S = 1.0, LONG_S = 0.5;
+	int ended = 0;
+	for (unsigned seed = 0; seed < 40; ++seed) {
+		GestureRecogniser recogniser({ { models()[0], std::nullopt } });
+		recogniser.set_start_condition(start);
+		Tremor tremor(5e-4, seed);
+		const double from_s = COMES_S + LONG_S + rest_s + 0.001 * seed;
+		const TestPath path = [&](double t_s) {
+			const double comes = 1.0 - minimum_jerk((t_s - COMES_S) / LONG_S).value;
+			const double moved = minimum_jerk((t_s - from_s) / (0.5 + 0.01 * seed)).value;
+			const Eigen::Vector3d sways(std::sin(2.0 * t_s + seed), std::sin(2.7 * t_s), 0.0);
+			return Eigen::Vector3d(
+					comes * Eigen::Vector3d(-0.1, -0.15, 0.1) + 0.2 * moved * X + 0.001 * sways + tremor());
+		};
+		const TestTracker tracker{ .rate_hz = 90.0, .noise_m = 0.0 };
+		const Events events = watch(recogniser, path, from_s + 2.5, tracker);
+		ended += events.last_ended_s > from_s ? 1 : 0;
+	}
+	return ended;
+}
+
 /// A drag of 0.2 m in 1 s, at this angle to the axis of "horizontal_drag".
 TestPath oblique(double angle_rad) {
 	return along({ std::cos(angle_rad), std::sin(angle_rad), 0.0 }, { DRAG });
 }
 
 } // namespace
+
+TEST_CASE("without a task a drag ends after another movement and a rest of seconds") {
+	for (const double rest_s : { 2.0, 3.0, 5.0, 20.0 }) {
+		CAPTURE(rest_s);
+		CHECK(drags_after(rest_s) >= 38);
+	}
+}
+
+TEST_CASE("without a task a dwell before the drag is enough") {
+	for (const double rest_s : { 2.0, 3.0 }) {
+		CAPTURE(rest_s);
+		CHECK(drags_after(rest_s, { .kind = StartKind::DWELL }) >= 38);
+	}
+}
 
 TEST_CASE("without a task each hand makes its events") {
 	const Eigen::Vector3d oblique(std::cos(0.35), 0.0, std::sin(0.35)); // 20 degrees off
