@@ -1,6 +1,7 @@
 #pragma once
 
-// All tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Lengths
+// Tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Those of the HMMs are in
+// ClassifierOptions. Lengths
 // without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
 // source was fitted on simulated people of the tuning population. Those of hand and tracker were fitted with
 // tools/tuning/fit_parameters.py, and then moved until the unit tests passed. `./steadyhand bench ablation`
@@ -157,7 +158,7 @@ STEADYHAND_PARAMETER RECENT_S = 0.1;
 // Without a task, by HMM.
 
 /// Posterior of a start, an abort and an end. An early start costs little: only the end counts.
-STEADYHAND_PARAMETER BEGINS = 0.1, GIVEN_UP = 0.03, CERTAIN = 0.99;
+STEADYHAND_PARAMETER START_POSTERIOR = 0.1, ABORT_POSTERIOR = 0.03, END_POSTERIOR = 0.99;
 /// Least reach of a movement with a direction.
 STEADYHAND_PARAMETER SHORTEST = 0.12;
 /// A hand has returned from its end at this fraction of its greatest distance.

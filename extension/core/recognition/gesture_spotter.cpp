@@ -58,7 +58,7 @@ GestureSpotter::Event GestureSpotter::find_start() {
 		any += candidate.posterior;
 	}
 	const auto found = std::ranges::max_element(candidates, {}, &GestureCandidate::posterior);
-	if (found == candidates.end() || !(any > BEGINS) || found->reach < SHORTEST) {
+	if (found == candidates.end() || !(any > START_POSTERIOR) || found->reach < SHORTEST) {
 		return Event::NONE;
 	}
 	if (is_return(*found)) {
@@ -79,12 +79,12 @@ bool GestureSpotter::is_return(const GestureCandidate &candidate) const {
 
 GestureSpotter::Event GestureSpotter::follow() {
 	const GestureCandidate &now = classifier_.candidates()[index_];
-	if (now.posterior < GIVEN_UP) {
+	if (now.posterior < ABORT_POSTERIOR) {
 		is_active_ = false;
 		return Event::ABORTED;
 	}
 	candidate_ = now;
-	if (now.posterior > CERTAIN && now.end_probability > 0.5) {
+	if (now.posterior > END_POSTERIOR && now.end_probability > 0.5) {
 		end();
 		return Event::ENDED;
 	}

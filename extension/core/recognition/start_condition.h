@@ -26,8 +26,8 @@ struct StartSettings {
 	double pinch_m = 0.025;
 };
 
-/// Decides whether a gesture may begin. A hand in a dropout, or with a low confidence, does not meet the
-/// condition, and not at once after a dropout either.
+/// Decides whether a gesture may begin. A hand in a dropout longer than parameters::SHORT_DROPOUT_S, or with
+/// a low confidence, does not meet the condition, and not at once after such a dropout either.
 class StartCondition {
 public:
 	explicit StartCondition(const StartSettings &settings = {}) : settings_(settings) {}

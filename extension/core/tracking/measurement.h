@@ -28,7 +28,6 @@ struct Measurement {
 	/// Sum of the tracker's jumps that it has not undone: the offset of its positions. It is 0 again after a
 	/// long dropout, in which the hand may have moved anywhere.
 	Eigen::Vector3d displacement_m = Eigen::Vector3d::Zero();
-	double jump_m = 0.0; ///< OUTLIER: distance from the nearest possible position of the hand
 
 	/// Whether the reading is new data.
 	[[nodiscard]] bool is_new() const {
@@ -42,8 +41,7 @@ struct Measurement {
 struct TrackerFaults {
 	std::uint64_t dropouts = 0;
 	std::uint64_t freezes = 0;
-	std::uint64_t jumps = 0;          ///< a jump and its return count once
-	std::uint64_t skipped_frames = 0; ///< in gaps too short for a dropout
+	std::uint64_t jumps = 0; ///< a jump and its return count once
 };
 
 } // namespace steadyhand

@@ -112,13 +112,8 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	const double t_s = r_measurement.t_s;
 	const double dt_s = t_s - new_s_;
 	const bool is_dropout = frame_gap_s > overdue_s();
-	const bool is_gap = frame_gap_s > 1.5 * period_s_;
-	gap_ended_s_ = is_gap ? t_s : gap_ended_s_;
-	if (is_dropout) {
-		++faults_.dropouts;
-	} else if (is_gap && frame_gap_s == dt_s) {
-		faults_.skipped_frames += static_cast<std::uint64_t>(std::lround(dt_s / period_s_)) - 1;
-	}
+	gap_ended_s_ = frame_gap_s > 1.5 * period_s_ ? t_s : gap_ended_s_;
+	faults_.dropouts += is_dropout ? 1 : 0;
 	if (is_dropout || is_frozen_) {
 		r_measurement.status = MeasurementStatus::REAPPEARED;
 		r_measurement.gap_s = is_frozen_ ? dt_s : frame_gap_s;
@@ -134,7 +129,7 @@ void TrackerMonitor::read(Measurement &r_measurement, double frame_gap_s) {
 	if (is_in_burst_) {
 		--delayed_frames_;
 	} else {
-		delayed_frames_ = is_period_known() ? std::lround(frame_gap_s / period_s_) - 1 : 0;
+		delayed_frames_ = is_period_known() ? std::llround(frame_gap_s / period_s_) - 1 : 0;
 		period_before_gap_s_ = period_s_;
 		time(t_s);
 		if (r_measurement.status != MeasurementStatus::OUTLIER) {
@@ -203,7 +198,6 @@ void TrackerMonitor::judge(Measurement &r_measurement, double dt_s) {
 	}
 	++faults_.jumps;
 	r_measurement.status = MeasurementStatus::OUTLIER;
-	r_measurement.jump_m = off_m.norm();
 	jump_ = Jump{ .since_s = r_measurement.t_s,
 		.gap_s = std::exchange(r_measurement.gap_s, 0.0),
 		.is_catch_up = catches_up(r_measurement.position_m - before.position_m(), r_measurement.t_s),
@@ -263,7 +257,6 @@ void TrackerMonitor::judge_jumped(Measurement &r_measurement, Jump &r_jump) {
 		return;
 	}
 	r_measurement.status = MeasurementStatus::OUTLIER;
-	r_measurement.jump_m = off_m.norm();
 	r_measurement.outlier_probability = 1.0 / (1.0 + std::exp(hand - std::max(jumped, elsewhere)));
 }
 

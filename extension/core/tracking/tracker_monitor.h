@@ -57,7 +57,7 @@ private:
 	bool is_in_burst_ = false;   ///< the newest frame is a later one of a burst
 	bool is_burst_used_ = false; ///< an earlier frame of the newest burst was usable
 	double gap_ended_s_ = -INFINITY;   ///< time of the last frame after a missing one
-	long delayed_frames_ = 0;          ///< frames missing before the newest burst that have not arrived in it
+	std::int64_t delayed_frames_ = 0;  ///< frames missing before the newest burst that have not arrived in it
 	double period_before_gap_s_ = 0.0; ///< period_s() before the newest burst
 	Ring<double, 8> intervals_s_;
 	double period_s_ = parameters::tracker::UNKNOWN_PERIOD_S;

@@ -46,7 +46,7 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "outliers that TrackerMonitor misses", { { &OUTLIERS, NONE } } },
 		{ "hand mode FREE", { { &GESTURE_TO_FREE_PER_S, 0.0 }, { &HOLD_TO_FREE_PER_S, 0.0 } } },
 		{ "hold within a gesture", { { &GESTURE_TO_HOLD_PER_S, 0.0 } } },
-		{ "births only near the start", { { &START_SPREAD, NEVER } } },
+		{ "births only near the start, and unseen ones beyond it", { { &START_SPREAD, NEVER } } },
 		{ "early phases are not put out", { { &VISIBLE_PHASE, 0.0 } } },
 
 		{ "TrackerMonitor: jumps and freezes", { { &t::FAULTS_PER_S, 1e-300 } } },
@@ -64,8 +64,8 @@ inline std::vector<Mechanism> mechanisms() {
 		{ "with a task: halfway starts at any probability", { { &HALFWAY, NEVER } } },
 		{ "with a task: gestures that enter the view", { { &REST_UNSEEN, NEVER } } },
 
-		{ "without a task: early starts", { { &BEGINS, CERTAIN } }, true },
-		{ "without a task: lower limit of an abort", { { &GIVEN_UP, BEGINS } }, true },
+		{ "without a task: early starts", { { &START_POSTERIOR, END_POSTERIOR } }, true },
+		{ "without a task: lower limit of an abort", { { &ABORT_POSTERIOR, START_POSTERIOR } }, true },
 		{ "without a task: least reach of a start", { { &SHORTEST, 0.0 } }, true },
 
 		{ "several gestures: margin of a change", { { &SWITCH_MARGIN, 0.0 } }, true },

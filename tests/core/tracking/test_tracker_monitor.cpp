@@ -31,7 +31,7 @@ TrackerMonitor watched(const MovingHand &hand, double until_s, std::uint64_t see
 
 std::uint64_t all_faults(const TrackerMonitor &monitor) {
 	const TrackerFaults &faults = monitor.faults();
-	return faults.dropouts + faults.freezes + faults.jumps + faults.skipped_frames;
+	return faults.dropouts + faults.freezes + faults.jumps;
 }
 
 } // namespace
@@ -222,7 +222,7 @@ TEST_CASE("impossible positions and times give finite results") {
 												  : Vector3d(far_m * random.normal(), far_m * (i % 5), 0.0);
 				const Measurement measurement = monitor.push(t_s, place_m);
 				for (const double number : { measurement.noise_m, measurement.outlier_probability,
-							 measurement.gap_s, measurement.jump_m, monitor.period_s() }) {
+							 measurement.gap_s, monitor.period_s() }) {
 					REQUIRE(std::isfinite(number));
 				}
 			}
