@@ -10,6 +10,7 @@ signal practice_ended(found: String)
 
 const Conditions := preload("conditions.gd")
 const MouseHand := preload("mouse_hand.gd")
+const Origin := preload("origin.gd")
 const Participant := preload("participant.gd")
 const Practice := preload("practice.gd")
 const Readout := preload("readout.gd")
@@ -231,7 +232,7 @@ func _begin_live_trial() -> void:
 		gesture_hmm.motion = _order.condition_at(_live_trials, _positions())
 	_live_trials += 1
 	var trial_name := "%s_%03d" % ["mouse" if _mouse.active else "live", _live_trials]
-	var origin := "mouse" if _mouse.active else "person"
+	var origin := "mouse" if _mouse.active else Origin.of(tracker.source)
 	_begin_trial(trial_name, position_name, _participant.name, origin)
 
 

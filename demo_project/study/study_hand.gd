@@ -4,6 +4,7 @@ extends Node
 ## A simulated hand has made its last frame.
 signal frames_over
 
+const Origin := preload("res://scripts/origin.gd")
 const Participant := preload("res://scripts/participant.gd")
 const TrialTask := preload("res://scripts/trial_task.gd")
 
@@ -22,7 +23,7 @@ var _clock_offset_s := NAN
 ## `source`: of the hand. `reference_source`: of a sensor to compare with; null: none.
 func _init(source: HandSource = null, reference_source: HandSource = null) -> void:
 	_source = source
-	origin = _origin_of(source)
+	origin = Origin.of(source)
 	tracker.autostart = false
 	tracker.frame_received.connect(
 		func(frame: HandFrame) -> void: _clock_offset_s = frame.time - _engine_s()
@@ -101,17 +102,6 @@ static func _node_settings() -> Dictionary:
 
 static func _default(property: StringName) -> Variant:
 	return ClassDB.class_get_property_default_value(&"GestureHMM", property)
-
-
-## Who makes the frames of a source.
-static func _origin_of(source: HandSource) -> String:
-	if source is DegradedSource:
-		return _origin_of((source as DegradedSource).source)
-	if source is SyntheticSource:
-		return "synthetic"
-	if source is RecordedSource:
-		return "replay"
-	return "mouse" if source is MouseSource else "person"
 
 
 static func _describe(source: HandSource) -> String:

@@ -55,6 +55,20 @@ func test_drags_whose_ends_are_known() -> void:
 	_check_frames(session, hand)
 
 
+func test_a_live_source_names_who_makes_its_frames() -> void:
+	var degraded := DegradedSource.new()
+	degraded.source = SyntheticSource.new()
+	var sources: Dictionary[String, HandSource] = {
+		"person": ScriptSource.new(), "mouse": MouseSource.new(), "synthetic": degraded
+	}
+	for origin in sources:
+		var folder := _folder.get_current_dir().path_join(origin)
+		var player := TaskPlayer.new("tap", folder, self)
+		player.scene.follow_live(sources[origin])
+		var rows := _rows(player.scene.session_folder, player)
+		check_equal(rows[0]["origin"], origin, "a live trial of a %s source" % origin)
+
+
 func test_played_trials_name_their_subject() -> void:
 	for gesture in Tasks.SCENES:
 		var folder := _folder.get_current_dir().path_join(gesture)
