@@ -59,7 +59,7 @@ func test_a_live_source_names_who_makes_its_frames() -> void:
 	var degraded := DegradedSource.new()
 	degraded.source = SyntheticSource.new()
 	var sources: Dictionary[String, HandSource] = {
-		"person": ScriptSource.new(), "mouse": MouseSource.new(), "synthetic": degraded
+		"person": ScriptSource.new(), "synthetic": degraded
 	}
 	for origin in sources:
 		var folder := _folder.get_current_dir().path_join(origin)
