@@ -2,6 +2,7 @@ extends "support/scene_test.gd"
 ## Displays of the vibration: the inspector's preview of an effect, and the strip in a game.
 
 const EffectPreview := preload("res://addons/steadyhand/editor/effect_preview.gd")
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 const Waveform := preload("support/waveform.gd")
 
@@ -96,7 +97,7 @@ static func _arrival_s() -> float:
 	var high := 1.0
 	for i in 50:
 		var s := 0.5 * (low + high)
-		if s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) < 0.95:
+		if PushedHand.share(s) < 0.95:
 			low = s
 		else:
 			high = s

@@ -3,6 +3,7 @@ extends "support/scene_test.gd"
 
 const Conditions := preload("res://scripts/conditions.gd")
 const DesktopPanel := preload("res://study/desktop_questionnaire_panel.gd")
+const PushedHand := preload("support/pushed_hand.gd")
 const StudyHand := preload("res://study/study_hand.gd")
 const StudyScene := preload("res://study/study_scene.gd")
 const StudySupport := preload("support/study_support.gd")
@@ -337,14 +338,8 @@ func _drag(
 
 ## Before 0 s the hand is at the target, or returns from it.
 func _place(task: GestureTask, passed_s: float, time_s: float) -> Vector3:
-	var share := _moved(passed_s, 1.0, 0.8)
+	var share := PushedHand.share((passed_s - 1.0) / 0.8)
 	if passed_s < 0.0:
-		share = 1.0 - _moved(passed_s, -1.1, 0.6)
+		share = 1.0 - PushedHand.share((passed_s + 1.1) / 0.6)
 	var tremor := 1e-4 * Vector3(sin(55.0 * time_s), sin(62.0 * time_s), sin(71.0 * time_s))
 	return task.get_start() + task.get_axis() * task.amplitude * share + tremor
-
-
-## Share of a minimum-jerk motion.
-func _moved(passed_s: float, onset_s: float, duration_s: float) -> float:
-	var p := clampf((passed_s - onset_s) / duration_s, 0.0, 1.0)
-	return p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)

@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## Whole sessions of simulated people, from end to end.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const StudySupport := preload("support/study_support.gd")
 const StudyTrialLog := preload("res://study/study_trial_log.gd")
 const SyntheticHand := preload("res://study/synthetic_study_hand.gd")
@@ -115,7 +116,7 @@ func test_a_session_that_stops_goes_on_with_the_next_trial() -> void:
 func test_reference_span_is_found_in_its_curve() -> void:
 	var curve := PackedFloat64Array()
 	for i in 2001:
-		curve.append(_minimum_jerk((i - 500) / 800.0))
+		curve.append(PushedHand.share((i - 500) / 800.0))
 	for onset_s: float in [10.55, 10.8, 11.4]:
 		var span := StudyTrialLog.span_of(curve, 10.0, onset_s)
 		# A minimum-jerk motion is at 5 % after 0.189 of its time, at 99 % after 0.893.
@@ -126,16 +127,11 @@ func test_reference_span_is_found_in_its_curve() -> void:
 func test_reference_span_comes_after_the_return_to_a_shifted_start() -> void:
 	var curve := PackedFloat64Array()
 	for i in 3501:
-		var way := 1.0 - _minimum_jerk((i - 300) / 600.0) + _minimum_jerk((i - 2000) / 800.0)
+		var way := 1.0 - PushedHand.share((i - 300) / 600.0) + PushedHand.share((i - 2000) / 800.0)
 		curve.append(lerpf(0.1, 1.0, way))
 	var span := StudyTrialLog.span_of(curve, 10.0, 12.3)
 	check_near(span["start_s"], 12.0 + 0.189 * 0.8, 0.002, "start")
 	check_near(span["end_s"], 12.0 + 0.893 * 0.8, 0.01, "end")
-
-
-func _minimum_jerk(share: float) -> float:
-	var p := clampf(share, 0.0, 1.0)
-	return p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
 
 
 func test_amplitudes_and_widths_reach_the_task() -> void:

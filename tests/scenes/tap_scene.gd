@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## The tap scene, headless: the surface is 15 cm away, and red from the contact on.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 const TapStage := preload("res://scripts/tap_stage.gd")
 const TaskPlayer := preload("support/task_player.gd")
@@ -60,8 +61,7 @@ func _write_short_tap() -> String:
 	track.store_line("t,index_x,index_y,index_z")
 	for i in 250:
 		var t := 0.01 * i
-		var p := clampf((t - 0.8) / 0.3, 0.0, 1.0)
-		var way := 0.075 * p * p * p * (10.0 - 15.0 * p + 6.0 * p * p) + 1e-4 * sin(TAU * 11.3 * t)
+		var way := 0.075 * PushedHand.share((t - 0.8) / 0.3) + 1e-4 * sin(TAU * 11.3 * t)
 		track.store_line("%.3f,0,0,%.6f" % [t, -way])
 	return path
 

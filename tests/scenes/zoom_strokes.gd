@@ -1,6 +1,7 @@
 extends "support/scene_test.gd"
 ## A zoom in several strokes, with the add-on's model: fingers open, close, and open again.
 
+const PushedHand := preload("support/pushed_hand.gd")
 const Rig := preload("support/rig.gd")
 
 const FRAME_S := 1.0 / 110.0
@@ -118,16 +119,11 @@ func _play(
 		var t_s := frame * FRAME_S
 		var radius_m := START_M + random.randfn(0.0, 1e-4)
 		for stroke in strokes:
-			radius_m += stroke.z * _minimum_jerk((t_s - stroke.x) / stroke.y)
+			radius_m += stroke.z * PushedHand.share((t_s - stroke.x) / stroke.y)
 		rig.tracker.push_frame(t_s, _tips(radius_m, sin(TAU * 0.5 * t_s) * sway_m))
 		values.append(rig.gesture_hmm.get_motion_value(GestureHMM.MOTION_SYNTHESISED))
 	rig.free_nodes()
 	return {events = events, values = values}
-
-
-static func _minimum_jerk(phase: float) -> float:
-	var s := clampf(phase, 0.0, 1.0)
-	return s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)
 
 
 static func _tips(radius_m: float, centre_m: Vector3) -> Dictionary:

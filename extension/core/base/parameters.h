@@ -1,11 +1,10 @@
 #pragma once
 
-// Tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Those of the HMMs are in
-// ClassifierOptions. Lengths
-// without a unit are in amplitudes: 1 is the distance from a task's start to its end. A value without a
-// source was fitted on simulated people of the tuning population. Those of hand and tracker were fitted with
-// tools/tuning/fit_parameters.py, and then moved until the unit tests passed. `./steadyhand bench ablation`
-// measures the effect of mechanisms.
+// Tuning parameters of the motion core: motion/, recognition/ and TrackerMonitor. Those of the HMMs are
+// in ClassifierOptions. Lengths without a unit are in amplitudes: 1 is the distance from a task's start
+// to its end. A value without a source was fitted on simulated people of the tuning population. Those of
+// hand and tracker were fitted with tools/tuning/fit_parameters.py, and then moved until the unit tests
+// passed. `./steadyhand bench ablation` measures the effect of mechanisms.
 
 /// A constant, except in the benchmarks that vary parameters.
 #ifdef STEADYHAND_VARIABLE_PARAMETERS

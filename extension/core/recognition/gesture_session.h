@@ -126,8 +126,8 @@ protected:
 	/// Enters IDLE, as before the first frame. The motion goes to 0, and at the next frame to the hand.
 	void reset_hand(double t_s);
 	[[nodiscard]] bool is_reset() const { return is_reset_; }
-	/// Restarts the estimator at the hand's position, for the next gesture. shift: is added to
-	/// this position, amplitudes.
+	/// Restarts the estimator at the hand's position, for the next gesture. shift: is added to this
+	/// position, amplitudes.
 	void restart_estimate(double t_s, double shift = 0.0) { phase_.restart(t_s, shift); }
 	/// Blends the motion from `before` at t_s to the present one. rate: 1/s.
 	void blend_from(const Motion &before, double t_s, double rate_per_s);

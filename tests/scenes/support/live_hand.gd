@@ -1,6 +1,7 @@
 extends RefCounted
 ## An index finger whose frames a test pushes to a scene's tracker.
 
+const PushedHand := preload("pushed_hand.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 
 const FRAME_S := 0.01
@@ -19,12 +20,11 @@ func push(scene: TaskScene, to: Vector3, is_tracked: bool = true) -> void:
 	scene.tracker.push_frame(time_s, joints)
 
 
-## Moves in 1 s on a minimum-jerk curve (Flash & Hogan 1985).
+## Moves in 1 s on a minimum-jerk curve.
 func move(scene: TaskScene, to: Vector3) -> void:
 	var from := place
 	for frame in range(1, 101):
-		var s := frame / 100.0
-		push(scene, from.lerp(to, s * s * s * (10.0 - 15.0 * s + 6.0 * s * s)))
+		push(scene, from.lerp(to, PushedHand.share(frame / 100.0)))
 
 
 ## Moves to the task's start, rests, makes the gesture to `way` (m), and rests.

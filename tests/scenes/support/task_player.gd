@@ -1,6 +1,7 @@
 extends RefCounted
 ## A task scene of the demo, controlled by a test: plays trials, or moves the mouse.
 
+const PushedHand := preload("pushed_hand.gd")
 const Rig := preload("rig.gd")
 const TaskScene := preload("res://scripts/task_scene.gd")
 const Tasks := preload("res://scripts/tasks.gd")
@@ -48,9 +49,7 @@ func stroke_mouse(from: Vector3, to: Vector3) -> void:
 	var began_us := Time.get_ticks_usec()
 	var phase := -REST_S / STROKE_S
 	while phase < 1.0 + REST_S / STROKE_S:
-		var p := clampf(phase, 0.0, 1.0)
-		var way := p * p * p * (10.0 - 15.0 * p + 6.0 * p * p)
-		_point_mouse(from.lerp(to, way))
+		_point_mouse(from.lerp(to, PushedHand.share(phase)))
 		await _tree.process_frame
 		phase = (1e-6 * (Time.get_ticks_usec() - began_us) - REST_S) / STROKE_S
 
